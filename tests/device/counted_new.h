@@ -18,6 +18,11 @@ inline void* counted(std::size_t bytes) {
 
 }  // namespace cusp::test
 
+// g++ inlines one half of a pair and then finds std::malloc beside operator delete.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+#endif
+
 void* operator new(std::size_t bytes) { return cusp::test::counted(bytes); }
 void* operator new[](std::size_t bytes) { return cusp::test::counted(bytes); }
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -80,7 +80,7 @@ QWidget* PeoplePage::make_form() {
   add_field(*fields, tr("Number or user name"), number_, kBetween);
   add_field(*fields, tr("Role"), role_, kBetween);
   secret_label_ = add_field(*fields, tr("PIN, six digits"), secret_, kBetween);
-  secret_note_ = make_label({}, TextRole::caption, false, "text2");
+  secret_note_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   secret_note_->setWordWrap(true);
   form_->body()->addWidget(secret_note_);
   form_->body()->addSpacing(px(8));

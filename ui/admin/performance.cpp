@@ -193,11 +193,11 @@ QWidget* Performance::make_figures() {
     card->setAccessibleName(names[i]);
     card->body()->setContentsMargins(px(16), px(8), px(16), px(8));
     card->body()->setSpacing(0);
-    card->body()->addWidget(make_label(names[i], TextRole::caption, false, "text2"));
+    card->body()->addWidget(make_label(names[i], TextRole::caption, Weight::regular, "text2"));
     auto* line = new QHBoxLayout;
     line->setSpacing(px(8));
-    figure_[i] = make_label({}, TextRole::page_title, true);
-    note_[i] = make_label({}, TextRole::caption, false, "text2");
+    figure_[i] = make_label({}, TextRole::page_title, Weight::bold);
+    note_[i] = make_label({}, TextRole::caption, Weight::regular, "text2");
     line->addWidget(figure_[i]);
     line->addWidget(note_[i], 1, Qt::AlignBottom);
     card->body()->addLayout(line);

@@ -20,7 +20,7 @@ void add_keys(Card* card, const QVector<std::pair<QStringList, QString>>& keys) 
     for (const QString& cap : caps) row->addWidget(make_key_cap(cap));
     row->addStretch();
     grid->addLayout(row, line, 0);
-    QLabel* text = make_label(what, TextRole::body, false, "text2");
+    QLabel* text = make_label(what, TextRole::body, Weight::regular, "text2");
     text->setWordWrap(true);
     grid->addWidget(text, line++, 1);
   }
@@ -89,7 +89,7 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
         tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
         tr("± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so."),
         tr("Time earns no points.")}) {
-    add_line(marking, make_label(line, TextRole::body, false, "text2"));
+    add_line(marking, make_label(line, TextRole::body, Weight::regular, "text2"));
   }
   body->addWidget(marking);
   body->addStretch();

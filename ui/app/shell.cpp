@@ -59,12 +59,12 @@ QWidget* Shell::make_top_bar(const Account& account) {
   auto* logo = new QLabel;
   logo->setPixmap(icon_pixmap(u"tooth"_qs, Ink::accent, 20, devicePixelRatioF()));
   row->addWidget(logo);
-  row->addWidget(make_label(u"Cusp"_qs, TextRole::section, true));
+  row->addWidget(make_label(u"Cusp"_qs, TextRole::section, Weight::bold));
   row->addStretch();
   auto* sign = new QLabel;
   sign->setPixmap(icon_pixmap(u"monitor"_qs, Ink::text2, 16, devicePixelRatioF()));
   row->addWidget(sign);
-  row->addWidget(make_label(QSysInfo::machineHostName(), TextRole::caption, false, "text2"));
+  row->addWidget(make_label(QSysInfo::machineHostName(), TextRole::caption, Weight::regular, "text2"));
   row->addSpacing(px(20));
 
   row->addWidget(make_language_button());
@@ -110,7 +110,7 @@ QPushButton* Shell::make_account_button(const Account& account) {
   chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, devicePixelRatioF()));
   const QString name = QString::fromStdString(account.name);
   QLabel* who = make_label(name);
-  QLabel* role = make_label(role_name(account.role), TextRole::body, false, "text2");
+  QLabel* role = make_label(role_name(account.role), TextRole::body, Weight::regular, "text2");
   for (QLabel* label : {face, who, role, chevron}) {
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     inside->addWidget(label);
@@ -169,7 +169,7 @@ QWidget* Shell::make_sidebar() {
   foot->setSpacing(px(8));
   device_sign_ = new QLabel;
   foot->addWidget(device_sign_);
-  device_ = make_label({}, TextRole::caption, false, "text2");
+  device_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   device_->setWordWrap(true);
   foot->addWidget(device_, 1);
   column->addLayout(foot);

@@ -1,7 +1,6 @@
 // cusp audit SCENARIO [--hand NAME:SEED ...] [--apply [-o FILE]] [--json FILE]
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
+#include "ui/cli/interrupt.h"
 #include "ui/modules.h"
 #include "ui/session/audit_run.h"
 #include "ui/text/audit_text.h"
@@ -29,9 +29,6 @@ struct AuditOptions {
   bool apply = false, detail = false, progress = false;
   JsonOption json;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int) { interrupted = 1; }
 
 void print(const AuditReport& report) {
   const auto line = [](const QString& name, const QString& verdict, const QString& us, const QString& mb, const QString& start,
@@ -92,13 +89,12 @@ int audit_verb(const AuditOptions& o) {
   for (const char* hand : {"expert", "competent", "novice"}) {
     for (int seed = 1; seed <= o.seeds; ++seed) settings.operators.push_back({hand, static_cast<std::uint64_t>(seed)});
   }
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  catch_interrupt();
   int printed = -1;
   const AuditWatch watch = [&](double share) {
     const int percent = static_cast<int>(100 * share);
     if (o.progress && percent > printed) std::fprintf(stderr, "%d %%\n", printed = percent);
-    return interrupted == 0;
+    return !interrupted();
   };
   auto report = audit(loaded->scenario, settings, audit_runner(loaded->folder), watch);
   if (!report) return failed(describe(report.error()));

@@ -1,7 +1,6 @@
 // cusp import FILE... -o VOLUME
 
 #include <algorithm>
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -17,6 +16,7 @@
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
+#include "ui/cli/interrupt.h"
 #include "ui/modules.h"
 #include "ui/text/names.h"
 #include "ui/text/import_text.h"
@@ -40,15 +40,11 @@ constexpr double kMeshVoxelMm = 0.1;  // a mesh has no voxel size: a tenth, as t
 /// One line on stderr that does not end the verb.
 void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
 
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int) { interrupted = 1; }
-
 /// Ctrl+C stops the child, and with it the import, within a moment.
 class StopOnInterrupt {
  public:
   StopOnInterrupt() {
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
+    catch_interrupt();
   }
   std::stop_token token() { return source_.get_token(); }
 
@@ -56,7 +52,7 @@ class StopOnInterrupt {
   std::stop_source source_;
   std::jthread watch_{[this](const std::stop_token& over) {
     while (!over.stop_requested()) {
-      if (interrupted) source_.request_stop();
+      if (interrupted()) source_.request_stop();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }};

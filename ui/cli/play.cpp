@@ -1,6 +1,5 @@
 // cusp play SCENARIO --script expert|fair|novice|FILE [--db DB] [--as NAME] --out DIR
 
-#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +14,7 @@
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
+#include "ui/cli/interrupt.h"
 #include "ui/modules.h"
 #include "ui/session/play_through.h"
 #include "ui/session/scene_builder.h"
@@ -40,9 +40,6 @@ QString builtins() {
   for (const std::string_view key : builtin_scenarios()) keys.push_back(QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size())));
   return keys.join(u", "_qs);
 }
-
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int) { interrupted = 1; }
 
 /// "falcon:FT000001": the kind, and which of several; with what this station knows of it.
 DeviceChoice device_of(const std::string& text) {
@@ -110,16 +107,15 @@ int play(const PlayOptions& o) {
   if (!account) return failed(account.error());
   plan.student = account->actor();
 
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  catch_interrupt();
   settings.go_on = [&o](std::uint64_t elapsed_us) {
     if (o.progress) std::fprintf(stderr, "%.3f\n", static_cast<double>(elapsed_us) * 1e-6);
-    return interrupted == 0;
+    return !interrupted();
   };
   LiveFigures figures;
   const LiveOptions options{.script = o.script, .seed = o.seed, .seconds = o.seconds, .silence_every_s = o.silence_every_s,
                             .progress = o.progress};
-  auto result = live ? play_live(std::move(plan), device, options, [] { return interrupted != 0; }, figures)
+  auto result = live ? play_live(std::move(plan), device, options, [] { return interrupted(); }, figures)
                      : play_through(std::move(plan), *port, settings);
   if (!result) return failed(describe(result.error()));
 

@@ -1,9 +1,9 @@
 // cusp replay [--verify | --at SECONDS] DB SESSION
 
+#include "ui/cli/interrupt.h"
 #include "ui/modules.h"
 #include "ui/session/replay.h"
 
-#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/import/nrrd.h"
@@ -24,9 +24,6 @@ struct ReplayOptions {
   AccountOption account;
   JsonOption json;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int) { interrupted = 1; }
 
 std::string hex16(std::uint64_t value) {
   char text[17];
@@ -88,13 +85,13 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   if (!opened) return failed(describe(opened.error()));
   auto run = Replay::open(store, std::move(*opened));
   if (!run) return failed(describe(run.error()));
-  std::signal(SIGINT, on_interrupt);
+  catch_interrupt();
   ReplayJump jump;
   jump.from = o.at_s ? ReplayFrom::nearest : ReplayFrom::first_tick;
   jump.keep = true;
   jump.watch = [](double share) {
     show_progress(share);
-    return interrupted == 0;
+    return !interrupted();
   };
   auto arrived = run->to(o.at_s ? tick_at(run->inputs(), *o.at_s) : UINT64_MAX, jump);
   end_progress();

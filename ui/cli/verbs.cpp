@@ -6,9 +6,7 @@
 #include <cstdio>
 #include <exception>
 
-#ifdef CUSP_HAS_IMPORT
 #include "scenarios/import/worker.h"
-#endif
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
@@ -32,9 +30,7 @@ int run(int argc, char** argv) {
   add_grade(program, job);
   add_validate(program, job);
   add_audit(program, job);
-#ifdef CUSP_HAS_IMPORT
   add_import(program, job);
-#endif
   add_specimen(program, job);
   add_history(program, job);
   try {
@@ -64,9 +60,7 @@ bool is_verb(int argc, char** argv) {
 }
 
 int run_verb(int argc, char** argv) {
-#ifdef CUSP_HAS_IMPORT
   if (const auto status = import_child_main(argc, argv)) return *status;
-#endif
   // A verb prints one line when it fails, and Qt's remarks about the session it runs in are none of it.
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtFatalMsg) std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(message));

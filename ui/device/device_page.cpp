@@ -26,7 +26,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLookMs = 200;      // what was found is there already: no wait
+constexpr int kPageRefreshMs = 200;      // what was found is there already: no wait
 constexpr int kShownDigits = 16;  // of the file's 64: enough to compare by eye
 
 }  // namespace
@@ -70,7 +70,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   in.list = new QVBoxLayout;
   in.list->setSpacing(px(4));
   card->body()->addLayout(in.list);
-  in.no_falcon = make_label({}, TextRole::body, false, "text2");
+  in.no_falcon = make_label({}, TextRole::body, Weight::regular, "text2");
   in.no_falcon->setWordWrap(true);
   card->body()->addWidget(in.no_falcon);
   in.rights = new RightsRow(card);
@@ -85,7 +85,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   in.firmware->setWordWrap(true);
   in.licence = make_label(tr("A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the "
                              "file that the maker’s software brought to this computer; that licence holds for its use."),
-                          TextRole::caption, false, "text2");
+                          TextRole::caption, Weight::regular, "text2");
   in.licence->setWordWrap(true);
   in.firmware_card->body()->addWidget(in.firmware);
   in.firmware_card->body()->addWidget(in.licence);
@@ -108,7 +108,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   }
   body->addStretch();
   show_firmware();
-  in.timer.setInterval(kLookMs);
+  in.timer.setInterval(kPageRefreshMs);
   connect(&in.timer, &QTimer::timeout, this, &DevicePage::look);
   in.found = in.watch->list();
   in.known = in.watch->changed();
@@ -185,7 +185,7 @@ void DevicePage::fill() {
       line->addWidget(new Chip(tr("plugged in"), Chip::Kind::good));
     }
     if (!one.port.empty()) {
-      line->addWidget(make_label(tr("Socket %1").arg(QString::fromStdString(one.port)), TextRole::caption, false, "text2"));
+      line->addWidget(make_label(tr("Socket %1").arg(QString::fromStdString(one.port)), TextRole::caption, Weight::regular, "text2"));
     }
     line->addStretch();
     column->addLayout(line);

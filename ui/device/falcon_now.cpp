@@ -32,9 +32,9 @@ FalconNow::FalconNow(QWidget* parent) : QWidget(parent) {
   grid->setVerticalSpacing(px(8));
   int line = 0;
   const auto fact = [&](const QString& title) {
-    QLabel* value = make_label(QStringLiteral("–"), TextRole::body, true);
+    QLabel* value = make_label(QStringLiteral("–"), TextRole::body, Weight::bold);
     value->setAccessibleDescription(title);
-    grid->addWidget(make_label(title, TextRole::body, false, "text2"), line, 0);
+    grid->addWidget(make_label(title, TextRole::body, Weight::regular, "text2"), line, 0);
     grid->addWidget(value, line++, 1);
     return value;
   };
@@ -46,7 +46,7 @@ FalconNow::FalconNow(QWidget* parent) : QWidget(parent) {
   column->addLayout(grid);
   auto* pads = new QHBoxLayout;
   pads->setSpacing(px(8));
-  pads->addWidget(make_label(tr("Buttons"), TextRole::body, false, "text2"));
+  pads->addWidget(make_label(tr("Buttons"), TextRole::body, Weight::regular, "text2"));
   for (Chip*& button : buttons_) {
     button = new Chip;
     pads->addWidget(button);
@@ -55,7 +55,7 @@ FalconNow::FalconNow(QWidget* parent) : QWidget(parent) {
   column->addLayout(pads);
   auto* lights = new QHBoxLayout;
   lights->setSpacing(px(8));
-  lights->addWidget(make_label(tr("Light"), TextRole::body, false, "text2"));
+  lights->addWidget(make_label(tr("Light"), TextRole::body, Weight::regular, "text2"));
   const std::pair<QString, std::uint8_t> colours[] = {{tr("Red"), falcon::control::kRed},
                                                       {tr("Green"), falcon::control::kGreen},
                                                       {tr("Blue"), falcon::control::kBlue}};

@@ -30,10 +30,10 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLookMs = 50;
+constexpr int kFalconRefreshMs = 50;
 constexpr double kFeelN = 2.0;  // of the force test
 
-void set_text(QLabel* label, const QString& text) {
+void set_text_if_new(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
 
@@ -105,7 +105,7 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   in.step->hide();
   in.progress->hide();
   in.outcome->hide();
-  in.timer.setInterval(kLookMs);
+  in.timer.setInterval(kFalconRefreshMs);
   connect(&in.timer, &QTimer::timeout, this, &FalconPanel::look);
 }
 
@@ -151,13 +151,13 @@ void FalconPanel::make_tests(QVBoxLayout* column) {
   });
   acts->addWidget(in.stop);
   tests->body()->addLayout(acts);
-  in.step = make_label({}, TextRole::section, true);
+  in.step = make_label({}, TextRole::section, Weight::bold);
   in.progress = new QProgressBar(tests);
   in.progress->setRange(0, 100);
   in.progress->setTextVisible(false);
   in.outcome = make_label({});
   in.outcome->setWordWrap(true);
-  in.measured = make_label({}, TextRole::body, false, "text2");
+  in.measured = make_label({}, TextRole::body, Weight::regular, "text2");
   in.measured->setWordWrap(true);
   in.save = make_button(tr("Save the report…"), ButtonKind::standard, QStringLiteral("save"));
   connect(in.save, &QPushButton::clicked, this, &FalconPanel::save_report);
@@ -270,7 +270,7 @@ void FalconPanel::look() {
       break;
     case Running::nothing: break;
   }
-  set_text(in.step, step);
+  set_text_if_new(in.step, step);
   in.progress->setValue(static_cast<int>(std::lround(100 * v.trial_share)));
   trial_over();
 }

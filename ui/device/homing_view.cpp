@@ -96,8 +96,8 @@ HomingView::HomingView(QWidget* parent) : QWidget(parent) {
   column->setSpacing(px(8));
   picture_ = new Picture(this);
   column->addWidget(picture_, 0, Qt::AlignHCenter);
-  phase_ = make_label({}, TextRole::section, true);
-  sentence_ = make_label({}, TextRole::body, false, "text2");
+  phase_ = make_label({}, TextRole::section, Weight::bold);
+  sentence_ = make_label({}, TextRole::body, Weight::regular, "text2");
   sentence_->setWordWrap(true);
   column->addWidget(phase_);
   column->addWidget(sentence_);

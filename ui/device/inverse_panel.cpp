@@ -28,23 +28,23 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLookMs = 100;
+constexpr int kInverseRefreshMs = 100;
 constexpr int kLeastPercent = 5, kMostPercent = 100;  // of the hand's way: InverseSettings::scale
 constexpr int kQuarterDeg = 90;
 
 double radians(int degrees) { return degrees * std::numbers::pi / 180.0; }
 
-QString millimetres(double m) { return format({m * 1000.0, {}, QStringLiteral("mm"), 1}); }
-
-/// What the background task brings back, whenever that is.
-struct Answer {
-  std::mutex mutex;
-  std::optional<Result<void, PortFailure>> result;
-};
+QString millimetres_of_metres(double m) { return format({m * 1000.0, {}, QStringLiteral("mm"), 1}); }
 
 }  // namespace
 
 struct InversePanel::Inner {
+  /// What the background task brings back, whenever that is.
+  struct Answer {
+    std::mutex mutex;
+    std::optional<Result<void, PortFailure>> result;
+  };
+
   enum class State { away, asking, answers, refused };
 
   std::optional<DeviceSettings> kept;
@@ -84,7 +84,7 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.chip = chip;
   auto* about = make_label(tr("It is reached through its maker's own service on this computer, which you install. Not yet tried with "
                               "a real device: its directions, forces and rate are not verified."),
-                           TextRole::caption, false, "text2");
+                           TextRole::caption, Weight::regular, "text2");
   about->setWordWrap(true);
   column->addWidget(about);
   in.message = make_label({});
@@ -101,7 +101,7 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   make_fields(column);
   make_acts(column);
   connect_all();
-  in.timer.setInterval(kLookMs);
+  in.timer.setInterval(kInverseRefreshMs);
   connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);
   look();
 }
@@ -115,7 +115,7 @@ void InversePanel::make_values(QVBoxLayout* column) {
   grid->setVerticalSpacing(px(4));
   grid->setColumnStretch(1, 1);
   const auto row = [grid](int at, const QString& name, QLabel** value) {
-    grid->addWidget(make_label(name, TextRole::body, false, "text2"), at, 0);
+    grid->addWidget(make_label(name, TextRole::body, Weight::regular, "text2"), at, 0);
     *value = make_label({});
     (*value)->setAccessibleDescription(name);
     grid->addWidget(*value, at, 1);
@@ -196,7 +196,7 @@ void InversePanel::connect_to_it() {
   let_go();
   in.state = Inner::State::asking;
   in.port = in.make(in.settings);
-  in.answer = std::make_shared<Answer>();
+  in.answer = std::make_shared<Inner::Answer>();
   in.asking = BackgroundTask([port = in.port, answer = in.answer] {
     auto result = port->open();
     const std::lock_guard lock(answer->mutex);
@@ -302,7 +302,7 @@ QString InversePanel::show_answers() {
   const QString message = ready ? tr("Move it: the place below follows the hand.")
                : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
   const Vec3 at = s.reading.position_m;
-  in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
+  in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres_of_metres(at.x), millimetres_of_metres(at.y), millimetres_of_metres(at.z)));
   in.rate->setText(view.updates_per_s > 0 ? format_number(view.updates_per_s, 0) : QStringLiteral("–"));
   QStringList down;
   if (s.reading.a) down << QStringLiteral("A");

@@ -29,11 +29,11 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLookMs = 100;
+constexpr int kPedalRefreshMs = 100;
 constexpr int kTeachMs = 20;  // while a foot is watched
 constexpr double kFull = 65535.0;
 
-QString percent(double share) { return format({100.0 * share, {}, QStringLiteral("%"), 0}); }
+QString percent_of(double share) { return format({100.0 * share, {}, QStringLiteral("%"), 0}); }
 
 hid::ControlKind kind_of(const std::vector<hid::Control>& controls, hid::ControlId id) {
   for (const hid::Control& control : controls) {
@@ -93,7 +93,7 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   column->addWidget(in.rights);
   in.keyboard_note = make_label(tr("This pedal plays keyboard: what it types goes to the window as well. With its maker's "
                                    "program, set it to a key from F13 to F24."),
-                                TextRole::caption, false, "text2");
+                                TextRole::caption, Weight::regular, "text2");
   in.keyboard_note->setWordWrap(true);
   column->addWidget(in.keyboard_note);
 
@@ -102,7 +102,7 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   connect_lesson();
   connect_settings();
   connect_device();
-  in.timer.setInterval(kLookMs);
+  in.timer.setInterval(kPedalRefreshMs);
   connect(&in.timer, &QTimer::timeout, this, &PedalPanel::look);
   look();
 }
@@ -113,16 +113,16 @@ void PedalPanel::make_controls(QVBoxLayout* column) {
   grid->setHorizontalSpacing(px(12));
   grid->setVerticalSpacing(px(8));
   grid->setColumnStretch(1, 1);
-  grid->addWidget(make_label(tr("Pressed"), TextRole::body, false, "text2"), 0, 0);
+  grid->addWidget(make_label(tr("Pressed"), TextRole::body, Weight::regular, "text2"), 0, 0);
   in.bar = new Bar(Bar::Role::accent);
   in.bar->setAccessibleName(tr("Pressed"));
   grid->addWidget(in.bar, 0, 1);
-  in.down = make_label(percent(0), TextRole::body, true);
+  in.down = make_label(percent_of(0), TextRole::body, Weight::bold);
   in.down->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  in.down->setMinimumWidth(QFontMetrics(font_of(TextRole::body, true)).horizontalAdvance(percent(1)) + px(4));
+  in.down->setMinimumWidth(QFontMetrics(font_of(TextRole::body, Weight::bold)).horizontalAdvance(percent_of(1)) + px(4));
   grid->addWidget(in.down, 0, 2);
   const auto row = [&](int at, const QString& name, QLabel** value, QWidget* acts) {
-    grid->addWidget(make_label(name, TextRole::body, false, "text2"), at, 0);
+    grid->addWidget(make_label(name, TextRole::body, Weight::regular, "text2"), at, 0);
     *value = make_label({});
     (*value)->setAccessibleDescription(name);
     grid->addWidget(*value, at, 1);
@@ -160,9 +160,9 @@ void PedalPanel::make_lesson(QVBoxLayout* column) {
   auto* steps = new QVBoxLayout(box);
   steps->setContentsMargins(px(12), px(12), px(12), px(12));
   steps->setSpacing(px(8));
-  in.task = make_label({}, TextRole::body, true);
+  in.task = make_label({}, TextRole::body, Weight::bold);
   in.task->setWordWrap(true);
-  in.heard = make_label({}, TextRole::body, false, "text2");
+  in.heard = make_label({}, TextRole::body, Weight::regular, "text2");
   in.heard->setWordWrap(true);
   steps->addWidget(in.task);
   steps->addWidget(in.heard);
@@ -253,7 +253,7 @@ void PedalPanel::connect_device() {
 void PedalPanel::learn(Lesson lesson) {
   Inner& in = *inner_;
   in.lesson = lesson;
-  in.timer.setInterval(lesson == Lesson::none ? kLookMs : kTeachMs);
+  in.timer.setInterval(lesson == Lesson::none ? kPedalRefreshMs : kTeachMs);
   in.lesson_box->setVisible(lesson != Lesson::none);
   in.next->setVisible(lesson != Lesson::coolant);
   in.next->setText(lesson == Lesson::press ? tr("Take it over") : tr("Next"));
@@ -297,7 +297,7 @@ void PedalPanel::look() {
   in.dead_row->setVisible(chosen && kind == hid::ControlKind::axis);
   in.keyboard_note->setVisible(chosen && kind == hid::ControlKind::key);
   const double share = view.reading.pressed / kFull;
-  in.down->setText(percent(share));
+  in.down->setText(percent_of(share));
   in.bar->set_share(share, in.down->text());
   in.teach->setEnabled(view.connected && in.lesson == Lesson::none);
   in.teach_coolant->setEnabled(view.connected && in.lesson == Lesson::none);

@@ -17,7 +17,7 @@ namespace cusp::ui {
 RightsRow::RightsRow(QWidget* parent) : QWidget(parent) {
   QVBoxLayout* column = make_column(this, 4);
   auto* what = make_label(tr("This user may not open it. Paste this line into a terminal once, then plug it in again:"),
-                          TextRole::body, false, "look");
+                          TextRole::body, Weight::regular, "look");
   what->setWordWrap(true);
   column->addWidget(what);
   auto* row = new QHBoxLayout;

@@ -30,7 +30,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLookMs = 100;
+constexpr int kSpaceMouseRefreshMs = 100;
 constexpr int kAxes = 6;
 
 QString percent(double share) {
@@ -78,7 +78,7 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   in.rights = new RightsRow;
   column->addWidget(in.rights);
   auto* note = make_label(tr("Its left button brings the first view back, its right one puts in the mirror or takes it out."),
-                          TextRole::caption, false, "text2");
+                          TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
 
@@ -87,7 +87,7 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   make_rest(column);
   connect_settings();
   connect_rest();
-  in.timer.setInterval(kLookMs);
+  in.timer.setInterval(kSpaceMouseRefreshMs);
   connect(&in.timer, &QTimer::timeout, this, &SpaceMousePanel::look);
   look();
 }
@@ -104,7 +104,7 @@ void SpaceMousePanel::make_axes(QVBoxLayout* column) {
       QFontMetrics(font_of(TextRole::caption)).horizontalAdvance(percent(-1)) + px(4);
   for (int i = 0; i < kAxes; ++i) {
     const int column_at = i < 3 ? 0 : 3;
-    grid->addWidget(make_label(names[i], TextRole::caption, false, "text2"), i % 3, column_at);
+    grid->addWidget(make_label(names[i], TextRole::caption, Weight::regular, "text2"), i % 3, column_at);
     auto* bar = new Bar(Bar::Role::accent);
     bar->setAccessibleName(names[i]);
     grid->addWidget(bar, i % 3, column_at + 1);
@@ -158,9 +158,9 @@ void SpaceMousePanel::make_rest(QVBoxLayout* column) {
   foot->setSpacing(px(8));
   in.rest = make_button(tr("Hand is off: take this as rest"), ButtonKind::standard);
   foot->addWidget(in.rest);
-  in.rest_note = make_label({}, TextRole::caption, false, "text2");
+  in.rest_note = make_label({}, TextRole::caption, Weight::regular, "text2");
   foot->addWidget(in.rest_note, 1);
-  in.battery = make_label({}, TextRole::caption, false, "text2");
+  in.battery = make_label({}, TextRole::caption, Weight::regular, "text2");
   foot->addWidget(in.battery);
   column->addLayout(foot);
 }

@@ -11,7 +11,7 @@ namespace cusp::ui {
 
 namespace {
 
-constexpr int kLookMs = 16;            // as often as the device speaks
+constexpr int kTurnMs = 16;            // as often as the device speaks
 constexpr int kIdleMs = 100;           // while it is not there, or nobody sees the view
 constexpr double kLongestS = 0.1;      // after a stall the view goes on, it does not leap
 constexpr double kTurnRadS = std::numbers::pi / 2;
@@ -48,7 +48,7 @@ void SpaceMouseTurner::look() {
     buttons_ = 0;
     return;
   }
-  if (timer_.interval() != kLookMs) timer_.setInterval(kLookMs);
+  if (timer_.interval() != kTurnMs) timer_.setInterval(kTurnMs);
   const double dt_s = std::min(std::chrono::duration<double>(now - before_).count(), kLongestS);
   before_ = now;
   const std::uint32_t pressed = latest.motion.buttons & ~buttons_;

@@ -69,7 +69,7 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   make_ratios(column);
   QLabel* note = make_label(tr("Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the "
                                "self-test again after it."),
-                            TextRole::caption, false, "text2");
+                            TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
   auto* acts = new QHBoxLayout;
@@ -91,8 +91,8 @@ void TrimForm::make_place(QVBoxLayout* column) {
   Inner& in = *inner_;
   auto* live = new QHBoxLayout;
   live->setSpacing(px(12));
-  live->addWidget(make_label(tr("Bur, from where an attempt begins"), TextRole::body, false, "text2"));
-  in.place = make_label(QStringLiteral("–"), TextRole::body, true);
+  live->addWidget(make_label(tr("Bur, from where an attempt begins"), TextRole::body, Weight::regular, "text2"));
+  in.place = make_label(QStringLiteral("–"), TextRole::body, Weight::bold);
   in.place->setAccessibleDescription(tr("Bur, from where an attempt begins"));
   live->addWidget(in.place);
   in.held = new Chip(tr("held by the clutch"), Chip::Kind::accent);
@@ -106,7 +106,7 @@ void TrimForm::make_start(QVBoxLayout* column) {
   Inner& in = *inner_;
   auto* start = new QHBoxLayout;
   start->setSpacing(px(12));
-  column->addWidget(make_label(tr("Where the grip stands when an attempt begins, from the middle of its travel:"), TextRole::body, false, "text2"));
+  column->addWidget(make_label(tr("Where the grip stands when an attempt begins, from the middle of its travel:"), TextRole::body, Weight::regular, "text2"));
   const QString ways[] = {tr("Right"), tr("Up"), tr("Nearer")};
   for (std::size_t i = 0; i < in.centre.size(); ++i) {
     auto* box = new NumberField;

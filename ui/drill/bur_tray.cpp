@@ -34,7 +34,7 @@ class BurButton : public QAbstractButton {
     setToolTip(uses.isEmpty() ? accessibleName() : accessibleName() + u'\n' + uses);
   }
   QSize sizeHint() const override {
-    const int text = std::max(QFontMetrics(font_of(TextRole::body, true)).horizontalAdvance(number_),
+    const int text = std::max(QFontMetrics(font_of(TextRole::body, Weight::bold)).horizontalAdvance(number_),
                               QFontMetrics(font_of(TextRole::caption)).horizontalAdvance(kind_));
     return {px(46) + text, px(56)};
   }
@@ -70,7 +70,7 @@ class BurButton : public QAbstractButton {
     p.drawPath(bur_head_path(bur_, scale));
     p.restore();
     p.setPen(t.text);
-    p.setFont(font_of(TextRole::body, true));
+    p.setFont(font_of(TextRole::body, Weight::bold));
     p.drawText(QRectF(px(34), px(9), width() - px(36), px(20)), Qt::AlignVCenter | Qt::AlignLeft, number_);
     p.setPen(t.text2);
     p.setFont(font_of(TextRole::caption));
@@ -95,8 +95,8 @@ BurTray::BurTray(QWidget* parent) : QFrame(parent) {
   auto* names = new QVBoxLayout;
   names->setSpacing(0);
   names->addStretch();
-  names->addWidget(make_label(tr("Burs"), TextRole::body, true));
-  names->addWidget(make_label(tr("[ and ]"), TextRole::caption, false, "text2"));
+  names->addWidget(make_label(tr("Burs"), TextRole::body, Weight::bold));
+  names->addWidget(make_label(tr("[ and ]"), TextRole::caption, Weight::regular, "text2"));
   names->addStretch();
   lay->addLayout(names);
   lay->addSpacing(px(20));

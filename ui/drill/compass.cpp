@@ -38,7 +38,7 @@ void Compass::paintEvent(QPaintEvent*) {
   p.setBrush(t.surface);
   p.drawEllipse(middle, width() / 2.0 - 1, height() / 2.0 - 1);
   const Vec3 right = view_.camera().right(), up = view_.camera().up();
-  p.setFont(font_of(TextRole::caption, true));
+  p.setFont(font_of(TextRole::caption, Weight::bold));
   for (const auto& [way, letter] : ways(fdi_)) {
     QPointF to(glm::dot(way, right), -glm::dot(way, up));
     const double length = std::hypot(to.x(), to.y());

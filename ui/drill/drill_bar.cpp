@@ -25,7 +25,7 @@ DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   QFrame* rule = make_rule(Qt::Vertical);
   rule->setFixedHeight(px(32));
   row->addWidget(rule, 0, Qt::AlignVCenter);
-  title_ = make_label({}, TextRole::section, true);
+  title_ = make_label({}, TextRole::section, Weight::bold);
   aside_ = make_label({});
   set_kind(aside_, "tag");
   row->addWidget(title_);
@@ -33,13 +33,13 @@ DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   row->addStretch(1);
   auto* clock_sign = new QLabel(this);
   clock_sign->setPixmap(icon_pixmap(QStringLiteral("clock"), Ink::text2, 16, devicePixelRatioF()));
-  clock_ = make_label(format_clock(0), TextRole::live, true);
+  clock_ = make_label(format_clock(0), TextRole::live, Weight::bold);
   clock_->setAccessibleDescription(tr("Time"));
-  clock_->setMinimumWidth(QFontMetrics(font_of(TextRole::live, true)).horizontalAdvance(QStringLiteral("00:00:00")));
+  clock_->setMinimumWidth(QFontMetrics(font_of(TextRole::live, Weight::bold)).horizontalAdvance(QStringLiteral("00:00:00")));
   row->addWidget(clock_sign);
   row->addWidget(clock_);
   row->addStretch(1);
-  device_name_ = make_label({}, TextRole::body, false, "text2");
+  device_name_ = make_label({}, TextRole::body, Weight::regular, "text2");
   row->addWidget(device_name_, 0, Qt::AlignVCenter);
   pause_ = make_button(tr("Pause"), ButtonKind::standard, QStringLiteral("pause"), QKeySequence(Qt::Key_P));
   connect(pause_, &QPushButton::clicked, this, &DrillBar::pause);

@@ -246,64 +246,6 @@ void DrillScreen::toggle_pause() {
   }
 }
 
-void DrillScreen::ask_finish() {
-  Inner& in = *inner_;
-  if (!running() || in.working) return;
-  if (in.input) in.input->let_go();
-  in.stage->set_asking(true);
-  in.attempt->session->pause();
-  in.ports.ask(this, {tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")},
-               [self = QPointer(this)](bool yes) {
-                 if (!self || !self->running()) return;
-                 self->inner_->stage->set_asking(false);
-                 if (yes) {
-                   self->finish_now();
-                 } else {
-                   self->inner_->attempt->session->resume();
-                   self->setFocus();
-                 }
-               });
-}
-
-void DrillScreen::finish_now() {
-  Inner& in = *inner_;
-  if (!running() || in.working) return;
-  if (in.input) in.input->set_enabled(false);
-  in.working = true;
-  in.look_timer.stop();
-  in.sound->stop();
-  enable_controls(false);
-  in.bar->enable_leave(false);
-  in.stats.write_where_asked();
-  in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
-  in.worker = std::thread([this, session = in.attempt->session.get()] {
-    auto result = std::make_shared<Run<RunResult>>(session->finish());
-    QMetaObject::invokeMethod(this, [this, result] { graded(result); }, Qt::QueuedConnection);
-  });
-}
-
-void DrillScreen::graded(const std::shared_ptr<Run<RunResult>>& result) {
-  Inner& in = *inner_;
-  if (in.worker.joinable()) in.worker.join();
-  in.working = false;
-  in.busy->finish();
-  in.bar->enable_leave(true);
-  if (!*result && result->error().code == RunError::recording_failed) {
-    // The disk may come back: nothing is lost while this screen stands.
-    in.stage->show_stopped(DrillStage::Stop::record, tell(result->error()));
-    in.bar->enable_finish(true);
-    return;
-  }
-  in.over = true;
-  in.stage->view()->set_bur_source({});
-  in.attempt->session.reset();
-  if (*result) {
-    Q_EMIT finished(std::make_shared<const RunResult>(std::move(**result)));
-  } else {
-    Q_EMIT failed(result->error());
-  }
-}
-
 void DrillScreen::keyPressEvent(QKeyEvent* event) {
   Inner& in = *inner_;
   if (event->key() == Qt::Key_Escape) return ask_leave();

@@ -35,7 +35,7 @@ void DrillScreen::finish_now() {
   enable_controls(false);
   in.bar->enable_leave(false);
   in.stats.write_where_asked();
-  in.busy->start(tr("Measuring the tooth"), false);
+  in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
   in.worker = std::thread([this, session = in.attempt->session.get()] {
     auto result = std::make_shared<Outcome<SessionResult>>(session->finish());
     QMetaObject::invokeMethod(this, [this, result] { graded(result); }, Qt::QueuedConnection);

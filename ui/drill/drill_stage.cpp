@@ -120,7 +120,7 @@ void DrillStage::make_gauges() {
   push_ = new Gauge(tr("Push"), QStringLiteral("N"), Gauge::Grows::up, this);
   push_->set_scale({.least = 0, .most = 3, .major_step = 0.5});
   push_->set_scale_side(Gauge::ScaleSide::right);
-  wanted_push_ = make_label({}, TextRole::caption, false, "text2");
+  wanted_push_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   wanted_push_->setParent(this);
   set_kind(wanted_push_, "tag");
   wanted_push_->setAlignment(Qt::AlignCenter);
@@ -136,7 +136,7 @@ void DrillStage::make_coach() {
   coach_sign_->setObjectName(QStringLiteral("coach_sign"));
   coach_sign_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   row->addWidget(coach_sign_);
-  coach_ = make_label({}, TextRole::live, true);
+  coach_ = make_label({}, TextRole::live, Weight::bold);
   coach_->setAccessibleName(tr("Coach"));
   row->addWidget(coach_, 1);
   sign_coach(CoachTone::good);

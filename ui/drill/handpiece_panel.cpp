@@ -38,7 +38,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   column->setContentsMargins(px(16), px(11), px(16), px(11));
   column->setSpacing(px(8));
   auto* head = new QHBoxLayout;
-  head->addWidget(make_label(tr("Handpiece"), TextRole::section, true), 1);
+  head->addWidget(make_label(tr("Handpiece"), TextRole::section, Weight::bold), 1);
   column->addLayout(head);
   speed_row_ = make_fact_row(QStringLiteral("turn"), tr("Speed"), &speed_);
   column->addWidget(speed_row_);
@@ -58,7 +58,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   heat_bar_->setAccessibleName(tr("Tooth warmer by"));
   column->addWidget(heat_bar_);
   heat_note_ = make_label(tr("The pulp is at risk from %1 (not verified)").arg(degrees(kPulpCriterionK)), TextRole::caption,
-                          false, "text2");
+                          Weight::regular, "text2");
   heat_note_->setWordWrap(true);
   column->addWidget(heat_note_);
 
@@ -83,7 +83,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   connect(volume_, &QSlider::valueChanged, this, &HandpiecePanel::volume_changed);
   line->addWidget(volume_, 1);
   column->addWidget(sound_row_);
-  no_sound_ = make_label(tr("No sound: this computer has no audio output."), TextRole::caption, false, "text2");
+  no_sound_ = make_label(tr("No sound: this computer has no audio output."), TextRole::caption, Weight::regular, "text2");
   no_sound_->setWordWrap(true);
   column->addWidget(no_sound_);
   no_sound_->hide();

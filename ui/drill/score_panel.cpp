@@ -61,7 +61,7 @@ void set_value(QLabel* label, const QString& text) {
 }
 
 QLabel* make_value() {
-  QLabel* out = make_label({}, TextRole::body, true);
+  QLabel* out = make_label({}, TextRole::body, Weight::bold);
   out->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   return out;
 }
@@ -106,7 +106,7 @@ void SectionView::paintEvent(QPaintEvent*) {
     size.scale(box.size(), Qt::KeepAspectRatioByExpanding);
     p.drawImage(QRectF(box.center() - QPointF(size.width(), size.height()) / 2, size), image_);
   }
-  p.setFont(font_of(TextRole::caption, true));
+  p.setFont(font_of(TextRole::caption, Weight::bold));
   p.setPen(t.text);
   p.setLayoutDirection(Qt::LeftToRight);  // the sides are the tooth's
   p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignLeft | Qt::AlignBottom, left_);
@@ -123,10 +123,10 @@ QFrame* ScorePanel::add_part(const QString& title, QLabel** aside) {
   lay->setContentsMargins(px(16), px(11), px(16), px(11));
   lay->setSpacing(px(8));
   auto* head = new QHBoxLayout;
-  head->addWidget(make_label(title, TextRole::section, true));
+  head->addWidget(make_label(title, TextRole::section, Weight::bold));
   head->addStretch();
   if (aside != nullptr) {
-    *aside = make_label({}, TextRole::caption, false, "text2");
+    *aside = make_label({}, TextRole::caption, Weight::regular, "text2");
     head->addWidget(*aside);
   }
   lay->addLayout(head);
@@ -188,10 +188,10 @@ void ScorePanel::make_progress() {
   progress_part_ = part;
   auto* line = new QHBoxLayout;
   line->setSpacing(px(8));
-  percent_ = make_label({}, TextRole::page_title, true);
+  percent_ = make_label({}, TextRole::page_title, Weight::bold);
   percent_->setAccessibleDescription(tr("Target removed"));
   line->addWidget(percent_);
-  line->addWidget(make_label(tr("of the target removed"), TextRole::caption, false, "text2"), 1);
+  line->addWidget(make_label(tr("of the target removed"), TextRole::caption, Weight::regular, "text2"), 1);
   static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
   percent_bar_ = new Bar(Bar::Role::target, part);
   percent_bar_->setAccessibleName(tr("Target removed"));
@@ -209,7 +209,7 @@ void ScorePanel::make_device() {
   line->addWidget(device_, 1);
   line->addWidget(device_state_);
   static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
-  softened_ = make_label({}, TextRole::caption, false, "text2");
+  softened_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   softened_->setWordWrap(true);
   softened_->hide();
   part->layout()->addWidget(softened_);
@@ -220,7 +220,7 @@ QHBoxLayout* ScorePanel::make_recording() {
   foot->setContentsMargins(px(16), px(10), px(16), px(10));
   foot->setSpacing(px(8));
   recording_icon_ = new QLabel(this);
-  recording_ = make_label({}, TextRole::caption, false, "text2");
+  recording_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   recording_->setWordWrap(true);
   foot->addWidget(recording_icon_);
   foot->addWidget(recording_, 1);

@@ -18,9 +18,9 @@ StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(24), px(16), px(24), px(16));
   column->setSpacing(px(8));
-  title_ = make_label({}, TextRole::live, true);
+  title_ = make_label({}, TextRole::live, Weight::bold);
   title_->setWordWrap(true);
-  more_ = make_label({}, TextRole::body, false, "text2");
+  more_ = make_label({}, TextRole::body, Weight::regular, "text2");
   more_->setWordWrap(true);
   column->addWidget(title_);
   column->addWidget(more_);

@@ -40,10 +40,10 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(kSide), px(12), px(kSide), px(16));
   column->setSpacing(px(8));
-  column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, true));
+  column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, Weight::bold));
   about_ = make_label(tr("Scripted operators drill it with each choice left out or halved. That takes some minutes; you can go on "
                          "working meanwhile."),
-                      TextRole::caption, false, "text2");
+                      TextRole::caption, Weight::regular, "text2");
   about_->setWordWrap(true);
   column->addWidget(about_);
   measure_ = make_button(tr("Measure"), ButtonKind::standard, u"chart"_qs);
@@ -53,16 +53,16 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   column->addLayout(row);
   busy_place_ = new QVBoxLayout;
   column->addLayout(busy_place_);
-  aside_ = make_label({}, TextRole::caption, false, "text2");
+  aside_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   aside_->setWordWrap(true);
   column->addWidget(aside_);
   table_place_ = new QVBoxLayout;
   column->addLayout(table_place_);
   legend_ = make_label(tr("µs: of each update of 1 ms, more or less than now. Score: the largest change of an attempt."), TextRole::caption,
-                       false, "text2");
+                       Weight::regular, "text2");
   legend_->setWordWrap(true);
   column->addWidget(legend_);
-  leanest_title_ = make_label(tr("Leanest that marks the same"), TextRole::section, true);
+  leanest_title_ = make_label(tr("Leanest that marks the same"), TextRole::section, Weight::bold);
   column->addWidget(leanest_title_);
   leanest_ = make_label({});
   leanest_->setWordWrap(true);
@@ -168,7 +168,7 @@ void AuditPage::show_report() {
   grid->setColumnStretch(0, 1);
   const QString heads[] = {tr("Choice"), tr("µs"), tr("MB"), tr("Score")};
   for (int i = 0; i < 4; ++i) {
-    QLabel* head = make_label(heads[i], TextRole::caption, true, "text2");
+    QLabel* head = make_label(heads[i], TextRole::caption, Weight::bold, "text2");
     if (i > 0) head->setAlignment(Qt::AlignTrailing);
     grid->addWidget(head, 0, i);
   }
@@ -181,7 +181,7 @@ void AuditPage::show_report() {
     QLabel* title = make_label(name);
     title->setWordWrap(true);
     words->addWidget(title);
-    words->addWidget(make_label(verdict, TextRole::caption, false, ink));
+    words->addWidget(make_label(verdict, TextRole::caption, Weight::regular, ink));
     grid->addLayout(words, at, 0);
     grid->addWidget(figure(us, tr("%1: microseconds").arg(name)), at, 1);
     grid->addWidget(figure(mb, tr("%1: megabytes").arg(name)), at, 2);

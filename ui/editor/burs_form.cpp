@@ -47,7 +47,7 @@ BursForm::BursForm(EditorModel& model, QWidget* parent) : QWidget(parent), model
   column->setContentsMargins(px(16), px(12), px(16), px(16));
   column->setSpacing(px(6));
   add_section(column, tr("Burs"));
-  QLabel* note = make_label(tr("Number, shape and diameter"), TextRole::caption, false, "text2");
+  QLabel* note = make_label(tr("Number, shape and diameter"), TextRole::caption, Weight::regular, "text2");
   column->addWidget(note);
   list_ = new QVBoxLayout;
   list_->setSpacing(px(6));
@@ -68,12 +68,12 @@ BursForm::BursForm(EditorModel& model, QWidget* parent) : QWidget(parent), model
   adding->addWidget(catalogue_, 1);
   adding->addWidget(add_);
   column->addLayout(adding);
-  uses_ = make_label({}, TextRole::caption, false, "text2");
+  uses_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   uses_->setWordWrap(true);
   column->addWidget(uses_);
   QLabel* doubt = make_label(tr("Sizes and outlines are the usual ones, not verified. Blades are not modelled: a head is the "
                                 "body that they sweep."),
-                             TextRole::caption, false, "text2");
+                             TextRole::caption, Weight::regular, "text2");
   doubt->setWordWrap(true);
   column->addWidget(doubt);
   column->addStretch();
@@ -110,7 +110,7 @@ void BursForm::follow_model() {
       auto* which = new QVBoxLayout;
       which->setSpacing(0);
       which->addWidget(make_label(tr("Bur %1").arg(name)));
-      which->addWidget(make_label(bur_shape_name(shape_of(burs[i])), TextRole::caption, false, "text2"));
+      which->addWidget(make_label(bur_shape_name(shape_of(burs[i])), TextRole::caption, Weight::regular, "text2"));
       line->addWidget(new BurPicture(burs[i]));
       line->addLayout(which, 1);
       NumberBox* diameter = nullptr;

@@ -14,7 +14,7 @@
 namespace cusp::ui {
 namespace {
 
-struct Text {
+struct CheckText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Checks)
 };
 
@@ -33,18 +33,18 @@ QString language_of(const Finding& f) {
 /// Name of the number at `path`; empty if it has none.
 QString figure_name(const std::string& path) {
   const auto ends = [&](const char* with) { return path.ends_with(with); };
-  if (ends("/stiffness_n_per_mm")) return Text::tr("The stiffness of a tissue");
-  if (ends("/speed_mm_s")) return Text::tr("The removal speed of a tissue");
-  if (path.starts_with("/instruments/")) return Text::tr("A measure of a bur");
-  if (ends("/full_force_n")) return Text::tr("The push at which cutting is fastest");
-  if (ends("/width_mm")) return Text::tr("The target’s width");
-  if (ends("/depth_mm") && path.starts_with("/target")) return Text::tr("The target’s depth");
-  if (ends("/corner_radius_mm")) return Text::tr("The corner radius");
-  if (path.starts_with("/leeway/")) return Text::tr("The tolerance zone");
-  if (ends("/time_s")) return Text::tr("The time limit");
-  if (ends("/pass")) return Text::tr("The pass mark");
-  if (ends("/weight")) return Text::tr("The points of a criterion");
-  if (ends("/voxel_mm")) return Text::tr("The fineness");
+  if (ends("/stiffness_n_per_mm")) return CheckText::tr("The stiffness of a tissue");
+  if (ends("/speed_mm_s")) return CheckText::tr("The removal speed of a tissue");
+  if (path.starts_with("/instruments/")) return CheckText::tr("A measure of a bur");
+  if (ends("/full_force_n")) return CheckText::tr("The push at which cutting is fastest");
+  if (ends("/width_mm")) return CheckText::tr("The target’s width");
+  if (ends("/depth_mm") && path.starts_with("/target")) return CheckText::tr("The target’s depth");
+  if (ends("/corner_radius_mm")) return CheckText::tr("The corner radius");
+  if (path.starts_with("/leeway/")) return CheckText::tr("The tolerance zone");
+  if (ends("/time_s")) return CheckText::tr("The time limit");
+  if (ends("/pass")) return CheckText::tr("The pass mark");
+  if (ends("/weight")) return CheckText::tr("The points of a criterion");
+  if (ends("/voxel_mm")) return CheckText::tr("The fineness");
   return {};
 }
 
@@ -55,7 +55,7 @@ QString range_message(const Finding& f, double value, double least, double most)
   const auto shown = [&](double v) {
     return isolate(QLocale().toString(v, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit));
   };
-  return Text::tr("%1 is %2; it has to lie between %3 and %4.")
+  return CheckText::tr("%1 is %2; it has to lie between %3 and %4.")
       .arg(name.isEmpty() ? isolate(QString::fromStdString(f.path)) : name, shown(value), shown(least), shown(most));
 }
 
@@ -64,33 +64,33 @@ QString exercise_message(const Finding& f, double value, double limit) {
   const QString& c = QString::fromStdString(f.code);
   const bool title = f.path.starts_with("/title");
   if (c == u"target_holds_pulp") {
-    return Text::tr("The target holds %1 of pulp, as the access to a root canal does. If that is not meant, raise its floor.")
+    return CheckText::tr("The target holds %1 of pulp, as the access to a root canal does. If that is not meant, raise its floor.")
         .arg(format({value, {}, QStringLiteral("mm3"), 1}));
   }
-  if (c == u"pulp_rule_off") return Text::tr("Opening the pulp does not fail the attempt. Switch that on unless it is meant so.");
-  if (c == u"target_cuts_protected") return Text::tr("The target takes %1, which is protected.").arg(tissue_of(f));
-  if (c == u"leeway_cuts_protected") return Text::tr("The tolerance zone reaches %1, which is protected.").arg(tissue_of(f));
-  if (c == u"target_without_tissue") return Text::tr("The target holds nothing that could be cut.");
+  if (c == u"pulp_rule_off") return CheckText::tr("Opening the pulp does not fail the attempt. Switch that on unless it is meant so.");
+  if (c == u"target_cuts_protected") return CheckText::tr("The target takes %1, which is protected.").arg(tissue_of(f));
+  if (c == u"leeway_cuts_protected") return CheckText::tr("The tolerance zone reaches %1, which is protected.").arg(tissue_of(f));
+  if (c == u"target_without_tissue") return CheckText::tr("The target holds nothing that could be cut.");
   if (c == u"idle_earns") {
-    return Text::tr("An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.").arg(format_points(value));
+    return CheckText::tr("An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.").arg(format_points(value));
   }
   if (c == u"token_passes") {
-    return Text::tr("An attempt that cuts a twentieth of the target passes, with %1 points. Grade how much of the target is removed.")
+    return CheckText::tr("An attempt that cuts a twentieth of the target passes, with %1 points. Grade how much of the target is removed.")
         .arg(format_points(value));
   }
   if (c == u"weight_vanishes") {
-    return Text::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail));
+    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail));
   }
   if (c == u"text_of_template") {
-    return title ? Text::tr("The title in %1 is still that of the exercise it was copied from.").arg(language_of(f))
-                 : Text::tr("The briefing in %1 is still that of the exercise it was copied from.").arg(language_of(f));
+    return title ? CheckText::tr("The title in %1 is still that of the exercise it was copied from.").arg(language_of(f))
+                 : CheckText::tr("The briefing in %1 is still that of the exercise it was copied from.").arg(language_of(f));
   }
   if (c == u"text_other_tooth") {
-    return Text::tr("The title in %1 names tooth %2; the exercise is on tooth %3.")
+    return CheckText::tr("The title in %1 names tooth %2; the exercise is on tooth %3.")
         .arg(language_of(f), format_number(value, 0), format_number(limit, 0));
   }
   if (c == u"text_figure") {
-    return Text::tr("The briefing in %1 names %2, which the target no longer has.").arg(language_of(f), mm(value));
+    return CheckText::tr("The briefing in %1 names %2, which the target no longer has.").arg(language_of(f), mm(value));
   }
   return {};
 }
@@ -107,75 +107,75 @@ QString check_message(const Finding& f) {
   const QString& c = QString::fromStdString(f.code);
   if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg("least"), arg("most"));
   if (const QString found = exercise_message(f, value, limit); !found.isEmpty()) return found;
-  if (c == u"no_instrument") return Text::tr("There is no bur to work with. Add one.");
-  if (c == u"no_target" || c == u"empty_target") return Text::tr("There is no target to cut.");
-  if (c == u"path_count" || c == u"point_count") return Text::tr("The target’s points do not fit its shape.");
-  if (c == u"no_criteria") return Text::tr("Nothing is graded yet. Add a criterion.");
-  if (c == u"weight_zero") return Text::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
+  if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
+  if (c == u"no_target" || c == u"empty_target") return CheckText::tr("There is no target to cut.");
+  if (c == u"path_count" || c == u"point_count") return CheckText::tr("The target’s points do not fit its shape.");
+  if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
+  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
   if (c == u"bands_not_ordered") {
-    return Text::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
+    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
   }
   if (c == u"pass_unreachable") {
-    return Text::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
+    return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
         .arg(format_points(value), format_points(limit));
   }
-  if (c == u"protected_missing") return Text::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f));
-  if (c == u"tissue_missing") return Text::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f));
-  if (c == u"tissue_unused") return Text::tr("%1 is described, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"protected_missing") return CheckText::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"tissue_missing") return CheckText::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f));
+  if (c == u"tissue_unused") return CheckText::tr("%1 is described, but this tooth has none.").arg(tissue_of(f));
   if (c == u"target_outside") {
-    return Text::tr("The target reaches out of the tooth: to %1, where the tooth ends at %2.").arg(mm(value), mm(limit));
+    return CheckText::tr("The target reaches out of the tooth: to %1, where the tooth ends at %2.").arg(mm(value), mm(limit));
   }
   if (c == u"voxel_mismatch") {
-    return Text::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
+    return CheckText::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
   }
   if (c == u"feature_thin") {
-    return Text::tr("%1 is too thin to be judged at this fineness; from %2 it can.").arg(mm(value), mm(limit));
+    return CheckText::tr("%1 is too thin to be judged at this fineness; from %2 it can.").arg(mm(value), mm(limit));
   }
   if (c == u"bur_small") {
-    return Text::tr("Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
+    return CheckText::tr("Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
         .arg(name, mm(2 * value), mm(2 * limit));
   }
   if (c == u"head_short") {
-    return Text::tr("The head of bur %1 is too short for this fineness: %2 long, from %3 it cuts truly.")
+    return CheckText::tr("The head of bur %1 is too short for this fineness: %2 long, from %3 it cuts truly.")
         .arg(name, mm(value), mm(limit));
   }
-  if (c == u"neck_wider_than_ball") return Text::tr("The neck of bur %1 is wider than its head.").arg(name);
+  if (c == u"neck_wider_than_ball") return CheckText::tr("The neck of bur %1 is wider than its head.").arg(name);
   if (c == u"bur_wider_than_target") {
-    return Text::tr("No bur fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
+    return CheckText::tr("No bur fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
   }
   if (c == u"corner_below_bur") {
-    return Text::tr("The corner radius %1 is sharper than the smallest bur leaves it (%2).").arg(mm(value), mm(limit));
+    return CheckText::tr("The corner radius %1 is sharper than the smallest bur leaves it (%2).").arg(mm(value), mm(limit));
   }
   if (c == u"leeway_below_voxel") {
-    return Text::tr("The tolerance zone of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
+    return CheckText::tr("The tolerance zone of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
   }
-  if (c == u"point_off_floor") return Text::tr("A point of the target does not lie on its floor.");
+  if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
   if (c == u"target_scores_less") {
-    return Text::tr("An attempt that meets the target exactly loses %1 points for %2.")
+    return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")
         .arg(format_points(arg("lost")), metric_name(f.detail));
   }
   if (c == u"language_missing") {
-    return f.path == "/title" ? Text::tr("The title is missing in %1.").arg(language_of(f))
-                              : Text::tr("The briefing is missing in %1.").arg(language_of(f));
+    return f.path == "/title" ? CheckText::tr("The title is missing in %1.").arg(language_of(f))
+                              : CheckText::tr("The briefing is missing in %1.").arg(language_of(f));
   }
   if (c == u"target_opens_pulp") {
     return f.detail == "horn"
-               ? Text::tr("The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.").arg(mm(value))
-               : Text::tr("The target reaches into the pulp, and opening it fails the attempt: nobody could pass.");
+               ? CheckText::tr("The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.").arg(mm(value))
+               : CheckText::tr("The target reaches into the pulp, and opening it fails the attempt: nobody could pass.");
   }
   if (c == u"leeway_opens_pulp") {
-    return Text::tr("The tolerance zone reaches the pulp: it lies %1 from the target.").arg(mm(value));
+    return CheckText::tr("The tolerance zone reaches the pulp: it lies %1 from the target.").arg(mm(value));
   }
-  if (c == u"two_spindles") return Text::tr("Only one handpiece can be used at a time.");
+  if (c == u"two_spindles") return CheckText::tr("Only one handpiece can be used at a time.");
   if (c == u"spindle_missing") {
-    return f.detail == "sound" ? Text::tr("The drilling sound needs a handpiece.")
-                               : Text::tr("Vibration needs a handpiece.");
+    return f.detail == "sound" ? CheckText::tr("The drilling sound needs a handpiece.")
+                               : CheckText::tr("Vibration needs a handpiece.");
   }
   if (c == u"heat_missing") {
-    return Text::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail));
+    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail));
   }
-  if (c == u"nothing_can_be_cut") return Text::tr("Nothing of this tooth can be cut.");
-  return Text::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
+  if (c == u"nothing_can_be_cut") return CheckText::tr("Nothing of this tooth can be cut.");
+  return CheckText::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
 }
 
 EditorPlace place_of(const Finding& f) {

@@ -60,7 +60,7 @@ QWidget* EditorPage::make_top_bar() {
   title_ = new QLineEdit;
   title_->setAccessibleName(tr("Title of the exercise"));
   title_->setToolTip(tr("Title, in the language of the screen; the others stand under Texts"));
-  title_->setFont(font_of(TextRole::section, true));
+  title_->setFont(font_of(TextRole::section, Weight::bold));
   title_->setMinimumWidth(px(200));
   title_->setMaximumWidth(px(340));
   row->addWidget(title_, 1);
@@ -108,7 +108,7 @@ QWidget* EditorPage::make_left() {
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(px(12), px(12), px(12), px(12));
   column->setSpacing(px(8));
-  column->addWidget(make_label(tr("Target"), TextRole::section, true));
+  column->addWidget(make_label(tr("Target"), TextRole::section, Weight::bold));
   shapes_ = new QButtonGroup(this);
   for (int i = 0; i < static_cast<int>(std::size(kShapes)); ++i) {
     const QString name = shape_name(kShapes[i].key);
@@ -127,7 +127,7 @@ QWidget* EditorPage::make_left() {
   column->addSpacing(px(8));
   column->addWidget(make_rule());
   column->addSpacing(px(8));
-  column->addWidget(make_label(tr("In this exercise"), TextRole::section, true));
+  column->addWidget(make_label(tr("In this exercise"), TextRole::section, Weight::bold));
   contents_ = new QVBoxLayout;
   contents_->setSpacing(px(8));
   column->addLayout(contents_);
@@ -137,7 +137,7 @@ QWidget* EditorPage::make_left() {
   column->addWidget(on_top_);
   connect(on_top_, &QPushButton::clicked, this, &EditorPage::put_target_on_top);
   column->addWidget(make_rule());
-  column->addWidget(make_label(tr("Tooth"), TextRole::section, true));
+  column->addWidget(make_label(tr("Tooth"), TextRole::section, Weight::bold));
   auto* row = new QHBoxLayout;
   tooth_ = make_label({});
   tooth_->setWordWrap(true);
@@ -190,9 +190,9 @@ QWidget* EditorPage::make_checks() {
   head->setSpacing(px(8));
   check_sign_ = new QLabel;
   head->addWidget(check_sign_);
-  check_title_ = make_label({}, TextRole::body, true);
+  check_title_ = make_label({}, TextRole::body, Weight::bold);
   head->addWidget(check_title_);
-  check_aside_ = make_label({}, TextRole::body, false, "text2");
+  check_aside_ = make_label({}, TextRole::body, Weight::regular, "text2");
   head->addWidget(check_aside_);
   head->addStretch();
   checks_chip_ = new Chip;

@@ -65,9 +65,9 @@ QLabel* add_row(QBoxLayout* column, const QString& text, QWidget* field) {
 
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside) {
   auto* row = new QHBoxLayout;
-  row->addWidget(make_label(title, TextRole::section, true), 1);
+  row->addWidget(make_label(title, TextRole::section, Weight::bold), 1);
   if (aside) {
-    *aside = make_label({}, TextRole::caption, false, "text2");
+    *aside = make_label({}, TextRole::caption, Weight::regular, "text2");
     row->addWidget(*aside);
   }
   column->addLayout(row);

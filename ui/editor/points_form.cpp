@@ -90,7 +90,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
   connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", on); });
-  QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, false, "text2");
+  QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
   column->addStretch();

@@ -44,7 +44,7 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   };
   const auto target = [this]() -> const Target& { return model_.scenario().target; };
 
-  title_ = make_label({}, TextRole::section, true);
+  title_ = make_label({}, TextRole::section, Weight::bold);
   column->addWidget(title_);
   depth_ = number(tr("Depth"), 0.05, kMostDepthMm, [this](double v) { return model_.set_depth_mm(v); });
   add_row(column, tr("Depth"), depth_);

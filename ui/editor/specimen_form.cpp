@@ -36,7 +36,7 @@ QString quadrant_name(int fdi) {
   }
 }
 
-QWidget* group(QVBoxLayout** column) {
+QWidget* rows_group(QVBoxLayout** column) {
   auto* box = new QWidget;
   *column = new QVBoxLayout(box);
   (*column)->setContentsMargins(0, 0, 0, 0);
@@ -65,7 +65,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(12), px(12), px(12), px(12));
   column->setSpacing(px(8));
-  column->addWidget(make_label(tr("Change the tooth"), TextRole::section, true));
+  column->addWidget(make_label(tr("Change the tooth"), TextRole::section, Weight::bold));
   band_ = new Band;
   column->addWidget(band_);
   kind_ = new QComboBox;
@@ -78,7 +78,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   shrinks(*kind_);
   column->addWidget(labelled(tr("Kind"), kind_));
   QVBoxLayout* rows = nullptr;
-  tooth_rows_ = group(&rows);
+  tooth_rows_ = rows_group(&rows);
   tooth_ = new QComboBox;
   for (const int quadrant : {1, 2, 3, 4}) {
     for (int n = 1; n <= 8; ++n) tooth_->addItem(quadrant_name(10 * quadrant + n), 10 * quadrant + n);
@@ -95,7 +95,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   seed_->setSpecialValueText(tr("average"));
   add_row(rows, tr("Variation"), seed_);
   column->addWidget(tooth_rows_);
-  grown_rows_ = group(&rows);
+  grown_rows_ = rows_group(&rows);
   voxel_ = new NumberBox(model_, tr("Fineness"), u"mm"_qs, kMinToothVoxelMm, kMaxToothVoxelMm, 0.01, 3, [this](double mm) {
     if (!tooth_stands()) return true;
     SpecimenSource source = model_.scenario().specimen;
@@ -106,8 +106,8 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   column->addWidget(grown_rows_);
   details_ = new ToothForm(model_);
   column->addWidget(details_);
-  file_rows_ = group(&rows);
-  file_ = make_label({}, TextRole::body, false, "text2");
+  file_rows_ = rows_group(&rows);
+  file_ = make_label({}, TextRole::body, Weight::regular, "text2");
   file_->setWordWrap(true);
   rows->addWidget(file_);
   QPushButton* choose = make_button(tr("Choose a volume…"), ButtonKind::standard, u"import"_qs);

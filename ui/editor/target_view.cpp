@@ -22,7 +22,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr double kFirstPitch = 1.2;                  // radians: nearly from above, with the floor's depth in view
-constexpr int kRestMs = 200;                         // pause before the cavity is carved
+constexpr int kCarveDelayMs = 200;                         // pause before the cavity is carved
 constexpr std::array kTurns = {PresetView::working, PresetView::buccal, PresetView::distal, PresetView::lingual};
 
 QFrame* make_panel(QWidget* parent) {
@@ -52,7 +52,7 @@ class LineSample : public QWidget {
   bool leeway_;
 };
 
-QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
+QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
 }  // namespace
 
@@ -99,7 +99,7 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
 
   arrow_ = new DepthArrow(this);
   for (QLabel** tag : {&depth_tag_, &width_tag_}) {
-    *tag = make_label({}, TextRole::caption, true);
+    *tag = make_label({}, TextRole::caption, Weight::bold);
     (*tag)->setParent(this);
     set_kind(*tag, "pin");
     (*tag)->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -107,12 +107,12 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
     (*tag)->hide();
   }
   hint_ = make_label(tr("Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn."),
-                     TextRole::caption, false, "text2");
+                     TextRole::caption, Weight::regular, "text2");
   hint_->setParent(this);
   set_kind(hint_, "tag");
 
   rest_.setSingleShot(true);
-  rest_.setInterval(kRestMs);
+  rest_.setInterval(kCarveDelayMs);
   connect(&rest_, &QTimer::timeout, this, [this] {
     mesh_wanted_ = true;
     run_next();
@@ -278,27 +278,27 @@ void TargetView::place_all() {
     switch (h.kind) {
       case TargetHandle::Kind::point:
         name = t.shape == "box" ? tr("Middle of the box") : tr("Point %1").arg(i + 1);
-        value = tr("%1 across, %2 along").arg(mm(h.at_mm.y), mm(h.at_mm.x));
+        value = tr("%1 across, %2 along").arg(handle_mm(h.at_mm.y), handle_mm(h.at_mm.x));
         break;
       case TargetHandle::Kind::width:
         name = tr("Width");
-        value = mm(t.width_mm);
+        value = handle_mm(t.width_mm);
         tag = width_tag_;
         tag->setText(tr("%1 wide").arg(value));
         break;
       case TargetHandle::Kind::size_x:
         name = tr("Length");
-        value = mm(t.box_size_mm.x);
+        value = handle_mm(t.box_size_mm.x);
         break;
       case TargetHandle::Kind::size_y:
         name = tr("Width");
-        value = mm(t.box_size_mm.y);
+        value = handle_mm(t.box_size_mm.y);
         tag = width_tag_;
         tag->setText(tr("%1 wide").arg(value));
         break;
       case TargetHandle::Kind::depth:
         name = tr("Depth");
-        value = mm(t.depth_mm);
+        value = handle_mm(t.depth_mm);
         tag = depth_tag_;
         tag->setText(tr("%1 deep").arg(value));
         if (const auto top = view_->project({h.at_mm.x, h.at_mm.y, t.top_mm})) arrow_->span(*at, *top);

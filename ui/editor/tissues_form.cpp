@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<const char*, 4> kHandpieces = {"", "spindle-turbine", "spindle-electric", "spindle-slow"};
 
 QLabel* make_note() {
-  QLabel* note = make_label({}, TextRole::caption, false, "text2");
+  QLabel* note = make_label({}, TextRole::caption, Weight::regular, "text2");
   note->setAlignment(Qt::AlignRight);
   note->setWordWrap(true);
   return note;
@@ -64,7 +64,7 @@ TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent),
   heat_ = box(tr("Coolant and heat"), "heat");
   friction_ = box(tr("Friction"), "friction");
   QLabel* note = make_label(tr("How handpieces give way, tremble and warm a tooth is general knowledge, not verified."),
-                            TextRole::caption, false, "text2");
+                            TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
   column->addStretch();

@@ -98,7 +98,7 @@ ToothForm::ToothForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   inside->addWidget(add_, 0, Qt::AlignLeft);
   column->addWidget(lesions_);
   QLabel* note = make_label(tr("How caries spreads, and how gums and bone lie, is general knowledge, not verified."), TextRole::caption,
-                            false, "text2");
+                            Weight::regular, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
   connect(add_, &QPushButton::clicked, this, &ToothForm::add_lesion);

@@ -64,13 +64,13 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
   int line = 0;
   for (MeshInfo& info : meshes) {
     const QString name = QString::fromStdString(info.name);
-    QLabel* title = make_label(isolate(name), TextRole::body, true);
+    QLabel* title = make_label(isolate(name), TextRole::body, Weight::bold);
     title->setTextFormat(Qt::PlainText);
     title->setWordWrap(true);
-    QLabel* size = make_label({}, TextRole::body, false, "text2");
+    QLabel* size = make_label({}, TextRole::body, Weight::regular, "text2");
     const bool sound = info.closed && info.oriented;
     faulty |= !sound;
-    QLabel* state = make_label({}, TextRole::body, false, sound ? "good" : "look");
+    QLabel* state = make_label({}, TextRole::body, Weight::regular, sound ? "good" : "look");
     state->setWordWrap(true);
     QComboBox* tissue = make_tissue_box(tr("Leave out"), tr("What %1 is made of").arg(name));
     grid->addWidget(title, line, 0, Qt::AlignVCenter);
@@ -229,8 +229,8 @@ QWidget* VolumeForm::make_labels() {
     auto* sign = new QLabel;
     if (colours) sign->setPixmap(swatch(QColor::fromRgb(value)));
     grid->addWidget(sign, line, 0);
-    grid->addWidget(make_label(isolate(name), TextRole::body, true), line, 1);
-    grid->addWidget(make_label(tr("%n voxel(s)", nullptr, static_cast<int>(voxels)), TextRole::body, false, "text2"), line, 2);
+    grid->addWidget(make_label(isolate(name), TextRole::body, Weight::bold), line, 1);
+    grid->addWidget(make_label(tr("%n voxel(s)", nullptr, static_cast<int>(voxels)), TextRole::body, Weight::regular, "text2"), line, 2);
     grid->addWidget(tissue, line, 3);
     connect(tissue, &QComboBox::currentIndexChanged, this, &VolumeForm::show_tissues);
     labels_.push_back({value, tissue});
@@ -259,7 +259,7 @@ QWidget* VolumeForm::make_ranges(const ImagePreview& preview) {
     from->setAccessibleName(tr("Least value of range %1").arg(i + 1));
     from->setValue(i < suggested.size() ? std::round(suggested[i]) : info_.high);
     if (i < first.size()) tissue->setCurrentIndex(tissue->findData(static_cast<int>(first[i])));
-    QLabel* word = make_label(tr("from"), TextRole::body, false, "text2");
+    QLabel* word = make_label(tr("from"), TextRole::body, Weight::regular, "text2");
     grid->addWidget(tissue, static_cast<int>(i), 0);
     grid->addWidget(word, static_cast<int>(i), 1);
     grid->addWidget(from, static_cast<int>(i), 2);

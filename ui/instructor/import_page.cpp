@@ -69,7 +69,7 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   build_files(files_card_->body());
   outer->addWidget(files_card_);
   parts_card_ = new Card(tr("What it is made of"));
-  about_ = make_label({}, TextRole::body, false, "text2");
+  about_ = make_label({}, TextRole::body, Weight::regular, "text2");
   about_->setWordWrap(true);
   parts_card_->body()->addWidget(about_);
   outer->addWidget(parts_card_);
@@ -99,7 +99,7 @@ ImportPage::~ImportPage() {
 void ImportPage::build_files(QVBoxLayout* body) {
   auto* row = new QHBoxLayout;
   row->setSpacing(px(12));
-  names_ = make_label({}, TextRole::body, false, "text2");
+  names_ = make_label({}, TextRole::body, Weight::regular, "text2");
   names_->setWordWrap(true);
   row->addWidget(names_, 1);
   clear_ = make_button(tr("Begin anew"), ButtonKind::quiet);

@@ -85,7 +85,7 @@ ImportPreview::ImportPreview(QWidget* parent) : QWidget(parent) {
   column->setSpacing(px(12));
   row->addLayout(column, 1);
   QLabel* hint = make_label(tr("The arrow points to where the bur comes from: the chewing surface has to look that way. "
-                               "A turn by these buttons is kept; the mouse only moves the view."), TextRole::body, false, "text2");
+                               "A turn by these buttons is kept; the mouse only moves the view."), TextRole::body, Weight::regular, "text2");
   hint->setWordWrap(true);
   column->addWidget(hint);
   turns_ = new QWidget;
@@ -106,9 +106,9 @@ ImportPreview::ImportPreview(QWidget* parent) : QWidget(parent) {
     ++n;
   }
   column->addWidget(turns_, 0, Qt::AlignLeft);
-  facts_ = make_label({}, TextRole::body, true);
-  warnings_ = make_label({}, TextRole::body, false, "look");
-  notes_ = make_label({}, TextRole::body, false, "text2");
+  facts_ = make_label({}, TextRole::body, Weight::bold);
+  warnings_ = make_label({}, TextRole::body, Weight::regular, "look");
+  notes_ = make_label({}, TextRole::body, Weight::regular, "text2");
   for (QLabel* label : {facts_, warnings_, notes_}) {
     label->setWordWrap(true);
     column->addWidget(label);

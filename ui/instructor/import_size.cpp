@@ -65,14 +65,14 @@ ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
     numbers->addWidget(field);
   numbers->addStretch();
   column->addLayout(numbers);
-  size_ = make_label({}, TextRole::body, true);
+  size_ = make_label({}, TextRole::body, Weight::bold);
   size_->setWordWrap(true);
   column->addWidget(size_);
   question_ = new QWidget;
   auto* row = new QVBoxLayout(question_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(8));
-  why_ = make_label({}, TextRole::body, false, "look");
+  why_ = make_label({}, TextRole::body, Weight::regular, "look");
   why_->setWordWrap(true);
   row->addWidget(why_);
   answers_ = new QHBoxLayout;

@@ -65,7 +65,7 @@ SliceView::SliceView(QWidget* parent) : QWidget(parent) {
   slider_ = new QSlider(Qt::Horizontal);
   slider_->setAccessibleName(tr("Slice"));
   column->addWidget(slider_);
-  where_ = make_label({}, TextRole::caption, false, "text2");
+  where_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   where_->setAlignment(Qt::AlignHCenter);
   column->addWidget(where_);
   connect(axes_, &Segments::changed, this, &SliceView::change_axis);

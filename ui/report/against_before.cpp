@@ -89,7 +89,7 @@ void AgainstBefore::paintEvent(QPaintEvent*) {
     p.setPen(Qt::NoPen);
     p.setBrush(t.accent);
     p.drawEllipse(QPointF(xn, y), px(4.6), px(4.6));
-    p.setFont(font_of(TextRole::body, true));
+    p.setFont(font_of(TextRole::body, Weight::bold));
     p.setPen(t.text);
     p.drawText(QRectF(width() - number, y - px(10), number, px(20)), Qt::AlignRight | Qt::AlignVCenter, with_sign(r.points));
   }

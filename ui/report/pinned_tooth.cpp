@@ -193,7 +193,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   p.setLayoutDirection(Qt::LeftToRight);
   const double w = std::min<double>(width() - px(56), px(400)), x0 = (width() - w) / 2;
-  const QFont bold = font_of(TextRole::caption, true), plain = font_of(TextRole::caption);
+  const QFont bold = font_of(TextRole::caption, Weight::bold), plain = font_of(TextRole::caption);
   const QString low = tr("Uncut remainder"), middle = tr("on target"), high = tr("Over-cut");
   p.setFont(bold);
   p.setPen(t.text);

@@ -14,7 +14,7 @@
 namespace cusp::ui {
 namespace {
 
-struct Text {
+struct ReportText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
@@ -71,7 +71,7 @@ std::vector<Advice> next_time(const ReportData& data) {
   std::vector<Advice> out;
   for (const CriticalEvent& event : data.critical) {
     out.push_back({critical_text(event, data.result.scenario.specimen),
-                   Text::tr("This fails the attempt, whatever its points."), critical_advice(event.key), event.place_mm,
+                   ReportText::tr("This fails the attempt, whatever its points."), critical_advice(event.key), event.place_mm,
                    true});
   }
   const Grade& grade = data.result.grade;
@@ -86,17 +86,17 @@ std::vector<Advice> next_time(const ReportData& data) {
 }
 
 QString occasion_text(const ReportData& data) {
-  if (data.attempt == 0) return Text::tr("Nothing of this attempt is kept");
-  return Text::tr("%1 · %2, attempt %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.attempt);
+  if (data.attempt == 0) return ReportText::tr("Nothing of this attempt is kept");
+  return ReportText::tr("%1 · %2, attempt %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.attempt);
 }
 
 QString circumstances_text(const ReportData& data) {
   QStringList parts;
-  parts += Text::tr("%1 min").arg(format_clock(data.result.seconds));
-  if (data.peak_push_n) parts += Text::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
+  parts += ReportText::tr("%1 min").arg(format_clock(data.result.seconds));
+  if (data.peak_push_n) parts += ReportText::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
   parts += device_name(data.result.device.device_class);
   if (data.result.stiffness_share < 1.0) {
-    parts += Text::tr("tissues at %1 of their stiffness")
+    parts += ReportText::tr("tissues at %1 of their stiffness")
                  .arg(format({data.result.stiffness_share * 100, std::nullopt, u"%"_qs, 0}));
   }
   return parts.join(u" · "_qs);
@@ -117,12 +117,12 @@ QStringList burs_used_text(const ReportData& data) {
       }
       const auto clock = [](std::uint64_t us) { return format_clock(static_cast<double>(us) * 1e-6); };
       //: From one moment of an attempt to another, as "1:12 to 3:05".
-      spans += Text::tr("%1 to %2").arg(clock(span.from_us), clock(span.to_us));
+      spans += ReportText::tr("%1 to %2").arg(clock(span.from_us), clock(span.to_us));
     }
     if (spans.isEmpty()) continue;
-    if (more > 0) spans += Text::tr("and %n more", nullptr, more);
+    if (more > 0) spans += ReportText::tr("and %n more", nullptr, more);
     //: A bur, and when it was used.
-    lines += Text::tr("Bur %1: %2").arg(bur_text(burs[i]), spans.join(Text::tr(", ")));
+    lines += ReportText::tr("Bur %1: %2").arg(bur_text(burs[i]), spans.join(ReportText::tr(", ")));
   }
   return lines;
 }
@@ -152,8 +152,8 @@ DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std
 
 QString picture_failure_text(const PictureFailure& failure) {
   const QString cause = isolate(QString::fromStdString(failure.detail.empty() ? failure.where : failure.detail));
-  if (failure.code == PictureError::no_opengl) return Text::tr("The tooth could not be drawn: OpenGL 3.3 did not start (%1).").arg(cause);
-  return Text::tr("The tooth could not be drawn (%1).").arg(cause);
+  if (failure.code == PictureError::no_opengl) return ReportText::tr("The tooth could not be drawn: OpenGL 3.3 did not start (%1).").arg(cause);
+  return ReportText::tr("The tooth could not be drawn (%1).").arg(cause);
 }
 
 }  // namespace cusp::ui

@@ -108,10 +108,10 @@ QWidget* ReportPage::make_bar(bool can_try_again, const QString& back_name) {
   rule->setFixedHeight(px(24));
   row->addWidget(rule);
   row->addSpacing(px(4));
-  row->addWidget(make_label(data_.title, TextRole::section, true));
+  row->addWidget(make_label(data_.title, TextRole::section, Weight::bold));
   QString aside = occasion_text(data_);
   if (!data_.student.isEmpty() && !can_try_again) aside = data_.student + u" · "_qs + aside;
-  row->addWidget(make_label(aside, TextRole::body, false, "text2"), 1);
+  row->addWidget(make_label(aside, TextRole::body, Weight::regular, "text2"), 1);
   QPushButton* paper = make_button(tr("Print"), ButtonKind::standard, u"print"_qs, QKeySequence::Print);
   QPushButton* pdf = make_button(tr("Save as PDF"), ButtonKind::standard, u"export"_qs, QKeySequence::Save);
   connect(paper, &QPushButton::clicked, this, &ReportPage::print);
@@ -173,7 +173,7 @@ QWidget* ReportPage::make_score() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(16));
-  QLabel* score = make_label(format_points(g.score), TextRole::score, true);
+  QLabel* score = make_label(format_points(g.score), TextRole::score, Weight::bold);
   score->setObjectName(u"score"_qs);
   row->addWidget(score);
   auto* text = new QVBoxLayout;
@@ -183,15 +183,15 @@ QWidget* ReportPage::make_score() {
   line->setSpacing(px(8));
   line->addWidget(new Chip(g.passed ? tr("Passed") : tr("Not passed"), g.passed ? Chip::Kind::good : Chip::Kind::bad));
   QLabel* of = make_label(tr("of %1 points, pass mark %2").arg(format_points(g.score_max), format_points(g.pass_mark)),
-                          TextRole::body, false, "text2");
+                          TextRole::body, Weight::regular, "text2");
   of->setWordWrap(true);  // no sideways scrolling on a narrow page
   line->addWidget(of, 1);
   text->addLayout(line);
-  QLabel* circumstances = make_label(circumstances_text(data_), TextRole::caption, false, "text2");
+  QLabel* circumstances = make_label(circumstances_text(data_), TextRole::caption, Weight::regular, "text2");
   circumstances->setWordWrap(true);
   text->addWidget(circumstances);
   for (const QString& used : burs_used_text(data_)) {
-    QLabel* label = make_label(used, TextRole::caption, false, "text2");
+    QLabel* label = make_label(used, TextRole::caption, Weight::regular, "text2");
     label->setWordWrap(true);
     text->addWidget(label);
   }
@@ -200,8 +200,8 @@ QWidget* ReportPage::make_score() {
   if (data_.before) {
     auto* best = new QVBoxLayout;
     best->setSpacing(0);
-    QLabel* name = make_label(tr("Best before"), TextRole::caption, false, "text2");
-    QLabel* value = make_label(format_points(data_.before->score), TextRole::section, true);
+    QLabel* name = make_label(tr("Best before"), TextRole::caption, Weight::regular, "text2");
+    QLabel* value = make_label(format_points(data_.before->score), TextRole::section, Weight::bold);
     name->setAlignment(Qt::AlignTrailing);
     value->setAlignment(Qt::AlignTrailing);
     best->addStretch();
@@ -241,7 +241,7 @@ QWidget* ReportPage::make_next_time() {
   std::vector<Advice> all = next_time(data_);
   const QString counted = counted_text(data_.result.grade, data_.result.scenario.rubric);
   if (all.empty() && counted.isEmpty()) {
-    QLabel* label = make_label(tr("Every criterion has its full points."), TextRole::body, false, "text2");
+    QLabel* label = make_label(tr("Every criterion has its full points."), TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);
     card->body()->addWidget(label);
   }
@@ -254,12 +254,12 @@ QWidget* ReportPage::make_next_time() {
     line->addWidget(sign, 0, Qt::AlignTop);
     auto* text = new QVBoxLayout;
     text->setSpacing(0);
-    QLabel* head = make_label(advice.head, TextRole::body, true);
+    QLabel* head = make_label(advice.head, TextRole::body, Weight::bold);
     head->setWordWrap(true);
     text->addWidget(head);
     for (const QString& sentence : {advice.why, advice.what_to_do}) {
       if (sentence.isEmpty()) continue;
-      QLabel* label = make_label(sentence, TextRole::body, false, "text2");
+      QLabel* label = make_label(sentence, TextRole::body, Weight::regular, "text2");
       label->setWordWrap(true);
       text->addWidget(label);
     }
@@ -272,7 +272,7 @@ QWidget* ReportPage::make_next_time() {
     auto* sign = new QLabel;
     sign->setPixmap(icon_pixmap(u"minus"_qs, Ink::text2, 16, devicePixelRatioF()));
     line->addWidget(sign, 0, Qt::AlignTop);
-    QLabel* label = make_label(counted, TextRole::body, false, "text2");
+    QLabel* label = make_label(counted, TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);
     line->addWidget(label, 1);
     card->body()->addLayout(line);
@@ -285,7 +285,7 @@ QWidget* ReportPage::make_against() {
   auto* card = new Card(tr("Against your best before"));
   if (!data_.before) {
     QLabel* label = make_label(tr("No attempt with this device came before. From the next one on this compares the two."),
-                               TextRole::body, false, "text2");
+                               TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);
     card->body()->addWidget(label);
     card->body()->addStretch();
@@ -297,7 +297,7 @@ QWidget* ReportPage::make_against() {
     auto* sign = new QLabel;
     sign->setPixmap(icon_pixmap(filled ? u"dot"_qs : u"circle"_qs, filled ? Ink::accent : Ink::text2, 12, devicePixelRatioF()));
     legend->addWidget(sign);
-    legend->addWidget(make_label(text, TextRole::caption, false, "text2"));
+    legend->addWidget(make_label(text, TextRole::caption, Weight::regular, "text2"));
     legend->addSpacing(px(6));
   };
   dot(false, tr("%1, %2").arg(format_day(data_.before_when), format_points(data_.before->score)));

@@ -20,7 +20,7 @@
 namespace cusp::ui {
 namespace {
 
-struct Text {
+struct PdfText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
@@ -30,7 +30,6 @@ constexpr double kRing = 8;                             // radius of a number on
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
 constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time" that fit one page
 
-enum class Weight { regular, bold };
 struct Type {
   double size;  // px at 100 %
   Weight weight;
@@ -55,7 +54,7 @@ class Paper {
   const QRectF& page() const { return page_; }
 
   QFont font(double size, Weight weight = Weight::regular) const {
-    QFont f = font_of(TextRole::body, weight == Weight::bold);
+    QFont f = font_of(TextRole::body, weight);
     f.setPixelSize(std::max(1, static_cast<int>(std::lround(size * u_))));
     return f;
   }
@@ -104,15 +103,15 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   paper.write(score, {x, w}, {40, Weight::bold, t.text}, Qt::AlignLeft, Then::stay);
   const double right = x + width + paper.u(14);
   paper.skip(8);
-  paper.write((g.passed ? Text::tr("Passed") : Text::tr("Not passed")) + u" · "_qs +
-                  Text::tr("%1 of %2 points, pass mark %3")
+  paper.write((g.passed ? PdfText::tr("Passed") : PdfText::tr("Not passed")) + u" · "_qs +
+                  PdfText::tr("%1 of %2 points, pass mark %3")
                       .arg(score, format_points(g.score_max), format_points(g.pass_mark)), {right, w - width}, {12, Weight::bold, g.passed ? t.good : t.bad});
   paper.skip(2);
   paper.write(circumstances_text(d), {right, w - width}, {11, Weight::regular, t.text2});
   for (const QString& used : burs_used_text(d)) paper.write(used, {right, w - width}, {11, Weight::regular, t.text2});
   paper.skip(14);
   for (const CriticalEvent& event : d.critical) {
-    paper.write(Text::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), {x, w}, {12, Weight::bold, t.bad});
+    paper.write(PdfText::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), {x, w}, {12, Weight::bold, t.bad});
     paper.skip(4);
   }
 }
@@ -230,7 +229,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
 
 void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t) {
   const double x = paper.page().left(), w = paper.page().width(), indent = paper.u(20);
-  paper.write(Text::tr("Next time"), {x, w}, {13, Weight::bold, t.text});
+  paper.write(PdfText::tr("Next time"), {x, w}, {13, Weight::bold, t.text});
   paper.skip(4);
   for (const auto& [advice, at, number] : shown) {
     if (number > 0) draw_number(paper, {x + paper.u(kRing), paper.y() + paper.u(8)}, number, t);
@@ -240,11 +239,11 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
   }
   const QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
   if (!counted.isEmpty()) paper.write(counted, {x, w}, {11, Weight::regular, t.text});
-  if (shown.empty() && counted.isEmpty()) paper.write(Text::tr("Every criterion has its full points."), {x, w}, {11, Weight::regular, t.text});
+  if (shown.empty() && counted.isEmpty()) paper.write(PdfText::tr("Every criterion has its full points."), {x, w}, {11, Weight::regular, t.text});
   if (d.before) {
     paper.skip(8);
     const double apart = d.result.grade.score - d.before->score;
-    paper.write(Text::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
+    paper.write(PdfText::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
                     .arg(format_points(d.before->score), format_day(d.before_when),
                          (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)), {x, w}, {11, Weight::regular, t.text2});
   }
@@ -256,11 +255,11 @@ void write_legend(Paper& paper, const Tokens& t) {
   const QRectF page = paper.page();
   const double x = page.left() + paper.u(kToothHigh * kToothRatio + 20), w = page.right() - x;
   const ToothColours& c = ToothColours::get();
-  const std::pair<QString, QColor> lines[] = {{Text::tr("uncut remainder, 0.5 mm and more"), c.map[0]},
-                                              {Text::tr("uncut remainder, 0.3 mm"), c.map[1]},
-                                              {Text::tr("on target, within 0.1 mm"), c.map[2]},
-                                              {Text::tr("over-cut, 0.3 mm"), c.map[3]},
-                                              {Text::tr("over-cut, 0.5 mm and more"), c.map[4]}};
+  const std::pair<QString, QColor> lines[] = {{PdfText::tr("uncut remainder, 0.5 mm and more"), c.map[0]},
+                                              {PdfText::tr("uncut remainder, 0.3 mm"), c.map[1]},
+                                              {PdfText::tr("on target, within 0.1 mm"), c.map[2]},
+                                              {PdfText::tr("over-cut, 0.3 mm"), c.map[3]},
+                                              {PdfText::tr("over-cut, 0.5 mm and more"), c.map[4]}};
   double y = paper.y();
   for (const auto& [text, colour] : lines) {
     painter.setPen(QPen(t.border, paper.u(0.7)));
@@ -321,7 +320,7 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   // Foot: what identifies the attempt.
   painter.setFont(paper.font(8.5));
   painter.setPen(t.text3);
-  QString foot = Text::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
+  QString foot = PdfText::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
   if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
   painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom, foot);
 }

@@ -13,7 +13,7 @@ namespace {
 struct Shared {
   std::mutex mutex;  // held for a copy, never while anything is asked
   std::condition_variable stopped;
-  std::vector<FoundDevice> found = with_those_of_no_hardware({});
+  std::vector<FoundDevice> found = with_software_devices({});
   bool answered = false, changed = false, stop = false;
 };
 

@@ -74,7 +74,7 @@ DeviceBench::DeviceBench(const DeviceChoice& choice, const falcon::EmulatedBodyS
     in.body = std::make_unique<falcon::EmulatedBody>(*in.emulator, body);
     auto emulated = std::make_unique<falcon::EmulatedLink>(
         *in.emulator, falcon::EmulatedLinkSettings{.time = falcon::EmulatedTime::runs});
-    emulated->on_time([&in](falcon::LinkTime now) { in.body->live(now); });
+    emulated->on_time([&in](falcon::LinkTime now) { in.body->advance(now); });
     link = std::move(emulated);
   } else {
     auto made = falcon::make_usb_link(choice.name);

@@ -52,7 +52,7 @@ QWidget* SignIn::make_head() {
   auto* logo = new QLabel;
   logo->setPixmap(icon_pixmap(u"tooth"_qs, Ink::accent, 22, devicePixelRatioF()));
   row->addWidget(logo);
-  row->addWidget(make_label(u"Cusp"_qs, TextRole::live, true));
+  row->addWidget(make_label(u"Cusp"_qs, TextRole::live, Weight::bold));
   row->addStretch();
   auto* language = make_button({}, ButtonKind::quiet, u"globe"_qs);
   for (const Language& l : languages()) {
@@ -97,7 +97,7 @@ QWidget* SignIn::make_notices() {
 QWidget* SignIn::make_station() {
   const QString file = QString::fromStdString(store_.database().file().filename().string());
   QLabel* foot = make_label(tr("%1: results are kept on this computer, in %2.").arg(QSysInfo::machineHostName(), isolate(file)),
-                            TextRole::caption, false, "text2");
+                            TextRole::caption, Weight::regular, "text2");
   foot->setToolTip(QString::fromStdString(store_.database().file().string()));
   foot->setWordWrap(true);
   return make_row_sign(u"monitor"_qs, Ink::text2, foot);
@@ -108,8 +108,8 @@ QWidget* SignIn::make_sign_in_form() {
   auto* column = new QVBoxLayout(form);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(4));
-  column->addWidget(make_label(tr("Sign in"), TextRole::page_title, true));
-  column->addWidget(make_label(QSysInfo::machineHostName(), TextRole::body, false, "text2"));
+  column->addWidget(make_label(tr("Sign in"), TextRole::page_title, Weight::bold));
+  column->addWidget(make_label(QSysInfo::machineHostName(), TextRole::body, Weight::regular, "text2"));
   column->addSpacing(px(16));
   who_ = make_tabs({tr("Student"), tr("Staff")});
   column->addWidget(who_);
@@ -130,7 +130,7 @@ QWidget* SignIn::make_sign_in_form() {
   auto* or_row = new QHBoxLayout;
   or_row->setSpacing(px(12));
   or_row->addWidget(make_rule(), 1);
-  or_row->addWidget(make_label(tr("or"), TextRole::caption, false, "text2"));
+  or_row->addWidget(make_label(tr("or"), TextRole::caption, Weight::regular, "text2"));
   or_row->addWidget(make_rule(), 1);
   column->addLayout(or_row);
   column->addSpacing(px(20));
@@ -183,7 +183,7 @@ void SignIn::add_try_it(QBoxLayout& column) {
   column.addWidget(try_button);
   QLabel* note = make_label(tr("No account. You drill a practice block with the mouse; nothing goes into the school’s "
                                "records."),
-                            TextRole::caption, false, "text2");
+                            TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column.addSpacing(px(4));
   column.addWidget(note);
@@ -195,10 +195,10 @@ QWidget* SignIn::make_first_start_form() {
   auto* column = new QVBoxLayout(form);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(4));
-  column->addWidget(make_label(tr("First start"), TextRole::page_title, true));
+  column->addWidget(make_label(tr("First start"), TextRole::page_title, Weight::bold));
   QLabel* why = make_label(tr("Nobody manages this computer’s records yet. Make the administrator; everybody else is "
                               "added afterwards."),
-                           TextRole::body, false, "text2");
+                           TextRole::body, Weight::regular, "text2");
   why->setWordWrap(true);
   column->addWidget(why);
   column->addSpacing(px(12));

@@ -78,7 +78,7 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
   body->addWidget(make_keys());
   body->addStretch();
   setFocusProxy(start_);
-  connect(&pictures_, &PictureShelf::ready, this, &Briefing::show_picture);
+  connect(&pictures_, &ThumbnailCache::ready, this, &Briefing::show_picture);
   show_picture();
 }
 
@@ -94,14 +94,14 @@ QWidget* Briefing::make_bar() {
   QFrame* rule = make_rule(Qt::Vertical);
   rule->setFixedHeight(px(24));
   bar_row->addWidget(rule);
-  bar_row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, true));
+  bar_row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, Weight::bold));
   bar_row->addStretch();
   return bar;
 }
 
 void Briefing::fill_text(QVBoxLayout& text) {
   const Scenario& s = exercise_.scenario;
-  text.addWidget(make_label(local(s.title), TextRole::page_title, true));
+  text.addWidget(make_label(local(s.title), TextRole::page_title, Weight::bold));
   QLabel* what = make_label(local(s.briefing));
   what->setWordWrap(true);
   text.addWidget(what);
@@ -112,7 +112,7 @@ void Briefing::fill_text(QVBoxLayout& text) {
   start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
   start_->setDefault(true);
   acts->addWidget(start_);
-  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, false, "text3"));
+  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, Weight::regular, "text3"));
   acts->addStretch();
   text.addLayout(acts);
   text.addStretch();
@@ -128,7 +128,7 @@ void Briefing::add_facts(QVBoxLayout& text) {
   const auto fact = [&](const QString& name, const QString& value) {
     QLabel* label = make_label(value);
     label->setWordWrap(true);
-    facts->addRow(make_label(name, TextRole::body, false, "text2"), label);
+    facts->addRow(make_label(name, TextRole::body, Weight::regular, "text2"), label);
   };
   fact(tr("Burs"), burs_text(s));
   fact(tr("Wanted depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
@@ -169,7 +169,7 @@ QWidget* Briefing::make_keys() {
   auto* keys = new Card(tr("With mouse and keys"));
   QLabel* how = make_label(tr("Move the mouse, or the arrow keys, to slide the bur over the tooth. Push with the wheel "
                               "or with Page Down, let up with Page Up. Hold Space, or the left button, to cut."),
-                           TextRole::body, false, "text2");
+                           TextRole::body, Weight::regular, "text2");
   how->setWordWrap(true);
   keys->body()->addWidget(how);
   return keys;

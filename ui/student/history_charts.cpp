@@ -11,7 +11,7 @@
 namespace cusp::ui {
 namespace {
 
-struct Text {
+struct ChartText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::HistoryCharts)
 };
 
@@ -46,13 +46,13 @@ void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
   double lowest = 100;
   for (const HistoryRow& attempt : graded) lowest = std::min(lowest, *attempt.score);
   const double least = lowest < 40 ? 0 : 40;
-  d.y = {Text::tr("points"), least, 100, 20, 0};
+  d.y = {ChartText::tr("points"), least, 100, 20, 0};
   if (!graded.empty() && graded.back().pass_mark) {
     d.mark = *graded.back().pass_mark;
-    d.mark_text = Text::tr("pass %1").arg(format_points(*d.mark));
+    d.mark_text = ChartText::tr("pass %1").arg(format_points(*d.mark));
   }
   d.summary = graded.empty() ? QString()
-                             : Text::tr("%n attempt(s), the last with %1 points.", nullptr, static_cast<int>(graded.size()))
+                             : ChartText::tr("%n attempt(s), the last with %1 points.", nullptr, static_cast<int>(graded.size()))
                                    .arg(format_points(*graded.back().score));
 }
 
@@ -61,7 +61,7 @@ void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
 ChartData time_and_score(const std::vector<HistoryRow>& attempts) {
   const std::vector<HistoryRow> graded = in_order(attempts);
   ChartData d;
-  d.title = Text::tr("Time and score");
+  d.title = ChartText::tr("Time and score");
   double longest = 0, shortest = 1e9;
   for (const HistoryRow& attempt : graded) {
     longest = std::max(longest, minutes_of(attempt));
@@ -73,10 +73,10 @@ ChartData time_and_score(const std::vector<HistoryRow>& attempts) {
   if (graded.empty()) longest = shortest = 1;
   const double step = round_step(std::max(longest * factor, seconds ? 10.0 : 2.0), 6);
   const double most = step * (std::floor(longest * factor / step) + 1);
-  d.x = {seconds ? Text::tr("seconds") : Text::tr("minutes"), 0, most, step, step < 1 ? 1 : 0};
+  d.x = {seconds ? ChartText::tr("seconds") : ChartText::tr("minutes"), 0, most, step, step < 1 ? 1 : 0};
   put_scores(d, graded);
   ChartSeries own;
-  own.name = Text::tr("You");
+  own.name = ChartText::tr("You");
   for (const HistoryRow& attempt : graded) own.points += {minutes_of(attempt) * factor, *attempt.score, label_of(attempt), false};
   if (!own.points.isEmpty()) own.points.last().strong = true;
   d.series += own;
@@ -86,13 +86,13 @@ ChartData time_and_score(const std::vector<HistoryRow>& attempts) {
 ChartData score_by_attempt(const std::vector<HistoryRow>& attempts) {
   const std::vector<HistoryRow> graded = in_order(attempts);
   ChartData d;
-  d.title = Text::tr("Points by attempt");
+  d.title = ChartText::tr("Points by attempt");
   const auto n = static_cast<double>(graded.size());
   const double step = std::max(1.0, round_step(std::max(n, 4.0), 10));
-  d.x = {Text::tr("attempt"), 0, std::max(4.0, step * std::ceil((n + 0.5) / step)), step, 0};
+  d.x = {ChartText::tr("attempt"), 0, std::max(4.0, step * std::ceil((n + 0.5) / step)), step, 0};
   put_scores(d, graded);
   ChartSeries own;
-  own.name = Text::tr("Points");
+  own.name = ChartText::tr("Points");
   for (std::size_t i = 0; i < graded.size(); ++i) {
     own.points += {static_cast<double>(i + 1), *graded[i].score, label_of(graded[i]), false};
   }

@@ -56,10 +56,10 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   auto* text = new QVBoxLayout;
   text->setSpacing(px(2));
   line->addLayout(text, 1);
-  text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, true));
+  text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, Weight::bold));
   QString said = how_far(store, row);
   if (way != InterruptedWay::go_on) said += u' ' + why_not_on(way, row, device_class);
-  QLabel* what = make_label(said, TextRole::body, false, "text2");
+  QLabel* what = make_label(said, TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
   auto* acts = new QHBoxLayout;

@@ -40,7 +40,7 @@ QWidget* fact(const QString& name, const QString& value, Value length = Value::o
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(make_label(name, TextRole::caption, false, "text2"));
+  column->addWidget(make_label(name, TextRole::caption, Weight::regular, "text2"));
   QLabel* text = make_label(value);
   text->setWordWrap(length == Value::wraps);
   column->addWidget(text);
@@ -79,14 +79,14 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   body->addLayout(columns_);
   body->addStretch();
 
-  columns_->addWidget(make_main(account), 1);
+  columns_->addWidget(make_main(), 1);
   side_ = make_side(account);
   columns_->addWidget(side_);
-  connect(&pictures_, &PictureShelf::ready, this, &StartPage::show_picture);
+  connect(&pictures_, &ThumbnailCache::ready, this, &StartPage::show_picture);
   if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
 }
 
-QWidget* StartPage::make_main(const Account& account) {
+QWidget* StartPage::make_main() {
   auto* main = new QWidget;
   auto* column = new QVBoxLayout(main);
   column->setContentsMargins(0, 0, 0, 0);
@@ -107,7 +107,7 @@ QWidget* StartPage::make_main(const Account& account) {
   auto* sign = new QLabel;
   sign->setPixmap(icon_pixmap(u"info"_qs, Ink::text2, 16, devicePixelRatioF()));
   note->addWidget(sign);
-  note->addWidget(make_label(tr("Every attempt is kept, also one that broke off."), TextRole::caption, false, "text2"), 1);
+  note->addWidget(make_label(tr("Every attempt is kept, also one that broke off."), TextRole::caption, Weight::regular, "text2"), 1);
   column->addLayout(note);
   column->addStretch();
   return main;
@@ -151,12 +151,12 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->setContentsMargins(px(24), px(16), px(24), px(16));
   text->setSpacing(px(4));
   line->addLayout(text, 1);
-  text->addWidget(make_label(tr("Next"), TextRole::caption, false, "text2"));
-  text->addWidget(make_label(local(s.title), TextRole::live, true));
+  text->addWidget(make_label(tr("Next"), TextRole::caption, Weight::regular, "text2"));
+  text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
   // The first sentence; the briefing has the whole text.
   QString first = local(s.briefing);
   if (const auto end = first.indexOf(u". "_qs); end > 0 && first.size() > kShortText) first.truncate(end + 1);
-  QLabel* what = make_label(first, TextRole::body, false, "text2");
+  QLabel* what = make_label(first, TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
   text->addStretch();
@@ -179,7 +179,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   acts->addWidget(start_);
   acts->addWidget(briefing);
   // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
-  QLabel* hint = make_label(interrupted_ == nullptr ? tr("Enter starts") : QString(), TextRole::caption, false, "text3");
+  QLabel* hint = make_label(interrupted_ == nullptr ? tr("Enter starts") : QString(), TextRole::caption, Weight::regular, "text3");
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   hint->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   acts->addWidget(hint, 1);
@@ -194,7 +194,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
 QWidget* StartPage::make_list() {
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(12), px(8), px(8));
-  QLabel* title = make_label(tr("Your exercises"), TextRole::section, true);
+  QLabel* title = make_label(tr("Your exercises"), TextRole::section, Weight::bold);
   title->setContentsMargins(px(8), 0, 0, 0);
   card->body()->addWidget(title);
   table_ = new Table;
@@ -227,11 +227,11 @@ QWidget* StartPage::make_last(const Account& account) {
   auto* card = new Card(tr("Last result"), format_day(moment(last->started_utc_us)));
   auto* row = new QHBoxLayout;
   row->setSpacing(px(12));
-  row->addWidget(make_label(format_points(*last->score), TextRole::score, true));
+  row->addWidget(make_label(format_points(*last->score), TextRole::score, Weight::bold));
   auto* of = new QVBoxLayout;
   of->setSpacing(px(2));
   of->addStretch();
-  of->addWidget(make_label(tr("of 100"), TextRole::body, false, "text2"));
+  of->addWidget(make_label(tr("of 100"), TextRole::body, Weight::regular, "text2"));
   of->addWidget(new Chip(result_text(*last), static_cast<Chip::Kind>(result_chip(*last))));
   of->addStretch();
   row->addLayout(of);
@@ -243,16 +243,16 @@ QWidget* StartPage::make_last(const Account& account) {
     QLabel* against = make_label(apart > 0    ? tr("%1 more than\nyour best before").arg(points)
                                  : apart == 0 ? tr("the same as\nyour best before")
                                               : tr("%1 less than\nyour best before").arg(points),
-                                 TextRole::caption, false, "text2");
+                                 TextRole::caption, Weight::regular, "text2");
     against->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
     row->addWidget(against);
   }
   card->body()->addLayout(row);
-  card->body()->addWidget(make_label(local(last->title), TextRole::caption, false, "text2"));
+  card->body()->addWidget(make_label(local(last->title), TextRole::caption, Weight::regular, "text2"));
   card->body()->addWidget(make_rule());
-  card->body()->addWidget(make_label(tr("What to do next time"), TextRole::body, true));
+  card->body()->addWidget(make_label(tr("What to do next time"), TextRole::body, Weight::bold));
   if (!add_advice(*card, *last, account)) {
-    card->body()->addWidget(make_label(tr("Nothing: every criterion has its full points."), TextRole::body, false, "text2"));
+    card->body()->addWidget(make_label(tr("Nothing: every criterion has its full points."), TextRole::body, Weight::regular, "text2"));
   }
   QPushButton* report = make_button(tr("Open the report"));
   card->body()->addWidget(report, 0, Qt::AlignLeading);
@@ -313,7 +313,7 @@ QWidget* StartPage::make_chart() {
   card->body()->addWidget(chart);
   QLabel* note = make_label(tr("Time earns no points. %1 only, %n attempt(s).", nullptr, static_cast<int>(attempts.size()))
                                 .arg(device_name(last->device_class)),
-                            TextRole::caption, false, "text2");
+                            TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   card->body()->addWidget(note);
   std::reverse(attempts.begin(), attempts.end());

@@ -42,7 +42,7 @@ class StartPage : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* make_main(const Account& account);
+  QWidget* make_main();
   QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);

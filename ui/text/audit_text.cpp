@@ -13,20 +13,20 @@
 namespace cusp::ui {
 namespace {
 
-struct Text {
+struct AuditText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Audit)
 };
 
 QString mm(double value) { return format_value({value, {}, u"mm"_qs, value * 100 == static_cast<int>(value * 100) ? 2 : 3}); }
 
 QString around_name(const std::string& key) {
-  if (key == "neighbours") return Text::tr("Neighbouring teeth");
+  if (key == "neighbours") return AuditText::tr("Neighbouring teeth");
   if (key == "gingiva") return tissue_name(Tissue::gingiva);
   if (key == "bone") return tissue_name(Tissue::bone);
-  return Text::tr("The rest of the jaw");
+  return AuditText::tr("The rest of the jaw");
 }
 
-QString tissue_of(const std::string& key) {
+QString tissue_of_key(const std::string& key) {
   const auto tissue = scenario_tissue_from_key(key);
   return tissue ? tissue_name(*tissue) : QString::fromStdString(key);
 }
@@ -43,7 +43,7 @@ QStringList taken(const AuditReport& report) {
 QString means_sentence(const AuditReport& report) {
   if (!report.at_half_voxel || report.at_half_voxel->attempts_per_operator < 2) return {};
   const GradeChange& half = *report.at_half_voxel;
-  return u' ' + Text::tr("Single attempts differ by chance: over %1 attempts of each operator, half the voxels change the mean score by %2 ± %3 points.")
+  return u' ' + AuditText::tr("Single attempts differ by chance: over %1 attempts of each operator, half the voxels change the mean score by %2 ± %3 points.")
                     .arg(QLocale().toString(half.attempts_per_operator), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
 }
 
@@ -51,59 +51,59 @@ QString means_sentence(const AuditReport& report) {
 
 QString choice_name(const Choice& c) {
   switch (c.aspect) {
-    case Aspect::voxel: return Text::tr("Voxels of %1").arg(mm(c.instead));
-    case Aspect::band: return Text::tr("Half the band");
-    case Aspect::region: return Text::tr("Only near the target");
-    case Aspect::around: return Text::tr("%1 left out").arg(around_name(c.subject));
-    case Aspect::tissue: return Text::tr("%1 left out").arg(tissue_of(c.subject));
-    case Aspect::friction: return Text::tr("Friction left out");
-    case Aspect::spindle: return Text::tr("Handpiece left out");
-    case Aspect::vibration: return Text::tr("Vibration left out");
-    case Aspect::heat: return Text::tr("Heat left out");
-    case Aspect::tilt: return Text::tr("Tilting of the handpiece left out");
+    case Aspect::voxel: return AuditText::tr("Voxels of %1").arg(mm(c.instead));
+    case Aspect::band: return AuditText::tr("Half the band");
+    case Aspect::region: return AuditText::tr("Only near the target");
+    case Aspect::around: return AuditText::tr("%1 left out").arg(around_name(c.subject));
+    case Aspect::tissue: return AuditText::tr("%1 left out").arg(tissue_of_key(c.subject));
+    case Aspect::friction: return AuditText::tr("Friction left out");
+    case Aspect::spindle: return AuditText::tr("Handpiece left out");
+    case Aspect::vibration: return AuditText::tr("Vibration left out");
+    case Aspect::heat: return AuditText::tr("Heat left out");
+    case Aspect::tilt: return AuditText::tr("Tilting of the handpiece left out");
   }
   return {};
 }
 
 QString verdict_name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::needed: return Text::tr("needed");
-    case Verdict::not_needed: return Text::tr("not needed");
-    case Verdict::shown: return Text::tr("same score");
-    case Verdict::unplayable: return Text::tr("cannot be played");
-    case Verdict::unresolved: return Text::tr("too coarse");
+    case Verdict::needed: return AuditText::tr("needed");
+    case Verdict::not_needed: return AuditText::tr("not needed");
+    case Verdict::shown: return AuditText::tr("same score");
+    case Verdict::unplayable: return AuditText::tr("cannot be played");
+    case Verdict::unresolved: return AuditText::tr("too coarse");
   }
   return {};
 }
 
 QString leanest_sentence(const AuditReport& report) {
   if (!report.changed() && !report.detail_holds())
-    return Text::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every "
+    return AuditText::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every "
                      "size that was tried.")
                .arg(format_number(std::abs(report.at_half_voxel->score), 1), format_points(report.tolerance_points)) +
            means_sentence(report);
   if (!report.changed())
-    return Text::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
+    return AuditText::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
                .arg(format_points(report.tolerance_points)) +
            means_sentence(report);
   const QString what = taken(report).join(u", "_qs);
   const bool finer = report.leanest.specimen.voxel_mm < report.scenario.specimen.voxel_mm;
-  const QString tells = finer ? Text::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
-                              : Text::tr("Every attempt keeps its score within %1 points: %2.");
+  const QString tells = finer ? AuditText::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
+                              : AuditText::tr("Every attempt keeps its score within %1 points: %2.");
   QString out = tells.arg(format_points(report.tolerance_points), what);
   if (report.leanest_result) {
     const ModelCost &was = report.as_set.cost, &is = report.leanest_result->cost;
-    out += u' ' + Text::tr("An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.")
+    out += u' ' + AuditText::tr("An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.")
                       .arg(format_number(is.us_a_tick, 0), format_number(is.us_a_tick - is.us_more, 0),
                            format_number(static_cast<double>(is.bytes) / 1e6, 0), format_number(static_cast<double>(was.bytes) / 1e6, 0));
   }
-  return out + means_sentence(report) + u' ' + Text::tr("One thing after another was tried: a leaner set may exist.");
+  return out + means_sentence(report) + u' ' + AuditText::tr("One thing after another was tried: a leaner set may exist.");
 }
 
 Message describe(const AuditFailure& failure) {
-  if (failure.code == AuditError::cancelled) return {Text::tr("The audit was stopped."), Text::tr("Nothing was changed.")};
-  return {Text::tr("The exercise cannot be played as it stands (%1).").arg(QString::fromStdString(failure.where)),
-          Text::tr("Look at its checks first.")};
+  if (failure.code == AuditError::cancelled) return {AuditText::tr("The audit was stopped."), AuditText::tr("Nothing was changed.")};
+  return {AuditText::tr("The exercise cannot be played as it stands (%1).").arg(QString::fromStdString(failure.where)),
+          AuditText::tr("Look at its checks first.")};
 }
 
 }  // namespace cusp::ui

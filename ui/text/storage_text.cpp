@@ -11,18 +11,18 @@
 namespace cusp::ui {
 namespace {
 
-QString place(const std::string& where) { return isolate(text(where)); }
+QString quoted_place(const std::string& where) { return isolate(text(where)); }
 
 QString nothing_changed() { return Text::tr("Nothing was changed."); }
 
 /// "/data/cusp.db", and where a library gave a reason "/data/cusp.db (disk I/O error)".
 QString with_reason(const StorageFailure& f) {
-  return f.detail.empty() ? place(f.where) : Text::tr("%1 (%2)").arg(place(f.where), isolate(text(f.detail)));
+  return f.detail.empty() ? quoted_place(f.where) : Text::tr("%1 (%2)").arg(quoted_place(f.where), isolate(text(f.detail)));
 }
 
 /// The file, its folder, or the disk under it.
 std::optional<Message> describe_file(const StorageFailure& f) {
-  const QString where = place(f.where);
+  const QString where = quoted_place(f.where);
   switch (f.code) {
     case StorageError::not_a_database:
       return Message{Text::tr("This file is not a Cusp database."),
@@ -82,7 +82,7 @@ Message describe_missing(const StorageFailure& f) {
   const QString which = f.detail.empty() ? QString() : isolate(text(f.detail));
   if (f.detail == "folder") {
     return {Text::tr("The database’s folder is not there."),
-            Text::tr("There is no folder %1. Make it, or choose another place with --db.").arg(place(f.where))};
+            Text::tr("There is no folder %1. Make it, or choose another place with --db.").arg(quoted_place(f.where))};
   }
   const auto none = [&](const QString& what) {
     return Message{what, which.isEmpty() ? nothing_changed() : Text::tr("%1 was not found. Nothing was changed.").arg(which)};
@@ -93,7 +93,7 @@ Message describe_missing(const StorageFailure& f) {
   if (f.where == "blobs" || f.where == "trace_chunks" || f.where == "cohort_students") {
     return none(Text::tr("A part of the records is not there."));
   }
-  return {Text::tr("The record is not there."), Text::tr("%1 was not found. Nothing was changed.").arg(place(f.where))};
+  return {Text::tr("The record is not there."), Text::tr("%1 was not found. Nothing was changed.").arg(quoted_place(f.where))};
 }
 
 Message describe_bad_value(const StorageFailure& f) {
@@ -113,7 +113,7 @@ bool names_file(const StorageFailure& f) { return f.where.find('/') != std::stri
 
 Message describe(const StorageFailure& f) {
   if (auto message = describe_file(f)) return *message;
-  const QString where = place(f.where);
+  const QString where = quoted_place(f.where);
   switch (f.code) {
     case StorageError::not_found: return describe_missing(f);
     case StorageError::wrong_password:

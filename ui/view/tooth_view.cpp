@@ -118,7 +118,7 @@ ToothView::ToothView(QWidget* parent) : QWidget(parent) {
     surface_ = new Surface(this);
   } else {
     auto* lay = new QVBoxLayout(this);
-    auto* note = make_label(tr("The tooth is drawn where the screen has OpenGL."), TextRole::body, false, "text2");
+    auto* note = make_label(tr("The tooth is drawn where the screen has OpenGL."), TextRole::body, Weight::regular, "text2");
     note->setAlignment(Qt::AlignCenter);
     note->setWordWrap(true);
     lay->addWidget(note);

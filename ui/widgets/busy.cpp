@@ -14,9 +14,9 @@ Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
   column->setSpacing(px(8));
   setMinimumWidth(px(280));  // start() sets the title, which must not be clipped
   column->addStretch();
-  title_ = make_label({}, TextRole::section, true);
+  title_ = make_label({}, TextRole::section, Weight::bold);
   title_->setAlignment(Qt::AlignCenter);
-  counted_ = make_label({}, TextRole::body, false, "text2");
+  counted_ = make_label({}, TextRole::body, Weight::regular, "text2");
   counted_->setAlignment(Qt::AlignCenter);
   bar_ = new Bar(Bar::Role::accent);
   cancel_ = make_button(tr("Cancel"));

@@ -19,11 +19,11 @@ EmptyState::EmptyState(const QString& icon_name, const QString& title, const QSt
   sign->setPixmap(icon_pixmap(icon_name, ink, 28, devicePixelRatioF()));
   sign->setAlignment(Qt::AlignCenter);
   column->addWidget(sign);
-  QLabel* head = make_label(title, TextRole::section, true);
+  QLabel* head = make_label(title, TextRole::section, Weight::bold);
   head->setAlignment(Qt::AlignCenter);
   head->setWordWrap(true);
   column->addWidget(head);
-  QLabel* text = make_label(why, TextRole::body, false, "text2");
+  QLabel* text = make_label(why, TextRole::body, Weight::regular, "text2");
   text->setAlignment(Qt::AlignCenter);
   text->setWordWrap(true);
   column->addWidget(text);

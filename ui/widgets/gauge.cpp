@@ -167,7 +167,7 @@ void Gauge::paint_head(QPainter& p, const Tokens& t) const {
   p.setFont(font_of(TextRole::caption));
   p.drawText(QRectF(margin, px(8), width() - 2 * margin, px(16)), Qt::AlignLeft | Qt::AlignVCenter, title_);
   p.setPen(t.text);
-  p.setFont(font_of(TextRole::live, true));
+  p.setFont(font_of(TextRole::live, Weight::bold));
   const QString number = value_ ? format_number(*value_, kDecimals) : QStringLiteral("–");
   const QRectF line(margin, px(24), width() - 2 * margin, px(26));
   const QFontMetricsF live(p.font());

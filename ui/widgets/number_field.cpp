@@ -59,7 +59,7 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent), note_(new QW
   line->setSpacing(px(4));
   auto* sign = new QLabel;
   sign->setPixmap(icon_pixmap(QStringLiteral("warning"), Ink::look, 16, devicePixelRatioF()));
-  note_text_ = make_label({}, TextRole::caption, false, "look");
+  note_text_ = make_label({}, TextRole::caption, Weight::regular, "look");
   note_text_->setWordWrap(true);
   line->addWidget(sign, 0, Qt::AlignTop);
   line->addWidget(note_text_, 1);

@@ -74,8 +74,8 @@ Card::Card(QWidget* parent) : QFrame(parent) {
 
 Card::Card(const QString& title, const QString& aside, QWidget* parent) : Card(parent) {
   head_ = new QHBoxLayout;
-  title_ = make_label(title, TextRole::section, true);
-  aside_ = make_label(aside, TextRole::caption, false, "text3");
+  title_ = make_label(title, TextRole::section, Weight::bold);
+  aside_ = make_label(aside, TextRole::caption, Weight::regular, "text3");
   head_->addWidget(title_);
   head_->addStretch();
   head_->addWidget(aside_);
@@ -198,7 +198,7 @@ QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** v
   sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, row->devicePixelRatioF()));
   line->addWidget(sign);
   line->addWidget(make_label(name), 1);
-  *value = make_label({}, TextRole::body, true);
+  *value = make_label({}, TextRole::body, Weight::bold);
   (*value)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   (*value)->setAccessibleDescription(name);
   line->addWidget(*value);
@@ -233,8 +233,8 @@ PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(12));
-  row->addWidget(make_label(title, TextRole::page_title, true));
-  QLabel* quiet = make_label(aside, TextRole::body, false, "text2");
+  row->addWidget(make_label(title, TextRole::page_title, Weight::bold));
+  QLabel* quiet = make_label(aside, TextRole::body, Weight::regular, "text2");
   quiet->setContentsMargins(0, px(6), 0, 0);
   row->addWidget(quiet);
   row->addStretch(1);

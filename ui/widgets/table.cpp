@@ -53,7 +53,7 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   if (const QVariant share = index.data(ShareRole); share.isValid()) {
     const double width = px(44);
     const QVariant role = index.data(BarRole);
-    const QFontMetrics bold(font_of(TextRole::body, true));
+    const QFontMetrics bold(font_of(TextRole::body, Weight::bold));
     const int reserved = bold.horizontalAdvance(QStringLiteral("100 / 100")) + px(10);
     const double x = rtl ? cell.left() + reserved : cell.right() - reserved - width;
     paint_bar(*painter, QRectF(x, cell.center().y() - px(3) + 0.5, width, px(6)), share.toDouble(),
@@ -62,8 +62,8 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   Qt::Alignment alignment(index.data(Qt::TextAlignmentRole).toInt());
   if (!(alignment & Qt::AlignHorizontal_Mask)) alignment |= Qt::AlignLeading;
   const bool right = alignment & Qt::AlignRight || alignment & Qt::AlignTrailing;
-  const bool bold = index.data(BoldRole).toBool();
-  const QFont font = font_of(TextRole::body, bold);
+  const Weight weight = index.data(BoldRole).toBool() ? Weight::bold : Weight::regular;
+  const QFont font = font_of(TextRole::body, weight);
   const QColor ink = index.data(QuietRole).toBool() ? t.text3 : t.text;
   const QString second = index.data(SecondRole).toString();
   const QFontMetrics metrics(font), plain(font_of(TextRole::body));
@@ -92,7 +92,7 @@ QSize TableDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
   if (const QVariant chip = index.data(ChipRole); chip.isValid()) {
     return {chip_size(text, static_cast<Chip::Kind>(chip.toInt())).width() + px(16), px(36)};
   }
-  const QFontMetrics metrics(font_of(TextRole::body, index.data(BoldRole).toBool()));
+  const QFontMetrics metrics(font_of(TextRole::body, index.data(BoldRole).toBool() ? Weight::bold : Weight::regular));
   int width = metrics.horizontalAdvance(text) + px(18);
   const QString second = index.data(SecondRole).toString();
   if (!second.isEmpty()) width += metrics.horizontalAdvance(second) + px(4);

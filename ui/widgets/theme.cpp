@@ -275,7 +275,7 @@ int scale_percent() {
 int px(int at_100) { return (at_100 * scale_percent() + 50) / 100; }
 double px(double at_100) { return at_100 * scale_percent() / 100.0; }
 
-QFont font_of(TextRole role, bool bold) {
+QFont font_of(TextRole role, Weight weight) {
   int size = 13;
   switch (role) {
     case TextRole::caption: size = 12; break;
@@ -288,15 +288,15 @@ QFont font_of(TextRole role, bool bold) {
   QFont font;
   font.setFamilies({u"Noto Sans"_qs, u"Noto Sans Arabic"_qs, u"Noto Sans CJK SC"_qs, u"DejaVu Sans"_qs});
   font.setPixelSize(px(size));
-  font.setBold(bold);
+  font.setBold(weight == Weight::bold);
   return font;
 }
 
-QLabel* make_label(const QString& text, TextRole role, bool bold, const char* ink) {
+QLabel* make_label(const QString& text, TextRole role, Weight weight, const char* ink) {
   auto* label = new QLabel(text);
   static constexpr const char* kNames[] = {"caption", "body", "section", "live", "page_title", "score"};
   label->setProperty("role", QString::fromLatin1(kNames[static_cast<int>(role)]));
-  label->setProperty("bold", bold);
+  label->setProperty("bold", weight == Weight::bold);
   label->setProperty("ink", QString::fromLatin1(ink));
   return label;
 }

@@ -55,10 +55,11 @@ int scale_percent();
 
 /// Sizes of ui/README.md: 12, 13, 15, 18, 24 and 40 px at 100 %.
 enum class TextRole { caption, body, section, live, page_title, score };
-QFont font_of(TextRole role, bool bold = false);
+enum class Weight { regular, bold };
+QFont font_of(TextRole role, Weight weight = Weight::regular);
 
 /// A label in a text role. `ink` is a property of the style sheet: "", "text2", "text3", "good", "look", "bad", "accent".
-QLabel* make_label(const QString& text, TextRole role = TextRole::body, bool bold = false, const char* ink = "");
+QLabel* make_label(const QString& text, TextRole role = TextRole::body, Weight weight = Weight::regular, const char* ink = "");
 void set_ink(QWidget* widget, const char* ink);
 
 /// Sets the variant that theme.qss styles ("primary", "erase", "card", "bar_good"), and polishes the widget again.

@@ -64,7 +64,7 @@ class SlowWatch final : public DeviceWatch {
   explicit SlowWatch(std::shared_ptr<Gate> gate) : gate_(std::move(gate)) {}
   std::vector<FoundDevice> list() override {
     gate_->pass();
-    return with_those_of_no_hardware({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
+    return with_software_devices({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
   }
   bool changed() noexcept override { return true; }
 
@@ -75,7 +75,7 @@ class SlowWatch final : public DeviceWatch {
 TEST(BackgroundWatch, a_bus_that_hangs_holds_nobody_and_is_listed_when_it_answers) {
   auto gate = std::make_shared<Gate>();
   auto watch = watch_in_background([gate] { return std::make_unique<SlowWatch>(gate); }, 1ms);
-  EXPECT_EQ(watch->list(), with_those_of_no_hardware({}));
+  EXPECT_EQ(watch->list(), with_software_devices({}));
   EXPECT_FALSE(watch->changed());
   gate->open();
   ASSERT_TRUE(eventually([&] { return watch->changed(); }));
@@ -96,7 +96,7 @@ TEST(BackgroundWatch, it_can_be_left_while_the_bus_hangs) {
 
 TEST(BackgroundWatch, an_empty_bus_is_an_answer_too) {
   struct Empty final : DeviceWatch {
-    std::vector<FoundDevice> list() override { return with_those_of_no_hardware({}); }
+    std::vector<FoundDevice> list() override { return with_software_devices({}); }
     bool changed() noexcept override { return !std::exchange(asked, true); }
     bool asked = false;
   };
