@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en_US">
 <context>
-    <name>CliWords</name>
+    <name>CliText</name>
     <message>
         <source>passed</source>
         <translation>bestanden</translation>
@@ -52,6 +52,21 @@
     </message>
 </context>
 <context>
+    <name>PinnedTooth</name>
+    <message>
+        <source>The tooth after this attempt</source>
+        <translation>Der Zahn nach diesem Versuch</translation>
+    </message>
+    <message>
+        <source>This place lies below the surface.</source>
+        <translation>Diese Stelle liegt unter der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The tooth hides this place. Turn it, or choose the row again.</source>
+        <translation>Der Zahn verdeckt diese Stelle. Drehen Sie ihn oder wählen Sie die Zeile noch einmal.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AgainstBefore</name>
     <message>
         <source>%1 %2</source>
@@ -59,7 +74,54 @@
     </message>
     <message>
         <source>Against your best before</source>
-        <translation>Gegen Ihren besten Durchgang davor</translation>
+        <translation>Gegen Ihren besten Versuch davor</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::AttemptsModel</name>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Student/in</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
     </message>
 </context>
 <context>
@@ -141,16 +203,8 @@
         <translation>Die Auflösung war für die Punkte zu grob; nun ändern halb so große Voxel kein Ergebnis um mehr als %1 Punkte: %2.</translation>
     </message>
     <message>
-        <source>Every go keeps its score within %1 points: %2.</source>
-        <translation>Jeder Durchgang behält seine Punkte auf %1 Punkte genau: %2.</translation>
-    </message>
-    <message>
         <source>An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.</source>
         <translation>Ein Schritt braucht %1 µs statt %2, der Zahn %3 MB statt %4.</translation>
-    </message>
-    <message>
-        <source>Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.</source>
-        <translation>Einzelne Durchgänge weichen zufällig voneinander ab: Über je %1 Durchgänge ändern halb so große Voxel die Punkte im Mittel um %2 ± %3.</translation>
     </message>
     <message>
         <source>One thing after another was tried: a leaner set may exist.</source>
@@ -172,6 +226,14 @@
         <source>Look at its checks first.</source>
         <translation>Sehen Sie zuerst nach ihren Prüfungen.</translation>
     </message>
+    <message>
+        <source>Single attempts differ by chance: over %1 attempts of each operator, half the voxels change the mean score by %2 ± %3 points.</source>
+        <translation>Einzelne Versuche weichen zufällig voneinander ab: Über je %1 Versuche ändern halb so große Voxel die Punkte im Mittel um %2 ± %3.</translation>
+    </message>
+    <message>
+        <source>Every attempt keeps its score within %1 points: %2.</source>
+        <translation>Jeder Versuch behält seine Punkte auf %1 Punkte genau: %2.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AuditPage</name>
@@ -184,16 +246,8 @@
         <translation>Was diese Übung kostet</translation>
     </message>
     <message>
-        <source>Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
-        <translation>Automatische Hände spielen sie, wobei jede Wahl einmal wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>Messen</translation>
-    </message>
-    <message>
-        <source>µs: of each update of 1 ms, more or less than now. Score: the largest change of a go.</source>
-        <translation>µs: von jedem Schritt zu 1 ms, mehr oder weniger als jetzt. Punkte: die größte Änderung eines Durchgangs.</translation>
     </message>
     <message>
         <source>Leanest that marks the same</source>
@@ -210,13 +264,6 @@
     <message>
         <source>Leanest model</source>
         <translation>Schlankstes Modell</translation>
-    </message>
-    <message numerus="yes">
-        <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
-        <translation>
-            <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgang.</numerusform>
-            <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgängen.</numerusform>
-        </translation>
     </message>
     <message>
         <source>The exercise was changed since this was measured.</source>
@@ -262,6 +309,21 @@
         <source>needed</source>
         <translation>nötig</translation>
     </message>
+    <message>
+        <source>Scripted operators drill it with each choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
+        <translation>Automatische Operateure bohren sie, wobei jede Wahl einmal wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>µs: of each update of 1 ms, more or less than now. Score: the largest change of an attempt.</source>
+        <translation>µs: von jedem Schritt zu 1 ms, mehr oder weniger als jetzt. Punkte: die größte Änderung eines Versuchs.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each choice was left out or halved once, with %n scripted attempt(s) each.</source>
+        <translation>
+            <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Versuch.</numerusform>
+            <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Versuchen.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Briefing</name>
@@ -280,10 +342,6 @@
     <message>
         <source>Wanted depth</source>
         <translation>Gewünschte Tiefe</translation>
-    </message>
-    <message>
-        <source>Leeway</source>
-        <translation>Spielraum</translation>
     </message>
     <message>
         <source>%1 at the floor, %2 at the sides</source>
@@ -308,10 +366,6 @@
     <message>
         <source>%1 of 100</source>
         <translation>%1 von 100</translation>
-    </message>
-    <message>
-        <source>Fails the go</source>
-        <translation>Führt zum Nichtbestehen</translation>
     </message>
     <message>
         <source>Start</source>
@@ -350,6 +404,14 @@
         <extracomment>Between the burs of a list, each of which has commas of its own.</extracomment>
         <translation>; </translation>
     </message>
+    <message>
+        <source>Tolerance zone</source>
+        <translation>Toleranzzone</translation>
+    </message>
+    <message>
+        <source>Fails the attempt</source>
+        <translation>Führt zum Nichtbestehen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BurTray</name>
@@ -373,10 +435,6 @@
 </context>
 <context>
     <name>cusp::ui::BurWords</name>
-    <message>
-        <source>decay</source>
-        <translation>Karies</translation>
-    </message>
     <message>
         <source>entry</source>
         <translation>Eröffnung</translation>
@@ -566,6 +624,10 @@
         <extracomment>Number of a bur, its shape, its diameter.</extracomment>
         <translation>%1, %2, %3</translation>
     </message>
+    <message>
+        <source>carious lesion</source>
+        <translation>kariöse Läsion</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BursForm</name>
@@ -640,14 +702,6 @@
 <context>
     <name>cusp::ui::Checks</name>
     <message>
-        <source>The target reaches into the pulp, and opening it fails the go: nobody could pass.</source>
-        <translation>Das Ziel reicht in die Pulpa, und sie zu eröffnen heißt nicht bestehen: Niemand könnte bestehen.</translation>
-    </message>
-    <message>
-        <source>The leeway reaches the pulp: it lies %1 from the target.</source>
-        <translation>Der Spielraum reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
-    </message>
-    <message>
         <source>There is no bur to work with. Add one.</source>
         <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
     </message>
@@ -708,16 +762,8 @@
         <translation>Der Eckenradius %1 ist schärfer, als ihn der kleinste Bohrer hinterlässt (%2).</translation>
     </message>
     <message>
-        <source>The leeway of %1 is finer than the tooth is known (%2).</source>
-        <translation>Der Spielraum von %1 ist feiner, als der Zahn bekannt ist (%2).</translation>
-    </message>
-    <message>
         <source>A point of the target does not lie on its floor.</source>
         <translation>Ein Punkt des Ziels liegt nicht auf seinem Boden.</translation>
-    </message>
-    <message>
-        <source>A go that meets the target exactly loses %1 points for %2.</source>
-        <translation>Ein Durchgang, der das Ziel genau trifft, verliert %1 Punkte für %2.</translation>
     </message>
     <message>
         <source>The title is missing in %1.</source>
@@ -821,7 +867,7 @@
     </message>
     <message>
         <source>Opening the pulp does not fail the attempt. Switch that on unless it is meant so.</source>
-        <translation>Eine eröffnete Pulpa lässt den Durchgang nicht scheitern. Schalten Sie das ein, wenn es nicht so gemeint ist.</translation>
+        <translation>Eine eröffnete Pulpa lässt den Versuch nicht scheitern. Schalten Sie das ein, wenn es nicht so gemeint ist.</translation>
     </message>
     <message>
         <source>The target takes %1, which is protected.</source>
@@ -837,11 +883,11 @@
     </message>
     <message>
         <source>An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.</source>
-        <translation>Ein Durchgang, der nichts abträgt, bekommt %1 Punkte. Bewerten Sie, wie viel des Ziels abgetragen ist.</translation>
+        <translation>Ein Versuch, der nichts abträgt, bekommt %1 Punkte. Bewerten Sie, wie viel des Ziels abgetragen ist.</translation>
     </message>
     <message>
         <source>An attempt that cuts a twentieth of the target passes, with %1 points. Grade how much of the target is removed.</source>
-        <translation>Ein Durchgang, der ein Zwanzigstel des Ziels abträgt, besteht mit %1 Punkten. Bewerten Sie, wie viel des Ziels abgetragen ist.</translation>
+        <translation>Ein Versuch, der ein Zwanzigstel des Ziels abträgt, besteht mit %1 Punkten. Bewerten Sie, wie viel des Ziels abgetragen ist.</translation>
     </message>
     <message>
         <source>%1 brings less than a twentieth of a point. Give it more, or remove it.</source>
@@ -867,6 +913,22 @@
         <source>The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.</source>
         <translation>Das Ziel eröffnet die Pulpa um %1. Heben Sie seinen Boden an, oder zeichnen Sie es an der Pulpa vorbei.</translation>
     </message>
+    <message>
+        <source>The tolerance zone of %1 is finer than the tooth is known (%2).</source>
+        <translation>Die Toleranzzone von %1 ist feiner, als der Zahn bekannt ist (%2).</translation>
+    </message>
+    <message>
+        <source>An attempt that meets the target exactly loses %1 points for %2.</source>
+        <translation>Ein Versuch, der das Ziel genau trifft, verliert %1 Punkte für %2.</translation>
+    </message>
+    <message>
+        <source>The target reaches into the pulp, and opening it fails the attempt: nobody could pass.</source>
+        <translation>Das Ziel reicht in die Pulpa, und sie zu eröffnen heißt nicht bestehen: Niemand könnte bestehen.</translation>
+    </message>
+    <message>
+        <source>The tolerance zone reaches the pulp: it lies %1 from the target.</source>
+        <translation>Die Toleranzzone reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -880,7 +942,7 @@
     </message>
     <message>
         <source>%1 is not a session’s id.</source>
-        <translation>%1 ist keine Kennung eines Durchgangs.</translation>
+        <translation>%1 ist keine Kennung eines Versuchs.</translation>
     </message>
     <message>
         <source>Nothing can be written to %1.</source>
@@ -900,7 +962,7 @@
     </message>
     <message>
         <source>Run a stored session again and grade it as it stands; an interrupted one keeps that grade</source>
-        <translation>Einen gespeicherten Durchgang erneut rechnen und bewerten, wie er ist; ein unterbrochener behält diese Bewertung</translation>
+        <translation>Einen gespeicherten Versuch erneut rechnen und bewerten, wie er ist; ein unterbrochener behält diese Bewertung</translation>
     </message>
     <message>
         <source>Database</source>
@@ -908,7 +970,7 @@
     </message>
     <message>
         <source>The session&apos;s id</source>
-        <translation>Kennung des Durchgangs</translation>
+        <translation>Kennung des Versuchs</translation>
     </message>
     <message>
         <source>Another rubric: a scenario.json or its rubric alone. Shown, not stored</source>
@@ -921,17 +983,17 @@
     <message numerus="yes">
         <source>%n session(s) and the audit log are whole.</source>
         <translation>
-            <numerusform>%n Durchgang und das Protokoll sind vollständig.</numerusform>
-            <numerusform>%n Durchgänge und das Protokoll sind vollständig.</numerusform>
+            <numerusform>%n Versuch und das Protokoll sind vollständig.</numerusform>
+            <numerusform>%n Versuche und das Protokoll sind vollständig.</numerusform>
         </translation>
     </message>
     <message>
         <source>What is kept: sessions, one of them, or proof of all</source>
-        <translation>Was aufbewahrt ist: Durchgänge, einer davon oder der Nachweis für alle</translation>
+        <translation>Was aufbewahrt ist: Versuche, einer davon oder der Nachweis für alle</translation>
     </message>
     <message>
         <source>Sessions, newest first</source>
-        <translation>Durchgänge, neueste zuerst</translation>
+        <translation>Versuche, neueste zuerst</translation>
     </message>
     <message>
         <source>Part of a name or number</source>
@@ -943,11 +1005,11 @@
     </message>
     <message>
         <source>One session: events, removed tissue, grade</source>
-        <translation>Ein Durchgang: Ereignisse, abgetragenes Gewebe, Bewertung</translation>
+        <translation>Ein Versuch: Ereignisse, abgetragenes Gewebe, Bewertung</translation>
     </message>
     <message>
         <source>The file, each session&apos;s chain, and the audit log</source>
-        <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
+        <translation>Die Datei, die Kette jedes Versuchs und das Protokoll</translation>
     </message>
     <message>
         <source>closed</source>
@@ -990,10 +1052,6 @@
         <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
     </message>
     <message>
-        <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session&apos;s id</source>
-        <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
-    </message>
-    <message>
         <source>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
         <translation>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
     </message>
@@ -1003,7 +1061,7 @@
     </message>
     <message>
         <source>Print each second of the session to stderr as it is played</source>
-        <translation>Jede Sekunde des Durchgangs auf stderr ausgeben, während er läuft</translation>
+        <translation>Jede Sekunde des Versuchs auf stderr ausgeben, während er läuft</translation>
     </message>
     <message>
         <source>Database; made when it is not there. Without it: cusp.db in DIR</source>
@@ -1022,7 +1080,7 @@
     </message>
     <message>
         <source>Run a stored session again and print the hash of its tooth</source>
-        <translation>Einen gespeicherten Durchgang erneut rechnen und die Prüfsumme seines Zahns ausgeben</translation>
+        <translation>Einen gespeicherten Versuch erneut rechnen und die Prüfsumme seines Zahns ausgeben</translation>
     </message>
     <message>
         <source>Prove it: the record&apos;s chain, then tooth and grade bit for bit</source>
@@ -1059,10 +1117,6 @@
     <message>
         <source>With the bone and the ligament about its roots</source>
         <translation>Mit Knochen und Wurzelhaut um seine Wurzeln</translation>
-    </message>
-    <message>
-        <source>Decay: fissure, proximal or root, then its place, radius and depth in millimetres, and softness from 0 to 1</source>
-        <translation>Karies: fissure, proximal oder root, dann Ort, Radius und Tiefe in Millimetern und Weichheit von 0 bis 1</translation>
     </message>
     <message>
         <source>Tooth number, 11 to 48</source>
@@ -1200,16 +1254,8 @@
         <translation>die Ecken des Ziels sind schärfer als der kleinste Bohrer</translation>
     </message>
     <message>
-        <source>the leeway is thinner than a voxel</source>
-        <translation>der Spielraum ist dünner als ein Voxel</translation>
-    </message>
-    <message>
         <source>points of the path do not lie on the floor</source>
         <translation>Punkte des Pfads liegen nicht auf dem Boden</translation>
-    </message>
-    <message>
-        <source>a go that meets the target loses points</source>
-        <translation>ein Durchgang, der das Ziel trifft, verliert Punkte</translation>
     </message>
     <message>
         <source>a text is missing in a language (%1)</source>
@@ -1229,7 +1275,7 @@
     </message>
     <message>
         <source>, second %1 of the session</source>
-        <translation>, Sekunde %1 des Durchgangs</translation>
+        <translation>, Sekunde %1 des Versuchs</translation>
     </message>
     <message>
         <source>The record was changed: %1%2.</source>
@@ -1382,10 +1428,6 @@
         <translation>wie eingestellt</translation>
     </message>
     <message>
-        <source>µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change on the same path. Score: the largest change of a hand’s go.</source>
-        <translation>µs: Rechenzeit eines Schritts; unter der ersten Zeile, was er mehr oder weniger braucht. Kraft: quadratisches Mittel und größter Wert ihrer Änderung auf demselben Weg. Punkte: die größte Änderung eines Durchgangs.</translation>
-    </message>
-    <message>
         <source>This machine does not count instructions: times alone are told.</source>
         <translation>Dieser Rechner zählt keine Befehle: Nur Zeiten werden genannt.</translation>
     </message>
@@ -1400,14 +1442,6 @@
     <message>
         <source>Written to %1 as version %2.</source>
         <translation>Als Version %2 nach %1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>What each part of an exercise’s model costs and changes, and the leanest model that grades the same; scripted hands play it many times, which takes minutes</source>
-        <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Hände spielen sie viele Male, was Minuten dauert</translation>
-    </message>
-    <message>
-        <source>Goes of each hand: expert, fair and novice</source>
-        <translation>Durchgänge jeder Hand: expert, fair und novice</translation>
     </message>
     <message>
         <source>Only the size of the voxels: seconds to a few minutes</source>
@@ -1436,14 +1470,6 @@
     <message>
         <source>An emulated Falcon needs a hand by name: expert, novice and so on.</source>
         <translation>Ein nachgebildeter Falcon braucht eine Hand mit Namen: expert, novice und so weiter.</translation>
-    </message>
-    <message>
-        <source>Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon (led by the scripted hand)</source>
-        <translation>In Echtzeit an einem Gerät spielen: falcon, falcon:NAME (ein Mensch hält es) oder emulated-falcon (die Hand aus dem Skript führt es)</translation>
-    </message>
-    <message>
-        <source>With --device: end after so many seconds of the session; the scripted hand begins anew meanwhile</source>
-        <translation>Mit --device: nach so vielen Sekunden des Durchgangs enden; die Hand aus dem Skript beginnt so lange von vorn</translation>
     </message>
     <message>
         <source>With the emulated Falcon: it answers nothing for 50 ms every so many seconds</source>
@@ -1546,7 +1572,7 @@
     </message>
     <message>
         <source>opening the pulp does not fail the attempt</source>
-        <translation>eine eröffnete Pulpa lässt den Durchgang nicht scheitern</translation>
+        <translation>eine eröffnete Pulpa lässt den Versuch nicht scheitern</translation>
     </message>
     <message>
         <source>the tolerance zone reaches the pulp</source>
@@ -1566,11 +1592,11 @@
     </message>
     <message>
         <source>an attempt that cuts nothing earns points</source>
-        <translation>ein Durchgang, der nichts abträgt, bringt Punkte</translation>
+        <translation>ein Versuch, der nichts abträgt, bringt Punkte</translation>
     </message>
     <message>
         <source>an attempt that cuts a twentieth of the target passes</source>
-        <translation>ein Durchgang, der ein Zwanzigstel des Ziels abträgt, besteht</translation>
+        <translation>ein Versuch, der ein Zwanzigstel des Ziels abträgt, besteht</translation>
     </message>
     <message>
         <source>the text is still that of the exercise it was copied from (%1)</source>
@@ -1619,6 +1645,42 @@
     <message>
         <source>Nothing was written. Give another name.</source>
         <translation>Es wurde nichts geschrieben. Einen anderen Namen angeben.</translation>
+    </message>
+    <message>
+        <source>µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change on the same path. Score: the largest change of an operator’s attempt.</source>
+        <translation>µs: Rechenzeit eines Schritts; unter der ersten Zeile, was er mehr oder weniger braucht. Kraft: quadratisches Mittel und größter Wert ihrer Änderung auf demselben Weg. Punkte: die größte Änderung eines Versuchs.</translation>
+    </message>
+    <message>
+        <source>What each part of an exercise’s model costs and changes, and the leanest model that grades the same; scripted operators drill it many times, which takes minutes</source>
+        <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Operateure spielen sie viele Male, was Minuten dauert</translation>
+    </message>
+    <message>
+        <source>Attempts of each scripted operator: expert, fair and novice</source>
+        <translation>Versuche jedes automatischen Operateurs: expert, fair und novice</translation>
+    </message>
+    <message>
+        <source>Let a scripted operator do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session&apos;s id</source>
+        <translation>Einen automatischen Operateur eine Übung machen lassen: bewahrt den Versuch auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
+    </message>
+    <message>
+        <source>Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon (led by the scripted operator)</source>
+        <translation>In Echtzeit an einem Gerät spielen: falcon, falcon:NAME (ein Mensch hält es) oder emulated-falcon (der automatische Operateur führt es)</translation>
+    </message>
+    <message>
+        <source>With --device: end after so many seconds of the session; the scripted operator begins anew meanwhile</source>
+        <translation>Mit --device: nach so vielen Sekunden des Versuchs enden; der automatische Operateur beginnt so lange von vorn</translation>
+    </message>
+    <message>
+        <source>Carious lesion: fissure, proximal or root, then its place, radius and depth in millimetres, and softness from 0 to 1</source>
+        <translation>Kariöse Läsion: fissure, proximal oder root, dann Ort, Radius und Tiefe in Millimetern und Weichheit von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>the tolerance zone is thinner than a voxel</source>
+        <translation>die Toleranzzone ist dünner als ein Voxel</translation>
+    </message>
+    <message>
+        <source>an attempt that meets the target loses points</source>
+        <translation>ein Versuch, der das Ziel trifft, verliert Punkte</translation>
     </message>
 </context>
 <context>
@@ -1684,10 +1746,6 @@
         <translation>Fällig</translation>
     </message>
     <message>
-        <source>Goes</source>
-        <translation>Durchgänge</translation>
-    </message>
-    <message>
         <source>Best</source>
         <translation>Bestwert</translation>
     </message>
@@ -1706,6 +1764,10 @@
     <message>
         <source>From a file</source>
         <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -1806,10 +1868,6 @@
         <translation>Ausprobieren: nichts wird aufbewahrt</translation>
     </message>
     <message>
-        <source>Practice, go %1</source>
-        <translation>Training, Durchgang %1</translation>
-    </message>
-    <message>
         <source>Opening the report</source>
         <translation>Bericht wird geöffnet</translation>
     </message>
@@ -1831,30 +1889,34 @@
     </message>
     <message>
         <source>Practice, attempt %1, continued</source>
-        <translation>Training, Durchgang %1, fortgesetzt</translation>
+        <translation>Training, Versuch %1, fortgesetzt</translation>
     </message>
     <message>
         <source>Measuring the tooth</source>
         <translation>Der Zahn wird gemessen</translation>
     </message>
+    <message>
+        <source>Practice, attempt %1</source>
+        <translation>Training, Versuch %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
     <message>
-        <source>Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm</source>
-        <translation>Farben: stehen gelassen, auf dem Ziel, zu weit abgetragen; von -0,5 bis +0,5 mm</translation>
-    </message>
-    <message>
-        <source>Left standing</source>
-        <translation>Stehen gelassen</translation>
-    </message>
-    <message>
-        <source>Cut too far</source>
-        <translation>Zu weit abgetragen</translation>
-    </message>
-    <message>
         <source>on target</source>
         <translation>auf dem Ziel</translation>
+    </message>
+    <message>
+        <source>Colours: uncut remainder, on target, over-cut; from -0.5 to +0.5 mm</source>
+        <translation>Farben: stehen gebliebener Rest, auf dem Ziel, zu viel abgetragen; von -0,5 bis +0,5 mm</translation>
+    </message>
+    <message>
+        <source>Uncut remainder</source>
+        <translation>Stehen gebliebener Rest</translation>
+    </message>
+    <message>
+        <source>Over-cut</source>
+        <translation>Zu viel abgetragen</translation>
     </message>
 </context>
 <context>
@@ -1990,16 +2052,16 @@
         <translation>Der Zahn wird vermessen</translation>
     </message>
     <message>
-        <source>Leave this go?</source>
-        <translation>Diesen Durchgang verlassen?</translation>
-    </message>
-    <message>
         <source>Nothing of it is kept.</source>
         <translation>Nichts davon wird aufbewahrt.</translation>
     </message>
     <message>
         <source>It stays in your results as interrupted.</source>
         <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Leave this attempt?</source>
+        <translation>Diesen Versuch verlassen?</translation>
     </message>
 </context>
 <context>
@@ -2035,10 +2097,6 @@
     <message>
         <source>Coach</source>
         <translation>Hinweis</translation>
-    </message>
-    <message>
-        <source>Leeway</source>
-        <translation>Spielraum</translation>
     </message>
     <message>
         <source>Wheel: %1</source>
@@ -2087,6 +2145,10 @@
     <message>
         <source>Depth %1, push %2, %3 of the target removed. %4</source>
         <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
+    </message>
+    <message>
+        <source>Tolerance zone</source>
+        <translation>Toleranzzone</translation>
     </message>
 </context>
 <context>
@@ -2148,10 +2210,6 @@
         <translation>Ast hinzufügen</translation>
     </message>
     <message>
-        <source>Leeway</source>
-        <translation>Spielraum</translation>
-    </message>
-    <message>
         <source>Add a criterion</source>
         <translation>Kriterium hinzufügen</translation>
     </message>
@@ -2170,10 +2228,6 @@
     <message>
         <source>Pass mark</source>
         <translation>Bestehensgrenze</translation>
-    </message>
-    <message>
-        <source>What fails the go</source>
-        <translation>Was zum Nichtbestehen führt</translation>
     </message>
     <message>
         <source>Add a bur</source>
@@ -2203,6 +2257,14 @@
         <source>The other window’s draft</source>
         <translation>Der Entwurf des anderen Fensters</translation>
     </message>
+    <message>
+        <source>Tolerance zone</source>
+        <translation>Toleranzzone</translation>
+    </message>
+    <message>
+        <source>What fails the attempt</source>
+        <translation>Was zum Nichtbestehen führt</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorPage</name>
@@ -2229,10 +2291,6 @@
     <message>
         <source>Title of the exercise</source>
         <translation>Titel der Übung</translation>
-    </message>
-    <message>
-        <source>Title, in the language of the screen; the others stand under Words</source>
-        <translation>Titel in der Sprache der Oberfläche; die anderen stehen unter Texte</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -2285,10 +2343,6 @@
     <message>
         <source>Burs</source>
         <translation>Bohrer</translation>
-    </message>
-    <message>
-        <source>Words</source>
-        <translation>Texte</translation>
     </message>
     <message>
         <source>Checks</source>
@@ -2456,6 +2510,14 @@
     <message>
         <source>Students then drill yours. Version %1 stays in the records.</source>
         <translation>Studierende bohren dann Ihre. Version %1 bleibt in den Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>Title, in the language of the screen; the others stand under Texts</source>
+        <translation>Titel in der Sprache der Oberfläche; die anderen stehen unter Texte</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
     </message>
 </context>
 <context>
@@ -2809,10 +2871,6 @@
         <translation>Kein Gewicht passt zu dem, was gehalten wurde. Aufrecht hinstellen, Hände weg, noch einmal wiegen.</translation>
     </message>
     <message>
-        <source>The grip weighs %1. From the next go on it carries itself.</source>
-        <translation>Der Griff wiegt %1. Vom nächsten Durchgang an trägt er sich selbst.</translation>
-    </message>
-    <message>
         <source>The grip weighs %1. Nothing is kept of an emulated one.</source>
         <translation>Der Griff wiegt %1. Von einem nachgebildeten wird nichts aufbewahrt.</translation>
     </message>
@@ -2856,71 +2914,9 @@
         <source>How the grip leads the bur</source>
         <translation>Wie der Griff den Bohrer führt</translation>
     </message>
-</context>
-<context>
-    <name>cusp::ui::GoAnywhere</name>
     <message>
-        <source>Go to</source>
-        <translation>Gehe zu</translation>
-    </message>
-    <message>
-        <source>Page or exercise</source>
-        <translation>Seite oder Übung</translation>
-    </message>
-    <message>
-        <source>Where to</source>
-        <translation>Wohin</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
-    <name>cusp::ui::GoesModel</name>
-    <message>
-        <source>Passed</source>
-        <translation>Bestanden</translation>
-    </message>
-    <message>
-        <source>Not passed</source>
-        <translation>Nicht bestanden</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
-        <source>Student</source>
-        <translation>Student/in</translation>
-    </message>
-    <message>
-        <source>Exercise</source>
-        <translation>Übung</translation>
-    </message>
-    <message>
-        <source>Go</source>
-        <translation>Durchgang</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
+        <source>The grip weighs %1. From the next attempt on it carries itself.</source>
+        <translation>Der Griff wiegt %1. Vom nächsten Versuch an trägt er sich selbst.</translation>
     </message>
 </context>
 <context>
@@ -3001,28 +2997,12 @@
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>A go, from start to report</source>
-        <translation>Ein Durchgang, vom Start bis zum Bericht</translation>
-    </message>
-    <message>
         <source>1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points.</source>
         <translation>1. Übung wählen und die Aufgabe lesen: Sie sagt, was abzutragen ist, wie tief, und was Punkte bringt.</translation>
     </message>
     <message>
         <source>2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
         <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt den Druck, der Balken links die Tiefe.</translation>
-    </message>
-    <message>
-        <source>3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one.</source>
-        <translation>3. Zum Abtragen die Leertaste oder die linke Maustaste halten. Die durchgezogene Linie ist das Ziel, die gestrichelte darum der Spielraum.</translation>
-    </message>
-    <message>
-        <source>4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do next time.</source>
-        <translation>4. Beenden schließt den Durchgang ab und bewertet ihn. Der Bericht sagt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
-    </message>
-    <message>
-        <source>5. Every go stays under My results. A go that broke off is kept up to its last second.</source>
-        <translation>5. Jeder Durchgang bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
     </message>
     <message>
         <source>Keys everywhere</source>
@@ -3097,14 +3077,6 @@
         <translation>Wie bewertet wird</translation>
     </message>
     <message>
-        <source>Target removed: how much of the wanted cavity is gone. Left standing: what of it is still there.</source>
-        <translation>Ziel abgetragen: wie viel der gewünschten Kavität fort ist. Stehen gelassen: was davon noch da ist.</translation>
-    </message>
-    <message>
-        <source>Cut too far: what is gone outside the target. Within the leeway it costs little, beyond it much.</source>
-        <translation>Zu weit abgetragen: was außerhalb des Ziels fort ist. Im Spielraum kostet es wenig, jenseits davon viel.</translation>
-    </message>
-    <message>
         <source>± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so.</source>
         <translation>± sagt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so sagt es der Bericht.</translation>
     </message>
@@ -3120,6 +3092,30 @@
         <source>drilling sound on and off, likewise</source>
         <translation>Bohrgeräusch ein und aus, ebenso</translation>
     </message>
+    <message>
+        <source>An attempt, from start to report</source>
+        <translation>Ein Versuch, vom Start bis zum Bericht</translation>
+    </message>
+    <message>
+        <source>3. Hold Space or the left button to cut. The target is the solid line, the tolerance zone round it the dashed one.</source>
+        <translation>3. Zum Abtragen die Leertaste oder die linke Maustaste halten. Die durchgezogene Linie ist das Ziel, die gestrichelte darum die Toleranzzone.</translation>
+    </message>
+    <message>
+        <source>4. Finish ends the attempt and grades it. The report says what was measured, how well it is known, and what to do next time.</source>
+        <translation>4. Beenden schließt den Versuch ab und bewertet ihn. Der Bericht sagt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
+    </message>
+    <message>
+        <source>5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.</source>
+        <translation>5. Jeder Versuch bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Target removed: how much of the required cavity is cut. Not removed: what of it still stands.</source>
+        <translation>Ziel abgetragen: wie viel der geforderten Kavität abgetragen ist. Nicht entfernt: was davon noch steht.</translation>
+    </message>
+    <message>
+        <source>Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much.</source>
+        <translation>Überpräpariert: was außerhalb des Ziels abgetragen ist. In der Toleranzzone kostet es wenig, jenseits davon viel.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::HistoryCharts</name>
@@ -3130,13 +3126,6 @@
     <message>
         <source>pass %1</source>
         <translation>Grenze %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n go(es), the last with %1 points.</source>
-        <translation>
-            <numerusform>%n Durchgang mit %1 Punkten.</numerusform>
-            <numerusform>%n Durchgänge, der letzte mit %1 Punkten.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Time and score</source>
@@ -3155,16 +3144,23 @@
         <translation>Sie</translation>
     </message>
     <message>
-        <source>Points by go</source>
-        <translation>Punkte je Durchgang</translation>
-    </message>
-    <message>
-        <source>go</source>
-        <translation>Durchgang</translation>
-    </message>
-    <message>
         <source>Points</source>
         <translation>Punkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s), the last with %1 points.</source>
+        <translation>
+            <numerusform>%n Versuch mit %1 Punkten.</numerusform>
+            <numerusform>%n Versuche, der letzte mit %1 Punkten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Points by attempt</source>
+        <translation>Punkte je Versuch</translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation>Versuch</translation>
     </message>
 </context>
 <context>
@@ -3566,11 +3562,11 @@
     </message>
     <message>
         <source>Interrupted attempt</source>
-        <translation>Unterbrochener Durchgang</translation>
+        <translation>Unterbrochener Versuch</translation>
     </message>
     <message>
         <source>%1, attempt %2</source>
-        <translation>%1, Durchgang %2</translation>
+        <translation>%1, Versuch %2</translation>
     </message>
     <message>
         <source>Grade as it stands</source>
@@ -3908,14 +3904,6 @@
         <translation>Meine Ergebnisse</translation>
     </message>
     <message>
-        <source>No go yet</source>
-        <translation>Noch kein Durchgang</translation>
-    </message>
-    <message>
-        <source>Each go you finish stays here, with its report.</source>
-        <translation>Jeder beendete Durchgang bleibt hier, mit seinem Bericht.</translation>
-    </message>
-    <message>
         <source>Choose an exercise</source>
         <translation>Übung wählen</translation>
     </message>
@@ -3928,12 +3916,20 @@
         <translation>Alle Übungen</translation>
     </message>
     <message>
-        <source>Points by go</source>
-        <translation>Punkte je Durchgang</translation>
-    </message>
-    <message>
         <source>Time and score</source>
         <translation>Zeit und Punkte</translation>
+    </message>
+    <message>
+        <source>No attempt yet</source>
+        <translation>Noch kein Versuch</translation>
+    </message>
+    <message>
+        <source>Each attempt you finish stays here, with its report.</source>
+        <translation>Jeder beendete Versuch bleibt hier, mit seinem Bericht.</translation>
+    </message>
+    <message>
+        <source>Points by attempt</source>
+        <translation>Punkte je Versuch</translation>
     </message>
 </context>
 <context>
@@ -4275,32 +4271,8 @@
         <translation>Verteilung der Punkte</translation>
     </message>
     <message>
-        <source>goes, five points a bar</source>
-        <translation>Durchgänge, fünf Punkte je Balken</translation>
-    </message>
-    <message>
         <source>Learning</source>
         <translation>Lernverlauf</translation>
-    </message>
-    <message>
-        <source>points by go</source>
-        <translation>Punkte je Durchgang</translation>
-    </message>
-    <message>
-        <source>Goes</source>
-        <translation>Durchgänge</translation>
-    </message>
-    <message>
-        <source>No go fits</source>
-        <translation>Kein Durchgang passt</translation>
-    </message>
-    <message>
-        <source>Nobody has a go that fits these filters, or none is finished yet.</source>
-        <translation>Niemand hat einen Durchgang, der zu diesen Filtern passt, oder noch keiner ist beendet.</translation>
-    </message>
-    <message>
-        <source>Show all goes</source>
-        <translation>Alle Durchgänge zeigen</translation>
     </message>
     <message>
         <source>Exercise</source>
@@ -4354,10 +4326,6 @@
         <translation>Alle Geräte</translation>
     </message>
     <message>
-        <source>Goes counted</source>
-        <translation>Gezählte Durchgänge</translation>
-    </message>
-    <message>
         <source>Median score</source>
         <translation>Median der Punkte</translation>
     </message>
@@ -4389,10 +4357,6 @@
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>goes</source>
-        <translation>Durchgänge</translation>
-    </message>
-    <message>
         <source>below %1</source>
         <translation>unter %1</translation>
     </message>
@@ -4404,21 +4368,6 @@
         <source>pass %1</source>
         <translation>Grenze %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n go(es).</source>
-        <translation>
-            <numerusform>%n Durchgang.</numerusform>
-            <numerusform>%n Durchgänge.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>go</source>
-        <translation>Durchgang</translation>
-    </message>
-    <message>
-        <source>Each dot is one go: medians need three students.</source>
-        <translation>Jeder Punkt ist ein Durchgang: Mediane brauchen drei Studierende.</translation>
-    </message>
     <message>
         <source>Median</source>
         <translation>Median</translation>
@@ -4427,23 +4376,9 @@
         <source>Middle half</source>
         <translation>Mittlere Hälfte</translation>
     </message>
-    <message numerus="yes">
-        <source>Median over %n go(es).</source>
-        <translation>
-            <numerusform>Median über %n Durchgang.</numerusform>
-            <numerusform>Median über %n Durchgänge.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n go(es) exported.</source>
-        <translation>
-            <numerusform>%n Durchgang exportiert.</numerusform>
-            <numerusform>%n Durchgänge exportiert.</numerusform>
-        </translation>
     </message>
     <message>
         <source>The file was not written.</source>
@@ -4453,27 +4388,66 @@
         <source>%1: %2. What was there before is unchanged.</source>
         <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
     </message>
-</context>
-<context>
-    <name>cusp::ui::PinBoxes</name>
     <message>
-        <source>PIN, digit %1 of %2</source>
-        <translation>PIN, Ziffer %1 von %2</translation>
-    </message>
-</context>
-<context>
-    <name>cusp::ui::PinnedTooth</name>
-    <message>
-        <source>The tooth after this go</source>
-        <translation>Der Zahn nach diesem Durchgang</translation>
+        <source>attempts, five points a bar</source>
+        <translation>Versuche, fünf Punkte je Balken</translation>
     </message>
     <message>
-        <source>This place lies below the surface.</source>
-        <translation>Diese Stelle liegt unter der Oberfläche.</translation>
+        <source>points by attempt</source>
+        <translation>Punkte je Versuch</translation>
     </message>
     <message>
-        <source>The tooth hides this place. Turn it, or choose the row again.</source>
-        <translation>Der Zahn verdeckt diese Stelle. Drehen Sie ihn oder wählen Sie die Zeile noch einmal.</translation>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>No attempt fits</source>
+        <translation>Kein Versuch passt</translation>
+    </message>
+    <message>
+        <source>Nobody has an attempt that fits these filters, or none is finished yet.</source>
+        <translation>Niemand hat einen Versuch, der zu diesen Filtern passt, oder noch keiner ist beendet.</translation>
+    </message>
+    <message>
+        <source>Show all attempts</source>
+        <translation>Alle Versuche zeigen</translation>
+    </message>
+    <message>
+        <source>Attempts counted</source>
+        <translation>Gezählte Versuche</translation>
+    </message>
+    <message>
+        <source>attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s).</source>
+        <translation>
+            <numerusform>%n Versuch.</numerusform>
+            <numerusform>%n Versuche.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Each dot is one attempt: medians need three students.</source>
+        <translation>Jeder Punkt ist ein Versuch: Mediane brauchen drei Studierende.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Median over %n attempt(s).</source>
+        <translation>
+            <numerusform>Median über %n Versuch.</numerusform>
+            <numerusform>Median über %n Versuche.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) exported.</source>
+        <translation>
+            <numerusform>%n Versuch exportiert.</numerusform>
+            <numerusform>%n Versuche exportiert.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4497,10 +4471,6 @@
     <message>
         <source>Pass mark, of 100</source>
         <translation>Bestehensgrenze, von 100</translation>
-    </message>
-    <message>
-        <source>Opening the pulp fails the go</source>
-        <translation>Pulpa eröffnet: nicht bestanden</translation>
     </message>
     <message>
         <source>Bands of depth move with the target’s depth.</source>
@@ -4559,20 +4529,35 @@
         <translation>Grenze %1, Summe %2</translation>
     </message>
     <message>
-        <source>Overheating the tooth fails the go</source>
+        <source>Opening the pulp fails the attempt</source>
+        <translation>Pulpa eröffnet: nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Overheating the tooth fails the attempt</source>
         <translation>Zahn überhitzt: nicht bestanden</translation>
     </message>
 </context>
 <context>
+    <name>cusp::ui::QuickOpen</name>
+    <message>
+        <source>Go to</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Page or exercise</source>
+        <translation>Seite oder Übung</translation>
+    </message>
+    <message>
+        <source>Where to</source>
+        <translation>Wohin</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Report</name>
-    <message>
-        <source>Nothing of this go is kept</source>
-        <translation>Von diesem Durchgang wird nichts aufbewahrt</translation>
-    </message>
-    <message>
-        <source>%1 · %2, go %3</source>
-        <translation>%1 · %2, Durchgang %3</translation>
-    </message>
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
@@ -4613,24 +4598,8 @@
         </translation>
     </message>
     <message>
-        <source>0.5 mm and more left standing</source>
-        <translation>0,5 mm und mehr stehen gelassen</translation>
-    </message>
-    <message>
-        <source>0.3 mm left standing</source>
-        <translation>0,3 mm stehen gelassen</translation>
-    </message>
-    <message>
         <source>on target, within 0.1 mm</source>
         <translation>auf dem Ziel, innerhalb 0,1 mm</translation>
-    </message>
-    <message>
-        <source>0.3 mm cut too far</source>
-        <translation>0,3 mm zu weit abgetragen</translation>
-    </message>
-    <message>
-        <source>0.5 mm and more cut too far</source>
-        <translation>0,5 mm und mehr zu weit abgetragen</translation>
     </message>
     <message>
         <source>Engine %1, marking %2</source>
@@ -4638,7 +4607,7 @@
     </message>
     <message>
         <source>%1 to %2</source>
-        <extracomment>From one moment of a go to another, as &quot;1:12 to 3:05&quot;.</extracomment>
+        <extracomment>From one moment of an attempt to another, as &quot;1:12 to 3:05&quot;.</extracomment>
         <translation>%1 bis %2</translation>
     </message>
     <message numerus="yes">
@@ -4659,7 +4628,7 @@
     </message>
     <message>
         <source>This fails the attempt, whatever its points.</source>
-        <translation>Damit ist der Durchgang nicht bestanden, wie viele Punkte er auch hat.</translation>
+        <translation>Damit ist der Versuch nicht bestanden, wie viele Punkte er auch hat.</translation>
     </message>
     <message>
         <source>The tooth could not be drawn: OpenGL 3.3 did not start (%1).</source>
@@ -4671,7 +4640,31 @@
     </message>
     <message>
         <source>%1: this fails the attempt, whatever its points.</source>
-        <translation>%1: Damit ist der Durchgang nicht bestanden, wie viele Punkte er auch hat.</translation>
+        <translation>%1: Damit ist der Versuch nicht bestanden, wie viele Punkte er auch hat.</translation>
+    </message>
+    <message>
+        <source>Nothing of this attempt is kept</source>
+        <translation>Von diesem Versuch wird nichts aufbewahrt</translation>
+    </message>
+    <message>
+        <source>%1 · %2, attempt %3</source>
+        <translation>%1 · %2, Versuch %3</translation>
+    </message>
+    <message>
+        <source>uncut remainder, 0.5 mm and more</source>
+        <translation>stehen gebliebener Rest, 0,5 mm und mehr</translation>
+    </message>
+    <message>
+        <source>uncut remainder, 0.3 mm</source>
+        <translation>stehen gebliebener Rest, 0,3 mm</translation>
+    </message>
+    <message>
+        <source>over-cut, 0.3 mm</source>
+        <translation>zu viel abgetragen, 0,3 mm</translation>
+    </message>
+    <message>
+        <source>over-cut, 0.5 mm and more</source>
+        <translation>zu viel abgetragen, 0,5 mm und mehr</translation>
     </message>
 </context>
 <context>
@@ -4679,10 +4672,6 @@
     <message>
         <source>Report</source>
         <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>This go broke off.</source>
-        <translation>Dieser Durchgang brach ab.</translation>
     </message>
     <message>
         <source>It is marked as it stands.</source>
@@ -4695,10 +4684,6 @@
     <message>
         <source>Save as PDF</source>
         <translation>Als PDF speichern</translation>
-    </message>
-    <message>
-        <source>Go again</source>
-        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Difference</source>
@@ -4746,19 +4731,11 @@
     </message>
     <message>
         <source>Against your best before</source>
-        <translation>Gegen Ihren besten Durchgang davor</translation>
-    </message>
-    <message>
-        <source>No go with this device came before. From the next one on this compares the two.</source>
-        <translation>Davor gab es keinen Durchgang mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
+        <translation>Gegen Ihren besten Versuch davor</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>this go, %1</source>
-        <translation>dieser Durchgang, %1</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -4777,12 +4754,8 @@
         <translation>Der Bericht wurde nicht gespeichert.</translation>
     </message>
     <message>
-        <source>%1 cannot be written. The go and its grade are kept.</source>
-        <translation>%1 kann nicht geschrieben werden. Durchgang und Bewertung sind aufbewahrt.</translation>
-    </message>
-    <message>
         <source>This fails the attempt, whatever its points; the points still stand.</source>
-        <translation>Damit ist der Durchgang nicht bestanden, wie viele Punkte er auch hat; die Punkte bleiben stehen.</translation>
+        <translation>Damit ist der Versuch nicht bestanden, wie viele Punkte er auch hat; die Punkte bleiben stehen.</translation>
     </message>
     <message>
         <source>The report is saved without the picture of the tooth.</source>
@@ -4791,6 +4764,26 @@
     <message>
         <source>The report is printed without the picture of the tooth.</source>
         <translation>Der Bericht wird ohne das Bild des Zahns gedruckt.</translation>
+    </message>
+    <message>
+        <source>This attempt broke off.</source>
+        <translation>Dieser Versuch brach ab.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>No attempt with this device came before. From the next one on this compares the two.</source>
+        <translation>Davor gab es keinen Versuch mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
+    </message>
+    <message>
+        <source>this attempt, %1</source>
+        <translation>dieser Versuch, %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. The attempt and its grade are kept.</source>
+        <translation>%1 kann nicht geschrieben werden. Versuch und Bewertung sind aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -4829,10 +4822,6 @@
     <message>
         <source>of the target removed</source>
         <translation>des Ziels abgetragen</translation>
-    </message>
-    <message>
-        <source>Cut too far</source>
-        <translation>Zu weit abgetragen</translation>
     </message>
     <message>
         <source>Least dentine over pulp</source>
@@ -4900,12 +4889,16 @@
         <translation>Aufzeichnung, jede Sekunde gesichert</translation>
     </message>
     <message>
-        <source>Recording, the disk is slow</source>
-        <translation>Aufzeichnung, der Datenträger ist langsam</translation>
-    </message>
-    <message>
         <source>The record cannot be written</source>
         <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Over-cut</source>
+        <translation>Überpräpariert</translation>
+    </message>
+    <message>
+        <source>Recording, not yet written to the disk</source>
+        <translation>Aufzeichnung, noch nicht auf den Datenträger geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5064,10 +5057,6 @@
     <message>
         <source>Look at %1. Nothing was changed.</source>
         <translation>Sehen Sie bei %1 nach. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>This go is not in a state that allows it.</source>
-        <translation>Der Zustand dieses Durchgangs lässt das nicht zu.</translation>
     </message>
     <message>
         <source>The recording cannot be read.</source>
@@ -5298,10 +5287,6 @@
         <translation>Der Zahn dieser Übung kann nicht erzeugt werden.</translation>
     </message>
     <message>
-        <source>Look at %1. No go was started.</source>
-        <translation>Sehen Sie bei %1 nach. Kein Durchgang wurde begonnen.</translation>
-    </message>
-    <message>
         <source>This exercise cannot be played.</source>
         <translation>Diese Übung kann nicht gespielt werden.</translation>
     </message>
@@ -5310,20 +5295,8 @@
         <translation>Diese Übung lässt dieses Gerät nicht zu.</translation>
     </message>
     <message>
-        <source>The go could not be recorded any further.</source>
-        <translation>Der Durchgang konnte nicht weiter aufgezeichnet werden.</translation>
-    </message>
-    <message>
         <source>It is kept up to the last second before %1 failed.</source>
         <translation>Er ist aufbewahrt bis zur letzten Sekunde, bevor %1 versagte.</translation>
-    </message>
-    <message>
-        <source>Two computations of this go differ.</source>
-        <translation>Zwei Berechnungen dieses Durchgangs weichen voneinander ab.</translation>
-    </message>
-    <message>
-        <source>The go could not be played.</source>
-        <translation>Der Durchgang konnte nicht gespielt werden.</translation>
     </message>
     <message>
         <source>The device jumped.</source>
@@ -5352,10 +5325,6 @@
     <message>
         <source>Student</source>
         <translation>Student/in</translation>
-    </message>
-    <message>
-        <source>Teacher</source>
-        <translation>Lehrkraft</translation>
     </message>
     <message>
         <source>Administrator</source>
@@ -5402,10 +5371,6 @@
         <translation>Maus und Tasten</translation>
     </message>
     <message>
-        <source>Scripted hand</source>
-        <translation>Automatische Hand</translation>
-    </message>
-    <message>
         <source>Nothing</source>
         <translation>Nichts</translation>
     </message>
@@ -5416,10 +5381,6 @@
     <message>
         <source>Dentine</source>
         <translation>Dentin</translation>
-    </message>
-    <message>
-        <source>Decay</source>
-        <translation>Karies</translation>
     </message>
     <message>
         <source>Cementum</source>
@@ -5454,10 +5415,6 @@
         <translation>Kunststoff</translation>
     </message>
     <message>
-        <source>Decayed enamel</source>
-        <translation>Schmelzkaries</translation>
-    </message>
-    <message>
         <source>Material %1</source>
         <translation>Material %1</translation>
     </message>
@@ -5470,24 +5427,8 @@
         <translation>Nachbardentin</translation>
     </message>
     <message>
-        <source>Firm decay</source>
-        <translation>Feste Karies</translation>
-    </message>
-    <message>
         <source>Target removed</source>
         <translation>Ziel abgetragen</translation>
-    </message>
-    <message>
-        <source>Floor cut too far</source>
-        <translation>Boden zu weit abgetragen</translation>
-    </message>
-    <message>
-        <source>Walls cut too far</source>
-        <translation>Wände zu weit abgetragen</translation>
-    </message>
-    <message>
-        <source>Left standing</source>
-        <translation>Stehen gelassen</translation>
     </message>
     <message>
         <source>Floor depth, shallowest</source>
@@ -5625,24 +5566,12 @@
         <translation>Das Gerät ließ sich nicht öffnen.</translation>
     </message>
     <message>
-        <source>%1 refused. No go was started.</source>
-        <translation>%1 lehnte ab. Kein Durchgang wurde begonnen.</translation>
-    </message>
-    <message>
-        <source>Connected is: %1. No go was started.</source>
-        <translation>Verbunden ist: %1. Kein Durchgang wurde begonnen.</translation>
-    </message>
-    <message>
         <source>The stored exercise cannot be read.</source>
         <translation>Die gespeicherte Übung kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>The database refused.</source>
         <translation>Die Datenbank lehnte ab.</translation>
-    </message>
-    <message>
-        <source>%1 was not written. Goes before it are kept.</source>
-        <translation>%1 wurde nicht geschrieben. Durchgänge davor sind aufbewahrt.</translation>
     </message>
     <message>
         <source>It was stopped at tick %1 and is not graded; the recording is kept.</source>
@@ -5653,32 +5582,12 @@
         <translation>Dieser Rechner ist zu langsam für diese Übung.</translation>
     </message>
     <message>
-        <source>The go ended as interrupted. All of it is kept and can be graded as it stands.</source>
-        <translation>Der Durchgang endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
-    </message>
-    <message>
-        <source>This go was recorded by another version of Cusp.</source>
-        <translation>Dieser Durchgang wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
-    </message>
-    <message>
         <source>It opens with its stored tooth and grade, but is not computed again (engine %1).</source>
         <translation>Er öffnet sich mit gespeichertem Zahn und gespeicherter Bewertung, wird aber nicht neu berechnet (Rechenkern %1).</translation>
     </message>
     <message>
-        <source>The tooth is not the one this go began with.</source>
-        <translation>Der Zahn ist nicht der, mit dem dieser Durchgang begann.</translation>
-    </message>
-    <message>
         <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
         <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>Leeway used, floor</source>
-        <translation>Spielraum genutzt, Boden</translation>
-    </message>
-    <message>
-        <source>Leeway used, walls</source>
-        <translation>Spielraum genutzt, Wände</translation>
     </message>
     <message>
         <source>At %1 its cells are not evenly spaced.</source>
@@ -5839,7 +5748,7 @@
     </message>
     <message>
         <source>This attempt is not there.</source>
-        <translation>Diesen Durchgang gibt es nicht.</translation>
+        <translation>Diesen Versuch gibt es nicht.</translation>
     </message>
     <message>
         <source>This exercise is not there.</source>
@@ -5883,11 +5792,11 @@
     </message>
     <message>
         <source>This attempt is not in a state that allows it.</source>
-        <translation>Dieser Durchgang ist nicht in einem Zustand, der das zulässt.</translation>
+        <translation>Dieser Versuch ist nicht in einem Zustand, der das zulässt.</translation>
     </message>
     <message>
         <source>%1 is damaged; the grade and all other attempts are kept.</source>
-        <translation>%1 ist beschädigt; die Bewertung und alle anderen Durchgänge sind aufbewahrt.</translation>
+        <translation>%1 ist beschädigt; die Bewertung und alle anderen Versuche sind aufbewahrt.</translation>
     </message>
     <message>
         <source>Number and PIN do not match.</source>
@@ -5952,6 +5861,86 @@
     <message>
         <source>Results and reports can be read. Nothing can be drilled or changed until %1 can be written again.</source>
         <translation>Ergebnisse und Berichte können gelesen werden. Gebohrt oder geändert werden kann erst wieder, wenn %1 geschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>Look at %1. No attempt was started.</source>
+        <translation>Sehen Sie bei %1 nach. Kein Versuch wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>%1 refused. No attempt was started.</source>
+        <translation>%1 lehnte ab. Kein Versuch wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>Connected is: %1. No attempt was started.</source>
+        <translation>Verbunden ist: %1. Kein Versuch wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>%1 was not written. Earlier attempts are kept.</source>
+        <translation>%1 wurde nicht geschrieben. Versuche davor sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The attempt could not be recorded any further.</source>
+        <translation>Der Versuch konnte nicht weiter aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Two computations of this attempt differ.</source>
+        <translation>Zwei Berechnungen dieses Versuchs weichen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>The attempt ended as interrupted. All of it is kept and can be graded as it stands.</source>
+        <translation>Der Versuch endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
+    </message>
+    <message>
+        <source>This attempt was recorded by another version of Cusp.</source>
+        <translation>Dieser Versuch wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The tooth is not the one this attempt began with.</source>
+        <translation>Der Zahn ist nicht der, mit dem dieser Versuch begann.</translation>
+    </message>
+    <message>
+        <source>The attempt could not be played.</source>
+        <translation>Der Versuch konnte nicht gespielt werden.</translation>
+    </message>
+    <message>
+        <source>Over-cut within tolerance, floor</source>
+        <translation>Überpräpariert in der Toleranz, Boden</translation>
+    </message>
+    <message>
+        <source>Over-cut within tolerance, walls</source>
+        <translation>Überpräpariert in der Toleranz, Wände</translation>
+    </message>
+    <message>
+        <source>Over-cut, floor</source>
+        <translation>Überpräpariert, Boden</translation>
+    </message>
+    <message>
+        <source>Over-cut, walls</source>
+        <translation>Überpräpariert, Wände</translation>
+    </message>
+    <message>
+        <source>Not removed</source>
+        <translation>Nicht entfernt</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Lehrkraft</translation>
+    </message>
+    <message>
+        <source>Scripted operator</source>
+        <translation>Automatischer Operateur</translation>
+    </message>
+    <message>
+        <source>Carious dentine</source>
+        <translation>Kariöses Dentin</translation>
+    </message>
+    <message>
+        <source>Carious enamel</source>
+        <translation>Kariöser Schmelz</translation>
+    </message>
+    <message>
+        <source>Firm carious dentine</source>
+        <translation>Festes kariöses Dentin</translation>
     </message>
 </context>
 <context>
@@ -6033,14 +6022,6 @@
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>Leeway, floor</source>
-        <translation>Spielraum, Boden</translation>
-    </message>
-    <message>
-        <source>Leeway, sides</source>
-        <translation>Spielraum, Seiten</translation>
-    </message>
-    <message>
         <source>Time limit</source>
         <translation>Zeitgrenze</translation>
     </message>
@@ -6051,6 +6032,14 @@
     <message>
         <source>Line %1, %2</source>
         <translation>Linie %1, %2</translation>
+    </message>
+    <message>
+        <source>Tolerance zone, floor</source>
+        <translation>Toleranzzone, Boden</translation>
+    </message>
+    <message>
+        <source>Tolerance zone, sides</source>
+        <translation>Toleranzzone, Seiten</translation>
     </message>
 </context>
 <context>
@@ -6451,10 +6440,6 @@
         <translation>Noch keine Übung</translation>
     </message>
     <message>
-        <source>This station has no exercise that can be read. Ask your teacher.</source>
-        <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrkraft.</translation>
-    </message>
-    <message>
         <source>Next exercise</source>
         <translation>Nächste Übung</translation>
     </message>
@@ -6469,10 +6454,6 @@
     <message>
         <source>Due</source>
         <translation>Fällig</translation>
-    </message>
-    <message>
-        <source>Goes</source>
-        <translation>Durchgänge</translation>
     </message>
     <message>
         <source>%1 of %2 used</source>
@@ -6519,10 +6500,6 @@
         <translation>Noch kein Ergebnis</translation>
     </message>
     <message>
-        <source>After the first go its points and what to do next time stand here.</source>
-        <translation>Nach dem ersten Durchgang stehen hier seine Punkte und was beim nächsten Mal zu tun ist.</translation>
-    </message>
-    <message>
         <source>of 100</source>
         <translation>von 100</translation>
     </message>
@@ -6565,31 +6542,43 @@ Ihr bester davor</translation>
         <translation>Noch nichts zu zeichnen</translation>
     </message>
     <message>
-        <source>Each go becomes one point.</source>
-        <translation>Jeder Durchgang wird ein Punkt.</translation>
+        <source>Every attempt is kept, also one that broke off.</source>
+        <translation>Jeder Versuch wird aufbewahrt, auch ein abgebrochener.</translation>
+    </message>
+    <message>
+        <source>This station has no exercise that can be read. Ask your instructor.</source>
+        <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrkraft.</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>After the first attempt its points and what to do next time stand here.</source>
+        <translation>Nach dem ersten Versuch stehen hier seine Punkte und was beim nächsten Mal zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Each attempt becomes one point.</source>
+        <translation>Jeder Versuch wird ein Punkt.</translation>
     </message>
     <message numerus="yes">
-        <source>Time earns no points. %1 only, %n go(es).</source>
+        <source>Time earns no points. %1 only, %n attempt(s).</source>
         <translation>
-            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgang.</numerusform>
-            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgänge.</numerusform>
+            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Versuch.</numerusform>
+            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Versuche.</numerusform>
         </translation>
     </message>
     <message>
-        <source>From your teacher</source>
+        <source>From your instructor</source>
         <translation>Von Ihrer Lehrkraft</translation>
     </message>
     <message>
-        <source>on your go of %1</source>
-        <translation>zu Ihrem Durchgang vom %1</translation>
+        <source>on your attempt of %1</source>
+        <translation>zu Ihrem Versuch vom %1</translation>
     </message>
     <message>
-        <source>Teacher</source>
+        <source>Instructor</source>
         <translation>Lehrkraft</translation>
-    </message>
-    <message>
-        <source>Every attempt is kept, also one that broke off.</source>
-        <translation>Jeder Durchgang wird aufbewahrt, auch ein abgebrochener.</translation>
     </message>
 </context>
 <context>
@@ -6635,12 +6624,12 @@ Ihr bester davor</translation>
         <translation>Dieser Rechner ist zu langsam für die Übung</translation>
     </message>
     <message>
-        <source>The go ends here and is measured as it stands.</source>
-        <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
-    </message>
-    <message>
         <source>%1 What you drilled so far is safe while this window stays open. Put the cause right, then go on.</source>
         <translation>%1 Was bisher abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Ursache beheben, dann weiter.</translation>
+    </message>
+    <message>
+        <source>The attempt ends here and is measured as it stands.</source>
+        <translation>Der Versuch endet hier und wird vermessen, wie er ist.</translation>
     </message>
 </context>
 <context>
@@ -6664,10 +6653,6 @@ Ihr bester davor</translation>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>Leeway</source>
-        <translation>Spielraum</translation>
     </message>
     <message>
         <source>Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn.</source>
@@ -6704,6 +6689,29 @@ Ihr bester davor</translation>
     <message>
         <source>%1 deep</source>
         <translation>%1 tief</translation>
+    </message>
+    <message>
+        <source>Tolerance zone</source>
+        <translation>Toleranzzone</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::TextsForm</name>
+    <message>
+        <source>Title, English</source>
+        <translation>Titel, Englisch</translation>
+    </message>
+    <message>
+        <source>Title, German</source>
+        <translation>Titel, Deutsch</translation>
+    </message>
+    <message>
+        <source>Briefing, English</source>
+        <translation>Aufgabe, Englisch</translation>
+    </message>
+    <message>
+        <source>Briefing, German</source>
+        <translation>Aufgabe, Deutsch</translation>
     </message>
 </context>
 <context>
@@ -6844,18 +6852,6 @@ Ihr bester davor</translation>
         <translation>Zum Ansehen: Gebohrt werden nur der Zahn, seine Nachbarn und was um sie liegt</translation>
     </message>
     <message>
-        <source>Decay</source>
-        <translation>Karies</translation>
-    </message>
-    <message>
-        <source>Add decay</source>
-        <translation>Karies hinzufügen</translation>
-    </message>
-    <message>
-        <source>How decay spreads, and how gums and bone lie, is general knowledge, not verified.</source>
-        <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
-    </message>
-    <message>
         <source>In a fissure</source>
         <translation>In einer Fissur</translation>
     </message>
@@ -6868,40 +6864,12 @@ Ihr bester davor</translation>
         <translation>An der Wurzel</translation>
     </message>
     <message>
-        <source>Kind of decay %1</source>
-        <translation>Art der Karies %1</translation>
-    </message>
-    <message>
-        <source>Place of decay %1</source>
-        <translation>Ort der Karies %1</translation>
-    </message>
-    <message>
-        <source>Remove decay %1</source>
-        <translation>Karies %1 entfernen</translation>
-    </message>
-    <message>
-        <source>Width of decay %1</source>
-        <translation>Breite der Karies %1</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
     <message>
-        <source>Depth of decay %1</source>
-        <translation>Tiefe der Karies %1</translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Softness of decay %1</source>
-        <translation>Weichheit der Karies %1</translation>
-    </message>
-    <message>
-        <source>How far from its middle to its rim decay is soft; the rest is firm</source>
-        <translation>Wie weit die Karies von der Mitte zum Rand weich ist; der Rest ist fest</translation>
     </message>
     <message>
         <source>Soft</source>
@@ -6910,6 +6878,46 @@ Ihr bester davor</translation>
     <message>
         <source>Depth in dentine</source>
         <translation>Tiefe im Dentin</translation>
+    </message>
+    <message>
+        <source>Carious lesions</source>
+        <translation>Kariöse Läsionen</translation>
+    </message>
+    <message>
+        <source>Add a carious lesion</source>
+        <translation>Kariöse Läsion hinzufügen</translation>
+    </message>
+    <message>
+        <source>How caries spreads, and how gums and bone lie, is general knowledge, not verified.</source>
+        <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Kind of carious lesion %1</source>
+        <translation>Art der kariösen Läsion %1</translation>
+    </message>
+    <message>
+        <source>Place of carious lesion %1</source>
+        <translation>Ort der kariösen Läsion %1</translation>
+    </message>
+    <message>
+        <source>Remove carious lesion %1</source>
+        <translation>Kariöse Läsion %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Width of carious lesion %1</source>
+        <translation>Breite der kariösen Läsion %1</translation>
+    </message>
+    <message>
+        <source>Depth of carious lesion %1</source>
+        <translation>Tiefe der kariösen Läsion %1</translation>
+    </message>
+    <message>
+        <source>Softness of carious lesion %1</source>
+        <translation>Weichheit der kariösen Läsion %1</translation>
+    </message>
+    <message>
+        <source>How far from its middle to its rim the lesion is soft; the rest is firm</source>
+        <translation>Wie weit die Läsion von der Mitte zum Rand weich ist; der Rest ist fest</translation>
     </message>
 </context>
 <context>
@@ -6925,10 +6933,6 @@ Ihr bester davor</translation>
 </context>
 <context>
     <name>cusp::ui::TrimForm</name>
-    <message>
-        <source>Bur, from where a go begins</source>
-        <translation>Bohrer, vom Beginn eines Durchgangs aus</translation>
-    </message>
     <message>
         <source>held by the clutch</source>
         <translation>von der Kupplung gehalten</translation>
@@ -6979,10 +6983,6 @@ Ihr bester davor</translation>
         <translation>rechts %1, oben %2, näher %3</translation>
     </message>
     <message>
-        <source>Where the grip stands when a go begins, from the middle of its travel:</source>
-        <translation>Wo der Griff zu Beginn eines Durchgangs steht, von der Mitte seines Weges aus:</translation>
-    </message>
-    <message>
         <source>Right</source>
         <translation>Rechts</translation>
     </message>
@@ -6997,6 +6997,14 @@ Ihr bester davor</translation>
     <message>
         <source>As it stands now</source>
         <translation>Wie er jetzt steht</translation>
+    </message>
+    <message>
+        <source>Bur, from where an attempt begins</source>
+        <translation>Bohrer, vom Beginn eines Versuchs aus</translation>
+    </message>
+    <message>
+        <source>Where the grip stands when an attempt begins, from the middle of its travel:</source>
+        <translation>Wo der Griff zu Beginn eines Versuchs steht, von der Mitte seines Weges aus:</translation>
     </message>
 </context>
 <context>
@@ -7047,25 +7055,6 @@ Ihr bester davor</translation>
     <message>
         <source>from</source>
         <translation>ab</translation>
-    </message>
-</context>
-<context>
-    <name>cusp::ui::WordsForm</name>
-    <message>
-        <source>Title, English</source>
-        <translation>Titel, Englisch</translation>
-    </message>
-    <message>
-        <source>Title, German</source>
-        <translation>Titel, Deutsch</translation>
-    </message>
-    <message>
-        <source>Briefing, English</source>
-        <translation>Aufgabe, Englisch</translation>
-    </message>
-    <message>
-        <source>Briefing, German</source>
-        <translation>Aufgabe, Deutsch</translation>
     </message>
 </context>
 </TS>

@@ -4,10 +4,10 @@
 <context>
     <name>cusp::ui::AuditPage</name>
     <message numerus="yes">
-        <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
-        <translation>
-            <numerusform>Each choice was left out or halved once, with %n scripted go each.</numerusform>
-            <numerusform>Each choice was left out or halved once, with %n scripted goes each.</numerusform>
+        <source>Each choice was left out or halved once, with %n scripted attempt(s) each.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -79,10 +79,10 @@
 <context>
     <name>cusp::ui::HistoryCharts</name>
     <message numerus="yes">
-        <source>%n go(es), the last with %1 points.</source>
-        <translation>
-            <numerusform>%n go, with %1 points.</numerusform>
-            <numerusform>%n goes, the last with %1 points.</numerusform>
+        <source>%n attempt(s), the last with %1 points.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -192,24 +192,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n go(es).</source>
-        <translation>
-            <numerusform>%n go.</numerusform>
-            <numerusform>%n goes.</numerusform>
+        <source>%n attempt(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Median over %n go(es).</source>
-        <translation>
-            <numerusform>Median over %n go.</numerusform>
-            <numerusform>Median over %n goes.</numerusform>
+        <source>Median over %n attempt(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n go(es) exported.</source>
-        <translation>
-            <numerusform>%n go exported.</numerusform>
-            <numerusform>%n goes exported.</numerusform>
+        <source>%n attempt(s) exported.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -243,10 +243,10 @@
 <context>
     <name>cusp::ui::StartPage</name>
     <message numerus="yes">
-        <source>Time earns no points. %1 only, %n go(es).</source>
-        <translation>
-            <numerusform>Time earns no points. %1 only, %n go.</numerusform>
-            <numerusform>Time earns no points. %1 only, %n goes.</numerusform>
+        <source>Time earns no points. %1 only, %n attempt(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

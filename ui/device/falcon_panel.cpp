@@ -52,11 +52,10 @@ QString way_text(int step) {
   return {};
 }
 
-enum class Running { nothing, force, self_test, weighing };
-
 }  // namespace
 
 struct FalconPanel::Inner {
+  enum class Running { nothing, force, self_test, weighing };
   Inner(DeviceSettings& station, Ports world, bool for_staff) : settings(station), ports(std::move(world)), staff(for_staff) {}
 
   DeviceSettings& settings;
@@ -212,7 +211,7 @@ void FalconPanel::open() {
 void FalconPanel::let_go() {
   inner_->timer.stop();
   inner_->bench.reset();
-  inner_->running = Running::nothing;
+  inner_->running = Inner::Running::nothing;
   inner_->view = {};
 }
 
@@ -251,7 +250,7 @@ void FalconPanel::look() {
   in.now->show_bench(v);
   const bool homed = up && v.falcon.session.phase == falcon::Phase::ready;
   in.trim->show_grip(v.falcon, homed);
-  const bool tests = in.running != Running::nothing;
+  const bool tests = in.running != Inner::Running::nothing;
   in.trim->setEnabled(!tests);
   const bool may = homed && !tests;
   in.force->setEnabled(may);
@@ -263,12 +262,12 @@ void FalconPanel::look() {
   if (!tests) return;
   QString step;
   switch (in.running) {
-    case Running::force: step = way_text(v.trial_step); break;
-    case Running::self_test: step = tr("Measuring, direction %1 of 3. Keep your hand off.").arg(v.trial_step + 1); break;
-    case Running::weighing:
+    case Inner::Running::force: step = way_text(v.trial_step); break;
+    case Inner::Running::self_test: step = tr("Measuring, direction %1 of 3. Keep your hand off.").arg(v.trial_step + 1); break;
+    case Inner::Running::weighing:
       step = tr("Weighing, place %1 of %2. Keep your hand off.").arg(std::min(v.trial_step + 1, +falcon::Weighing::kPlaces)).arg(+falcon::Weighing::kPlaces);
       break;
-    case Running::nothing: break;
+    case Inner::Running::nothing: break;
   }
   set_text_if_new(in.step, step);
   in.progress->setValue(static_cast<int>(std::lround(100 * v.trial_share)));
@@ -279,7 +278,7 @@ void FalconPanel::start_force_test() {
   const Question question{tr("Hold the grip loosely"), tr("It pushes six ways, one after the other, up to %1. Letting go switches it off.").arg(format({kFeelN, {}, QStringLiteral("N"), 1})), tr("Push")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes || !self->inner_->bench) return;
-    if (self->inner_->bench->start(std::make_unique<falcon::ForceTest>(kFeelN))) self->inner_->running = Running::force;
+    if (self->inner_->bench->start(std::make_unique<falcon::ForceTest>(kFeelN))) self->inner_->running = Inner::Running::force;
   });
 }
 
@@ -287,7 +286,7 @@ void FalconPanel::start_self_test() {
   const Question question{tr("Let go of the grip"), tr("For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way."), tr("Measure")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes || !self->inner_->bench) return;
-    if (self->inner_->bench->start(std::make_unique<falcon::SelfTest>())) self->inner_->running = Running::self_test;
+    if (self->inner_->bench->start(std::make_unique<falcon::SelfTest>())) self->inner_->running = Inner::Running::self_test;
   });
 }
 
@@ -297,7 +296,7 @@ void FalconPanel::start_weighing() {
     if (!self || !yes || !self->inner_->bench) return;
     const FalconSettings driver = settings_for(self->inner_->settings.profile(self->inner_->name));
     if (self->inner_->bench->start(std::make_unique<falcon::Weighing>(driver.geometry, driver.calibration)))
-      self->inner_->running = Running::weighing;
+      self->inner_->running = Inner::Running::weighing;
   });
 }
 
@@ -305,7 +304,7 @@ void FalconPanel::trial_over() {
   Inner& in = *inner_;
   const auto trial = in.bench->take_trial();
   if (!trial) return;
-  const Running was = std::exchange(in.running, Running::nothing);
+  const Inner::Running was = std::exchange(in.running, Inner::Running::nothing);
   in.outcome->show();
   if (trial->end() != falcon::TrialEnd::done) {
     in.outcome->setText(end_text(trial->end()));
@@ -314,9 +313,9 @@ void FalconPanel::trial_over() {
   }
   const bool real = in.kind == "falcon";
   FalconProfile profile = in.settings.profile(in.name);
-  if (was == Running::force) {
+  if (was == Inner::Running::force) {
     in.outcome->setText(tr("All six ways were pushed. Tell the staff if one of them felt wrong."));
-  } else if (was == Running::weighing) {
+  } else if (was == Inner::Running::weighing) {
     const auto weight = dynamic_cast<const falcon::Weighing&>(*trial).result();
     if (!weight) {
       in.outcome->setText(tr("No weight fits what was held. Stand it upright, keep hands off, and weigh again."));

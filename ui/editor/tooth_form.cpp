@@ -20,7 +20,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr std::size_t kMostLesions = 4;  // most lesions of one tooth
-constexpr double kLeastSizeMm = 0.4, kMostSizeMm = 5.0, kMostDepthMm = 4.0;
+constexpr double kLeastSizeMm = 0.4, kMostLesionSizeMm = 5.0, kMostLesionDepthMm = 4.0;
 
 Lesion::Kind kind_of(const std::string& key) {
   return key == "proximal" ? Lesion::Kind::proximal : key == "root" ? Lesion::Kind::root : Lesion::Kind::fissure;
@@ -207,10 +207,10 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
     });
   });
   // The form shows the diameter; scenario.json holds the radius.
-  row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostSizeMm, 0.1, 1,
+  row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostLesionSizeMm, 0.1, 1,
                            [=](double mm) { return change(field + u"size"_qs, [mm](LesionSource& l) { l.radius_mm = mm / 2; }, false); });
   add_row(column, tr("Width"), row.size);
-  row.depth = new NumberBox(model_, tr("Depth of carious lesion %1").arg(number), u"mm"_qs, 0, kMostDepthMm, 0.1, 1,
+  row.depth = new NumberBox(model_, tr("Depth of carious lesion %1").arg(number), u"mm"_qs, 0, kMostLesionDepthMm, 0.1, 1,
                             [=](double mm) { return change(field + u"depth"_qs, [mm](LesionSource& l) { l.depth_mm = mm; }, false); });
   row.depth_label = add_row(column, tr("Depth"), row.depth);
   row.softness = new NumberBox(model_, tr("Softness of carious lesion %1").arg(number), u"%"_qs, 0, 100, 5, 0,

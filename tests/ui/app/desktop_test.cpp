@@ -94,7 +94,7 @@ TEST_F(DesktopTest, what_was_typed_at_sign_in_survives_a_change_of_language) {
   open(records.file());
   auto* page = qobject_cast<SignIn*>(desktop->page());
   ASSERT_NE(page, nullptr);
-  page->set_typed_number(QStringLiteral("20267314"), false);
+  page->set_typed_number(QStringLiteral("20267314"), SignIn::Who::student);
   desktop->set_language(QStringLiteral("de"));
   page = qobject_cast<SignIn*>(desktop->page());
   ASSERT_NE(page, nullptr);
@@ -153,12 +153,12 @@ TEST_F(DesktopTest, an_incident_of_the_records_is_named_to_staff_and_not_to_stud
   auto* page = qobject_cast<SignIn*>(desktop->page());
   ASSERT_NE(page, nullptr);
   EXPECT_TRUE(bands_of(*page).isEmpty()) << "where students sign in";
-  page->set_typed_number({}, true);
+  page->set_typed_number({}, SignIn::Who::staff);
   const QString command = QStringLiteral("verify");
   ASSERT_EQ(bands_of(*page).size(), 1);
   EXPECT_TRUE(bands_of(*page).first().contains(QStringLiteral("The counter beside the records’ key is missing."))) << bands_of(*page).first().toStdString();
   EXPECT_TRUE(bands_of(*page).first().contains(command));
-  page->set_typed_number({}, false);
+  page->set_typed_number({}, SignIn::Who::student);
   EXPECT_TRUE(bands_of(*page).isEmpty());
   desktop->sign_in(lena);
   EXPECT_FALSE(bands_of(*desktop->shell()).join(u' ').contains(command));

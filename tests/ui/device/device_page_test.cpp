@@ -37,7 +37,7 @@ struct Bus {
 class ToldWatch final : public DeviceWatch {
  public:
   explicit ToldWatch(Bus& bus) : bus_(bus) {}
-  std::vector<FoundDevice> list() override { return with_those_of_no_hardware(bus_.hardware); }
+  std::vector<FoundDevice> list() override { return with_software_devices(bus_.hardware); }
   bool changed() noexcept override { return std::exchange(bus_.news, false); }
 
  private:
@@ -128,7 +128,7 @@ TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_loo
     explicit Hanging(std::shared_ptr<test::Gate> g) : gate(std::move(g)) {}
     std::vector<FoundDevice> list() override {
       gate->pass();
-      return with_those_of_no_hardware({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
+      return with_software_devices({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
     }
     bool changed() noexcept override { return true; }
     std::shared_ptr<test::Gate> gate;
