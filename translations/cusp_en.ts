@@ -5,9 +5,9 @@
     <name>cusp::ui::AuditPage</name>
     <message numerus="yes">
         <source>Each choice was left out or halved once, with %n scripted attempt(s) each.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Each choice was left out or halved once, with %n scripted attempt each.</numerusform>
+            <numerusform>Each choice was left out or halved once, with %n scripted attempts each.</numerusform>
         </translation>
     </message>
 </context>
@@ -80,9 +80,9 @@
     <name>cusp::ui::HistoryCharts</name>
     <message numerus="yes">
         <source>%n attempt(s), the last with %1 points.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n attempt, the last with %1 points.</numerusform>
+            <numerusform>%n attempts, the last with %1 points.</numerusform>
         </translation>
     </message>
 </context>
@@ -193,23 +193,23 @@
     </message>
     <message numerus="yes">
         <source>%n attempt(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n attempt.</numerusform>
+            <numerusform>%n attempts.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Median over %n attempt(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Median over %n attempt.</numerusform>
+            <numerusform>Median over %n attempts.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s) exported.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n attempt exported.</numerusform>
+            <numerusform>%n attempts exported.</numerusform>
         </translation>
     </message>
 </context>
@@ -244,9 +244,9 @@
     <name>cusp::ui::StartPage</name>
     <message numerus="yes">
         <source>Time earns no points. %1 only, %n attempt(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Time earns no points. %1 only, %n attempt.</numerusform>
+            <numerusform>Time earns no points. %1 only, %n attempts.</numerusform>
         </translation>
     </message>
 </context>

@@ -67,7 +67,6 @@ bool write_through(int descriptor, const std::string& content) {
 StorageError error_from_errno(int error) noexcept {
   switch (error) {
     case ENOENT:
-    case ENOTDIR:
       return StorageError::not_found;
     case EACCES:
     case EPERM:

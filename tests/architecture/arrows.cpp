@@ -26,9 +26,9 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
     {"engine", {"base", "volume", "tool", "scene", "contact", "removal", "step", "loop", "mirror", "lab"}},
     {"device", {"pointer", "scripted", "falcon", "hid", "inverse", "."}},
     {"scenarios",
-     {"tissues", "burs", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "teeth", ".", "library", "checks",
-      "audit"}},
-    {"storage", {"sqlite", "repositories", ".", "export"}},
+     {"tissues", "burs", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "teeth", "specimens", "library",
+      "checks", "audit"}},
+    {"storage", {"base", "sqlite", "records", "repositories", "cache", "summary", "export", "."}},
     {"ui",
      {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "student", "report", "editor",
       "instructor", "admin", "signin", "cli", "app"}},
@@ -62,7 +62,7 @@ TEST(Arrows, APlantedCycleIsFound) {
     const std::string top = order.back() == "." ? module : module + "/" + order.back();
     const std::string bottom = order.front() == "." ? module : module + "/" + order.front();
     files.push_back({bottom + "/planted.h", "#include \"" + top + "/planted.h\"\n"});
-    EXPECT_EQ(against_order(arrows_of(module, files), order).size(), 1u) << module;
+    EXPECT_EQ(against_order(arrows_of(module, files), order), std::vector<std::string>{order.front() + " includes " + order.back()});
   }
 }
 

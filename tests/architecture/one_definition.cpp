@@ -110,7 +110,7 @@ TEST(OneDefinition, no_two_files_of_the_program_define_a_type_of_the_same_name) 
 TEST(OneDefinition, types_are_found_behind_comments_quotes_and_bases_and_not_where_nobody_else_sees_them) {
   EXPECT_EQ(types_of(R"x(
       #define A struct Macro {
-      namespace cusp::test {
+      namespace cusp {
       // struct Comment {
       const char* a = "struct Quoted {"; char b = '{'; int c = 1'000;
       struct Plain { struct Inner { int d; }; };

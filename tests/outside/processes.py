@@ -4,7 +4,7 @@
 
 alone: plays of a ten-second script, one after the other. two: a play, and another play, `history list` or `history
 verify`. five: a window, two plays, `history list` and `history verify`. Without --crowd: ten kills among two, ten among
-five; CUSP_KILLS_FULL=1 makes that 300 alone, 300 among two and 100 among five.
+five; CUSP_FULL=1 makes that 300 alone, 300 among two and 100 among five.
 
 What has to hold: a play that printed its session has its grade. Whoever was not killed did not fail. A program with the
 log open holds a lock on the database, and the log is not deleted under it. Once all have ended, the file is sound and every
@@ -240,7 +240,7 @@ def main():
     o = arguments.parse_args()
     print(f"seed {o.seed}", flush=True)
     plan = {o.crowd: o.kills} if o.crowd else {"two": 10, "five": 10}
-    if os.environ.get("CUSP_KILLS_FULL") and not o.crowd:
+    if os.environ.get("CUSP_FULL") and not o.crowd:
         plan = {"alone": 300, "two": 300, "five": 100}
     problems = []
     with Desk(os.path.abspath(o.cusp)) as desk:

@@ -1,5 +1,5 @@
 /// A fault at each call that every writing operation makes of the file system: nothing committed is lost, nothing is
-/// half there, and the code names what failed. A seventh of the calls; CUSP_EVERY_CALL_FULL=1: each of the first 500.
+/// half there, and the code names what failed. A seventh of the calls; CUSP_FULL=1: each of the first 500.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -198,7 +198,7 @@ class EveryCall : public ::testing::Test {
   }
 
   void all_faults(const std::vector<Operation>& operations) {
-    const bool full = std::getenv("CUSP_EVERY_CALL_FULL") != nullptr;
+    const bool full = std::getenv("CUSP_FULL") != nullptr;
     before = content_of(open(folder / "start.db")->database());
     for (const Operation& operation : operations) {
       SCOPED_TRACE(operation.name);

@@ -3,7 +3,7 @@
 // within the limit, zero while the guard is latched; nothing removed has come back; nothing that was reserved ran out.
 // A fifth as many with every phenomenon on, under a foot that presses pedal and coolant without sense.
 //
-// 200,000 ticks of each method; with CUSP_RANDOM_FULL=1 ten million of the surface proxy and a million of each other.
+// 200,000 ticks of each method; with CUSP_FULL=1 ten million of the surface proxy and a million of each other.
 // Every 20,000 ticks begin anew, with a seed of their own: a failure names it, and CUSP_RANDOM_SEED=N runs it alone.
 // In pieces, and on from where they were stopped: README.md.
 #include <gtest/gtest.h>
@@ -231,7 +231,7 @@ void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int
 class RandomTicks : public testing::TestWithParam<Method> {};
 
 TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
-  const bool full = std::getenv("CUSP_RANDOM_FULL") != nullptr;
+  const bool full = std::getenv("CUSP_FULL") != nullptr;
   const char* one = std::getenv("CUSP_RANDOM_SEED");
   const char* piece = std::getenv("CUSP_RANDOM_PIECE");
   const char* folder = std::getenv("CUSP_RANDOM_DONE");

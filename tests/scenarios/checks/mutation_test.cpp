@@ -1,5 +1,5 @@
 /// Broken scenarios: each is refused with its place and a reason, or it can be played and gives an idle student nothing.
-/// Seeded; a part by default, all of it with CUSP_MUTATIONS_FULL.
+/// Seeded; a part by default, all of it with CUSP_FULL.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-bool full() { return std::getenv("CUSP_MUTATIONS_FULL") != nullptr; }
+bool full() { return std::getenv("CUSP_FULL") != nullptr; }
 
 /// A specimen with what the checks know of it. Teeth are measured in voxels of 0.4 mm at least: what is asked of them here
 /// does not hang on the fineness.

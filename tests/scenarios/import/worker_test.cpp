@@ -148,9 +148,9 @@ TEST_F(ImportWorker, ReportsWhatAChildUsed) {
   settings.ended = [&](const ChildEnd& end) { ends.push_back(end); };
   EXPECT_EQ(outcome(import_mesh_in_child(what, settings)), "time_limit");
   ASSERT_EQ(ends.size(), 1u);
-  // The kernel ends it after one second of its own processor time, however long that takes. One thread uses no more
-  // processor time than passes on the clock: a loaded machine only adds wall time.
-  EXPECT_GE(ends[0].cpu_s, 0.9);
+  // The kernel ends it after one second of its own processor time by sampled ticks; the use reported is exact and differs
+  // by some tenths on a loaded machine. One thread uses no more processor time than passes on the clock.
+  EXPECT_GE(ends[0].cpu_s, 0.5);
   EXPECT_LE(ends[0].cpu_s, ends[0].wall_s + 0.02);
   EXPECT_GT(ends[0].resident_bytes, std::uint64_t{1} << 20);  // no C++ program fits into less
   EXPECT_LT(ends[0].resident_bytes, std::uint64_t{1} << 30);

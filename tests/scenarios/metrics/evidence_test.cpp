@@ -1,6 +1,6 @@
 /// Places of the pins: every place of a measure lies on the surface that its definition names. Final volumes are the
 /// operators' own paths, shaken, as sweeps without a step: every operator on the teeth, each on one of the blocks, and
-/// too_deep on all. With CUSP_EVIDENCE_FULL every operator drills every exercise itself.
+/// too_deep on all. With CUSP_FULL every operator drills every exercise itself.
 #include "scenarios/metrics/evidence.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ Scenario class_one_on(int fdi) {
   return s;
 }
 
-bool full() { return std::getenv("CUSP_EVIDENCE_FULL") != nullptr; }
+bool full() { return std::getenv("CUSP_FULL") != nullptr; }
 
 /// Two teeth and three blocks, in coarse voxels.
 const std::vector<Exercise>& exercises() {

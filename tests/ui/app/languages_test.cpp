@@ -100,7 +100,7 @@ TEST(Languages, a_translation_keeps_every_place_holder) {
 TEST(Languages, switching_changes_words_and_numbers_at_once) {
   install_language(*qApp, QStringLiteral("de"));
   EXPECT_EQ(current_language().toStdString(), "de");
-  EXPECT_EQ(metric_name("undercut").toStdString(), "Stehen gelassen");
+  EXPECT_EQ(metric_name("undercut").toStdString(), "Nicht entfernt");
   EXPECT_EQ(format_number(1.5, 1).toStdString(), "1,5");
   install_language(*qApp, QStringLiteral("en"));
   EXPECT_EQ(metric_name("undercut").toStdString(), "Not removed");

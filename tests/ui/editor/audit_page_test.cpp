@@ -25,7 +25,7 @@ EditorStart draft() {
   EditorStart start;
   start.draft = *load_builtin("channel-1");
   start.draft.phenomena = {"friction", "heat"};
-  start.draft.version = 2;
+  ++start.draft.version;
   return start;
 }
 

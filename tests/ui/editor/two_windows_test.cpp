@@ -48,7 +48,7 @@ struct TwoWindows : ::testing::Test {
     start.published = *load_builtin("channel-1");
     start.published->specimen.voxel_mm = 0.4;  // so that it grows at once
     start.draft = *start.published;
-    start.draft.version = 2;
+    start.draft.version = start.published->version + 1;
     start.folder = drafts_folder(records.file(), start.draft.id).string();
     if (const auto draft = store.scenarios.draft(instructor.actor(), start.draft.id); draft && *draft) {
       start.kept = (*draft)->json;
@@ -159,7 +159,7 @@ TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_u
   ASSERT_TRUE(second->grown() || grown.wait(60'000));
   answer = false;
   second->publish_version();
-  EXPECT_EQ(asked, QStringList{QStringLiteral("Publish version 3")});
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Publish version 4")});
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 2u);
   answer = true;
   second->publish_version();
