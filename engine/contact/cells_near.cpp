@@ -8,7 +8,7 @@ namespace {
 
 /// Voxels that a point or an edge may stand outside its cell: a tenth, a quarter the specimen's own.
 constexpr float kOutside = 0.3f;
-/// Cosine of the steepest cylinders told apart slice by slice.
+/// Cosine of the steepest cylinders separated slice by slice.
 constexpr float kUpright = 0.5f;
 
 /// Bits of the cells along an axis that come within low..high.

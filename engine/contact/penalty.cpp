@@ -26,7 +26,7 @@ Penalty::Penalty(const Scene& scene, const Volume& volume)
     shell.radius_mm = bur.radius_mm;
     shell.reach_mm = head_reach(bur);
     shell.deepest_mm = std::min(2.0 * bur.radius_mm, bur.radius_mm + 0.5 * band_mm_);
-    // A flat end's points all come to the band's end at once: no deeper push can be told.
+    // A flat end's points all reach the band's end at once: a deeper push is not measured.
     if (!bur.head.ball()) shell.deepest_mm = band_mm_;
     shell.most = response(shell, shell.deepest_mm);
     shells_.push_back(std::move(shell));

@@ -1,4 +1,4 @@
-/// What a cell of the cut holds where surfaces meet, told by the strokes that made it: the bur's swept balls are known
+/// What a cell of the cut holds where surfaces meet, computed from the strokes that made it: the bur's swept balls are known
 /// exactly, while the field rounds the ridge between two of them and the corner where a ridge comes out at the mouth.
 /// Only where the strokes explain every sample that the cell's field is made of, at most 120 reach the brick and 12 shape
 /// the cell; elsewhere, as in a cavity of many short strokes, the field has to do. Thread: haptic.

@@ -21,7 +21,7 @@ constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 
 /// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
 /// along, curved: the curve's derivative there, and half the second derivative of the squared distance along it. False at
-/// the piece's end, and where all of it is further than far_mm (then nothing else is told).
+/// the piece's end, and where all of it is further than far_mm (then nothing else is computed).
 bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along,
                                 double& curved) noexcept {
   const Vec3 d = off;

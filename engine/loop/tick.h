@@ -57,7 +57,7 @@ class Ticker {
   /// Not on the haptic thread. `hand_over` outlives the ticker.
   Ticker(StepState state, HandOver& hand_over);
 
-  /// Haptic thread. Runs the step on the sample and says what the port is to be told. While paused or held it answers
+  /// Haptic thread. Runs the step on the sample and returns what the port gets. While paused or held it answers
   /// zero force at the last proxy and stores nothing. After it has ended: zero force, always.
   Feedback tick(const Sample& sample, std::uint32_t elapsed_us) noexcept;
   /// Haptic thread. Publishes the end; the next tick answers zero force.

@@ -185,7 +185,7 @@ inline Lanes look_there(const AtHand& hand, Lanes t, Lanes p, Lanes q2) noexcept
 }
 
 /// Distance of four places to all that the head passes on its way; `behind`: it mostly leaves them behind. Lanes that
-/// would take longer than a few looks are told in `unsure`.
+/// would take longer than a few looks are reported in `unsure`.
 inline Lanes passing(const AtHand& hand, const FourPlaces& at, bool behind, unsigned& unsure) noexcept {
   constexpr float kLevel = 2e-5f;  // voxels that an answer may be off
   const Lanes zero{}, one = all_lanes(1.0f);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kFirstMm = 0.05, kBesideMm = 0.0125, kLastMm = 0.006;
 constexpr double kBesideReachMm = 0.06;
 constexpr int kMostSteps = 64;
-/// Then along the crest of what the nearest strokes leave: no further than kCrestMm from where those are told.
+/// Then along the crest of what the nearest strokes leave: no further than kCrestMm from those strokes.
 constexpr double kGainMm = 0.004;     // that the crest is deeper than where steps to four sides end: measured 1.4 um at most
 constexpr double kCrestMm = 0.02, kCrestFirstMm = 0.008, kCrestLastMm = 1e-4, kCrestLeastMm = 0.002;
 constexpr int kCrestStrokes = 64, kCrestSteps = 32;
@@ -230,7 +230,7 @@ double PenetrationSearch::along_crest(Vec3 pose, double best, double enough_mm, 
   return seen.least > best ? seen.least : best;
 }
 
-/// All that the field has there must be told by the strokes: else tissue has gone without one that is known.
+/// The strokes must account for all that the field has there; otherwise an unknown one removed tissue.
 bool PenetrationSearch::known_from_strokes(Vec3 place) noexcept {
   const Grid& grid = volume_.grid();
   const IVec3 cell = cell_of_voxels((place - grid.origin_mm) / grid.voxel_mm);

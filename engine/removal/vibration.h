@@ -1,6 +1,5 @@
-/// What the hand feels of a cutting bur's turning. A handpiece turns 300 to 5800 times a second, and a force that is told
-/// 1000 times a second cannot say that: sampled as it is, it would come out as a false, slow beat. So only every n-th
-/// turn is told (subharmonic_of), which keeps the beat at 250 Hz or below, at least four samples to a wave, and in
+/// What the hand feels of a cutting bur's turning. A handpiece turns 300 to 5800 times a second, and a force sampled
+/// 1000 times a second would alias it to a false, slow beat. subharmonic_of therefore renders every n-th turn only, which keeps the beat at 250 Hz or below, at least four samples to a wave, and in
 /// proportion to the speed; the drilling sound has the true pitch. Where ticks come slower than that the wave fades out
 /// before it could fold over. Pure, exact arithmetic. Thread: haptic; wait-free. Figures are [M].
 #pragma once

@@ -5,7 +5,7 @@
 namespace cusp::engine {
 
 VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, std::span<const IVec3> hit, IVec3 step,
-                      double alpha, double dt_s, std::array<double, kTissueCodes>& owed) noexcept {
+                      double alpha, double dt_s, std::array<double, kTissueCodes>& remainder) noexcept {
   VoxelWear out;
   const Specimen& specimen = volume.specimen();
   std::array<int, kTissueCodes> count{};
@@ -15,9 +15,9 @@ VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, 
   for (std::size_t t = 1; t < kTissueCodes; ++t) {
     if (count[t] == 0) continue;
     const double speed = scene.tissues[t].speed_mm_s;
-    const double quanta = 65535.0 * alpha * speed * dt_s / (volume.grid().voxel_mm * diagonal) + owed[t];
+    const double quanta = 65535.0 * alpha * speed * dt_s / (volume.grid().voxel_mm * diagonal) + remainder[t];
     const auto whole = static_cast<std::int64_t>(std::floor(quanta));
-    owed[t] = quanta - static_cast<double>(whole);
+    remainder[t] = quanta - static_cast<double>(whole);
     if (whole <= 0) continue;
     for (const IVec3& v : hit) {
       if (index_of(specimen.tissue(v)) != t) continue;

@@ -18,9 +18,9 @@ struct VoxelWear {
 };
 
 /// D' = D - k_tool alpha 40 dt with D_tissue of eq. (6), as a fraction of the tissue's density, for every voxel that
-/// would hit one step further; on a diagonal (step: -1, 0 or 1 by axis) divided by its length in voxels. owed: wear
+/// would hit one step further; on a diagonal (step: -1, 0 or 1 by axis) divided by its length in voxels. remainder: wear
 /// below one quantum of s, a remainder for each tissue; kept from tick to tick.
 VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, std::span<const IVec3> hit, IVec3 step,
-                      double alpha, double dt_s, std::array<double, kTissueCodes>& owed) noexcept;
+                      double alpha, double dt_s, std::array<double, kTissueCodes>& remainder) noexcept;
 
 }  // namespace cusp::engine

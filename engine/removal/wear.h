@@ -37,7 +37,7 @@ struct FrontRing {
 /// Rings over the whole head, at most 24. Empty for a ball. Not for the haptic thread.
 std::vector<FrontRing> front_rings(const Profile& head);
 
-/// As above, of a head told by its rings, at a pose and an axis.
+/// As above, of a head given by its rings, at a pose and an axis.
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
                    Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept;
 

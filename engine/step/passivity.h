@@ -11,7 +11,7 @@
 ///   controller  a debt lowers `scale` by what it takes out of U; no velocity enters the force. What the hand puts in by
 ///               pressing on, against the spring and a damper that stands for what the spring lost, raises it again
 ///
-/// While nothing is owed scale is 1, and the force is exactly K (proxy - device). A delay has to be told
+/// While nothing is owed scale is 1, and the force is exactly K (proxy - device). A delay has to be given
 /// (GuardSettings::delay_ms): each motion is then held against the force that the device held by then. Thread: haptic.
 #pragma once
 
