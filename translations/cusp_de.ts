@@ -1056,8 +1056,8 @@
         <translation>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
     </message>
     <message>
-        <source>Of the hand&apos;s tremor</source>
-        <translation>Des Zitterns der Hand</translation>
+        <source>Of the scripted operator&apos;s tremor</source>
+        <translation>Des Zitterns des automatischen Bedieners</translation>
     </message>
     <message>
         <source>Print each second of the session to stderr as it is played</source>
@@ -1468,8 +1468,8 @@
         <translation>--device ist falcon, falcon:NAME oder emulated-falcon.</translation>
     </message>
     <message>
-        <source>An emulated Falcon needs a hand by name: expert, novice and so on.</source>
-        <translation>Ein nachgebildeter Falcon braucht eine Hand mit Namen: expert, novice und so weiter.</translation>
+        <source>An emulated Falcon needs a scripted operator by name: expert, novice and so on.</source>
+        <translation>Ein nachgebildeter Falcon braucht einen automatischen Bediener mit Namen: expert, novice und so weiter.</translation>
     </message>
     <message>
         <source>With the emulated Falcon: it answers nothing for 50 ms every so many seconds</source>

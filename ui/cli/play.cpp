@@ -51,7 +51,7 @@ DeviceChoice device_of(const std::string& text) {
 std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const SessionPlan& plan) {
   if (!can_play_live(device)) return wrong_usage(CliText::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
   if (device.kind == "emulated-falcon" && !operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    return wrong_usage(CliText::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
+    return wrong_usage(CliText::tr("An emulated Falcon needs a scripted operator by name: expert, novice and so on."));
   }
   return std::nullopt;
 }
@@ -140,7 +140,7 @@ void add_play(CLI::App& program, Job& job) {
                    help(CliText::tr("expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
-  verb->add_option("--seed", o->seed, help(CliText::tr("Of the hand's tremor")))->capture_default_str();
+  verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->capture_default_str();
   verb->add_flag("--progress", o->progress, help(CliText::tr("Print each second of the session to stderr as it is played")));
   verb->add_option("--device", o->device,
                    help(CliText::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
