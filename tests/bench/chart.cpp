@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/bench/accuracy.h"
+#include "tests/bench/heads.h"
 #include "tests/bench/pin.h"
 #include "tests/bench/program.h"
 #include "tests/bench/rate.h"
@@ -29,6 +30,7 @@ void sort_in(Evidence& to, const Report& report) {
     const bool full = row.sweep == kFullSweep;
     Report& kind = !row.measure.empty()     ? full ? to.removal_full : to.removal
                    : !row.case_name.empty() ? full ? to.stability_full : to.stability
+                   : !row.axis.empty()      ? to.heads
                    : row.volume_voxels >= 0 ? to.scale
                    : !row.task.empty()      ? to.rate
                                             : to.accuracy;
@@ -74,12 +76,13 @@ int failed(const ChartFailure& failure) {
 Evidence measure_all(const Options& options) {
   Evidence out;
   const Report here = empty_report();
-  out.accuracy = out.rate = out.scale = out.stability = out.removal = here;
+  out.accuracy = out.rate = out.scale = out.stability = out.removal = out.heads = here;
   out.accuracy.rows = accuracy_rows(options);
   out.rate.rows = rate_rows(options);
   out.scale.rows = scale_rows(options);
   out.stability.rows = stability_rows(options);
   out.removal.rows = removal_rows(options);
+  out.heads.rows = heads_rows(options);
   return out;
 }
 
@@ -91,7 +94,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
       files.emplace_back(name);
       continue;
     }
-    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull})
+    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "heads.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull})
       if (fs::exists(fs::path(name) / table, none)) files.push_back(fs::path(name) / table);
   }
   Evidence out;
@@ -107,6 +110,7 @@ std::map<std::string, std::string> tables_of(const Evidence& evidence) {
                                      {"scale.csv", &evidence.scale},
                                      {"stability.csv", &evidence.stability},
                                      {"removal.csv", &evidence.removal},
+                                     {"heads.csv", &evidence.heads},
                                      {kStabilityFull, &evidence.stability_full},
                                      {kRemovalFull, &evidence.removal_full}})
     if (!report->rows.empty()) out[name] = to_csv(*report);
@@ -139,7 +143,7 @@ int run_chart(const Options& options) {
   }
   if (!options.json.empty()) {
     Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
-    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.stability_full,
+    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.heads, &evidence.stability_full,
                                &evidence.removal_full})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
     if (const auto written = print_json(all, options.json); !written)

@@ -81,7 +81,8 @@ void Errors::fill(Row& row) {
   row.depth_um_p95 = percentile(depth_um_, 0.95);
   row.depth_um_max = depth_um_.back();
   row.pose_um_mean = mean(pose_um_);
-  row.pose_um_max = *std::max_element(pose_um_.begin(), pose_um_.end());
+  row.pose_um_p95 = percentile(pose_um_, 0.95);
+  row.pose_um_max = pose_um_.back();
   row.force_error_percent_rms = 100.0 * std::sqrt(error2_ / exact2_);
   if (!step_mn_.empty()) row.force_step_excess_mn_p99 = percentile(step_mn_, 0.99);
 }

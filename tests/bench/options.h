@@ -28,6 +28,8 @@ struct Options {
   std::vector<std::string> directions;  // removal
   std::vector<double> ticks_ms;         // removal
   std::vector<double> alphas;           // removal
+  std::vector<std::string> burs;        // heads: catalogue numbers
+  std::vector<std::string> axes;        // heads: fixed, turning, jitter
   bool full = false;                    // removal: full product, every bur; stability: k_max on every device
   std::vector<double> speeds_mm_s;
   std::vector<double> bur_radii_mm;

@@ -7,6 +7,8 @@
 
 #include "tests/bench/accuracy.h"
 #include "tests/bench/chart.h"
+#include "tests/bench/head_courses.h"
+#include "tests/bench/heads.h"
 #include "tests/bench/latency.h"
 #include "tests/bench/names.h"
 #include "tests/bench/options.h"
@@ -28,6 +30,7 @@ struct Verb {
 
 constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball bur", run_accuracy, false},
+    {"heads", "burs that are no balls, with a fixed and a turning axis, against the exact proxy", run_heads, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
     {"scale", "cost of a tick and memory of a scene from 128^3 to 1024^3 voxels", run_scale, false},
     {"stability", "largest stable stiffness and failures of every method, guard on and off",
@@ -39,7 +42,8 @@ constexpr Verb kVerbs[] = {
 
 void add_options(CLI::App& app, Options& options, const Verb& verb) {
   const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
-  const std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
+  std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
+  shapes.insert(shapes.end(), kHeadShapes.begin(), kHeadShapes.end());
   app.add_option("--method", options.methods, "only this method (repeatable)")->check(CLI::IsMember(methods));
   app.add_option("--shape", options.shapes, "only this shape (repeatable)")->check(CLI::IsMember(shapes));
   app.add_option("--motion", options.motions, "press or slide (repeatable)")
@@ -73,6 +77,9 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
       ->check(CLI::IsMember(direction_names()));
   app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
   app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
+  const std::vector<std::string> burs(kHeadBurs.begin(), kHeadBurs.end()), axes(kAxisMotions.begin(), kAxisMotions.end());
+  app.add_option("--bur", options.burs, "heads: only this catalogue number (repeatable)")->check(CLI::IsMember(burs));
+  app.add_option("--axis", options.axes, "heads: fixed, turning or jitter (repeatable)")->check(CLI::IsMember(axes));
   app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round bur at 0.1 mm, not all pairs; every bur of the "
                "catalogue. stability: k_max on every device, grip, friction and delay, and nothing else");
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));

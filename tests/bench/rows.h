@@ -27,12 +27,13 @@ struct Row {
   double damping_n_s_m = kAbsent;  // stability: damping of the device
   double friction_n = kAbsent;     // stability: Coulomb friction of the device
   double delay_ms = kAbsent;       // stability: from sample to force
-  std::string shape;               // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel
+  std::string shape;               // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel; heads: slot
   std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
   std::string motion;              // press, slide
+  std::string axis;                // heads: fixed, turning, jitter
   std::string task;                // rate: displacement, exploration, perforation
   std::string measure;             // removal: speed, mixed, depth, shape, volume, order, slide, ridge, tick
-  std::string bur;                // removal: its name, with the diameter
+  std::string bur;                // removal: its name, with the diameter; heads: shape and catalogue number
   std::string tissue;              // removal
   std::string direction;           // removal: +x-y, or the path of the bur
   double tick_ms = kAbsent;        // removal: length of a tick
@@ -69,7 +70,9 @@ struct Row {
   double lag_um_max = kAbsent;
   std::int64_t lag_worst_seed = -1;  // seed of the hole of lag_um_max
   double pose_um_mean = kAbsent;     // distance between the method's proxy and the exact one
+  double pose_um_p95 = kAbsent;
   double pose_um_max = kAbsent;
+  double apart_percent = kAbsent;             // heads: samples more than a voxel, at least 50 um, from the exact proxy
   double force_error_percent_rms = kAbsent;   // |force - exact| over the exact force's rms
   double force_step_excess_mn_p99 = kAbsent;  // change from tick to tick over the exact proxy's, p99
   double follow_ticks = kAbsent;              // where the exact minimum vanishes: ticks until the method follows, mean
@@ -136,6 +139,7 @@ void visit_identity(R& row, Visit& visit) {
   visit("shape", row.shape);
   visit("variant", row.variant);
   visit("motion", row.motion);
+  visit("axis", row.axis);
   visit("task", row.task);
 }
 
@@ -185,7 +189,9 @@ void visit_contact(R& row, Visit& visit) {
   visit("lag_um_max", row.lag_um_max);
   visit("lag_worst_seed", row.lag_worst_seed);
   visit("pose_um_mean", row.pose_um_mean);
+  visit("pose_um_p95", row.pose_um_p95);
   visit("pose_um_max", row.pose_um_max);
+  visit("apart_percent", row.apart_percent);
   visit("force_error_percent_rms", row.force_error_percent_rms);
   visit("force_step_excess_mn_p99", row.force_step_excess_mn_p99);
   visit("follow_ticks", row.follow_ticks);
