@@ -192,7 +192,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
     if (apart) to.load(samples, kWide, kWide * kWide);
     return apart;
   });
-  cells_resolved_ += resolved && crease.looked;
+  cells_resolved_ += resolved && crease.examined;
   Vec3 gradient(0.0);
   if (crease.kind == Creased::Kind::edge) {
     // A ridge between two cuts, where the specimen is solid.
@@ -221,7 +221,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
       if (other > -kBeside && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
     }
   }
-  if (!mouth) return resolved && crease.looked;
+  if (!mouth) return resolved && crease.examined;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
     add_edge(edge);

@@ -25,7 +25,7 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
   out.cell = static_cast<std::uint16_t>(normal.cell());
   out.edge = normal.edge();
   if (!normal.edge() && !normal.beside_edge()) return;
-  const BaseSurface::Sharp& sharp = surface.sharp(points, i);
+  const BaseSurface::EdgeDetail& sharp = surface.edge_detail(points, i);
   out.other_normal = sharp.vector;
   if (normal.edge()) {
     out.other_normal /= static_cast<float>(voxel_mm);

@@ -227,7 +227,7 @@ void StrokeCells::add_edges(int one, int other) noexcept {
 /// A piece of the edge between two surfaces, as far as no other one has taken it.
 void StrokeCells::add_edge(int one, int other, SharpEdge edge, double half) noexcept {
   if (feature_count_ == kMostFeatures) return;
-  lay_curve([&](Vec3 x, Vec3& g) { return depth(one, x, g); }, [&](Vec3 x, Vec3& g) { return depth(other, x, g); }, half, edge);
+  fit_curve([&](Vec3 x, Vec3& g) { return depth(one, x, g); }, [&](Vec3 x, Vec3& g) { return depth(other, x, g); }, half, edge);
   double from = -half, to = half;
   const auto place = [&](double t) { return edge.at + t * (edge.tangent + t * (edge.bend + t * (edge.twist + t * edge.fourth))); };
   const auto limit = [&](auto&& others) {

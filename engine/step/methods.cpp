@@ -28,8 +28,8 @@ class SurfaceMethod final : public ContactMethod {
     state.memory.break_path();
     return room && !carved.overflow;
   }
-  bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
-    const ChangedBox changed = engine::take_away(state.volume, voxels);
+  bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    const ChangedBox changed = engine::remove_voxels(state.volume, voxels);
     if (changed.any) state.surface->changed_unresolved(state.volume, changed.low, changed.high);
     return !changed.overflow;
   }

@@ -1,6 +1,7 @@
-/// A contact method, as the step runs it: contact, removal and raw force of a tick. A state makes its scene's method once.
-/// All that the next tick depends on stands in StepState::Inner (state_fields.h); a method caches only what follows from the
-/// scene and the volume. Thread: haptic, except for construction and reload(). The noexcept functions are wait-free.
+/// A contact method: contact, removal and raw force of a tick. StepState makes its scene's method once.
+/// StepState::Inner holds everything that the next tick depends on (state_fields.h); a method caches only figures of
+/// the scene and the volume. Thread: haptic, except for construction and reload(). The noexcept functions are
+/// wait-free.
 #pragma once
 
 #include <memory>
@@ -17,14 +18,14 @@ struct Tick {
   bool cut = false;
   double dt_s = 0.001;  // bounded by the guard's late limit
   double removal_factor = 1.0;  // share of the tissues' removal speeds that the spindle gives, [0, 1]
-  bool fragment_leaves = false; // this tick removes voxels of a severed fragment, so work that can wait is put off
+  bool fragment_leaves = false;  // this tick removes voxels of a severed fragment, so other work is deferred
 };
 
 class ContactMethod {
  public:
   virtual ~ContactMethod() = default;
 
-  /// Moves the proxy, removes what the bur wears and fills contact, force, tissue and flags of `out`.
+  /// Moves the proxy, removes worn material and fills contact, force, tissue and flags of `out`.
   virtual void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept = 0;
   /// Ends the stroke (fault, another bur). False if the volume had no room.
   virtual bool end_stroke(StepState::Inner& state) noexcept = 0;
@@ -33,7 +34,7 @@ class ContactMethod {
   /// See cut_along() of step.h.
   virtual bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept = 0;
   /// Removes a severed fragment's voxels (engine/volume/fragments.h). False if the volume had no room.
-  virtual bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept = 0;
+  virtual bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept = 0;
   /// The volume was replaced by a key state's: caches are made again. Not on the haptic thread.
   virtual void reload(StepState::Inner& state) = 0;
 };

@@ -1,6 +1,5 @@
-// One tick of the penalty and of the gradient proxy: contact, the bur's cut pose, contact again in the field that the
-// cut left. Removal follows the surface method (design, "Removal") in its plain form: carved every tick, and without a
-// memory of past poses.
+// One tick of the penalty and of the gradient proxy: contact, the cut pose, contact again in the cut field. Removal is
+// that of the surface method, but carves every tick and has no memory of past poses.
 #include <cmath>
 
 #include "engine/contact/friction.h"
@@ -69,13 +68,14 @@ class BandedMethod final : public ContactMethod {
     state.cut_valid = false;
     return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burs[bur], state.scene->tool_axis).overflow;
   }
-  bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
-    return !engine::take_away(state.volume, voxels).overflow;
+  bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    return !engine::remove_voxels(state.volume, voxels).overflow;
   }
   void reload(StepState::Inner&) override {}  // reads the volume itself
 
  private:
-  /// Eq. (4): takes the cut pose along, alpha speed dt further towards the device point, and carves its way.
+  /// Eq. (4): moves the cut pose with the proxy, advances it by alpha speed dt towards the device point, and carves the
+  /// sweep.
   void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick,
            StepOutput& out) noexcept {
     const Scene& scene = *state.scene;

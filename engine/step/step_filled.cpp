@@ -16,13 +16,13 @@ namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// K_T of eq. (3) as the scene's friction coefficient reads it: the push of the mean offset (about the bur's radius)
-/// is this share of the spring's, scaled by alpha, so that it vanishes with the contact.
+/// Eq. (3) with K_T from the scene's friction coefficient. The push of the mean offset (about the bur's radius) is this
+/// share of the spring's force. It is scaled by alpha, so that it vanishes with the contact.
 Vec3 tool_friction(const Scene& scene, const VoxelContact& contact, double stiffness, double alpha) noexcept {
   return contact.mean_offset_mm * (scene.friction_coefficient * stiffness * alpha);
 }
 
-/// What follows from the proxy, whichever method found it.
+/// Force and wear of a proxy.
 void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& contact, const Tick& tick,
             StepOutput& out) noexcept {
   const Scene& scene = *state.scene;
@@ -33,7 +33,7 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   out.contact = contact.touching && distance > 1e-9;
   if (!out.contact) return;
 
-  // K of what is touched: the mean over the voxels that would hit; the most frequent one names the tissue.
+  // K is the mean over the hit voxels; the most frequent tissue among them is the touched one.
   const Specimen& specimen = state.volume.specimen();
   std::array<int, kTissueCodes> count{};
   double sum = 0.0;
@@ -46,7 +46,7 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   for (std::size_t t = 1; t < count.size(); ++t)
     if (count[t] > count[most]) most = t;
   if (contact.hits == 0) {
-    // Held by the holder or round a corner: the softest tissue answers, so that nothing kicks.
+    // The holder alone touches, or the proxy is behind a corner: the softest tissue's stiffness avoids a kick.
     double least = 0.0;
     for (std::size_t t = 1; t < kTissueCodes; ++t) {
       const double k = scene.tissues[t].stiffness_n_per_mm;
@@ -87,8 +87,8 @@ class FilledMethod final : public ContactMethod {
   bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
     return finder_.overlap().remove_along(state.volume, bur, from_mm, to_mm);
   }
-  bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
-    return engine::take_away(state.volume, finder_.overlap().occupancy(), voxels);
+  bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    return engine::remove_voxels(state.volume, finder_.overlap().occupancy(), voxels);
   }
   void reload(StepState::Inner& state) override { finder_ = Finder(*state.scene, state.volume); }
 

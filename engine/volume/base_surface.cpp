@@ -9,10 +9,11 @@
 namespace cusp::engine {
 
 namespace {
-/// Outside an edge a distance is that to the edge, up to 0.3 voxel more than to either face.
+/// Voxels, summed over a cell's corners. Outside an edge the distance to the edge exceeds that to either face by up to
+/// 0.3 voxel.
 constexpr double kMostOff = 1.6;
 
-std::int16_t part(double n) noexcept { return static_cast<std::int16_t>(std::floor(n * 32767.0 + 0.5)); }
+std::int16_t in_32767ths(double n) noexcept { return static_cast<std::int16_t>(std::floor(n * 32767.0 + 0.5)); }
 
 /// Tissue of the most solid corner; ties go to the lowest.
 Tissue corner_tissue(const Specimen& specimen, IVec3 cell) noexcept {
@@ -42,37 +43,38 @@ BaseSurface BaseSurface::of(const Specimen& specimen) {
     if (values == nullptr) continue;
     const IVec3 corner = specimen.brick_at(b) * kBrickEdge;
     for (int o = 0; o < kBrickVoxels; ++o) {
-      // Further than a cell's diagonal from the surface.
-      if (values[o] < 11000 || values[o] > 54500) continue;
+      if (values[o] < 11000 || values[o] > 54500) continue;  // further than a cell's diagonal from the surface
       const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
       CellField field;
       field.load(specimen, corner + local);
       if (!field.crossed()) continue;
       Vec3 f, normal;
-      const Creased crease =
-          creased(field, kMostOff, [&](IVec3 offset, CellField& to) {
+      const auto load = [&](IVec3 offset, CellField& to) {
         to.load(specimen, corner + local + offset);
         return true;
-      }, true);
+      };
+      const Creased crease = creased(field, kMostOff, load, CreaseSearch::every_cell);
       const auto add = [&](Vec3 at, Vec3 direction, std::uint16_t flags) {
         out.x_.push_back(static_cast<float>(local.x + at.x));
         out.y_.push_back(static_cast<float>(local.y + at.y));
         out.z_.push_back(static_cast<float>(local.z + at.z));
-        out.normal_.push_back({part(direction.x), part(direction.y), part(direction.z), static_cast<std::uint16_t>(o | flags)});
+        out.normal_.push_back({in_32767ths(direction.x), in_32767ths(direction.y), in_32767ths(direction.z),
+                               static_cast<std::uint16_t>(o | flags)});
         out.tissue_.push_back(corner_tissue(specimen, corner + local));
       };
-      const auto sharp = [&](double other_d, Vec3 vector) {
-        out.sharp_.push_back({static_cast<std::uint32_t>(out.tissue_.size()), static_cast<float>(other_d), Vec3f(vector)});
+      const auto add_detail = [&](double other_d, Vec3 vector) {
+        out.edge_details_.push_back(
+            {static_cast<std::uint32_t>(out.tissue_.size()), static_cast<float>(other_d), Vec3f(vector)});
       };
       if (crease.kind == Creased::Kind::edge) {
-        sharp(0.0, crease.edge.bend);
+        add_detail(0.0, crease.edge.bend);
         add(crease.edge.at, crease.edge.tangent, BaseNormal::kEdge);
         for (int k = 0; k < crease.sides; ++k) {
-          sharp(crease.side[k].other_d, crease.side[k].other_normal);
+          add_detail(crease.side[k].other_d, crease.side[k].other_normal);
           add(crease.side[k].point, crease.side[k].normal, BaseNormal::kBesideEdge);
         }
       } else if (crease.kind == Creased::Kind::face) {
-        sharp(crease.other_d, crease.other_normal);
+        add_detail(crease.other_d, crease.other_normal);
         add(crease.point, crease.normal, BaseNormal::kBesideEdge);
       } else if (crease.kind == Creased::Kind::no && cell_point(field, f, normal)) {
         add(f, normal, 0);
@@ -89,10 +91,10 @@ BaseSurface BaseSurface::of(const Specimen& specimen) {
   return out;
 }
 
-const BaseSurface::Sharp& BaseSurface::sharp(const BasePoints& points, int i) const noexcept {
+const BaseSurface::EdgeDetail& BaseSurface::edge_detail(const BasePoints& points, int i) const noexcept {
   const std::uint32_t index = points.first + static_cast<std::uint32_t>(i);
-  return *std::lower_bound(sharp_.begin(), sharp_.end(), index,
-                           [](const Sharp& s, std::uint32_t wanted) { return s.index < wanted; });
+  return *std::lower_bound(edge_details_.begin(), edge_details_.end(), index,
+                           [](const EdgeDetail& d, std::uint32_t wanted) { return d.index < wanted; });
 }
 
 }  // namespace cusp::engine

@@ -1,5 +1,5 @@
-/// The surface points of a banded specimen, found once when it is loaded and shared: one for each crossed cell, or an
-/// edge where the cell is creased outwards; by brick, laid out for eight at a time. Immutable; any thread.
+/// Surface points of a banded specimen, found once at load and shared. Each crossed cell has a point, or an edge if the
+/// cell is creased outwards. By brick, in arrays for eight lanes. Immutable; any thread.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace cusp::engine {
 
 class Specimen;
 
-/// Unit normal out of the tissue (an edge's tangent) in 1/32767 (0.002 degrees; contact polishes it on the field), and
-/// the cell.
+/// Unit normal out of the tissue, or an edge's tangent, in 1/32767: 0.002 degrees, which contact polishes on the field.
+/// And the cell.
 struct BaseNormal {
   static constexpr std::uint16_t kEdge = 0x8000, kBesideEdge = 0x4000;
   std::int16_t x = 0, y = 0, z = 0;
@@ -23,16 +23,16 @@ struct BaseNormal {
   int cell() const noexcept { return place & 511; }
   bool edge() const noexcept { return (place & kEdge) != 0; }
   bool beside_edge() const noexcept { return (place & kBesideEdge) != 0; }
-  /// To single precision: on a diagonal the integers alone are longer by 1e-5, which a plane search takes for 5 nm of way
-  /// where the device stands 0.25 mm behind the plane.
+  /// To single precision. On a diagonal the integers alone are longer by 1e-5: 5 nm where the device is 0.25 mm behind
+  /// the plane.
   Vec3f unit() const noexcept {
     const Vec3f v(x, y, z);
     return v * (1.0f / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
   }
 };
 
-/// The points of one brick, in cell order: place i is (x[i], y[i], z[i]) in voxels from the brick's first voxel centre,
-/// rounded to 5e-7 voxel. Seven more of each array may be read (and mean nothing), so that eight lanes need no tail.
+/// The points of one brick, in cell order. Place i is (x[i], y[i], z[i]) in voxels from the brick's first voxel centre,
+/// rounded to 5e-7 voxel. x, y and z have seven unused values behind `count`, so that eight lanes need no tail.
 struct BasePoints {
   const float* x = nullptr;
   const float* y = nullptr;
@@ -40,7 +40,7 @@ struct BasePoints {
   const BaseNormal* normal = nullptr;
   const Tissue* tissue = nullptr;
   int count = 0;
-  std::uint32_t first = 0;  // of the whole surface's, for sharp()
+  std::uint32_t first = 0;  // of the whole surface's, for edge_detail()
 };
 
 class BaseSurface {
@@ -52,17 +52,18 @@ class BaseSurface {
     return {x_.data() + first, y_.data() + first, z_.data() + first, normal_.data() + first, tissue_.data() + first,
             static_cast<int>(first_[static_cast<std::size_t>(brick) + 1] - first), first_[static_cast<std::size_t>(brick)]};
   }
-  /// More of a point at or beside an edge. Pre: edge() or beside_edge().
-  struct Sharp {
+  /// Further figures of a point at or beside an edge.
+  struct EdgeDetail {
     std::uint32_t index = 0;
     float other_d = 0.0f;     // beside: of the point to the other face, negative inside; voxels
     Vec3f vector{0.0f};       // edge: bend in x(t) = place + tangent t + bend t^2, voxels; beside: the other face's normal
   };
-  const Sharp& sharp(const BasePoints& points, int i) const noexcept;
+  /// Pre: edge() or beside_edge() of point i.
+  const EdgeDetail& edge_detail(const BasePoints& points, int i) const noexcept;
   std::size_t size() const noexcept { return tissue_.size(); }
   std::size_t bytes() const noexcept {
-    return x_.size() * (3 * sizeof(float) + sizeof(BaseNormal)) + tissue_.size() + first_.size() * sizeof(std::uint32_t) +
-           sharp_.size() * sizeof(Sharp);
+    return x_.size() * (3 * sizeof(float) + sizeof(BaseNormal)) + tissue_.size() +
+           first_.size() * sizeof(std::uint32_t) + edge_details_.size() * sizeof(EdgeDetail);
   }
 
  private:
@@ -70,7 +71,7 @@ class BaseSurface {
   std::vector<BaseNormal> normal_;
   std::vector<Tissue> tissue_;
   std::vector<std::uint32_t> first_;  // [brick + 1]
-  std::vector<Sharp> sharp_;          // by rising index
+  std::vector<EdgeDetail> edge_details_;  // by rising index
 };
 
 }  // namespace cusp::engine

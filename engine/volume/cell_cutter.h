@@ -1,5 +1,5 @@
-/// One cell of a banded volume, cut by base and cut field into boxes, tetrahedra and faces: how is told in cut_volume.h, whose
-/// inside this is. Not for the haptic thread.
+/// One cell of a banded volume, cut by base and cut field into boxes, tetrahedra and faces. cut_volume.h describes the
+/// method; cut_volume.cpp alone includes this. Not for the haptic thread.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ inline Corner between(const Corner& a, const Corner& b, double Corner::* field) 
   return {a.p + t * (b.p - a.p), a.base + t * (b.base - a.base), a.cut + t * (b.cut - a.cut)};
 }
 
-/// Cuts a tetrahedron where `field` is 0: tetrahedra of the negative side to `solid`, the section to `section` (3 or 4
-/// corners in order round it).
+/// Cuts a tetrahedron where `field` is 0. `solid` receives tetrahedra of the negative side, `section` the section's 3
+/// or 4 corners in order round it.
 template <class Solid, class Section>
 void clip(const std::array<Corner, 4>& t, double Corner::* field, Solid&& solid, Section&& section) {
   std::array<int, 4> in{}, out{};
@@ -73,22 +73,23 @@ inline double tetrahedron_mm3(const Vec3& a, const Vec3& b, const Vec3& c, const
   return std::fabs(glm::dot(b - a, glm::cross(c - a, d - a))) / 6.0;
 }
 
-inline void emit_solid(const std::array<Corner, 4>& t, Tissue tissue, PieceSink& sink) {
+inline void emit_solid(const std::array<Corner, 4>& t, Tissue tissue, SolidSink& sink) {
   const double mm3 = tetrahedron_mm3(t[0].p, t[1].p, t[2].p, t[3].p);
   if (mm3 > 0.0) sink.tetrahedron({t[0].p, t[1].p, t[2].p, t[3].p}, mm3, tissue);
 }
-inline void emit_face(const std::array<Corner, 4>& c, int corners, Tissue tissue, PieceSink& sink) {
+inline void emit_face(const std::array<Corner, 4>& c, int corners, Tissue tissue, SolidSink& sink) {
   for (std::size_t i = 2; i < static_cast<std::size_t>(corners); ++i) {
     const double mm2 = 0.5 * glm::length(glm::cross(c[i - 1].p - c[0].p, c[i].p - c[0].p));
     if (mm2 > 0.0) sink.face({c[0].p, c[i - 1].p, c[i].p}, mm2, tissue);
   }
 }
 
-/// Further from the surface than this, in voxels, a cell's corners are not looked at more closely: between corners the
-/// surface of the least radius that can be meant (3 voxels) rises by at most 0.25 (diagonal sqrt 3, sagitta d²/8r = 0.125).
+/// No surface crosses a cell whose corners are all further from it than this, in voxels. Between corners the surface of
+/// the least resolved radius (3 voxels) rises by at most 0.25 (diagonal sqrt 3, sagitta d²/8r = 0.125).
 inline constexpr double kNearVoxels = 0.3;
 
-/// Cells that bend more, voxels, are looked at for an edge; and by how much their corners may be off two faces, summed.
+/// Cells that bend more are searched for an edge. kMostOff: difference of their corners from two faces, summed. Both in
+/// voxels.
 inline constexpr double kBent = 0.2, kMostOff = 1.6;
 /// Normals that differ by less are no edge: cosine of 45 degrees.
 inline constexpr double kEdgeCosine = 0.7;
@@ -101,7 +102,7 @@ class Lattice {
     value_ = value;
   }
   void sample(const CellField& field, double sign) noexcept {
-    constant_ = sharp_ = false;
+    constant_ = edge_ = false;
     field_ = &field;
     sign_ = sign;
     Vec3 g;
@@ -110,22 +111,23 @@ class Lattice {
         for (int i = 0; i < 3; ++i)
           at_[static_cast<std::size_t>(i + 3 * (j + 3 * k))] = sign * field.eval(Vec3(i, j, k) * 0.5, g);
   }
-  /// Where two faces meet in a sharp edge, their own places instead of the field's: `of` tells them by fractions of the cell.
-  template <class Of>
-  void sample_edge(const Of& of) noexcept {
-    constant_ = sharp_ = false;
+  /// For a cell with a sharp edge: distances to the two faces that meet there instead of the field's. distance: of a
+  /// place in fractions of the cell.
+  template <class Distance>
+  void sample_edge(const Distance& distance) noexcept {
+    constant_ = false;
+    edge_ = true;
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) at_[static_cast<std::size_t>(i + 3 * (j + 3 * k))] = of(Vec3(i, j, k) * 0.5);
-    sharp_ = true;
+        for (int i = 0; i < 3; ++i) at_[static_cast<std::size_t>(i + 3 * (j + 3 * k))] = distance(Vec3(i, j, k) * 0.5);
   }
   double at(IVec3 l) const noexcept {
     return constant_ ? value_ : at_[static_cast<std::size_t>(l.x + 3 * (l.y + 3 * l.z))];
   }
-  /// What to add to the corners of an octant, so that the mean of the six linear tetrahedra becomes the field's own mean
-  /// (for a quadratic: two thirds of the centre and a third of the corners' mean). 0 where nothing crosses.
+  /// Shift of an octant's corners that makes the mean of the six linear tetrahedra the field's own mean. A quadratic's
+  /// mean is two thirds of the centre and a third of the corners' mean. 0 if no surface crosses.
   double shift(const std::array<double, 8>& corner, IVec3 octant) const noexcept {
-    if (constant_ || sharp_) return 0.0;
+    if (constant_ || edge_) return 0.0;
     double sum = 0.0, least = corner[0], most = corner[0];
     for (const double c : corner) {
       sum += c;
@@ -140,7 +142,7 @@ class Lattice {
   }
 
  private:
-  bool constant_ = true, sharp_ = false;
+  bool constant_ = true, edge_ = false;
   double value_ = 0, sign_ = 1;
   const CellField* field_ = nullptr;
   std::array<double, 27> at_{};
@@ -152,73 +154,83 @@ inline constexpr std::array<std::array<std::size_t, 4>, 6> kTetrahedra = {
 
 class CellCutter {
  public:
-  CellCutter(const Specimen& specimen, const Volume* volume, PieceSink& sink)
+  CellCutter(const Specimen& specimen, const Volume* volume, SolidSink& sink)
       : specimen_(specimen), volume_(volume), sink_(sink) {}
 
   void cell(IVec3 cell) {
-    double base_least = 1e9, base_most = -1e9, cut_least = 1e9, cut_most = -1e9;
-    for (int i = 0; i < 8; ++i) {
-      const IVec3 v = cell + IVec3(i & 1, i >> 1 & 1, i >> 2);
-      const double b = distance_from_solid(specimen_.s(v));
-      base_least = std::fmin(base_least, b);
-      base_most = std::fmax(base_most, b);
-      if (volume_ == nullptr) continue;
-      const double c = -distance_from_solid(volume_->cut(v));
-      cut_least = std::fmin(cut_least, c);
-      cut_most = std::fmax(cut_most, c);
-    }
-    if (volume_ == nullptr) cut_least = cut_most = -kBandVoxels;
-    if (base_least > kNearVoxels || cut_least > kNearVoxels) return;
-
+    const Range base = base_range(cell), cut = cut_range(cell);
+    if (base.least > kNearVoxels || cut.least > kNearVoxels) return;
     const Grid& grid = specimen_.grid();
     low_ = grid.centre_mm(cell);
     half_mm_ = 0.5 * grid.voxel_mm;
     sink_.cell(low_, low_ + grid.voxel_mm);
-    bool one_tissue = true;
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 8; ++i)
       tissue_[static_cast<std::size_t>(i)] = specimen_.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-      one_tissue = one_tissue && tissue_[static_cast<std::size_t>(i)] == tissue_[0];
-    }
-    if (base_most < -kNearVoxels && cut_most < -kNearVoxels) {
-      if (one_tissue) {
-        sink_.box(low_, low_ + grid.voxel_mm, tissue_[0]);
-      } else {
-        for (int o = 0; o < 8; ++o) octant_box(o);
-      }
+    if (base.most < -kNearVoxels && cut.most < -kNearVoxels) {
+      whole_cell();
       return;
     }
     fill_empty_tissues(cell);
-    base_.fill(base_most);
-    if (base_most >= -kNearVoxels) {
+    base_.fill(base.most);
+    if (base.most >= -kNearVoxels) {
       base_field_.load(specimen_, cell);
       base_.sample(base_field_, 1.0);
     }
-    cut_.fill(cut_most);
-    if (cut_most >= -kNearVoxels) {
+    cut_.fill(cut.most);
+    if (cut.most >= -kNearVoxels) {
       cut_field_.load(*volume_, Field::cut, cell);
       cut_.sample(cut_field_, -1.0);
-      if (cut_field_.crossed() && cut_field_.most_bent() > kBent) sharpen(cell);
+      if (cut_field_.crossed() && cut_field_.most_bent() > kBent) sample_cut_edge(cell);
     }
     for (int o = 0; o < 8; ++o) octant(o);
   }
 
  private:
-  /// The void's samples as tissue has them: positive outside.
+  /// Least and largest corner of a field, signed as in Corner.
+  struct Range {
+    double least = 1e9, most = -1e9;
+    void add(double d) noexcept {
+      least = std::fmin(least, d);
+      most = std::fmax(most, d);
+    }
+  };
+  Range base_range(IVec3 cell) const noexcept {
+    Range out;
+    for (int i = 0; i < 8; ++i) out.add(distance_from_solid(specimen_.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2))));
+    return out;
+  }
+  Range cut_range(IVec3 cell) const noexcept {
+    if (volume_ == nullptr) return {-kBandVoxels, -kBandVoxels};
+    Range out;
+    for (int i = 0; i < 8; ++i) out.add(-distance_from_solid(volume_->cut(cell + IVec3(i & 1, i >> 1 & 1, i >> 2))));
+    return out;
+  }
+  /// A cell that no surface crosses: one box, or one for each octant if tissues differ.
+  void whole_cell() {
+    bool one_tissue = true;
+    for (const Tissue t : tissue_) one_tissue = one_tissue && t == tissue_[0];
+    if (one_tissue) {
+      sink_.box(low_, low_ + specimen_.grid().voxel_mm, tissue_[0]);
+    } else {
+      for (int o = 0; o < 8; ++o) octant_box(o);
+    }
+  }
+  /// The cut field's samples with the sign of the base field: positive outside the tissue.
   void load_turned(IVec3 cell, CellField& to) const {
     std::array<double, 64> d;
     for (int i = 0; i < 64; ++i)
       d[static_cast<std::size_t>(i)] = -distance_from_solid(volume_->cut(cell - 1 + IVec3(i & 3, i >> 2 & 3, i >> 4)));
     to.load(d.data(), 4, 16);
   }
-  /// Where a head's rim or corner has left a sharp one, the field rounds it: the faces beside it do not.
-  void sharpen(IVec3 cell) {
+  /// A head's rim or corner leaves a sharp edge. The field rounds it; the faces beside it do not.
+  void sample_cut_edge(IVec3 cell) {
     CellField turned;
     load_turned(cell, turned);
-    const Creased crease = creased(
-        turned, kMostOff, [&](IVec3 offset, CellField& to) {
-          load_turned(cell + offset, to);
-          return true;
-        }, true);
+    const auto load = [&](IVec3 offset, CellField& to) {
+      load_turned(cell + offset, to);
+      return true;
+    };
+    const Creased crease = creased(turned, kMostOff, load, CreaseSearch::every_cell);
     if (crease.kind == Creased::Kind::face) {
       if (glm::dot(crease.normal, crease.other_normal) > kEdgeCosine) return;
       cut_.sample_edge([&](Vec3 f) {
@@ -240,7 +252,7 @@ class CellCutter {
     const Vec3 low = low_ + half_mm_ * Vec3(o & 1, o >> 1 & 1, o >> 2);
     sink_.box(low, low + half_mm_, tissue_[static_cast<std::size_t>(o)]);
   }
-  /// A voxel outside the band has no tissue of its own; a corrected field can still bulge into its octant.
+  /// A voxel outside the band has no tissue of its own. A corrected field can still reach into its octant.
   void fill_empty_tissues(IVec3 cell) {
     int best = -1;
     Tissue tissue = Tissue::empty;
@@ -283,28 +295,26 @@ class CellCutter {
       return;
     }
     const Tissue tissue = tissue_[static_cast<std::size_t>(o)];
-    for (const auto& path : kTetrahedra) {
-      const std::array<Corner, 4> t{corner[path[0]], corner[path[1]], corner[path[2]], corner[path[3]]};
+    for (const auto& path : kTetrahedra)
+      tetrahedron({corner[path[0]], corner[path[1]], corner[path[2]], corner[path[3]]}, tissue);
+  }
+  /// Without a volume: the specimen's part and its surface. Else the part that was removed and the surface that the cut
+  /// left.
+  void tetrahedron(const std::array<Corner, 4>& t, Tissue tissue) {
+    const auto solid = [&](const std::array<Corner, 4>& inside) { emit_solid(inside, tissue, sink_); };
+    const auto section = [&](const std::array<Corner, 4>& c, int corners) { emit_face(c, corners, tissue, sink_); };
+    if (volume_ == nullptr) {
+      clip(t, &Corner::base, solid, section);
+    } else {
       clip(
-          t, &Corner::base,
-          [&](const std::array<Corner, 4>& inside) {
-            if (volume_ == nullptr) {
-              emit_solid(inside, tissue, sink_);
-              return;
-            }
-            clip(
-                inside, &Corner::cut, [&](const std::array<Corner, 4>& gone) { emit_solid(gone, tissue, sink_); },
-                [&](const std::array<Corner, 4>& c, int corners) { emit_face(c, corners, tissue, sink_); });
-          },
-          [&](const std::array<Corner, 4>& c, int corners) {
-            if (volume_ == nullptr) emit_face(c, corners, tissue, sink_);
-          });
+          t, &Corner::base, [&](const std::array<Corner, 4>& inside) { clip(inside, &Corner::cut, solid, section); },
+          [](const std::array<Corner, 4>&, int) {});
     }
   }
 
   const Specimen& specimen_;
   const Volume* volume_;
-  PieceSink& sink_;
+  SolidSink& sink_;
   Vec3 low_{0.0};
   double half_mm_ = 0;
   std::array<Tissue, 8> tissue_{};

@@ -1,7 +1,7 @@
-/// The trilinear field of one cell, corrected by its second differences, so that a quadratic is exact: what a distance
-/// needs to be known a thousand times finer than a voxel. Wait-free; only + - * / and comparisons.
-/// A second difference whose stencil touches a clamped sample is not used; of two that disagree by more than 0.2 voxel
-/// the smaller is taken (essentially non-oscillatory), so that a crease does not reach into its neighbour.
+/// The trilinear field of one cell, corrected by its second differences, so that a quadratic is exact. A distance is
+/// then known a thousand times finer than a voxel. Wait-free; only + - * / and comparisons. A second difference whose
+/// stencil touches a clamped sample is not used. Of two that differ by more than 0.2 voxel the smaller is taken
+/// (essentially non-oscillatory). A crease then does not reach into its neighbour.
 #pragma once
 
 #include <cmath>
@@ -75,14 +75,14 @@ class CellField {
   double sample(int x, int y, int z) const noexcept { return d_[kFirstCorner + x + 4 * y + 16 * z]; }
   /// Distance at corner i: bits of i are x, y, z.
   double at_corner(int i) const noexcept { return corner(i); }
-  /// True when the surface d = 0 passes between the corners.
+  /// True if the surface d = 0 passes between the corners.
   bool crossed() const noexcept {
     const bool first = corner(0) > 0.0;
     for (int i = 1; i < 8; ++i)
       if ((corner(i) > 0.0) != first) return true;
     return false;
   }
-  /// True when every corner is inside the band, so that d is a distance and not a bound.
+  /// True if every corner is inside the band, so that d is a distance and not a bound.
   bool in_band() const noexcept {
     for (int i = 0; i < 8; ++i)
       if (clamped(corner(i))) return false;
@@ -126,7 +126,7 @@ class CellField {
   }
 
  private:
-  /// Where a brick's samples stand: 512 values, or one for all.
+  /// A brick's samples: 512 values, or one for all.
   struct Source {
     const std::uint16_t* values = nullptr;
     std::uint16_t uniform = 0;
@@ -189,7 +189,7 @@ class CellField {
       const double gap = a > b ? a - b : b - a;
       const double flatter = std::fabs(a) < std::fabs(b) ? a : b;
       if (gap <= kFlatGap || (gap <= kCreaseGap && std::fabs(flatter) >= kFlat)) return 0.5 * (a + b);
-      crease_near_ = crease_near_ || a > kSharp || b > kSharp;
+      crease_near_ = crease_near_ || a > kOuterEdge || b > kOuterEdge;
       return flatter;
     }
     return a_ok ? a : b_ok ? b : 0.0;
@@ -209,12 +209,13 @@ class CellField {
 
   static constexpr int kFirstCorner = 1 + 4 + 16;
 
-  /// Second differences (voxels) that differ more see a crease on one side.
+  /// Second differences (voxels) that differ by more have a crease on one side.
   static constexpr double kCreaseGap = 0.2;
-  /// ... or this much, where one side is flat: a face beside an edge. A ball of three voxels has no such places.
+  /// The same where one side is flat: a face beside an edge. A ball of three voxels has no such places.
   static constexpr double kFlatGap = 0.02, kFlat = 0.01;
-  /// ... and this one an outer edge of 17 degrees or more; a flatter one is rounded by less than 0.04 voxel.
-  static constexpr double kSharp = 0.3;
+  /// A second difference above this is an outer edge of 17 degrees or more; a flatter edge is rounded by less than 0.04
+  /// voxel.
+  static constexpr double kOuterEdge = 0.3;
 
   double d_[64];
   double second_[3][4];
@@ -238,8 +239,8 @@ inline IVec3 cell_of_voxels(Vec3 x) noexcept {
   return cell;
 }
 
-/// Cells of both fields that were read last, so that a polish pays once for the cell that it stays in. A cache only:
-/// the answers are those of the field. Not for sharing between threads.
+/// Cache of the cells of both fields that were read last: a polish loads the cell that it stays in once. The answers
+/// are the field's. Thread: one.
 class FieldCells {
  public:
   /// The corrected field at a place in mm.
@@ -270,7 +271,7 @@ class FieldCells {
     }
     return out;
   }
-  /// The cut has changed (or the whole volume).
+  /// To be called when the cut, or the whole volume, has changed.
   void forget_cut() noexcept {
     for (Entry& e : entry_) e.valid = e.valid && e.field != Field::cut;
   }
@@ -286,8 +287,9 @@ class FieldCells {
   Entry entry_[kEntries];
 };
 
-/// The surface point of a crossed cell: Newton on the cell's own polynomial from the foot of its centre on the corners'
-/// mean plane, kept within 0.6 voxel of the centre. In fractions of the cell; false where it does not come to d = 0 there.
+/// The surface point of a crossed cell, in fractions of the cell, by Newton on the cell's own polynomial. The start is
+/// the centre's foot on the corners' mean plane. The point stays within 0.6 voxel of the centre. False if d does not
+/// come to 0 there.
 inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal, double* steepness = nullptr) noexcept {
   Vec3 g(0.0);
   const double middle = field.mean_plane(g);

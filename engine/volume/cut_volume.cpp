@@ -8,8 +8,8 @@ namespace cusp::engine {
 
 namespace {
 
-/// The paper's reading: a voxel is a cube. volume == nullptr: what the specimen held; else what is gone from it.
-void filled_pieces(const Specimen& specimen, const Volume* volume, int brick, PieceSink& sink) {
+/// The paper's reading: a voxel is a cube. volume == nullptr: the specimen's voxels; else those that were removed.
+void emit_filled(const Specimen& specimen, const Volume* volume, int brick, SolidSink& sink) {
   const Grid& grid = specimen.grid();
   const IVec3 corner = specimen.brick_at(brick) * kBrickEdge;
   const auto taken = [&](IVec3 v) { return specimen.s(v) > 0 && (volume == nullptr || volume->s(v) == 0); };
@@ -50,7 +50,7 @@ void each_cell(const Specimen& specimen, int brick, Visit&& visit) {
       for (int x = low.x; x < high.x; ++x) visit(IVec3(x, y, z));
 }
 
-/// True when a brick that this one's cells read fulfils the test.
+/// True if a brick that this one's cells read passes the test.
 template <class Test>
 bool any_of_eight(const Specimen& specimen, int brick, Test&& test) {
   const IVec3 at = specimen.brick_at(brick);
@@ -61,7 +61,7 @@ bool any_of_eight(const Specimen& specimen, int brick, Test&& test) {
   return false;
 }
 
-class Adder final : public PieceSink {
+class Adder final : public SolidSink {
  public:
   explicit Adder(SolidMeasure& sum) : sum_(sum) {}
   void cell(Vec3, Vec3) override {}
@@ -83,21 +83,21 @@ int brick_total(const Specimen& specimen) {
 
 }  // namespace
 
-void base_pieces(const Specimen& specimen, int brick, PieceSink& sink) {
+void emit_specimen(const Specimen& specimen, int brick, SolidSink& sink) {
   if (!any_of_eight(specimen, brick, [&](int b) { return !specimen.uniform(b) || specimen.s_in(b, 0) != 0; })) return;
   if (specimen.reading() == Reading::filled) {
-    filled_pieces(specimen, nullptr, brick, sink);
+    emit_filled(specimen, nullptr, brick, sink);
     return;
   }
   cell_cutter::CellCutter cutter(specimen, nullptr, sink);
   each_cell(specimen, brick, [&](IVec3 cell) { cutter.cell(cell); });
 }
 
-void removed_pieces(const Volume& volume, int brick, PieceSink& sink) {
+void emit_removed(const Volume& volume, int brick, SolidSink& sink) {
   const Specimen& specimen = volume.specimen();
   if (!any_of_eight(specimen, brick, [&](int b) { return volume.has_cut(b); })) return;
   if (specimen.reading() == Reading::filled) {
-    if (volume.has_cut(brick)) filled_pieces(specimen, &volume, brick, sink);
+    if (volume.has_cut(brick)) emit_filled(specimen, &volume, brick, sink);
     return;
   }
   cell_cutter::CellCutter cutter(specimen, &volume, sink);
@@ -113,14 +113,14 @@ double SolidMeasure::total_mm3() const noexcept {
 SolidMeasure specimen_solid(const Specimen& specimen) {
   SolidMeasure sum;
   Adder adder(sum);
-  for (int b = 0; b < brick_total(specimen); ++b) base_pieces(specimen, b, adder);
+  for (int b = 0; b < brick_total(specimen); ++b) emit_specimen(specimen, b, adder);
   return sum;
 }
 
 SolidMeasure removed_solid(const Volume& volume) {
   SolidMeasure sum;
   Adder adder(sum);
-  for (int b = 0; b < brick_total(volume.specimen()); ++b) removed_pieces(volume, b, adder);
+  for (int b = 0; b < brick_total(volume.specimen()); ++b) emit_removed(volume, b, adder);
   return sum;
 }
 

@@ -1,5 +1,5 @@
 // Finds severed fragments: components grow from the changed bricks, the smallest first, until only one of each original
-// component still grows. A cut that severs nothing costs its own bricks; one that does, the smaller side.
+// component still grows. Cost: the changed bricks, and the smaller side of a severing cut.
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -32,7 +32,7 @@ class Groups {
     }
     return i;
   }
-  /// The lower one stays.
+  /// Returns the lower of the two.
   int join(int a, int b) {
     a = of(a), b = of(b);
     if (a > b) std::swap(a, b);
@@ -69,24 +69,16 @@ class Search {
     std::vector<std::int32_t> bricks = around(changed);
     for (const std::int32_t brick : bricks)
       for (const int part : open(brick)) begin(part);
-    // A step of each: parts of one component meet at once.
+    // One step of each: parts of one component join at once.
     const auto first = static_cast<int>(parts_.size());
     for (int part = 0; part < first; ++part)
       if (frontier_.contains(groups_.of(parts_[static_cast<std::size_t>(part)].group))) grow(part);
     if (size_.size() < 2) return {};
     find_origins(bricks, first);
     for (;;) {
-      // Of each origin the groups; the smallest that still grows, while more than one does.
       std::map<int, std::vector<int>> by_origin;
       for (const auto& [group, size] : size_) by_origin[origin_[group]].push_back(group);
-      int best = -1;
-      for (const auto& [of, groups] : by_origin) {
-        int growing = 0;
-        for (const int g : groups) growing += frontier_[g].empty() ? 0 : 1;
-        if (growing < 2) continue;
-        for (const int g : groups)
-          if (!frontier_[g].empty() && (best < 0 || size_[g] < size_[best])) best = g;
-      }
+      const int best = smallest_growing(by_origin);
       if (best < 0) return names(by_origin);
       const int part = frontier_[best].front();
       frontier_[best].pop_front();
@@ -95,7 +87,20 @@ class Search {
   }
 
  private:
-  /// The changed bricks and those beside them (a voxel that goes at a brick's edge severs what lies in the next), sorted.
+  /// The smallest group that grows among origins with two or more growing groups; -1: none.
+  int smallest_growing(const std::map<int, std::vector<int>>& by_origin) {
+    int best = -1;
+    for (const auto& [origin, groups] : by_origin) {
+      int growing = 0;
+      for (const int g : groups) growing += frontier_[g].empty() ? 0 : 1;
+      if (growing < 2) continue;
+      for (const int g : groups)
+        if (!frontier_[g].empty() && (best < 0 || size_[g] < size_[best])) best = g;
+    }
+    return best;
+  }
+  /// The changed bricks and their neighbours, sorted: a voxel removed at a brick's edge can sever tissue of the next
+  /// brick.
   std::vector<std::int32_t> around(std::span<const std::int32_t> changed) const {
     std::vector<std::int32_t> out;
     for (const std::int32_t brick : changed) {
@@ -150,18 +155,18 @@ class Search {
         }
         const int theirs = groups_.of(o.group);
         if (theirs == group) continue;
-        const int one = groups_.join(group, theirs), gone = one == group ? theirs : group;
-        size_[one] += size_[gone];
-        frontier_[one].insert(frontier_[one].end(), frontier_[gone].begin(), frontier_[gone].end());
-        size_.erase(gone);
-        frontier_.erase(gone);
-        group = one;
+        const int kept = groups_.join(group, theirs), joined = kept == group ? theirs : group;
+        size_[kept] += size_[joined];
+        frontier_[kept].insert(frontier_[kept].end(), frontier_[joined].begin(), frontier_[joined].end());
+        size_.erase(joined);
+        frontier_.erase(joined);
+        group = kept;
       }
     }
   }
 
-  /// Assigns each group the specimen's component that it was cut from, connected within `bricks`: what was connected before
-  /// the last cut is connected in them.
+  /// Assigns each group its origin: the specimen's component, within `bricks`, that it was cut from. Tissue that was
+  /// connected before the last cut is connected within `bricks`.
   void find_origins(const std::vector<std::int32_t>& bricks, int parts) {
     Groups solids;
     std::map<int, std::vector<std::pair<BrickVoxelSet, int>>> of;  // [brick]
@@ -191,7 +196,7 @@ class Search {
   std::vector<std::uint32_t> names(const std::map<int, std::vector<int>>& by_origin) {
     std::vector<int> severed;
     for (const auto& [of, groups] : by_origin) {
-      // What still grows is the largest; else the largest by count, the first of equals.
+      // The largest stays: the group that still grows, or else the first with the highest count.
       int stays = groups.front();
       for (const int g : groups) {
         const auto rank = [this](int x) { return std::pair(!frontier_[x].empty(), size_[x]); };
@@ -206,7 +211,7 @@ class Search {
       const int group = groups_.of(part.group);
       if (std::find(severed.begin(), severed.end(), group) == severed.end()) continue;
       BrickVoxelSet left = part.voxels;
-      // The lower half of a name is never 0.
+      // The lower half of a name must not be 0.
       if ((voxel_name(part.brick, left.first()) & 0x7fffu) == 0) left.slice[0] &= ~std::uint64_t{1};
       if (left.empty()) continue;
       const std::uint32_t own = voxel_name(part.brick, left.first());

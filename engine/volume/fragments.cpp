@@ -14,8 +14,8 @@ constexpr std::uint64_t kLowX = 0x0101010101010101ull, kHighX = kLowX << 7;
 std::uint64_t grown_x(std::uint64_t s) noexcept { return s | (s & ~kLowX) >> 1 | (s & ~kHighX) << 1; }
 std::uint64_t grown_y(std::uint64_t s) noexcept { return s | s << 8 | s >> 8; }
 
-/// C about a voxel that goes, by how far away (0 to 3 voxels along each axis): outside a ball. What a cell reads that its
-/// surface crosses lies within.
+/// C about a removed voxel, by the distance along each axis (0 to 3 voxels): the outside of a ball. A cell that the
+/// ball's surface crosses reads no voxel further away.
 struct Stamp {
   static constexpr int kReach = 3;
   static constexpr int kSide = kReach + 1;
@@ -29,9 +29,9 @@ struct Stamp {
   static std::size_t place(int x, int y, int z) noexcept { return static_cast<std::size_t>(x + kSide * (y + kSide * z)); }
   std::uint16_t at(int x, int y, int z) const noexcept { return value[place(x, y, z)]; }
 };
-/// Beside tissue that stays: as far as the next voxel's centre.
+/// Beside tissue that stays: to the next voxel's centre.
 const Stamp kBeside(1.0);
-/// Else: as far as the fragment's surface can stand off its outermost centres, at a corner.
+/// Elsewhere: the most that a fragment's surface is from its outermost centres, at a corner.
 const Stamp kClear(1.75);
 
 BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16_t* cut) noexcept {
@@ -45,19 +45,16 @@ BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16
       return out;
     }
   }
-  std::array<std::uint8_t, kBrickVoxels> is{};
-  const auto mark = [&is, least](const std::uint16_t* values, bool first) {
-    for (std::size_t i = 0; i < kBrickVoxels; ++i) {
-      const auto here = static_cast<std::uint8_t>(values[i] >= least);
-      is[i] = first ? here : static_cast<std::uint8_t>(is[i] & here);
-    }
-  };
-  if (base != nullptr) mark(base, true);
-  if (cut != nullptr) mark(cut, base == nullptr);
+  std::array<std::uint8_t, kBrickVoxels> occupied{};
+  const std::uint16_t* first = base != nullptr ? base : cut;
+  for (std::size_t i = 0; i < kBrickVoxels; ++i) occupied[i] = static_cast<std::uint8_t>(first[i] >= least);
+  if (base != nullptr && cut != nullptr)
+    for (std::size_t i = 0; i < kBrickVoxels; ++i)
+      occupied[i] = static_cast<std::uint8_t>(occupied[i] & static_cast<std::uint8_t>(cut[i] >= least));
   for (std::size_t z = 0; z < 8; ++z)
     for (std::size_t y = 0; y < 8; ++y) {
       std::uint64_t row;
-      std::memcpy(&row, &is[z * 64 + y * 8], 8);
+      std::memcpy(&row, &occupied[z * 64 + y * 8], 8);
       // Eight bytes of 0 or 1 to eight bits: byte i to bit i.
       const std::uint64_t bits = std::endian::native == std::endian::little ? row * 0x0102040810204080ull >> 56
                                                                            : row * 0x8040201008040201ull >> 56;
@@ -66,7 +63,7 @@ BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16
   return out;
 }
 
-/// Whether tissue that stays takes part in a cell that a voxel is a corner of, about one brick.
+/// Whether a voxel about one brick has occupied voxels within one voxel of it: tissue that stays.
 class NearTissue {
  public:
   NearTissue(const Volume& volume, IVec3 brick) noexcept : volume_(volume), low_((brick - 1) * kBrickEdge) {
@@ -91,7 +88,7 @@ class NearTissue {
     const IVec3 at = v - low_;
     if (glm::all(glm::greaterThan(at, IVec3(0))) && glm::all(glm::lessThan(at, IVec3(kSide - 1))))
       return beside_[place(at.y, at.z)] >> at.x & 1;
-    for (int i = 0; i < 27; ++i)  // of a crumb that lies across bricks
+    for (int i = 0; i < 27; ++i)  // a crumb that lies across bricks
       if (volume_.occupied(v + IVec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1))) return true;
     return false;
   }
@@ -112,7 +109,7 @@ void lower(std::uint16_t& to, std::uint16_t s, IVec3 at, ChangedBox& out) noexce
   out.any = true;
 }
 
-/// C = min(C, stamp) about a row of `length` voxels that begins at v. Pre: all voxels that go are empty.
+/// C = min(C, stamp) about a row of `length` voxels that begins at v. Pre: all removed voxels are empty.
 void stamp_row(Volume& volume, const NearTissue& beside_tissue, IVec3 v, int length, ChangedBox& out) noexcept {
   const Specimen& specimen = volume.specimen();
   const IVec3 size = volume.grid().size;
@@ -214,9 +211,9 @@ bool crumb_at(const Volume& volume, IVec3 voxel, Crumb& out) noexcept {
   return true;
 }
 
-ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept {
+ChangedBox remove_voxels(Volume& volume, std::span<const IVec3> voxels) noexcept {
   ChangedBox out;
-  // Themselves first: what is then beside a voxel stays.
+  // The voxels themselves first: an occupied voxel beside them then is tissue that stays.
   for (const IVec3& v : voxels) {
     const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
     std::uint16_t* values = volume.cut_for_writing(brick);
@@ -233,7 +230,7 @@ ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept {
   return out;
 }
 
-bool take_away(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept {
+bool remove_voxels(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept {
   bool room = true;
   for (const IVec3& v : voxels) {
     const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
@@ -278,7 +275,7 @@ void FragmentRemoval::receive(const Volume& volume, std::uint16_t half) noexcept
 int FragmentRemoval::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& voxels) noexcept {
   const Entry entry = entries_.front();
   const BrickVoxelSet part = reached(occupied_in(volume, entry.brick), entry.voxels);
-  // Whole slices, until it is enough for a tick: what is left goes on with the next one.
+  // Whole slices, up to kVoxelsPerTick; the next tick takes the rest.
   BrickVoxelSet rest = part;
   int count = 0;
   for (std::size_t z = 0; z < 8 && count < kVoxelsPerTick; ++z) {

@@ -1,9 +1,10 @@
-/// Fragments: connected components of occupied voxels that cutting has severed. Voxels connect over the 26 neighbours, so that a
-/// thin oblique wall holds. Components that were apart at the start are no fragments of each other.
+/// Fragments: connected components of occupied voxels that cutting has severed. Voxels connect over the 26 neighbours,
+/// so a thin oblique wall is connected. Components that were apart at the start are no fragments of each other.
 ///
-/// A *crumb* is a component of less than kCrumbVoxels; the tick that severs it removes it: for_crumbs() searches about the cut.
-/// A larger *fragment* is found off the haptic thread (find_severed_fragments) and named to the step by one of its voxels in the
-/// recorded inputs. The step removes it, at most a brick a tick (FragmentRemoval), the same in every replay.
+/// A *crumb* is a component of less than kCrumbVoxels. The tick that severs a crumb removes it: for_crumbs() searches
+/// about the cut. find_severed_fragments() finds larger fragments off the haptic thread. The recorded inputs name a
+/// fragment by one of its voxels; the step removes it, at most a brick a tick (FragmentRemoval), the same in every
+/// replay.
 #pragma once
 
 #include <array>
@@ -48,9 +49,9 @@ struct BrickVoxelSet {
 BrickVoxelSet occupied_in(const Volume& volume, int brick) noexcept;
 /// The same before anything was cut.
 BrickVoxelSet occupied_in(const Specimen& specimen, int brick) noexcept;
-/// Everything of `within` that `seeds` reaches over the 26 neighbours, inside the brick.
+/// Voxels of `within` that are connected to `seeds` inside the brick.
 BrickVoxelSet reached(const BrickVoxelSet& within, const BrickVoxelSet& seeds) noexcept;
-/// What touches `set` from the brick that lies by `step` (-1, 0, 1 each) beside its own: voxels of that brick.
+/// Voxels of the neighbour brick at `step` (-1, 0, 1 each) that touch `set`.
 BrickVoxelSet touching(const BrickVoxelSet& set, IVec3 step) noexcept;
 
 /// A crumb's voxels.
@@ -60,20 +61,20 @@ struct Crumb {
   std::span<const IVec3> voxels() const noexcept { return {voxel.data(), static_cast<std::size_t>(size)}; }
 };
 
-/// The component of a voxel if it is a crumb; false if it is larger or the voxel is empty.
+/// The component of a voxel. False if it is no crumb, or the voxel is empty.
 /// Reads at most kCrumbVoxels voxels, each with its 26 neighbours. Haptic thread; wait-free.
 bool crumb_at(const Volume& volume, IVec3 voxel, Crumb& out) noexcept;
 
-/// Haptic thread; wait-free. Calls gone(const Crumb&) for every crumb that touches a changed voxel, in order of bricks and
-/// voxels; gone() has to remove it. low..high: voxels that may have changed, inclusive; for_boxes(mark) calls
-/// mark(low, high) for boxes that together hold them. Reads each brick that they touch once, 0.1 to 0.5 us.
-template <class ForBoxes, class Gone>
-void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, ForBoxes&& for_boxes, Gone&& gone) noexcept {
+/// Haptic thread; wait-free. Calls remove(const Crumb&) for every crumb that touches a changed voxel, in order of
+/// bricks and voxels. low..high: voxels that may have changed, inclusive. for_boxes(mark) calls mark(low, high) for
+/// boxes that together contain them. Reads each brick that they touch once, 0.1 to 0.5 us.
+template <class ForBoxes, class Remove>
+void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, ForBoxes&& for_boxes, Remove&& remove) noexcept {
   const Specimen& specimen = volume.specimen();
   const auto brick_of = [](IVec3 v) { return IVec3(v.x >> 3, v.y >> 3, v.z >> 3); };
   const IVec3 last = volume.grid().size - 1;
   const IVec3 from = brick_of(glm::max(low - 1, IVec3(0))), to = brick_of(glm::min(high + 1, last));
-  // One bit a brick, where there is room for so many: else all of the box are looked at.
+  // One bit a brick. If the box has more bricks than bits, all of them are read.
   constexpr int kMarks = 4096;
   const IVec3 n = to - from + 1;
   const bool marks = static_cast<std::int64_t>(n.x) * n.y * n.z <= kMarks;
@@ -106,38 +107,39 @@ void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, ForBoxes&& for_boxe
           const BrickVoxelSet part = reached(left, seed);
           for (std::size_t z = 0; z < 8; ++z) left.slice[z] &= ~part.slice[z];
           if (part.count() >= kCrumbVoxels) continue;
-          if (crumb_at(volume, at * kBrickEdge + IVec3(o & 7, o >> 3 & 7, o >> 6), crumb)) gone(crumb);
+          if (crumb_at(volume, at * kBrickEdge + IVec3(o & 7, o >> 3 & 7, o >> 6), crumb)) remove(crumb);
         }
       }
 }
 
-/// Voxels whose values changed, inclusive; valid when any.
+/// Voxels whose values changed, inclusive; valid if any.
 struct ChangedBox {
   bool any = false;
-  bool overflow = false;  // a brick had no room: what lies there stays
+  bool overflow = false;  // a brick had no memory, so its voxels stay
   IVec3 low{0}, high{0};
 };
-/// Haptic thread; wait-free. Removes voxels of a banded volume: C = min(C, outside of a ball about each). The ball's radius is one
-/// voxel beside tissue that stays, else 1.75: a fragment's surface stands off its outermost centres by up to that at corners.
-/// No other occupied voxel is lost unless it touches them.
-ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept;
-/// The same for a filled volume. False if there was no room for some.
-bool take_away(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept;
+/// Haptic thread; wait-free. Removes voxels of a banded volume: C = min(C, outside of a ball about each). The ball's
+/// radius is one voxel beside tissue that stays, else 1.75. At corners the surface is up to that far from the outermost
+/// centres. An occupied voxel that touches none of them stays.
+ChangedBox remove_voxels(Volume& volume, std::span<const IVec3> voxels) noexcept;
+/// The same for a filled volume. False if a brick had no memory.
+bool remove_voxels(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept;
 
-/// Name of a voxel in the recorded inputs: brick and offset in 30 bits, sent as two halves of 15. Bricks beyond the
-/// two millionth (1024^3 voxels) have none.
+/// Name of a voxel in the recorded inputs: brick and offset in 30 bits, sent as two halves of 15. Bricks from
+/// kMostNamedBricks (1024^3 voxels) have none.
 inline constexpr int kMostNamedBricks = 1 << 21;
 constexpr std::uint32_t voxel_name(int brick, int offset) noexcept {
   return static_cast<std::uint32_t>(brick) << 9 | static_cast<std::uint32_t>(offset);
 }
 
-/// Removal of named fragments, a brick a tick at most and a full brick in parts, so that a tick's work is bounded. An entry is a
-/// brick still to visit, with the voxels that the fragment enters it by, or that are left of it there. What finds no room is
-/// found, and named, again. Part of the step's state. Thread: haptic; memory is taken at construction.
+/// Removal of named fragments. To bound a tick's work, it removes at most a brick a tick, and a full brick in parts. An
+/// entry is a brick still to visit, with the voxels that the fragment enters it by, or its remaining voxels there. If
+/// the list is full, the rest stays; the next search finds and names it again. Part of the step's state. Thread:
+/// haptic; the constructor takes all memory.
 class FragmentRemoval {
  public:
   static constexpr int kMostBricks = 512;
-  static constexpr int kVoxelsPerTick = 192;  // and up to one slice of 64 more: slices go whole
+  static constexpr int kVoxelsPerTick = 192;  // plus up to 64: a slice is removed whole
   struct Entry {
     std::int32_t brick = 0;
     BrickVoxelSet voxels;
@@ -145,20 +147,20 @@ class FragmentRemoval {
 
   FragmentRemoval() { entries_.reserve(kMostBricks); }
 
-  /// A half of a name, as StepInput::fragment has it: bit 15 marks the first (higher) half; 0 is nothing.
+  /// A half of a name, from StepInput::fragment: bit 15 marks the first (higher) half; 0 is none.
   void receive(const Volume& volume, std::uint16_t half) noexcept;
   bool active() const noexcept { return !entries_.empty(); }
-  /// Removes the fragment's voxels in the brick that has waited longest, kVoxelsPerTick at most: calls
-  /// gone(std::span<const IVec3>) if there are any.
-  template <class Gone>
-  void advance(const Volume& volume, Gone&& gone) noexcept {
+  /// Takes the fragment's voxels in the first brick of the list, kVoxelsPerTick at most, and calls
+  /// remove(std::span<const IVec3>) if there are any.
+  template <class Remove>
+  void advance(const Volume& volume, Remove&& remove) noexcept {
     if (entries_.empty()) return;
     std::array<IVec3, kBrickVoxels> voxels;
     const int count = next(volume, voxels);
-    if (count > 0) gone(std::span<const IVec3>(voxels.data(), static_cast<std::size_t>(count)));
+    if (count > 0) remove(std::span<const IVec3>(voxels.data(), static_cast<std::size_t>(count)));
   }
 
-  /// For saving: the first half of a name that waits for its second (0: none), and the entries in order.
+  /// For a key state: the first half of a name whose second has not come (0: none), and the entries in order.
   std::uint16_t half() const noexcept { return half_; }
   std::span<const Entry> entries() const noexcept { return entries_; }
   /// False, and unchanged, if there are too many entries or a brick is not below `bricks`.
@@ -172,9 +174,9 @@ class FragmentRemoval {
   std::uint16_t half_ = 0;
 };
 
-/// Off the haptic thread. Names of the fragments of each component of the specimen, all but the largest; empty if all still
-/// hangs together. changed_bricks: since the last call, else a fragment may be missed. Cost: the changed bricks, and the
-/// smaller fragments' voxels.
+/// Off the haptic thread. Names of the fragments of each component of the specimen, all but the largest; empty if
+/// nothing is severed. changed_bricks: all since the last call; if one is left out, a fragment may be missed. Cost: the
+/// changed bricks, and the smaller fragments' voxels.
 std::vector<std::uint32_t> find_severed_fragments(const Volume& volume, std::span<const std::int32_t> changed_bricks);
 
 }  // namespace cusp::engine

@@ -1,7 +1,6 @@
 /// The paper's occupancy map: external (empty), internal (no external neighbour) and boundary voxels over the 26
-/// neighbours, kept current as voxels vanish. Outside the box all is external. Bits by brick, 128 bytes each; bricks
-/// that are wholly empty or wholly occupied share theirs, so that memory grows with the surface. Thread: the volume's
-/// owner.
+/// neighbours, kept current as voxels vanish. Outside the grid all is external. Bits by brick, 128 bytes each. Wholly
+/// empty and wholly occupied bricks share theirs, so memory grows with the surface. Thread: the volume's owner.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +21,14 @@ class Occupancy {
     if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= size_.x || v.y >= size_.y || v.z >= size_.z) return false;
     return (occupied_[word(place_[brick(v)], v)] & mask(v)) != 0;
   }
-  /// Occupied voxels among the eight of a brick's row that holds v: bit i is voxel (v.x & ~7) + i. 0 outside the box.
+  /// Occupied voxels of the brick's row of eight that contains v: bit i is voxel (v.x & ~7) + i. 0 outside the grid.
   unsigned row(IVec3 v) const noexcept {
     if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= size_.x || v.y >= size_.y || v.z >= size_.z) return 0;
     return static_cast<unsigned>(occupied_[word(place_[brick(v)], v)] >> ((v.y & 7) << 3)) & 0xffu;
   }
   VoxelClass of(IVec3 v) const noexcept;
-  /// Haptic thread. The voxel has lost its last density: its internal neighbours become boundary.
-  /// Pre: the volume holds a cut for the voxel's brick, so that there is room for it here.
+  /// Haptic thread. Empties a voxel; its internal neighbours become boundary.
+  /// Pre: the volume has a cut for the voxel's brick: memory is reserved for no others.
   void vanish(IVec3 v) noexcept;
 
   std::size_t bytes() const noexcept {
@@ -52,13 +51,13 @@ class Occupancy {
 
   /// Slice z (-1 to 8) of a brick's occupied voxels that have occupied neighbours along x and y too.
   std::uint64_t inner_slice(IVec3 brick, int z) const noexcept;
-  /// Finds the boundary of a brick anew from it and its neighbours.
+  /// Recomputes the boundary of a brick from it and its neighbours.
   void classify(IVec3 brick, std::int32_t place) noexcept;
 
   IVec3 size_, bricks_;
   std::vector<std::int32_t> place_;      // [brick]: place of its bits
   std::vector<std::uint64_t> occupied_;  // [place][z]: 64 bits of an 8 x 8 slice, x fastest
-  std::vector<std::uint64_t> boundary_;  // [place][z]; of a whole brick not kept: its neighbours tell
+  std::vector<std::uint64_t> boundary_;  // [place][z]; not kept for a whole brick: of() reads the neighbours
   std::int32_t used_ = 2;                // places taken
 };
 

@@ -1,8 +1,7 @@
-/// Edges, sharper than a cell: where two smooth surfaces meet, as a point, a tangent and a bend. A trilinear field rounds
-/// an edge by up to a third of a voxel; the faces on either side, continued to where both are zero, do not. Only + - * / sqrt. Any thread.
+/// Sharp edges of a field: where two smooth surfaces meet, as a point, a tangent and a bend. A trilinear field rounds
+/// an edge by up to a third of a voxel; the faces on either side, continued to their common zero, do not. Only + - * /
+/// sqrt. Any thread.
 #pragma once
-
-#include <utility>
 
 #include "engine/volume/cell_field.h"
 
@@ -14,8 +13,8 @@ struct SharpEdge {
   Vec3 at{0.5}, tangent{0.0}, bend{0.0}, twist{0.0}, fourth{0.0};
 };
 
-/// Where a and b are both zero, nearest to `from` by Newton's shortest steps. a, b: distance in voxels at a place of the
-/// cell, and its gradient. False where they do not meet, or run along each other.
+/// Where a and b are both zero, nearest to `from` by Newton's shortest steps. a, b: distance in voxels at a place of
+/// the cell, and its gradient. False if they do not meet, or are parallel.
 template <class A, class B>
 inline bool meet(const A& a, const B& b, Vec3 from, Vec3& at, Vec3& tangent) noexcept {
   Vec3 ga(0.0), gb(0.0);
@@ -38,9 +37,9 @@ inline bool meet(const A& a, const B& b, Vec3 from, Vec3& at, Vec3& tangent) noe
   return true;
 }
 
-/// The curve along which a and b meet, about out.at, which lies on it: laid through four places as far as `half` either way.
+/// The curve along which a and b meet, about out.at, which lies on it: through four places as far as `half` either way.
 template <class A, class B>
-inline void lay_curve(const A& a, const B& b, double half, SharpEdge& out) noexcept {
+inline void fit_curve(const A& a, const B& b, double half, SharpEdge& out) noexcept {
   out.bend = out.twist = out.fourth = Vec3(0.0);
   const double near = 0.5 * half;
   Vec3 x[4], along;
@@ -52,7 +51,7 @@ inline void lay_curve(const A& a, const B& b, double half, SharpEdge& out) noexc
   const double square = half * half;
   const Vec3 fourth = (even - 4.0 * even_near) / (0.75 * square * square);
   const Vec3 bend = even / square - fourth * square;
-  // Of the two cubics the mean: they differ by the fifth power.
+  // The mean of two cubics, which differ by the fifth power.
   const Vec3 twist = 0.5 * (odd + 8.0 * odd_near) / (square * half);
   if (glm::dot(bend, bend) < 0.25 && glm::dot(twist, twist) < 0.25 && glm::dot(fourth, fourth) < 0.25) {
     out.bend = bend;
@@ -61,7 +60,7 @@ inline void lay_curve(const A& a, const B& b, double half, SharpEdge& out) noexc
   }
 }
 
-/// The edge where a and b meet in the cell [0,1]^3, with its bend; false where they do not.
+/// The edge where a and b meet in the cell [0,1]^3, with its bend. False if they do not meet there.
 template <class A, class B>
 inline bool edge_of(const A& a, const B& b, Vec3 from, SharpEdge& out) noexcept {
   if (!meet(a, b, from, out.at, out.tangent)) return false;
@@ -85,8 +84,8 @@ inline bool edge_of(const A& a, const B& b, Vec3 from, SharpEdge& out) noexcept 
   return true;
 }
 
-/// A smooth surface continued beyond the cell where it is known: a point, the normal there and the curvatures, as the
-/// distance to a plane, a cylinder or a sphere (exact for those). Voxels.
+/// A smooth surface continued beyond the cell where it is known: a point, the normal there and the curvatures. Its
+/// distance is exact for a plane, a cylinder and a sphere. Voxels.
 struct Face {
   Vec3 point{0.0}, normal{0.0};
   double bent[6] = {0, 0, 0, 0, 0, 0};  // of the tangent plane: xx, yy, zz, xy, xz, yz
@@ -111,8 +110,8 @@ struct Face {
   }
 };
 
-/// The face of a crossed cell; false unless its polynomial is that of one smooth distance: a gradient that keeps its
-/// length, and no bend sharper than a radius of three voxels (outside an edge a distance is smooth too, but bends more).
+/// The face of a crossed cell. False unless its polynomial is one smooth distance: the gradient keeps its length, and
+/// no radius is below three voxels. Outside an edge a distance is smooth, too, but bends more.
 inline bool face_of(const CellField& field, Face& out) noexcept {
   constexpr double kLength2 = 0.02, kBent = 0.35;
   if (!field.crossed() || field.most_bent() > kBent) return false;
@@ -149,9 +148,9 @@ inline bool face_of(const CellField& field, Face& out) noexcept {
 
 /// What a crossed cell holds where one field is creased outwards: an edge, or, beside it, a point of one face.
 struct Creased {
-  /// ridge: two faces explain the cell, but it holds no place of theirs.
+  /// ridge: two faces explain the cell, but neither their edge nor a point of them lies in it.
   enum class Kind : std::uint8_t { no, edge, face, ridge } kind = Kind::no;
-  bool looked = false;                       // the cell is creased: the answer depends on the cells two away as well
+  bool examined = false;  // the cell is creased: the answer depends on the cells two away as well
   SharpEdge edge;
   Vec3 point{0.5}, normal{0.0};              // of the face that is the surface in this cell
   double other_d = 0.0;                      // of the point, to the other face, negative inside; voxels
@@ -164,124 +163,175 @@ struct Creased {
   int sides = 0;
 };
 
-/// load(offset, CellField&) reads the cell `offset` away, or says false where it is not crossed. most_off: by how much (voxels, summed over the eight corners)
-/// the field may differ from the larger of two faces; 0: a crease is only seen, not looked into. A crease shows by a gradient that is no distance's; thorough: every cell that an
-/// edge may pass close to is looked into, for by chance a rounded one has the right length.
-template <class Load>
-inline Creased creased(const CellField& own, double most_off, Load&& load, bool thorough = false) noexcept {
-  constexpr double kOff = 0.015, kApart = 0.966;  // of a gradient's length; cos 15 degrees
-  constexpr int kFaces = 50;
-  constexpr double kBack = 0.3;                   // voxels
-  constexpr double kAsWell = 0.05;                // of most_off
+/// Cells that creased() examines. A crease shows by a gradient whose length is no distance's; by chance a rounded edge
+/// has that length, too.
+enum class CreaseSearch : std::uint8_t {
+  by_gradient,  // cells with a gradient of another length
+  every_cell,   // every cell that an edge may pass close to
+};
 
-  Creased out;
-  if (!own.crease_near()) return out;
-  Vec3 f(0.5), n(0.0);
-  double steep = 0.0;
-  if (cell_point(own, f, n, &steep) && steep > 1.0 - kOff && steep < 1.0 + kOff && !thorough) return out;
-  out.looked = true;
-  if (!(most_off > 0.0)) return out;
-  // Faces two cells away, out of reach of the crease.
-  Face face[kFaces];
-  int faces = 0;
+namespace sharp_edge {
+
+/// Faces of the cells two away from a creased one, out of reach of its crease, and their distances at its corners.
+struct NearFaces {
+  static constexpr int kMost = 50;
+  Face face[kMost];
+  double at_corner[kMost][8];
+  int count = 0;
+};
+
+template <class Load>
+inline void find_faces(Load&& load, NearFaces& out) noexcept {
   for (int z = -2; z <= 2; ++z)
     for (int y = -2; y <= 2; ++y)
       for (int x = -2; x <= 2; ++x) {
         const IVec3 o(x, y, z);
-        // Every other one is enough.
+        // Every other cell of the shell is enough.
         if ((x != 2 && x != -2 && y != 2 && y != -2 && z != 2 && z != -2) || ((x + y + z) & 1) != 0) continue;
         CellField field;
-        if (!load(o, field) || !face_of(field, face[faces])) continue;
-        face[faces].point += Vec3(o);
-        ++faces;
+        Face& face = out.face[out.count];
+        if (!load(o, field) || !face_of(field, face)) continue;
+        face.point += Vec3(o);
+        ++out.count;
       }
-  // Tissue inside both: at the corners the field is the larger of the two. The pair of faces that says so best.
-  double at_corner[kFaces][8];
-  float told[kFaces * kFaces / 2];  // of each pair, in order
-  double own_d[8];
-  Vec3 ga, gb;
-  for (int i = 0; i < 8; ++i) own_d[i] = own.at_corner(i);
-  for (int k = 0; k < faces; ++k)
-    for (int i = 0; i < 8; ++i) at_corner[k][i] = face[k](Vec3(i & 1, i >> 1 & 1, i >> 2), ga);
-  const auto as_ridge = [&](int j, int k) {
-    double sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const double larger = at_corner[j][i] > at_corner[k][i] ? at_corner[j][i] : at_corner[k][i];
-      sum += std::fabs(own_d[i] - larger);
-    }
-    return sum;
-  };
-  double best = most_off;
-  int pair = 0;
-  for (int j = 0; j < faces; ++j)
-    for (int k = j + 1; k < faces; ++k, ++pair) {
-      const bool differ = glm::dot(face[j].normal, face[k].normal) <= kApart;
-      const double sum = differ ? as_ridge(j, k) : most_off;
-      told[pair] = static_cast<float>(sum);
-      best = sum < best ? sum : best;
-    }
-  // Of the pairs that say it as well, the one that bends least: what a crease nearby has touched bends.
+  Vec3 gradient;
+  for (int k = 0; k < out.count; ++k)
+    for (int i = 0; i < 8; ++i) out.at_corner[k][i] = out.face[k](Vec3(i & 1, i >> 1 & 1, i >> 2), gradient);
+}
+
+/// Difference of the cell's corners from the larger of faces j and k, whose tissue lies inside both: voxels, summed.
+inline double ridge_misfit(const NearFaces& faces, const double (&own_d)[8], int j, int k) noexcept {
+  double sum = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const double larger = faces.at_corner[j][i] > faces.at_corner[k][i] ? faces.at_corner[j][i] : faces.at_corner[k][i];
+    sum += std::fabs(own_d[i] - larger);
+  }
+  return sum;
+}
+
+/// The same from the smaller of the two, whose tissue lies inside either.
+inline double valley_misfit(const NearFaces& faces, const double (&own_d)[8], int j, int k) noexcept {
+  double sum = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const double smaller =
+        faces.at_corner[j][i] < faces.at_corner[k][i] ? faces.at_corner[j][i] : faces.at_corner[k][i];
+    sum += std::fabs(own_d[i] - smaller);
+  }
+  return sum;
+}
+
+/// Two faces that explain a cell; -1: none do. misfit: the least of all pairs.
+struct FacePair {
   int one = -1, other = -1;
+  double misfit = 0.0;
+};
+
+/// Of the pairs whose misfit is about the least, the one with the least curvature. A crease nearby bends the faces that
+/// it touches.
+inline FacePair best_pair(const NearFaces& faces, const double (&own_d)[8], double most_off) noexcept {
+  constexpr double kApart = 0.966;                        // cos 15 degrees
+  constexpr double kAsWell = 0.05;                        // of most_off
+  float misfit[NearFaces::kMost * NearFaces::kMost / 2];  // of each pair, in order
+  FacePair out;
+  out.misfit = most_off;
+  int pair = 0;
+  for (int j = 0; j < faces.count; ++j)
+    for (int k = j + 1; k < faces.count; ++k, ++pair) {
+      const bool differ = glm::dot(faces.face[j].normal, faces.face[k].normal) <= kApart;
+      const double sum = differ ? ridge_misfit(faces, own_d, j, k) : most_off;
+      misfit[pair] = static_cast<float>(sum);
+      out.misfit = sum < out.misfit ? sum : out.misfit;
+    }
   double bent = 0.0;
   pair = 0;
-  for (int j = 0; j < faces; ++j)
-    for (int k = j + 1; k < faces; ++k, ++pair) {
-      if (told[pair] >= most_off || told[pair] > best + kAsWell * most_off) continue;
-      const double sum = std::fabs(face[j].most) + std::fabs(face[k].most);
-      if (one >= 0 && !(sum < bent)) continue;
+  for (int j = 0; j < faces.count; ++j)
+    for (int k = j + 1; k < faces.count; ++k, ++pair) {
+      if (misfit[pair] >= most_off || misfit[pair] > out.misfit + kAsWell * most_off) continue;
+      const double sum = std::fabs(faces.face[j].most) + std::fabs(faces.face[k].most);
+      if (out.one >= 0 && !(sum < bent)) continue;
       bent = sum;
-      one = j;
-      other = k;
+      out.one = j;
+      out.other = k;
     }
-  if (one < 0 || best >= most_off) return out;
-  double as_valley = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    const double smaller = at_corner[one][i] < at_corner[other][i] ? at_corner[one][i] : at_corner[other][i];
-    as_valley += std::fabs(own_d[i] - smaller);
-  }
-  if (best > 0.5 * as_valley) return out;
-  const Face& a = face[one];
-  const Face& b = face[other];
-  if (edge_of(a, b, f, out.edge)) {
-    out.kind = Creased::Kind::edge;
-    for (const auto& [mine, its] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-      // From the edge a little way back on the one face, below the other.
-      Vec3 g, h;
-      (*mine)(out.edge.at, g);
-      (*its)(out.edge.at, h);
-      const Vec3 back = h - g * (glm::dot(g, h) / glm::dot(g, g));
-      const double length = std::sqrt(glm::dot(back, back));
-      if (!(length > 1e-3)) continue;
-      Creased::Side& side = out.side[out.sides];
-      side.point = out.edge.at - back * (kBack / length);
-      for (int pass = 0; pass < 3; ++pass) side.point -= g * ((*mine)(side.point, g) / glm::dot(g, g));
-      side.other_d = (*its)(side.point, h);
-      bool inside = side.other_d < 0.0;
-      for (int i = 0; i < 3; ++i) inside = inside && side.point[i] > -0.1 && side.point[i] < 1.1;
-      if (!inside) continue;
-      side.normal = g / std::sqrt(glm::dot(g, g));
-      side.other_normal = h / std::sqrt(glm::dot(h, h));
-      ++out.sides;
-    }
-    return out;
-  }
-  out.kind = Creased::Kind::ridge;
-  // No edge in this cell: its point stands on the face that is further out.
-  const Face& mine = a(f, ga) > b(f, gb) ? a : b;
+  return out;
+}
+
+/// Adds a point of face `mine` beside out.edge, below face `its`, if one lies in the cell.
+inline void add_side(const Face& mine, const Face& its, Creased& out) noexcept {
+  constexpr double kBack = 0.3;  // voxels from the edge
+  Vec3 g, h;
+  mine(out.edge.at, g);
+  its(out.edge.at, h);
+  const Vec3 back = h - g * (glm::dot(g, h) / glm::dot(g, g));
+  const double length = std::sqrt(glm::dot(back, back));
+  if (!(length > 1e-3)) return;
+  Creased::Side& side = out.side[out.sides];
+  side.point = out.edge.at - back * (kBack / length);
+  for (int pass = 0; pass < 3; ++pass) side.point -= g * (mine(side.point, g) / glm::dot(g, g));
+  side.other_d = its(side.point, h);
+  bool inside = side.other_d < 0.0;
+  for (int i = 0; i < 3; ++i) inside = inside && side.point[i] > -0.1 && side.point[i] < 1.1;
+  if (!inside) return;
+  side.normal = g / std::sqrt(glm::dot(g, g));
+  side.other_normal = h / std::sqrt(glm::dot(h, h));
+  ++out.sides;
+}
+
+/// A cell that the edge of a and b does not cross: a point on the face that is further out at `from`. Sets Kind::face
+/// if that point lies in the cell.
+inline void add_face_point(const Face& a, const Face& b, Vec3 from, Creased& out) noexcept {
+  Vec3 g, h;
+  const Face& mine = a(from, g) > b(from, h) ? a : b;
   const Face& its = &mine == &a ? b : a;
-  out.point = f;
-  Vec3 g;
+  out.point = from;
   for (int pass = 0; pass < 4; ++pass) {
     const double d = mine(out.point, g);
     out.point -= g * (d / glm::dot(g, g));
   }
   for (int i = 0; i < 3; ++i)
-    if (!(out.point[i] > -0.1 && out.point[i] < 1.1)) return out;
-  out.other_d = its(out.point, gb);
-  if (out.other_d > 0.0) return out;
+    if (!(out.point[i] > -0.1 && out.point[i] < 1.1)) return;
+  out.other_d = its(out.point, h);
+  if (out.other_d > 0.0) return;
   out.normal = g / std::sqrt(glm::dot(g, g));
-  out.other_normal = gb / std::sqrt(glm::dot(gb, gb));
+  out.other_normal = h / std::sqrt(glm::dot(h, h));
   out.kind = Creased::Kind::face;
+}
+
+}  // namespace sharp_edge
+
+/// load(offset, CellField&) reads the cell `offset` away; it returns false if the surface does not cross that cell.
+/// most_off: by how much the field may differ from the larger of two faces (voxels, summed over the eight corners); 0:
+/// a crease is seen, not examined.
+template <class Load>
+inline Creased creased(const CellField& own, double most_off, Load&& load,
+                       CreaseSearch search = CreaseSearch::by_gradient) noexcept {
+  constexpr double kOff = 0.015;  // of a gradient's length
+  Creased out;
+  if (!own.crease_near()) return out;
+  Vec3 f(0.5), n(0.0);
+  double steep = 0.0;
+  const bool has_point = cell_point(own, f, n, &steep);
+  if (has_point && steep > 1.0 - kOff && steep < 1.0 + kOff && search == CreaseSearch::by_gradient) return out;
+  out.examined = true;
+  if (!(most_off > 0.0)) return out;
+
+  sharp_edge::NearFaces faces;
+  sharp_edge::find_faces(load, faces);
+  double own_d[8];
+  for (int i = 0; i < 8; ++i) own_d[i] = own.at_corner(i);
+  const sharp_edge::FacePair pair = sharp_edge::best_pair(faces, own_d, most_off);
+  if (pair.one < 0 || pair.misfit >= most_off) return out;
+  if (pair.misfit > 0.5 * sharp_edge::valley_misfit(faces, own_d, pair.one, pair.other)) return out;
+  const Face& a = faces.face[pair.one];
+  const Face& b = faces.face[pair.other];
+  if (edge_of(a, b, f, out.edge)) {
+    out.kind = Creased::Kind::edge;
+    sharp_edge::add_side(a, b, out);
+    sharp_edge::add_side(b, a, out);
+  } else {
+    out.kind = Creased::Kind::ridge;
+    sharp_edge::add_face_point(a, b, f, out);
+  }
   return out;
 }
 

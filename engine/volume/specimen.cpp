@@ -9,9 +9,8 @@ namespace cusp::engine {
 
 namespace {
 
-/// What a specimen keeps of a brick: nothing outside the grid, no tissue where s = 0 and the other way round, s of a
-/// filled reading 0 or 1.
-void settle(BrickVoxels& voxels, const Grid& grid, IVec3 corner, Reading reading) {
+/// Normalises a brick: s = 0 outside the grid, tissue exactly where s > 0, s of a filled reading 0 or 1.
+void normalise(BrickVoxels& voxels, const Grid& grid, IVec3 corner, Reading reading) {
   const IVec3 end = grid.size - corner;
   const bool inside = end.x >= kBrickEdge && end.y >= kBrickEdge && end.z >= kBrickEdge;
   for (int o = 0; o < kBrickVoxels; ++o) {
@@ -32,8 +31,8 @@ bool all_alike(const BrickVoxels& voxels) {
          std::all_of(tissue.begin(), tissue.end(), [&tissue](Tissue t) { return t == tissue[0]; });
 }
 
-/// The one tissue of all that is there; empty where several are mixed.
-Tissue only_one(const BrickVoxels& voxels) {
+/// The tissue of a brick with one tissue; empty for a brick with several.
+Tissue only_tissue_of(const BrickVoxels& voxels) {
   Tissue only = Tissue::empty;
   for (const Tissue t : voxels.tissue) {
     if (t == Tissue::empty || t == only) continue;
@@ -43,7 +42,7 @@ Tissue only_one(const BrickVoxels& voxels) {
   return only;
 }
 
-/// Tissue in the outermost voxels of a volume.
+/// True if an outermost voxel of the volume holds tissue.
 bool reaches_edge(const VoxelVolume& dense) {
   const IVec3 n = dense.grid.size;
   IVec3 v;
@@ -56,7 +55,7 @@ bool reaches_edge(const VoxelVolume& dense) {
   return false;
 }
 
-/// The volume with room about it, cut off by its own box: the larger of the distances to what it holds and to the box.
+/// The volume padded by kRoomVoxels. s is of the larger of two distances: to the tissue and to the volume's own box.
 VoxelVolume with_room(const VoxelVolume& dense) {
   const IVec3 n = dense.grid.size;
   Grid grid = dense.grid;
@@ -81,7 +80,60 @@ VoxelVolume with_room(const VoxelVolume& dense) {
   return out;
 }
 
+/// The tissue of a uniform brick, or nothing: then its 512 voxels stand in `voxels`, normalised.
+std::optional<Tissue> read_brick(const BrickSource& source, const Grid& grid, Reading reading, IVec3 brick,
+                                 BrickVoxels& voxels) {
+  const IVec3 corner = brick * kBrickEdge;
+  const IVec3 end = grid.size - corner;
+  std::optional<Tissue> uniform = source(brick, voxels);
+  if (uniform && *uniform != Tissue::empty && (end.x < kBrickEdge || end.y < kBrickEdge || end.z < kBrickEdge)) {
+    voxels.s.fill(kSolid);  // solid as far as the grid goes
+    voxels.tissue.fill(*uniform);
+    uniform.reset();
+  }
+  if (!uniform) {
+    normalise(voxels, grid, corner, reading);
+    if (all_alike(voxels)) uniform = voxels.tissue[0];
+  }
+  return uniform;
+}
+
+void hash_grid(const Grid& grid, Reading reading, Hash64& hash) {
+  for (int i = 0; i < 3; ++i) hash.add(static_cast<std::uint64_t>(grid.size[i]));
+  hash.add_double(grid.voxel_mm);
+  for (int i = 0; i < 3; ++i) hash.add_double(grid.origin_mm[i]);
+  hash.add(static_cast<std::uint64_t>(reading));
+}
+
+void hash_uniform(int brick, Tissue tissue, Hash64& hash) {
+  if (tissue == Tissue::empty) return;
+  hash.add(static_cast<std::uint64_t>(brick));
+  hash.add(0x10000u | static_cast<std::uint64_t>(tissue));
+}
+
+void hash_voxels(int brick, const BrickVoxels& voxels, Hash64& hash) {
+  hash.add(static_cast<std::uint64_t>(brick));
+  hash.add_u16(voxels.s);
+  for (std::size_t i = 0; i < voxels.tissue.size(); i += 8) {
+    std::uint64_t word = 0;
+    for (std::size_t j = 0; j < 8; ++j) word |= static_cast<std::uint64_t>(voxels.tissue[i + j]) << (8 * j);
+    hash.add(word);
+  }
+}
+
 }  // namespace
+
+std::int32_t Specimen::append(const BrickVoxels& voxels) {
+  const auto place = static_cast<std::int32_t>(tissues_.size());
+  s_.insert(s_.end(), voxels.s.begin(), voxels.s.end());
+  Tissues& tissues = tissues_.emplace_back();
+  tissues.only = only_tissue_of(voxels);
+  if (tissues.only == Tissue::empty) {
+    tissues.mixed = static_cast<std::int32_t>(tissue_.size() / kBrickVoxels);
+    tissue_.insert(tissue_.end(), voxels.tissue.begin(), voxels.tissue.end());
+  }
+  return place;
+}
 
 std::shared_ptr<const Specimen> Specimen::build(const Grid& grid, Reading reading, const BrickSource& source,
                                                 std::map<std::uint8_t, std::string> names) {
@@ -93,51 +145,17 @@ std::shared_ptr<const Specimen> Specimen::build(const Grid& grid, Reading readin
   out.bricks_ = (grid.size + 7) / 8;
   out.place_.resize(static_cast<std::size_t>(out.bricks_.x) * static_cast<std::size_t>(out.bricks_.y) *
                     static_cast<std::size_t>(out.bricks_.z));
-
   Hash64 hash;
-  for (int i = 0; i < 3; ++i) hash.add(static_cast<std::uint64_t>(grid.size[i]));
-  hash.add_double(grid.voxel_mm);
-  for (int i = 0; i < 3; ++i) hash.add_double(grid.origin_mm[i]);
-  hash.add(static_cast<std::uint64_t>(reading));
-
+  hash_grid(grid, reading, hash);
   BrickVoxels voxels;
   for (int b = 0; b < static_cast<int>(out.place_.size()); ++b) {
-    const IVec3 brick = out.brick_at(b);
-    const IVec3 corner = brick * kBrickEdge;
-    std::optional<Tissue> alike = source(brick, voxels);
-    const IVec3 end = grid.size - corner;
-    if (alike && *alike != Tissue::empty && (end.x < kBrickEdge || end.y < kBrickEdge || end.z < kBrickEdge)) {
-      voxels.s.fill(kSolid);  // solid as far as the grid goes
-      voxels.tissue.fill(*alike);
-      alike.reset();
-    }
-    if (!alike) {
-      settle(voxels, grid, corner, reading);
-      if (all_alike(voxels)) alike = voxels.tissue[0];
-    }
     std::int32_t& place = out.place_[static_cast<std::size_t>(b)];
-    if (alike) {
-      place = place_of(*alike);
-      if (*alike != Tissue::empty) {
-        hash.add(static_cast<std::uint64_t>(b));
-        hash.add(0x10000u | static_cast<std::uint64_t>(*alike));
-      }
-      continue;
-    }
-    place = static_cast<std::int32_t>(out.tissues_.size());
-    out.s_.insert(out.s_.end(), voxels.s.begin(), voxels.s.end());
-    Tissues& tissues = out.tissues_.emplace_back();
-    tissues.only = only_one(voxels);
-    if (tissues.only == Tissue::empty) {
-      tissues.mixed = static_cast<std::int32_t>(out.tissue_.size() / kBrickVoxels);
-      out.tissue_.insert(out.tissue_.end(), voxels.tissue.begin(), voxels.tissue.end());
-    }
-    hash.add(static_cast<std::uint64_t>(b));
-    hash.add_u16(voxels.s);
-    for (std::size_t i = 0; i < voxels.tissue.size(); i += 8) {
-      std::uint64_t word = 0;
-      for (std::size_t j = 0; j < 8; ++j) word |= static_cast<std::uint64_t>(voxels.tissue[i + j]) << (8 * j);
-      hash.add(word);
+    if (const std::optional<Tissue> uniform = read_brick(source, grid, reading, out.brick_at(b), voxels)) {
+      place = place_of(*uniform);
+      hash_uniform(b, *uniform, hash);
+    } else {
+      place = out.append(voxels);
+      hash_voxels(b, voxels, hash);
     }
   }
   out.s_.shrink_to_fit();

@@ -1,7 +1,7 @@
-/// The scenario's volume as the engine holds it: bricks of 8x8x8, immutable after loading, shared by the loop, its
-/// mirror and the graders. Outside the box lies endless empty space. A brick that is all empty, or all of one sound
-/// tissue, costs four bytes; one that the surface crosses costs a kilobyte, and half as much again where tissues mix.
-/// So memory grows with the surface, not with the box. Any thread (read only).
+/// The scenario's volume: bricks of 8x8x8, immutable after load, shared by the loop, its mirror and the graders. All
+/// space outside the grid is empty. Memory grows with the surface, not with the grid. A brick that is all empty, or all
+/// of one sound tissue, takes four bytes. A brick that the surface crosses takes a kilobyte, with mixed tissues one and
+/// a half. Any thread (read only).
 #pragma once
 
 #include <array>
@@ -34,20 +34,20 @@ struct BrickVoxels {
   std::array<Tissue, kBrickVoxels> tissue;
 };
 
-/// Says what a brick of the grid holds: a tissue for one that is wholly solid of it, Tissue::empty for one that is
-/// wholly empty, nothing for one whose 512 voxels it has written. Voxels outside the grid need not be written; what is
-/// said of them is not read. Asked once for each brick, in the order of their indices.
+/// Content of a brick of the grid. A tissue: the brick is wholly solid of it (Tissue::empty: wholly empty). Nothing:
+/// the source has written its 512 voxels. Voxels outside the grid are not read. Called once for each brick, by rising
+/// index.
 using BrickSource = std::function<std::optional<Tissue>(IVec3 brick, BrickVoxels& voxels)>;
 
 class Specimen {
  public:
-  /// Takes bricks as they come, without a dense form of all: a block of 1024^3 voxels is built in the room that it
-  /// keeps. s >= 1/2 becomes 1 and the rest 0 for a filled reading, so both readings begin with the same occupied
-  /// voxels. Not for the haptic thread.
+  /// Builds brick by brick, without a dense form: a block of 1024^3 voxels needs no more memory than it keeps. A filled
+  /// reading has 1 for s >= 1/2 and else 0, so both readings begin with the same occupied voxels. Not for the haptic
+  /// thread.
   static std::shared_ptr<const Specimen> build(const Grid& grid, Reading reading, const BrickSource& source,
                                                std::map<std::uint8_t, std::string> names = {});
-  /// Of a dense volume. Where tissue reaches its edge a banded reading has no room for the surface there: then the grid
-  /// grows by kRoomVoxels on every side, and the edge of the volume is a face.
+  /// Of a dense volume. If tissue reaches the volume's edge, a banded reading needs voxels outside for the surface. The
+  /// grid then grows by kRoomVoxels on every side, and the volume's edge is a face.
   static std::shared_ptr<const Specimen> build(const VoxelVolume& dense, Reading reading);
   static constexpr int kRoomVoxels = 4;
 
@@ -84,14 +84,14 @@ class Specimen {
     if (t.mixed < 0) return s_in(brick, offset) > 0 ? t.only : Tissue::empty;
     return tissue_[static_cast<std::size_t>(t.mixed) * kBrickVoxels + static_cast<std::size_t>(offset)];
   }
-  /// True when all 512 voxels are alike: wholly empty or wholly solid and of one tissue.
+  /// True if all 512 voxels are alike: wholly empty, or wholly solid and of one tissue.
   bool uniform(int brick) const noexcept { return place_[static_cast<std::size_t>(brick)] < 0; }
-  /// The tissue of every voxel with s > 0, where it is one; empty where several are mixed or nothing is there.
+  /// The tissue of every voxel with s > 0; empty if several are mixed or the brick is empty.
   Tissue only_tissue(int brick) const noexcept {
     const std::int32_t p = place_[static_cast<std::size_t>(brick)];
     return p < 0 ? uniform_tissue(p) : tissues_[static_cast<std::size_t>(p)].only;
   }
-  /// The 512 s values of a brick that is not uniform; nullptr for one that is.
+  /// The 512 s values of a brick; nullptr if it is uniform.
   const std::uint16_t* s_of(int brick) const noexcept {
     const std::int32_t p = place_[static_cast<std::size_t>(brick)];
     return p < 0 ? nullptr : &s_[static_cast<std::size_t>(p) * kBrickVoxels];
@@ -114,12 +114,14 @@ class Specimen {
     std::int32_t mixed = -1;      // place in tissue_ where several are mixed
     Tissue only = Tissue::empty;  // else the one
   };
-  // A uniform brick's place says what it is of: -1 empty, -2 wholly solid of tissue 1, and so on.
+  // A uniform brick's place encodes its tissue: -1 empty, -2 wholly solid of tissue 1, and so on.
   static constexpr std::int32_t place_of(Tissue uniform) noexcept { return -1 - static_cast<std::int32_t>(uniform); }
   static constexpr Tissue uniform_tissue(std::int32_t place) noexcept { return static_cast<Tissue>(-1 - place); }
   static constexpr std::uint16_t uniform_s(std::int32_t place) noexcept {
     return place == -1 ? std::uint16_t{0} : kSolid;
   }
+  /// Stores a brick that is not uniform. Returns its place.
+  std::int32_t append(const BrickVoxels& voxels);
 
   Grid grid_;
   Reading reading_ = Reading::banded;

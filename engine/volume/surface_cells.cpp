@@ -23,6 +23,25 @@ Tissue corner_tissue(const Volume& volume, IVec3 cell) noexcept {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
+/// True if the corners' occupancies differ.
+bool crosses(const Volume& volume, IVec3 cell) noexcept {
+  const bool first = volume.occupied(cell);
+  for (int i = 1; i < 8; ++i)
+    if (volume.occupied(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) != first) return true;
+  return false;
+}
+
+/// True if a corner that the specimen occupied is empty.
+bool has_cut_corner(const Volume& volume, IVec3 cell) noexcept {
+  const Specimen& specimen = volume.specimen();
+  const std::uint16_t least = specimen.reading() == Reading::filled ? std::uint16_t{1} : kHalf;
+  for (int i = 0; i < 8; ++i) {
+    const IVec3 v = cell + IVec3(i & 1, i >> 1 & 1, i >> 2);
+    if (!volume.occupied(v) && specimen.s(v) >= least) return true;
+  }
+  return false;
+}
+
 /// Mean of the edge crossings, for filled volumes and for cells that no polynomial describes.
 bool mean_crossing(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept {
   const bool filled = volume.specimen().reading() == Reading::filled;
@@ -45,7 +64,7 @@ bool mean_crossing(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept
     }
   if (count == 0) return false;
   Vec3 n(0.0);
-  // A wider neighbourhood than the cell, so that a staircase shades as the slope it stands for.
+  // The normal is of a wider neighbourhood than the cell: a staircase of voxels then shades as a slope.
   for (int z = -1; z <= 2; ++z)
     for (int y = -1; y <= 2; ++y)
       for (int x = -1; x <= 2; ++x)
@@ -57,23 +76,29 @@ bool mean_crossing(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept
   return true;
 }
 
+/// The place of the cell where base and cut are both zero, by Newton's shortest steps. False if there is none.
+bool meeting_place(const CellField& base, const CellField& cut, Vec3& f) noexcept {
+  f = Vec3(0.5);
+  Vec3 gb(0.0), gc(0.0);
+  for (int pass = 0; pass < 5; ++pass) {
+    const double db = base.eval(f, gb);
+    const double dc = cut.eval(f, gc);
+    const double bb = glm::dot(gb, gb), cc = glm::dot(gc, gc), bc = glm::dot(gb, gc);
+    const double det = bb * cc - bc * bc;
+    if (!(det > 1e-3)) return false;
+    f -= gb * ((db * cc - dc * bc) / det) + gc * ((dc * bb - db * bc) / det);
+    for (int a = 0; a < 3; ++a)
+      if (!(f[a] > -0.3 && f[a] < 1.3)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool surface_point(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept {
-  const bool first = volume.occupied(cell);
-  bool crossed = false;
-  for (int i = 1; i < 8 && !crossed; ++i)
-    crossed = volume.occupied(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) != first;
-  if (!crossed) return false;
-
+  if (!crosses(volume, cell)) return false;
   out.tissue = corner_tissue(volume, cell);
-  out.cut = false;
-  for (int i = 0; i < 8 && !out.cut; ++i) {
-    const IVec3 v = cell + IVec3(i & 1, i >> 1 & 1, i >> 2);
-    out.cut = !volume.occupied(v) &&
-              (volume.specimen().reading() == Reading::filled ? volume.specimen().s(v) > 0
-                                                              : volume.specimen().s(v) >= kHalf);
-  }
+  out.cut = has_cut_corner(volume, cell);
   if (volume.specimen().reading() == Reading::filled) return mean_crossing(volume, cell, out);
 
   const Grid& grid = volume.grid();
@@ -82,36 +107,17 @@ bool surface_point(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept
   base.load(volume, Field::base, cell);
   CellField cut;
   cut.load(volume, Field::cut, cell);
-  const bool base_crossed = base.crossed();
-  const bool cut_crossed = cut.crossed();
-  Vec3 fb(0.5), nb(0.0), fc(0.5), nc(0.0), g(0.0);
-  const bool has_base = base_crossed && cell_point(base, fb, nb);
-  const bool has_cut = cut_crossed && cell_point(cut, fc, nc);
-  if (has_base && has_cut) {
-    // Both surfaces: Newton on B = C = 0 with the shortest step, else whichever stands in the other's solid.
-    Vec3 f(0.5);
-    bool good = true;
-    Vec3 gb(0.0), gc(0.0);
-    for (int pass = 0; pass < 5 && good; ++pass) {
-      const double db = base.eval(f, gb);
-      const double dc = cut.eval(f, gc);
-      const double bb = glm::dot(gb, gb), cc = glm::dot(gc, gc), bc = glm::dot(gb, gc);
-      const double det = bb * cc - bc * bc;
-      if (!(det > 1e-3)) {
-        good = false;
-        break;
-      }
-      f -= gb * ((db * cc - dc * bc) / det) + gc * ((dc * bb - db * bc) / det);
-      for (int a = 0; a < 3; ++a) good = good && f[a] > -0.3 && f[a] < 1.3;
-    }
-    if (good) {
-      const Vec3 n = nb + nc;
-      const double length = length_of(n);
-      out.point_mm = corner + grid.voxel_mm * f;
-      out.normal = length > 1e-3 ? n / length : nb;
-      return true;
-    }
+  Vec3 f(0.5), fb(0.5), nb(0.0), fc(0.5), nc(0.0), g(0.0);
+  const bool has_base = base.crossed() && cell_point(base, fb, nb);
+  const bool has_cut = cut.crossed() && cell_point(cut, fc, nc);
+  if (has_base && has_cut && meeting_place(base, cut, f)) {
+    const Vec3 n = nb + nc;
+    const double length = length_of(n);
+    out.point_mm = corner + grid.voxel_mm * f;
+    out.normal = length > 1e-3 ? n / length : nb;
+    return true;
   }
+  // The surface that lies in the other's solid.
   if (has_cut && (!has_base || base.eval(fc, g) <= 0.0)) {
     out.point_mm = corner + grid.voxel_mm * fc;
     out.normal = nc;

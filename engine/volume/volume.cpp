@@ -52,7 +52,7 @@ std::vector<std::int32_t> sorted(std::span<const std::int32_t> order) {
 }  // namespace
 
 std::uint64_t Volume::hash() const noexcept {
-  // A sum over bricks, so that the order of cutting does not matter and nothing needs sorting.
+  // The sum over bricks does not depend on the order of cutting, and needs no sorting.
   std::uint64_t sum = 0;
   for (const std::int32_t brick : cut_order_) {
     Hash64 h;

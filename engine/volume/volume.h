@@ -1,6 +1,6 @@
-/// A specimen and what has been cut from it. Two fields: the base B (the specimen's, shared, immutable) and the cut C,
-/// present only in bricks that a bur has reached; a voxel's solid fraction is s = min(B, C). For a filled reading C
-/// holds the worn fraction itself. One writer thread; memory is taken at construction, none while cutting.
+/// A specimen and its cuts, as two fields. The base B is the specimen's, shared and immutable; the cut C is stored in
+/// the bricks that a bur has reached. A voxel's solid fraction is s = min(B, C). A filled reading's C holds the worn
+/// fraction. One writer thread. The constructor takes all memory.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace cusp::engine {
 
-/// Bricks that a volume reserves cut room for, at most: 17 MB. At voxels of 0.04 mm they hold 537 mm3 of cuts, at 0.1
-/// mm 8,400: more than any preparation takes. A scene of fewer bricks reserves for all of them.
+/// Most bricks that a volume reserves cut memory for: 17 MB. They hold 537 mm3 of cuts at voxels of 0.04 mm and 8,400
+/// mm3 at 0.1 mm, more than any preparation. A scene of fewer bricks reserves for all of them.
 inline constexpr std::size_t kMostCutBricks = 16384;
 
 class Volume {
  public:
-  /// Reserves room for every brick that holds tissue or touches one that does, kMostCutBricks at most.
+  /// Reserves memory for every brick that holds tissue and for its neighbours, kMostCutBricks at most.
   explicit Volume(std::shared_ptr<const Specimen> specimen);
 
   const Specimen& specimen() const noexcept { return *specimen_; }
@@ -45,7 +45,7 @@ class Volume {
     const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? kSolid : cut_[static_cast<std::size_t>(slot) * kBrickVoxels + static_cast<std::size_t>(offset)];
   }
-  /// Tissue that was there at the start (removal never renames a voxel).
+  /// The voxel's tissue at the start: removal does not change it.
   Tissue tissue(IVec3 v) const noexcept { return specimen_->tissue(v); }
   bool occupied(IVec3 v) const noexcept {
     const std::uint16_t value = s(v);
@@ -57,7 +57,7 @@ class Volume {
   /// Place of a brick's cut values, dense from 0 in the order of first cutting; -1 where nothing was cut.
   int cut_slot(int brick) const noexcept { return std::max<int>(slot_[static_cast<std::size_t>(brick)], kUncut); }
   std::size_t cut_capacity() const noexcept { return capacity_; }
-  /// False where no tissue is within a brick's reach: nothing there can be cut.
+  /// False for a brick that no tissue is within a brick of.
   bool cuttable(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)] != kOutOfReach; }
   bool has_cut(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)] >= 0; }
   /// The 512 cut values of a brick, nullptr where nothing was cut.
@@ -65,16 +65,17 @@ class Volume {
     const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? nullptr : &cut_[static_cast<std::size_t>(slot) * kBrickVoxels];
   }
-  /// Rises whenever a value of this brick changes; 0 while untouched. For drawing and for caches.
+  /// Rises with each change of the brick; 0 before the first. For drawing and for caches.
   std::uint32_t revision(int brick) const noexcept {
     const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? loaded_ : revision_[static_cast<std::size_t>(slot)];
   }
 
-  /// Haptic thread. The cut values of a brick for writing, made solid at first touch. nullptr when the reserved room is
-  /// spent (counted by the step as an overflow; tests want none).
+  /// Haptic thread. The cut values of a brick, for writing. The first call for a brick fills them: solid, or the base
+  /// of a filled reading. nullptr if the reserved memory is used up: the step reports an overflow, and tests expect
+  /// none.
   std::uint16_t* cut_for_writing(int brick) noexcept;
-  /// Haptic thread. To be called once after a brick was written. Pre: has_cut(brick).
+  /// Haptic thread. To be called once after each write to a brick. Pre: has_cut(brick).
   void touched(int brick) noexcept { ++revision_[static_cast<std::size_t>(slot_[static_cast<std::size_t>(brick)])]; }
 
   /// The same on every machine for the same specimen and the same cuts, whatever their order.
@@ -86,7 +87,7 @@ class Volume {
 
   /// The cuts alone, as bytes: count, then brick index and 512 values each, in index order, little-endian.
   std::vector<std::byte> save_cuts() const;
-  /// Replaces the cuts; false (and unchanged) when the bytes do not fit this specimen.
+  /// Replaces the cuts. False, and unchanged, if the bytes do not fit this specimen.
   bool load_cuts(std::span<const std::byte> bytes);
 
  private:

@@ -1,4 +1,4 @@
-/// The plain, dense form of a specimen: what generators and importers make, files hold and a Specimen is built from.
+/// The dense form of a specimen: generators and importers make it, files hold it, Specimen::build() reads it.
 #pragma once
 
 #include <cmath>
@@ -34,8 +34,8 @@ struct Grid {
   friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// Half width of the distance band, in voxels: then no sample that a central difference at the surface touches is
-/// clamped, and a plane is exact (design: "Tried"; 1.5 gives 0.7 degrees on a sphere).
+/// Half width of the distance band, in voxels. No sample that a central difference at the surface reads is clamped, so
+/// a plane is exact. 1.5 would give 0.7 degrees on a sphere.
 inline constexpr double kBandVoxels = 2.75;
 inline constexpr std::uint16_t kSolid = 65535;
 /// Occupied while s >= kHalf (banded) or s > 0 (filled).
@@ -48,14 +48,14 @@ inline std::uint16_t solid_from_distance(double d_voxels) noexcept {
   if (s >= 1.0) return kSolid;
   return static_cast<std::uint16_t>(s * 65535.0 + 0.5);
 }
-/// Signed distance in voxels, negative inside; at most kBandVoxels either way (then it only bounds).
+/// Signed distance in voxels, negative inside. At kBandVoxels either way it is a bound.
 inline double distance_from_solid(std::uint16_t s) noexcept {
   return kBandVoxels - static_cast<double>(s) * (2.0 * kBandVoxels / 65535.0);
 }
 
-/// Dense specimen. tissue[z][y][x] is set wherever s > 0 (also in the outer half of the band: the nearest tissue),
-/// empty elsewhere. s is the solid fraction in 1/65535; the surface is s = 1/2.
-/// The outermost four voxels on every side are empty (generators pad by 4), except where a specimen fills its box.
+/// Dense specimen. tissue[z][y][x] is set wherever s > 0, in the outer half of the band to the nearest tissue;
+/// elsewhere it is empty. s is the solid fraction in 1/65535; the surface is s = 1/2. The outermost four voxels on
+/// every side are empty (generators pad by 4), unless a specimen fills its box.
 struct VoxelVolume {
   Grid grid;
   std::vector<Tissue> tissue;

@@ -30,7 +30,7 @@ Measure not_measured(std::string metric, std::string unit) {
 }
 
 /// Of the cut faces that lie as near to the pulp as the measure is known, the one that shows it best.
-class NearPulpSink final : public PieceSink {
+class NearPulpSink final : public SolidSink {
  public:
   NearPulpSink(const Reference& reference, const Volume& volume, double within_mm)
       : reference_(reference), judge_(volume), within_mm_(within_mm) {}
@@ -107,7 +107,7 @@ void add_pulp(const Reference& reference, const Volume& volume, const RegionShar
     const double sigma = kPulpSigmaVoxels * volume.grid().voxel_mm + reference.point_sigma_mm();
     NearPulpSink near(reference, volume, sum.pulp_mm + sigma);
     for (const BrickShares& one : bricks)
-      if (one.shares.pulp_mm < sum.pulp_mm + sigma) removed_pieces(volume, one.brick, near);
+      if (one.shares.pulp_mm < sum.pulp_mm + sigma) emit_removed(volume, one.brick, near);
     out.push_back(measured("remaining_over_pulp", sum.pulp_mm, sigma, "mm", near.best.found() ? near.best.at_mm : sum.pulp_at_mm));
   }
   if (reference.pulp().empty()) {

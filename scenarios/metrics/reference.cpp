@@ -141,7 +141,7 @@ Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> s
     if (shape_.empty() || high.z < shape_.floor_mm() || high.x < shape_.low().x || high.y < shape_.low().y ||
         low.x > shape_.high().x || low.y > shape_.high().y)
       continue;
-    base_pieces(*specimen_, b, sum);
+    emit_specimen(*specimen_, b, sum);
   }
   present_[index_of(Tissue::empty)] = false;
   target_mm3_ = sum.mm3;

@@ -10,7 +10,7 @@
 
 namespace cusp::scenarios {
 
-class RegionClassifier : public PieceSink {
+class RegionClassifier : public SolidSink {
  public:
   /// Both outlive the sink.
   RegionClassifier(const TargetShape& shape, const Leeway& leeway) : shape_(shape), leeway_(leeway) {}

@@ -101,7 +101,7 @@ void RegionShares::add(const RegionShares& other) noexcept {
 RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick) {
   RegionShares shares;
   ShareSink sink(reference, volume, shares);
-  removed_pieces(volume, brick, sink);
+  emit_removed(volume, brick, sink);
   add_seams(volume, brick, shares);
   return shares;
 }

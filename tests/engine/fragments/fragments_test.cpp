@@ -35,8 +35,8 @@ int occupied(const Volume& volume) {
   for (int b = 0; b < n.x * n.y * n.z; ++b) count += occupied_in(volume, b).count();
   return count;
 }
-/// Lets a named piece go as the step does, at most so many ticks; the number that it took.
-int let_go(Volume& volume, std::uint32_t name, int most = 1000) {
+/// Removes a named fragment as the step does, in at most so many ticks. Returns the number of ticks.
+int remove_fragment(Volume& volume, std::uint32_t name, int most = 1000) {
   Occupancy occupancy(volume);
   FragmentRemoval leaving;
   leaving.receive(volume, static_cast<std::uint16_t>(0x8000u | name >> 15));
@@ -45,9 +45,9 @@ int let_go(Volume& volume, std::uint32_t name, int most = 1000) {
   for (; leaving.active() && ticks < most; ++ticks)
     leaving.advance(volume, [&](std::span<const IVec3> voxels) {
       if (volume.specimen().reading() == Reading::filled)
-        take_away(volume, occupancy, voxels);
+        remove_voxels(volume, occupancy, voxels);
       else
-        take_away(volume, voxels);
+        remove_voxels(volume, voxels);
     });
   return ticks;
 }
@@ -60,7 +60,7 @@ TEST(Fragments, what_is_reached_in_a_brick_is_what_a_plain_search_reaches) {
   std::mt19937_64 random(1);
   for (int round = 0; round < 50; ++round) {
     BrickVoxelSet within;
-    for (std::uint64_t& s : within.slice) s = random() & random();  // a quarter: pieces of many sizes
+    for (std::uint64_t& s : within.slice) s = random() & random();  // a quarter: components of many sizes
     if (within.empty()) continue;
     BrickVoxelSet seed;
     seed.add(within.first());
@@ -121,7 +121,7 @@ TEST_P(EveryReading, a_block_cut_through_loses_its_smaller_part_and_no_more) {
   const std::vector<std::uint32_t> names = find_severed_fragments(volume, bricks_of(volume));
   ASSERT_EQ(names.size(), 1u);
   const int before = occupied(volume);
-  const int ticks = let_go(volume, names[0]);
+  const int ticks = remove_fragment(volume, names[0]);
   EXPECT_LT(ticks, 70) << "bricks of 8 voxels: 9 x 24 x 24 lie in 2 x 4 x 4 of them, few twice";
   EXPECT_EQ(before - occupied(volume), 9 * 24 * 24);
   EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
@@ -157,7 +157,7 @@ TEST(Fragments, what_went_leaves_no_surface_behind_and_its_neighbours_untouched)
   Crumb crumb;
   const IVec3 middle(23, 19, 19);
   ASSERT_TRUE(crumb_at(volume, middle, crumb));
-  const ChangedBox changed = take_away(volume, crumb.voxels());
+  const ChangedBox changed = remove_voxels(volume, crumb.voxels());
   ASSERT_TRUE(changed.any);
   EXPECT_FALSE(changed.overflow);
   IVec3 v;
@@ -180,7 +180,7 @@ TEST_P(EveryReading, a_fragment_is_removed_alike_from_a_saved_state) {
   carved::carve(one, [](Vec3 p) { return box(p, Vec3(0.5, 0.0, 0.0), Vec3(0.2, 3.0, 3.0)); });
   const std::uint32_t name = find_severed_fragments(one, bricks_of(one)).at(0);
   Volume other = one;
-  let_go(one, name);
+  remove_fragment(one, name);
 
   // The other one is saved and loaded after five ticks.
   Occupancy occupancy(other);
@@ -191,9 +191,9 @@ TEST_P(EveryReading, a_fragment_is_removed_alike_from_a_saved_state) {
   second.receive(other, static_cast<std::uint16_t>(name & 0x7fffu));
   const auto gone = [&](std::span<const IVec3> voxels) {
     if (GetParam() == Reading::filled)
-      take_away(other, occupancy, voxels);
+      remove_voxels(other, occupancy, voxels);
     else
-      take_away(other, voxels);
+      remove_voxels(other, voxels);
   };
   for (int k = 0; k < 5; ++k) second.advance(other, gone);
   FragmentRemoval third;
@@ -215,9 +215,9 @@ TEST_P(EveryReading, a_full_brick_goes_in_parts) {
     leaving.advance(volume, [&](std::span<const IVec3> voxels) {
       most = std::max(most, voxels.size());
       if (GetParam() == Reading::filled)
-        take_away(volume, occupancy, voxels);
+        remove_voxels(volume, occupancy, voxels);
       else
-        take_away(volume, voxels);
+        remove_voxels(volume, voxels);
     });
   // A slice of 64 at most beyond what is enough; a brick whole would be 512.
   EXPECT_GE(most, 128u);

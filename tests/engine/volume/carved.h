@@ -7,7 +7,7 @@
 
 namespace cusp::engine::carved {
 
-/// A specimen of one distance (mm, negative inside), all of one tissue or as `tissue_at` says.
+/// A specimen of one distance (mm, negative inside), all of one tissue or by `tissue_at`.
 template <class Distance, class TissueAt>
 std::shared_ptr<const Specimen> specimen(const Grid& grid, Reading reading, Distance&& distance, TissueAt&& tissue_at) {
   VoxelVolume dense(grid);

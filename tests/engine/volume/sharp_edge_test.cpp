@@ -47,7 +47,8 @@ Surface surface_of(const std::function<double(Vec3)>& distance) {
       const Vec3 p = corner + kVoxel * Vec3(points.x[i], points.y[i], points.z[i]);
       if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > 2.0) continue;
       if (points.normal[i].edge()) {
-        out.edges.push_back({p, Vec3(points.normal[i].unit()), Vec3(specimen->surface().sharp(points, i).vector)});
+        out.edges.push_back(
+            {p, Vec3(points.normal[i].unit()), Vec3(specimen->surface().edge_detail(points, i).vector)});
       } else {
         out.worst_point = std::max(out.worst_point, std::fabs(distance(p)) / kVoxel);
         ++out.points;

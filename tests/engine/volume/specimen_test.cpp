@@ -45,7 +45,7 @@ BrickSource bricks_of(const VoxelVolume& dense) {
   };
 }
 
-/// A solid block with four empty voxels round it and its band, said brick by brick as a generator would.
+/// A solid block with four empty voxels round it and its band, given brick by brick as by a generator.
 std::shared_ptr<const Specimen> solid_block(int edge, Reading reading) {
   const Grid grid{IVec3(edge), 0.1, Vec3(0.0)};
   return Specimen::build(grid, reading, [edge](IVec3 brick, BrickVoxels& voxels) -> std::optional<Tissue> {
@@ -79,7 +79,7 @@ TEST_P(BothReadings, a_build_brick_by_brick_equals_the_one_from_the_dense_form_b
   EXPECT_EQ(a->dense().tissue, b->dense().tissue);
 }
 
-TEST_P(BothReadings, every_voxel_reads_as_the_dense_form_says) {
+TEST_P(BothReadings, every_voxel_reads_as_in_the_dense_form) {
   const VoxelVolume dense = mixed_volume();
   const auto specimen = Specimen::build(dense, GetParam());
   IVec3 v;
