@@ -9,9 +9,9 @@
 namespace cusp::engine {
 
 struct Bur {
-  std::string name;              // catalogue number, "2" or "1/4"; a person sees it with the diameter
+  std::string name;              // catalogue number, "2" or "1/4"; the screen shows it with the diameter
   double radius_mm = 0.5;        // of the cutting head where it is widest
-  double neck_radius_mm = 0.3;   // from the pivot up to neck_length_mm; within the head the head answers for it
+  double neck_radius_mm = 0.3;   // from the pivot up to neck_length_mm; inside the head it has no effect
   double neck_length_mm = 4.0;
   double shank_radius_mm = 0.8;  // FG shank, from the neck's end
   double shank_length_mm = 12.0;

@@ -25,7 +25,7 @@ bool positive(std::initializer_list<double> all) {
   return true;
 }
 
-/// Where the straight line to `to` leaves the circle on the side of greater rho: its point there.
+/// The point where the tangent from `to` touches the circle, on the side of greater rho.
 std::optional<OnHalf> leaving(OnHalf centre, double radius, OnHalf to) {
   const double t = to.t - centre.t, rho = to.rho - centre.rho;
   const double square = t * t + rho * rho;
@@ -70,16 +70,17 @@ std::optional<Profile> oval_head(double radius, double tip_radius, double widest
       widest_at <= tip_radius || length <= widest_at)
     return std::nullopt;
   const double low = -radius, high = low + length;
-  // The lower flank touches the tip's ball from outside and runs level at the widest place.
-  const double ahead = widest_at - tip_radius;
-  const double lower = (ahead * ahead + radius * radius - tip_radius * tip_radius) / (2.0 * (radius - tip_radius));
+  // The lower flank touches the tip's ball from outside and is parallel to the axis at the widest place.
+  const double below_widest = widest_at - tip_radius;
+  const double lower =
+      (below_widest * below_widest + radius * radius - tip_radius * tip_radius) / (2.0 * (radius - tip_radius));
   const OnHalf widest{low + widest_at, radius};
   const OnHalf tip{low + tip_radius, 0.0}, below{widest.t, radius - lower};
   const double between = lower - tip_radius;
   if (!(between > 0.0)) return std::nullopt;
   const OnHalf rim{tip.t + tip_radius * (tip.t - below.t) / between, tip_radius * (0.0 - below.rho) / between};
-  const double behind = length - widest_at, drop = radius - top_radius;
-  const double upper = (behind * behind + drop * drop) / (2.0 * drop);
+  const double above_widest = length - widest_at, drop = radius - top_radius;
+  const double upper = (above_widest * above_widest + drop * drop) / (2.0 * drop);
   const OnHalf top{high, top_radius};
   return of({{{low, 0.0}, rim, tip, tip_radius},
              {rim, widest, below, lower},

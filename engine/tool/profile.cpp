@@ -6,20 +6,21 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr double kSameMm = 1e-7;    // ends that should meet, an arc's end on its circle: what a data file rounds to
-constexpr double kSharp = 1e-3;     // sine of an angle that counts as an edge
-constexpr double kOnSkinMm = 1e-9;  // a corner that the lines alone tell is no further off by more than that
-constexpr double kStraight = 1e-9;  // sine of an angle that counts as none
+constexpr double kSameMm = 1e-7;    // two ends that meet, an arc's end on its circle: the rounding of a data file
+constexpr double kEdgeSine = 1e-3;  // a larger sine of the angle between two pieces is an edge
+constexpr double kOnSkinMm = 1e-9;  // up to here the lines' distance is exact to as much at a corner
+constexpr double kStraight = 1e-9;  // a smaller sine of an angle is none
 
 OnHalf operator-(OnHalf a, OnHalf b) noexcept { return {a.t - b.t, a.rho - b.rho}; }
 double dot(OnHalf a, OnHalf b) noexcept { return a.t * b.t + a.rho * b.rho; }
 /// Positive where b is to the left of a.
 double cross(OnHalf a, OnHalf b) noexcept { return a.t * b.rho - a.rho * b.t; }
 double length(OnHalf a) noexcept { return std::sqrt(dot(a, a)); }
-/// The way along an outline whose outward normal is n, and back.
+/// Direction along an outline whose outward normal is n.
 OnHalf along(OnHalf n) noexcept { return {n.rho, -n.t}; }
+/// Outward normal of an outline with direction d.
 OnHalf outward(OnHalf d) noexcept { return {-d.rho, d.t}; }
-/// Within the turn from `first` to `last`, half a turn at most, to the right.
+/// True if v lies within the turn to the right from `first` to `last`, which is half a turn at most.
 bool between(OnHalf first, OnHalf v, OnHalf last) noexcept { return cross(first, v) <= 0.0 && cross(v, last) <= 0.0; }
 
 bool finite(OnHalf a) noexcept { return std::fabs(a.t) < 1e6 && std::fabs(a.rho) < 1e6; }
@@ -47,9 +48,9 @@ bool Profile::add(const OutlinePiece& piece) noexcept {
     if (std::fabs(la - piece.radius) > kSameMm || std::fabs(lb - piece.radius) > kSameMm) return false;
     side.first = {a.t / la, a.rho / la};
     side.last = {b.t / lb, b.rho / lb};
-    if (cross(side.first, side.last) > kStraight) return false;  // the other way round, or more than half a turn
+    if (cross(side.first, side.last) > kStraight) return false;  // turns to the left, or by more than half a turn
   }
-  // Convex, and so is the solid: the outline turns to the right all along and never goes back along the axis.
+  // The solid is convex if its outline turns to the right all along and never goes back along the axis.
   if (side.first.rho < -kStraight || side.last.rho < -kStraight) return false;
   if (count_ > 0 && cross(sides_[n - 1].last, side.first) > kStraight) return false;
   pieces_[n] = piece;
@@ -102,9 +103,9 @@ double Profile::side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noe
 }
 
 double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
-  // A convex solid is where all its supporting lines say inside, and as deep as the shallowest of them says.
+  // Inside a convex solid the distance is the largest of those to its supporting lines.
   double most = -1e300, least = 1e300;
-  OnHalf nearest;  // of the pieces that the place is above, the nearest: its normal
+  OnHalf nearest;  // normal of the nearest piece that the place is above
   for (int i = 0; i < count_; ++i) {
     OnHalf normal;
     bool above = false;
@@ -118,12 +119,12 @@ double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
       nearest = normal;
     }
   }
-  // On the skin a smooth neighbour's line may say as much as the piece that the place stands on, or a rounding more.
+  // On the surface the line of a smooth neighbour may have the same distance, or one larger by rounding.
   if (most <= kOnSkinMm || most == least) return most;
-  // Outside: the nearest piece, or a corner or a pole.
+  // Outside: the nearest piece, corner or pole.
   double square = least < 1e299 ? least * least : 1e300;
   bool corner = false;
-  const auto look = [&](OnHalf point) {
+  const auto consider = [&](OnHalf point) {
     const OnHalf v = at - point;
     const double of_point = dot(v, v);
     if (!(of_point < square)) return;
@@ -131,8 +132,8 @@ double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
     nearest = v;
     corner = true;
   };
-  look(piece(0).from);
-  for (int i = 0; i < count_; ++i) look(piece(i).to);
+  consider(piece(0).from);
+  for (int i = 0; i < count_; ++i) consider(piece(i).to);
   if (!corner) {
     gradient = nearest;
     return least;
@@ -147,7 +148,7 @@ bool Profile::rim(OnHalf at, double far, OnHalf& out) const noexcept {
   bool any = false;
   for (int i = 0; i + 1 < count_; ++i) {
     const auto n = static_cast<std::size_t>(i);
-    if (cross(sides_[n].last, sides_[n + 1].first) > -kSharp) continue;
+    if (cross(sides_[n].last, sides_[n + 1].first) > -kEdgeSine) continue;
     const OnHalf d = at - piece(i).to;
     if (dot(d, d) > least) continue;
     least = dot(d, d);
@@ -158,7 +159,7 @@ bool Profile::rim(OnHalf at, double far, OnHalf& out) const noexcept {
 }
 
 OnHalf Profile::support(OnHalf direction, OnHalf near) const noexcept {
-  constexpr double kLevel = 1e-9;  // of two points, by how much one must be further to be it: sine, and mm
+  constexpr double kLevel = 1e-9;  // a point must be further than another by more than this: sine, and mm
   OnHalf best = piece(0).from;
   double most = dot(best, direction);
   for (int i = 0; i < count_; ++i) {

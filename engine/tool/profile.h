@@ -1,6 +1,7 @@
-/// Profile of revolution of a bur's cutting head: one convex solid about the axis, told by its outline in the half plane
-/// (t along the axis towards the shank, rho >= 0 off it), from the tip's pole to the upper one, in straight lines and arcs.
-/// A profile's origin is the bur's pivot. Lengths in mm. Any thread; wait-free; only + - * / sqrt: the step uses it.
+/// Profile of revolution of a bur's cutting head: a convex solid about the axis, given by its outline in the half
+/// plane. t is along the axis towards the shank, rho >= 0 across it. The outline goes from the tip's pole to the upper
+/// one in straight lines and arcs. A profile's origin is the bur's pivot. Lengths in mm.
+/// Any thread; wait-free. Only + - * / sqrt: the step uses it.
 #pragma once
 
 #include <array>
@@ -32,27 +33,27 @@ class Profile {
   bool ball() const noexcept { return count_ == 0; }
   int size() const noexcept { return count_; }
   const OutlinePiece& piece(int i) const noexcept { return pieces_[static_cast<std::size_t>(i)]; }
-  /// Pieces in order from the tip; false (and unchanged) when full, when a piece does not begin where the last ended, or
-  /// when the solid would not be convex.
+  /// Adds the next piece from the tip. False, and unchanged, if the profile is full or closed, or if the piece does not
+  /// begin at the last one's end. False, too, if the solid would not be convex.
   bool add(const OutlinePiece& piece) noexcept;
-  /// True when the outline begins and ends on the axis and encloses something.
+  /// True if the outline begins and ends on the axis and encloses a volume.
   bool closed() const noexcept;
 
   double low() const noexcept { return low_; }    // of t
   double high() const noexcept { return high_; }
   double widest() const noexcept { return wide_; }  // of rho
-  /// Ball about the pivot that holds all of it.
+  /// Radius of the ball about the pivot that contains the head.
   double reach() const noexcept { return reach_; }
 
   /// Signed distance of a place to the solid, negative inside, and its gradient (unit). Exact: a convex solid's nearest
   /// point lies in the same half plane. Ties (on the axis, on a ridge inside) go to the lowest piece. Pre: closed().
   double distance(OnHalf at, OnHalf& gradient) const noexcept;
 
-  /// The nearest sharp end of a piece within `far` of a place of the outline; false where there is none.
+  /// The nearest edge between two pieces within `far` of a place of the outline. False if there is none.
   bool rim(OnHalf at, double far, OnHalf& out) const noexcept;
 
-  /// The point of the solid furthest along `direction` (unit; rho component >= 0); of a flat or a straight flank that all
-  /// lies furthest, the one nearest to `near`. Pre: closed().
+  /// The point of the solid furthest along `direction` (unit; rho component >= 0). If a whole flat end or straight
+  /// flank is furthest, its point nearest to `near`. Pre: closed().
   OnHalf support(OnHalf direction, OnHalf near) const noexcept;
 
   friend bool operator==(const Profile& a, const Profile& b) noexcept {
@@ -63,12 +64,14 @@ class Profile {
   }
 
  private:
-  /// A piece's outward normals at its ends (a straight one has the same twice) and, along the first, where its line is.
+  /// A piece's outward normals at its ends, alike for a straight one.
   struct Side {
     OnHalf first, last;
     double level = 0.0;   // of a straight piece: its normal times any point of it
     double length = 0.0;  // of a straight piece
   };
+  /// Distance of a place to the line or circle of piece i, and its outward normal. above: the nearest point lies on the
+  /// piece.
   double side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noexcept;
 
   std::array<OutlinePiece, kMostPieces> pieces_{};

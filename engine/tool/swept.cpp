@@ -40,7 +40,8 @@ double nearest_part(Vec3 a, Vec3 b, Vec3 place) noexcept {
   return part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
 }
 
-/// The distance at a part of the way, and its slope along the way: convex in the part, so the slope only grows.
+/// The distance at a part of the way, and its slope along the way. The distance is convex in the part, so the slope
+/// only grows.
 struct OnTheWay {
   double part = 0.0, distance = 0.0, slope = 0.0;
   Cylindrical place;
@@ -52,7 +53,7 @@ OnTheWay at_part(const Profile& head, Vec3 axis, Vec3 from_a, Vec3 way, double p
   out.part = part;
   out.place = by_axis(axis, from_a - way * part);
   out.distance = head.distance(out.place.at, out.gradient);
-  // On the axis every way across is level or up: nothing is a slope there too.
+  // On the axis every direction across is level or rises, so 0 is a slope of the distance there.
   const double across_way = out.place.at.rho > 0.0 ? glm::dot(out.place.off, way) / out.place.at.rho : 0.0;
   out.slope = -(out.gradient.t * glm::dot(axis, way) + out.gradient.rho * across_way);
   return out;
@@ -110,7 +111,7 @@ Vec3 head_support(const Bur& bur, Vec3 axis, Vec3 direction, Vec3 near) noexcept
   const Cylindrical way = by_axis(axis, direction), place = by_axis(axis, near);
   const OnHalf at = bur.head.support(way.at, place.at);
   if (way.at.rho > 1e-9) return axis * at.t + way.off * (at.rho / way.at.rho);
-  // Along the axis: about it as the place is.
+  // A direction along the axis has no part across it; the place's part is used.
   const Vec3 round = place.at.rho > 0.0 ? place.off / place.at.rho : across(axis);
   return axis * at.t + round * at.rho;
 }
@@ -132,21 +133,22 @@ Passing passing_head(const Bur& bur, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, doub
     }
   }
   const Vec3 way = b - a;
-  const auto look = [&](double part) { return at_part(bur.head, axis, place - a, way, part); };
+  const auto at = [&](double part) { return at_part(bur.head, axis, place - a, way, part); };
   const auto answer = [&](const OnTheWay& best) {
     out.part = best.part;
     out.distance_mm = best.distance;
     out.gradient = in_space(axis, best.place, best.gradient);
     return out;
   };
-  OnTheWay high = look(1.0);
+  OnTheWay high = at(1.0);
   if (high.slope <= 0.0) return answer(high);
-  OnTheWay low = look(0.0);
+  OnTheWay low = at(0.0);
   if (low.slope >= 0.0) return answer(low);
-  // Between a falling and a rising end. The tangents of both bound the minimum from below: done when the better end is
-  // that near. In turns the secant of the slopes (a smooth minimum), where the tangents meet (a crease), and halves.
-  constexpr int kMostLooks = 60;
-  for (int i = 0; i < kMostLooks; ++i) {
+  // Between a falling and a rising end, whose tangents bound the minimum from below. The search ends if the better end
+  // is within kPassingErrorMm of that bound. The next part is, in turns, the slopes' secant for a smooth minimum, the
+  // tangents' meeting place for a crease, and the middle.
+  constexpr int kMostPasses = 60;
+  for (int i = 0; i < kMostPasses; ++i) {
     const double width = high.part - low.part;
     const double meet = (high.slope * width - (high.distance - low.distance)) / (high.slope - low.slope);
     const double floor = low.distance + low.slope * meet;
@@ -154,7 +156,7 @@ Passing passing_head(const Bur& bur, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, doub
     if (best.distance - floor <= kPassingErrorMm) return answer(best);
     double step = i % 3 == 0 ? width * (-low.slope / (high.slope - low.slope)) : i % 3 == 1 ? meet : 0.5 * width;
     if (!(step > 0.0 && step < width)) step = 0.5 * width;
-    const OnTheWay next = look(low.part + step);
+    const OnTheWay next = at(low.part + step);
     (next.slope <= 0.0 ? low : high) = next;
   }
   return answer(low.distance <= high.distance ? low : high);

@@ -38,7 +38,7 @@ VoxelTool voxelise(const Bur& bur, Vec3 axis, double voxel_mm) {
       for (int x = low.x; x <= high.x; ++x) {
         const Vec3 v(x, y, z);
         if (cuts(v) || !inside(v)) continue;
-        // Only the outer layer: nothing gets inside without crossing it, a voxel at a time.
+        // The outer layer alone: a voxel that enters the holder crosses it.
         const bool outer = !inside(v + Vec3(1, 0, 0)) || !inside(v - Vec3(1, 0, 0)) || !inside(v + Vec3(0, 1, 0)) ||
                            !inside(v - Vec3(0, 1, 0)) || !inside(v + Vec3(0, 0, 1)) || !inside(v - Vec3(0, 0, 1));
         if (outer) out.holder.push_back({x, y, z});

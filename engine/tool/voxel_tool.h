@@ -1,4 +1,4 @@
-/// A bur as the paper has it: voxels of the specimen's size about the pivot's voxel, cutting ones and the others.
+/// The paper's bur: voxels of the specimen's size about the pivot's voxel, cutting ones and the others.
 #pragma once
 
 #include <vector>
