@@ -1,4 +1,4 @@
-/// Everything that does not change while an exercise runs: what `step` may read besides its state and its input.
+/// Everything that step() reads besides its state and its input, and that does not change during an exercise.
 /// Shared and immutable after loading. Any thread.
 #pragma once
 
@@ -52,7 +52,7 @@ enum class GuardPart : std::uint16_t {
   jump = 1 << 3,       // fault: the device point jumped
   late = 1 << 4,       // fault: the tick is late
   stale = 1 << 5,      // fault: the device repeats itself
-  speed = 1 << 6,      // velocity bound
+  speed = 1 << 6,      // fades the force of a fast device
   passivity = 1 << 7,  // the controller of passivity.h
   coupling = 1 << 8,   // its damper
 };
@@ -64,15 +64,15 @@ struct GuardSettings {
   double slew_n_per_ms = 0.3;       // how fast the force may rise; it may fall at any rate
   double ramp_in_ms = 200.0;        // from zero after start, bur change or re-arm
   double jump_mm = 5.0;             // a device point that moves further in one input is a fault
-  double late_ms = 50.0;            // an input that comes later than this is a fault
+  double late_ms = 50.0;            // an input later than this is a fault
   double stale_ms = 10.0;           // a device without a new sample for longer is a fault [M]: a Falcon answers each
                                     // millisecond, and drops its force when the host is silent
-  double speed_mm_s = 400.0;        // velocity bound: a device that the force itself drives faster is being thrown; from
-                                    // here the force fades, to nothing at twice that [M]: hands drill at 1 to 50
+  double speed_mm_s = 400.0;        // the force of a device that moves faster along it fades, to zero at twice this
+                                    // [M]: drilling hands move at 1 to 50
   double passivity_mj = 0.015;      // energy that the loop may feed before the passivity controller acts
   double delay_ms = 0.0;            // round trip that the passivity controller assumes, [0, 8]
-  double encoder_mm = 0.05;         // step of the device's reading: the controller takes less for no motion
-  double coupling_ns_per_m = 10.0;  // damper of the virtual coupling, where the controller has softened it
+  double encoder_mm = 0.05;         // step of the device's reading: less is no motion for the controller
+  double coupling_ns_per_m = 10.0;  // damper of the virtual coupling, while the controller softens it
   std::uint16_t parts = kAllGuardParts;
 
   constexpr bool has(GuardPart part) const noexcept { return (parts & static_cast<std::uint16_t>(part)) != 0; }
@@ -89,7 +89,7 @@ struct GuardSettings {
   friend bool operator==(const GuardSettings&, const GuardSettings&) = default;
 };
 
-/// For the laboratory: force_n is the method's own. Not for a device that a person holds.
+/// For the laboratory: force_n is the method's own. Not for a device that a hand holds.
 constexpr GuardSettings unguarded() noexcept {
   GuardSettings out;
   out.parts = 0;
@@ -102,7 +102,7 @@ struct Scene {
   std::array<TissueFeel, kTissueCodes> tissues{};
   std::vector<Bur> burs;                   // at least one; StepInput::bur chooses
   Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the head towards the shank, at the identity orientation
-  double tilt_cosine = 1.0;                  // surface: how far the input's orientation may tilt it; 1: it stays
+  double tilt_cosine = 1.0;                  // surface: cosine of the largest tilt by the input's orientation; 1: none
   double full_force_n = 1.5;                 // F_full of eq. (4): d_max = F_full / K [M unless the scene says]
   bool friction = false;
   double friction_coefficient = 0.15;        // Coulomb cone (surface), scaled eq. (3) (occupancy) [M]

@@ -15,12 +15,13 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 
 bool zero(Vec3 v) noexcept { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
 
-/// In the air, with nothing left of any contact: all parts would give zero, so only position and speed are kept.
+/// True without contact and without any effect of an earlier one. Every part then gives zero, so only position and
+/// speed are kept.
 bool at_rest(const GuardSettings& settings, const GuardState& state, const GuardTick& tick) noexcept {
   const PassivityState& p = state.passivity;
   if (tick.contact || state.acted != 0 || !zero(tick.raw_n) || !zero(state.given_n) || !zero(p.spring_mm)) return false;
   if (!settings.has(GuardPart::passivity)) return false;
-  if (!p.primed || p.scale != 1.0 || p.bank_mj != 0.0 || p.room_mj != settings.passivity_mj) return false;
+  if (!p.primed || p.scale != 1.0 || p.surplus_mj != 0.0 || p.margin_mj != settings.passivity_mj) return false;
   for (const Vec3& held : p.held_n)
     if (!zero(held)) return false;
   return true;
@@ -34,7 +35,7 @@ std::uint16_t bound_size(const GuardSettings& settings, const GuardState& state,
   const double wanted = length_of(force);
   double given = wanted;
   if (settings.has(GuardPart::speed) && wanted > 1e-12) {
-    // The device flees along the force: it is thrown. Pushing against the force at any speed does not fade it.
+    // A device that moves along the force is thrown by it. A push against the force does not fade it at any speed.
     const double away = glm::dot(state.velocity_mm_s, force) / wanted;
     if (away > settings.speed_mm_s) {
       const double over = away / settings.speed_mm_s - 1.0;
@@ -66,13 +67,12 @@ std::uint16_t bound_rise(const GuardSettings& settings, const GuardState& state,
 
 }  // namespace
 
-Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms,
-            bool first) noexcept {
+Fault judge(const GuardSettings& settings, const StepInput& input, const InputHistory& history) noexcept {
   if (input.buttons & StepInput::kGone) return input.buttons & StepInput::kLate ? Fault::not_finite : Fault::gone;
-  if (first || (input.buttons & StepInput::kRearm)) return Fault::none;
+  if (history.place == InputPlace::first || (input.buttons & StepInput::kRearm)) return Fault::none;
   if (settings.has(GuardPart::late) && input.elapsed_us > settings.late_ms * 1000.0) return Fault::late;
-  if (settings.has(GuardPart::stale) && stale_ms > settings.stale_ms) return Fault::stale;
-  if (settings.has(GuardPart::jump) && !(jump_mm <= settings.jump_mm)) return Fault::jump;
+  if (settings.has(GuardPart::stale) && history.stale_ms > settings.stale_ms) return Fault::stale;
+  if (settings.has(GuardPart::jump) && !(history.jump_mm <= settings.jump_mm)) return Fault::jump;
   return Fault::none;
 }
 

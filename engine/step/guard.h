@@ -1,10 +1,10 @@
-/// The last stage of the step: bounds the force that the device gets. The force may fall at any rate. It rises no faster than
-/// the slew, stays within the limit, and starts from zero. It fades where it throws the device. It returns no more energy than
-/// a spring. A fault sets it to zero until re-armed. Thread: haptic. Wait-free.
+/// The last stage of the step: bounds the force that the device gets. The force may fall at any rate. It rises no
+/// faster than the slew, stays within the limit, and starts from zero. It fades where it throws the device. It returns
+/// no more energy than a spring. A fault sets it to zero until re-armed. Thread: haptic. Wait-free.
 ///
-/// Frozen inputs: equal positions prove nothing, for a resting hand repeats one encoder count for seconds. A port marks a sample
-/// that is not new as `late`; if none is new for stale_ms, that is a fault. Hanging encoders of an answering device are the
-/// port's to detect: the force then no longer changes and stays within the limit.
+/// Frozen inputs: equal positions prove nothing, because a resting hand repeats one encoder count for seconds. A port
+/// marks a sample that is not new as `late`; if none is new for stale_ms, that is a fault. The port detects hanging
+/// encoders of a device that still answers. The force then stays constant and within the limit.
 #pragma once
 
 #include "engine/scene/scene.h"
@@ -23,13 +23,21 @@ struct GuardState {
   PassivityState passivity;
 };
 
-/// The fault of this input, or none. jump_mm: way of the device point since the input before. stale_ms: time since the last
-/// new sample, this input included. first: no input came before.
-Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms,
-            bool first) noexcept;
+/// Whether an input came before. The first one can neither jump nor be late.
+enum class InputPlace : std::uint8_t { first, later };
+
+/// An input beside those before it.
+struct InputHistory {
+  double jump_mm = 0.0;   // way of the device point since the input before
+  double stale_ms = 0.0;  // since the last new sample, this input included
+  InputPlace place = InputPlace::later;
+};
+
+/// The fault of this input, or none.
+Fault judge(const GuardSettings& settings, const StepInput& input, const InputHistory& history) noexcept;
 
 /// The force for the device, N. moved_mm: of the device point since the input before.
-/// acts: GuardParts that changed the force in this tick or the one before, because the way back is their effect too.
+/// acts: GuardParts that changed the force in this tick or the one before: the force's return is their effect, too.
 /// The slew bounds the part of the force that is new, along the last force or across it; a fall counts as none.
 /// If the raw force is not finite, Fault::not_finite latches.
 Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& tick, Vec3 moved_mm,

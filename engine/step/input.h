@@ -26,8 +26,8 @@ struct StepInput {
 };
 static_assert(sizeof(StepInput) == 32);
 
-/// Quantises a device's sample. One whose position is not finite or beyond 100 m, or whose orientation is none, repeats
-/// the last one with kNotFinite set.
+/// Quantises a device's sample. If the position is not finite or beyond 100 m, or the orientation is none, the last
+/// input is repeated with kNotFinite set.
 StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept;
 
 }  // namespace cusp::engine

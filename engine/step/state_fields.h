@@ -1,13 +1,14 @@
-/// The one list of what the next step depends on. StepState::hash(), save() and restore() are visitors of it, and
-/// tests/engine/step/state_fields.cpp changes each of its fields in turn.
-/// Each visit() takes its struct apart by a structured binding: a member that is added and not listed does not compile.
-/// Only engine/step and its tests include this.
+/// The only list of the fields that the next step depends on. StepState::hash(), save() and restore() are visitors of
+/// it, and tests/engine/step/state_fields.cpp changes each of its fields in turn. Each visit() uses a structured
+/// binding of its struct: a new member that is not listed does not compile. Only engine/step and its tests include
+/// this.
 ///
 /// A visitor `f` has:
-///   f(name, value)                  a number, enum, bool or Vec3; value is a T&, or a const T& where the state is const
-///   f.size(name, now, least_bytes)  length of a list, each entry at least so many bytes when saved; returns the length to have
+///   f(name, value)                  a number, enum, bool or Vec3; value is a T&, or a const T& if the state is const
+///   f.size(name, now, least_bytes)  length of a list, each entry at least so many bytes when saved; returns the new
+///                                   length
 ///   f.cuts(name, volume)            the volume's cut field
-///   f.refuse()                      what was visited cannot be put into the state; only called where the state is not const
+///   f.refuse()                      the visited values are no state; not called if the state is const
 #pragma once
 
 #include <concepts>
@@ -52,11 +53,11 @@ void visit(Fields& f, T& output) {
 
 template <class Fields, MaybeConst<PassivityState> T>
 void visit(Fields& f, T& passivity) {
-  auto& [primed, scale, room_mj, bank_mj, device_mm, spring_mm, stiffness_n_per_mm, held_n] = passivity;
+  auto& [primed, scale, margin_mj, surplus_mj, device_mm, spring_mm, stiffness_n_per_mm, held_n] = passivity;
   f("guard.passivity.primed", primed);
   f("guard.passivity.scale", scale);
-  f("guard.passivity.room_mj", room_mj);
-  f("guard.passivity.bank_mj", bank_mj);
+  f("guard.passivity.margin_mj", margin_mj);
+  f("guard.passivity.surplus_mj", surplus_mj);
   f("guard.passivity.device_mm", device_mm);
   f("guard.passivity.spring_mm", spring_mm);
   f("guard.passivity.stiffness_n_per_mm", stiffness_n_per_mm);

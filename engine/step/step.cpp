@@ -61,7 +61,7 @@ Fault StepState::fault() const noexcept { return inner_->guard.fault; }
 
 namespace {
 
-/// Where the proxy begins: at the device point when nothing is there, else above the specimen, whence it comes down.
+/// The proxy's first pose: the device point if the bur fits there, else above the specimen along the tool's axis.
 Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   const Grid& grid = state.volume.grid();
   const Bur& bur = state.scene->burs[state.last.bur];
@@ -69,7 +69,6 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
   if (state.method->fits(state, axis, device)) return device;
   const double reach = head_reach(bur);
-  // Along the tool's axis until the head has left the box.
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {
     const Vec3 p = device + axis * leave;
@@ -92,7 +91,7 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   out.faulted = state.guard.fault != Fault::none;
 }
 
-/// The bur's axis of this input: the scene's, turned by the orientation, no further than the scene lets it.
+/// The bur's axis of this input: the scene's, turned by the orientation, at most by the scene's tilt.
 Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
   const Vec3 rest = scene.tool_axis;
   if (!(scene.tilt_cosine < 1.0) || scene.method != Method::surface) return rest;
@@ -110,6 +109,46 @@ Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
   return rest * scene.tilt_cosine + side * (std::sqrt(1.0 - scene.tilt_cosine * scene.tilt_cosine) / length);
 }
 
+/// The tick's number, time, bur and pose of the device.
+StepOutput begin_output(const StepState::Inner& state, const StepInput& input) noexcept {
+  const Scene& scene = *state.scene;
+  StepOutput out;
+  out.tick = state.last.tick + 1;
+  out.elapsed_us = state.last.elapsed_us + input.elapsed_us;
+  out.bur = input.bur < scene.burs.size() ? input.bur : static_cast<std::uint16_t>(scene.burs.size() - 1);
+  out.device_mm = input.position_mm();
+  out.axis = axis_of(scene, input);
+  return out;
+}
+
+/// Re-arms the guard if the input asks for it, then judges the input. moved_mm: of the device since the input before.
+void update_fault(StepState::Inner& state, const StepInput& input, Vec3 moved_mm, double elapsed_ms) noexcept {
+  const bool first = !state.started;
+  const bool rearm = (input.buttons & StepInput::kRearm) != 0;
+  const bool fresh = (input.buttons & StepInput::kLate) == 0;
+  if (rearm) {
+    state.guard.fault = Fault::none;
+    release(state.guard);
+  }
+  state.guard.stale_ms = fresh || first || rearm ? 0.0 : state.guard.stale_ms + elapsed_ms;
+  if (state.guard.fault != Fault::none) return;
+  const InputHistory history{std::sqrt(glm::dot(moved_mm, moved_mm)), state.guard.stale_ms,
+                             first ? InputPlace::first : InputPlace::later};
+  state.guard.fault = judge(state.scene->guard, input, history);
+}
+
+/// A tick with a latched fault: zero force. The proxy stays; after re-arming it follows the device to its place by
+/// then.
+void step_faulted(StepState::Inner& state, double dt_ms, StepOutput& out) noexcept {
+  out.proxy_mm = state.started ? state.proxy : out.device_mm;
+  out.faulted = true;
+  out.overflow = !state.method->end_stroke(state) || out.overflow;
+  state.velocity = Vec3(0.0);
+  release(state.guard);
+  if (state.started) state.device = out.device_mm;
+  if (state.phenomena) rest(*state.phenomena, dt_ms * 1e-3, out);
+}
+
 }  // namespace
 
 bool cut_along(StepState& outer, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept {
@@ -119,25 +158,11 @@ bool cut_along(StepState& outer, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) no
 StepOutput step(StepState& outer, const StepInput& input) noexcept {
   StepState::Inner& state = outer.inner();
   const Scene& scene = *state.scene;
-  StepOutput out;
-  out.tick = state.last.tick + 1;
-  out.elapsed_us = state.last.elapsed_us + input.elapsed_us;
-  out.bur = input.bur < scene.burs.size() ? input.bur : static_cast<std::uint16_t>(scene.burs.size() - 1);
-  const Vec3 device = input.position_mm();
-  out.device_mm = device;
-  out.axis = axis_of(scene, input);
-
+  StepOutput out = begin_output(state, input);
   const bool first = !state.started;
-  const Vec3 moved = device - state.device;
+  const Vec3 moved = out.device_mm - state.device;
   const double elapsed_ms = static_cast<double>(input.elapsed_us) * 1e-3;
-  const bool fresh = (input.buttons & StepInput::kLate) == 0;
-  if (input.buttons & StepInput::kRearm) {
-    state.guard.fault = Fault::none;
-    release(state.guard);
-  }
-  state.guard.stale_ms = fresh || first || (input.buttons & StepInput::kRearm) ? 0.0 : state.guard.stale_ms + elapsed_ms;
-  if (state.guard.fault == Fault::none)
-    state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), state.guard.stale_ms, first);
+  update_fault(state, input, moved, elapsed_ms);
   if (!first && out.bur != state.last.bur) {
     release(state.guard);
     out.overflow = !state.method->end_stroke(state);
@@ -148,26 +173,19 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
 
   const double dt_ms = std::min(elapsed_ms, scene.guard.late_ms);
   if (state.guard.fault != Fault::none) {
-    // The proxy stays; after re-arming it walks to wherever the device is by then.
-    out.proxy_mm = first ? device : state.proxy;
-    out.faulted = true;
-    out.overflow = !state.method->end_stroke(state) || out.overflow;
-    state.velocity = Vec3(0.0);
-    release(state.guard);
-    if (!first) state.device = device;
-    if (state.phenomena) rest(*state.phenomena, dt_ms * 1e-3, out);
+    step_faulted(state, dt_ms, out);
     state.last = out;
     return out;
   }
 
   if (first) {
     state.started = true;
-    state.device = device;
+    state.device = out.device_mm;
     state.last.bur = out.bur;
-    state.proxy = first_pose(state, device, out.axis);
+    state.proxy = first_pose(state, out.device_mm, out.axis);
   }
-  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, fragment_leaves};
-  // Where the device went while the guard was latched is no speed.
+  Tick asked{out.device_mm, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, fragment_leaves};
+  // The device's way while the guard was latched is no speed.
   const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
   if (!state.phenomena) {
     answer(state, asked, anew ? Vec3(0.0) : moved, dt_ms, out);
@@ -176,7 +194,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     answer(state, asked, anew ? Vec3(0.0) : moved, dt_ms, out);
     work(*state.phenomena, scene, input, asked.axis, asked.dt_s, out);
   }
-  state.device = device;
+  state.device = out.device_mm;
   state.last = out;
   return out;
 }

@@ -19,9 +19,9 @@ namespace cusp::engine {
 
 /// Events of a scene's phenomena in a tick.
 enum class PhenomenonSign : std::uint8_t {
-  stalled = 1 << 0,  // the bur stands under load
-  coolant = 1 << 1,  // it runs
-  dry = 1 << 2,      // the bur works on tissue without coolant
+  stalled = 1 << 0,     // the bur stands still under load
+  coolant = 1 << 1,     // it runs
+  dry = 1 << 2,         // the bur works on tissue without coolant
   overheated = 1 << 3,  // the dry-cutting event: in this tick the rise came to the pulp's criterion (heat.h)
 };
 
@@ -40,7 +40,7 @@ struct StepOutput {
   std::uint64_t tick = 0;        // 1 after the first step
   std::uint64_t elapsed_us = 0;  // sum of all inputs
   bool contact = false;          // proxy and device point differ
-  bool cutting = false;          // cut pressed and material is going
+  bool cutting = false;          // cut pressed and material removed
   bool shank = false;            // the neck or shank touches
   bool faulted = false;          // guard latched; force is zero until kRearm
   bool infeasible = false;       // no pose met all constraints; the pose before stayed admissible

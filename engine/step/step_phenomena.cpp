@@ -10,7 +10,7 @@ namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// What presses the bur on the tissue, without friction.
+/// Force that presses the bur on the tissue, without friction, N.
 double push_of(const StepOutput& out) noexcept {
   return out.contact ? out.stiffness_n_per_mm * length_of(out.proxy_mm - out.device_mm) : 0.0;
 }
@@ -36,10 +36,10 @@ PhenomenaState::PhenomenaState(const Scene& scene) noexcept
 void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, const StepOutput& before, double dt_s,
           Tick& tick) noexcept {
   if (scene.phenomena.handpiece == Handpiece::none) return;
-  // A device without a pedal has the cut button: down is down.
+  // A device without a pedal has the cut button: pressed is fully down.
   const double pedal = input.pedal > 0 ? static_cast<double>(input.pedal) / 65535.0 : input.cutting() ? 1.0 : 0.0;
   const std::size_t bur = input.bur < scene.burs.size() ? input.bur : scene.burs.size() - 1;
-  if (bur != before.bur) state.spindle = SpindleState{};  // it stands while the bur is changed
+  if (bur != before.bur) state.spindle = SpindleState{};  // the spindle stops for a bur change
   advance(state.spindle, state.settings, pedal, push_of(before), scene.burs[bur].radius_mm, dt_s);
   tick.cut = state.spindle.rpm > 0.0;
   tick.removal_factor = removal_factor(state.spindle, state.settings);

@@ -27,8 +27,8 @@ struct PhenomenaState {
 void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, const StepOutput& before, double dt_s,
           Tick& tick) noexcept;
 
-/// After the guard: heat, drag and vibration. Drag and vibration are at most kDragShare and kMostVibrationShare of the guarded
-/// force: zero where that is zero, and never a pull. The passivity controller does not count them. The sum stays within the
+/// After the guard: heat, drag and vibration. Drag and vibration are at most kDragShare and kMostVibrationShare of the
+/// guarded force, so they are never a pull. The passivity controller does not count them. The sum stays within the
 /// guard's limit.
 void work(PhenomenaState& state, const Scene& scene, const StepInput& input, Vec3 axis, double dt_s,
           StepOutput& out) noexcept;

@@ -26,17 +26,17 @@ constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
 /// depenetrate() leaves a sliding ball this much deeper than slide_depth() allows.
 constexpr double kPenetrationMm = 0.0001;
-/// A sliding ball's wear below this enters as whole steps of this size, in as many ticks as give the same sum. A stroke in
-/// every tick would leave more than 512 strokes about a place, which PenetrationSearch does not tell apart.
+/// A sliding ball's wear below this enters as whole steps of this size, in as many ticks as give the same sum. A stroke
+/// in every tick would leave more than 512 strokes about a place, more than PenetrationSearch keeps.
 constexpr double kEntersMm = 0.0001;
 constexpr double kAsideMm[] = {0.0, 0.05, -0.05, 0.1, -0.1};  // starts along a ridge, mm
-/// If the proxy moves this many times as far as its device, and this much more, the same way is solved in kParts parts.
+/// A proxy that outruns its device by this factor and this length is solved for again, in kParts parts of the way.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
 constexpr int kParts = 8;
 /// Reach of a search: the device's motion times kReach, and kReachMm.
 constexpr double kReach = 1.1, kReachMm = 0.004;
-/// The proxy's motion predicts the next one if it differs from the device's by more than this share of it and this much more,
-/// and from the last tick's by less.
+/// Tolerance of a prediction, as a share of the device's motion and a length. The proxy's excess motion predicts the
+/// next one if it is larger, and differs from the last tick's by less.
 constexpr double kPredictionTolerance = 0.1, kPredictionToleranceMm = 0.002;
 constexpr double kFrictionSpeed = 2.0;  // mm/s: from here on the Coulomb force is whole
 
@@ -82,7 +82,8 @@ int bricks_a_tick(const StepState::Inner& state) noexcept {
   const Bur& bur = state.scene->burs[sweep.bur];
   const double across = 2.0 * bur.radius_mm / side + 1.0;
   const double along = bur.head.ball() ? across : (bur.head.high() - bur.head.low()) / side + 1.0;
-  // A small bur's front lies in few bricks. Carving it at once is cheaper, for each part would recompute their cells.
+  // A small bur's front lies in few bricks. One carving is cheaper, because each part recomputes the cells of its
+  // bricks.
   return across * along < 10.0 ? kAllBricks : 1 + static_cast<int>(across * along / 16.0);
 }
 
@@ -113,17 +114,16 @@ double entering(double advance_mm, std::int64_t tick) noexcept {
 /// Moves a ball out of tissue that no stroke has carved, until it stands no deeper than allowed_mm.
 void depenetrate(const StepState::Inner& state, double radius_mm, Vec3 towards, double allowed_mm, Vec3& pose) noexcept {
   PenetrationSearch place(state.volume, state.memory, radius_mm, pose, towards);
-  const auto push_from = [&](Vec3 start, bool beside) {
-    const Penetration found = place.deepest(pose, start, allowed_mm, beside);
+  const auto push_by = [&](const Penetration& found) {
     if (found.depth_mm > allowed_mm) pose -= found.towards * (found.depth_mm - allowed_mm);
-    return found;
   };
-  const Penetration first = push_from(towards, false);
+  const Penetration first = place.deepest(pose, towards, allowed_mm);
+  push_by(first);
   if (first.along == Vec3(0.0)) return;
   // Many crossing strokes leave a peak between each two of them.
   for (const double aside : kAsideMm) {
     const Vec3 start = first.towards + first.along * (aside / radius_mm);
-    push_from(start / std::sqrt(glm::dot(start, start)), true);
+    push_by(place.deepest(pose, start / std::sqrt(glm::dot(start, start)), allowed_mm, true));
   }
 }
 
@@ -139,7 +139,7 @@ void add_flags(const Contact& contact, StepOutput& out) noexcept {
   out.overflow = out.overflow || contact.overflow;
 }
 
-/// The same way in kParts parts: at once, the proxy may have crossed an edge that holds an evenly moving device.
+/// Solves for the same way in kParts parts. In one step the proxy can cross an edge that stops an evenly moving device.
 Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& motion, StepOutput& out) noexcept {
   SurfaceContact& surface = *state.surface;
   surface.reset_budget();

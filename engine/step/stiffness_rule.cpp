@@ -7,12 +7,12 @@ namespace cusp::engine {
 namespace {
 
 constexpr double kTickS = 0.001;
-constexpr double kShare = 0.5;  // of what is allowed
+constexpr double kShare = 0.5;  // of the allowed stiffness
 constexpr double kAssumedDampingNsPerM = 0.5, kAssumedDelayMs = 1.0;
-/// Damping of the softest grip that the laboratory knows (engine/lab/grip.h) [M]: a device that nobody holds leans on
-/// nothing for long.
+/// Damping of the laboratory's softest grip (engine/lab/grip.h) [M]. A device that nobody holds does not press for
+/// long.
 constexpr double kSoftestGripNsPerM = 2.0;
-/// What a proxy's jump of one voxel may put into the coupling: the energy that the guard lets the hand be fed.
+/// Energy that a proxy's jump of one voxel may put into the coupling: as much as the guard lets the device feed.
 constexpr double kVoxelMj = 0.05;
 
 }  // namespace

@@ -20,17 +20,17 @@ VoxelVolume wall() {
   });
 }
 
-/// A hand that goes across the wall again and again with the bur running, and lower each time.
+/// The cutting bur crosses the wall again and again, lower each time.
 std::vector<StepInput> wearing_through() {
   std::vector<StepInput> out;
   for (int k = 0; k < 9000; ++k) {
     const double y = 1.1 * std::sin(0.011 * k), x = 0.25 * std::sin(0.0371 * k);
-    out.push_back(input_at({x - 0.4 * y, y, 1.6 - 0.00025 * k}, k > 50));
+    out.push_back(input_at({x - 0.4 * y, y, 1.6 - 0.00025 * k}, k > 50 ? CutButton::pressed : CutButton::up));
   }
   return out;
 }
 
-/// Pieces of fewer voxels than a crumb may have, by a search of the whole volume.
+/// Number of crumbs, by a search of the whole volume.
 int crumbs_in(const Volume& volume) {
   int count = 0;
   const IVec3 size = volume.grid().size;
@@ -102,7 +102,7 @@ TEST_P(EveryMethod, a_severed_cube_disappears_within_100_ms_and_in_the_replay_al
   std::size_t sent = 0;
   for (int k = 0; k < 3000 && gone_at < 0; ++k) {
     const double y = -0.4 + 0.8 * std::min(1.0, k / 400.0), z = 0.2 * std::sin(0.05 * k);
-    StepInput input = input_at({0.14, y, z}, true);
+    StepInput input = input_at({0.14, y, z}, CutButton::pressed);
     // As the loop does: looked for every 25 ms, then named in two inputs.
     if (names.empty() && k % 25 == 0) {
       const auto bricks = state.volume().cut_bricks();

@@ -1,5 +1,5 @@
-// The guard as the last stage of the step: faults take the force away and give it back, and each part does what it
-// says.
+// The guard as the last stage of the step: a fault sets the force to zero until re-armed, and each part has the effect
+// that step/README.md lists.
 #include "engine/step/guard.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ TEST_P(FaultyInput, takes_the_force_away_in_its_tick_until_it_is_rearmed) {
 INSTANTIATE_TEST_SUITE_P(Inputs, FaultyInput, testing::ValuesIn(kFaulty),
                          [](const auto& p) { return std::string(p.param.name); });
 
-TEST(FrozenDevice, is_one_that_has_said_nothing_new_for_longer_than_ten_milliseconds) {
+TEST(FrozenDevice, is_one_without_a_new_sample_for_longer_than_ten_milliseconds) {
   StepState state(ball_scene());
   press(state);
   StepInput repeated = input_at(kPressed);
@@ -136,7 +136,7 @@ TEST(LateTick, of_up_to_50_ms_goes_on_and_earns_no_more_rise_than_one_in_time) {
     StepState state(ball_scene());
     press(state);
     const double before = length(state.last().force_n);
-    const StepOutput out = step(state, input_at(kPressed - Vec3(0, 0, 2.0), false, late_us));
+    const StepOutput out = step(state, input_at(kPressed - Vec3(0, 0, 2.0), CutButton::up, late_us));
     EXPECT_EQ(state.fault(), Fault::none) << late_us;
     EXPECT_LE(length(out.force_n) - before, 0.3 + 1e-12) << late_us;
     EXPECT_GT(length(out.force_raw_n), 2.0);
@@ -193,10 +193,10 @@ TEST(Parts, switched_off_leave_the_methods_own_force_to_the_bit) {
 
 TEST(Parts, switched_off_faults_are_none_but_a_lost_device_and_no_number_always_are) {
   const GuardSettings off = unguarded();
-  EXPECT_EQ(judge(off, input_at(Vec3(0.0), false, 900'000), 50.0, 500.0, false), Fault::none);
+  EXPECT_EQ(judge(off, input_at(Vec3(0.0), CutButton::up, 900'000), {50.0, 500.0, InputPlace::later}), Fault::none);
   StepInput gone = input_at(Vec3(0.0));
   gone.buttons |= StepInput::kGone;
-  EXPECT_EQ(judge(off, gone, 0.0, 0.0, false), Fault::gone);
+  EXPECT_EQ(judge(off, gone, {0.0, 0.0, InputPlace::later}), Fault::gone);
   GuardState state;
   std::uint16_t acts = 0;
   EXPECT_EQ(guarded(off, state, tick_of(Vec3(std::numeric_limits<double>::infinity(), 0, 0)), Vec3(0.0), acts),
@@ -236,7 +236,7 @@ TEST(Slew, holds_a_force_that_turns_aside) {
   for (int k = 0; k < 20; ++k) guarded(only, state, tick_of(Vec3(0, 0, 3.0)), Vec3(0.0), acts);
   const Vec3 turned = guarded(only, state, tick_of(Vec3(3.0, 0, 0)), Vec3(0.0), acts);
   EXPECT_NEAR(turned.x, 0.3, 1e-12);
-  EXPECT_NEAR(turned.z, 0.0, 1e-12) << "what it lets go falls at once";
+  EXPECT_NEAR(turned.z, 0.0, 1e-12) << "the force that ends falls at once";
   EXPECT_TRUE(acts & static_cast<std::uint16_t>(GuardPart::slew));
 }
 

@@ -209,7 +209,8 @@ TEST(PlaneSearch, agrees_with_brute_force_over_all_triples) {
 }
 
 TEST(PlaneSearch, bears_planes_that_all_but_coincide) {
-  // Neighbouring points of one smooth surface: normals that differ by 1e-9 to 1e-2, and a hand that pushes through them.
+  // Neighbouring points of one smooth surface: normals that differ by 1e-9 to 1e-2, and a device that pushes through
+  // them.
   std::uint64_t seed = 7;
   const auto random = [&seed] {
     seed = seed * 6364136223846793005ull + 1442695040888963407ull;

@@ -119,7 +119,7 @@ TEST_P(EveryHead, drills_at_the_tissue_s_speed_with_its_end_with_its_side_and_be
     Vec3 from(0.0);
     constexpr int kBegin = 60, kTicks = 260;
     for (int k = 0; k < kTicks; ++k) {
-      const StepOutput out = step(state, input_at(state.last().proxy_mm - n * 0.4, true));
+      const StepOutput out = step(state, input_at(state.last().proxy_mm - n * 0.4, CutButton::pressed));
       if (k == kBegin - 1) from = out.proxy_mm;
       EXPECT_FALSE(out.overflow);
     }
@@ -140,15 +140,16 @@ TEST_P(EveryHead, goes_on_with_the_same_bits_from_a_key_state_taken_while_cuttin
   auto shared = scene(kAxis);
   StepState state(shared);
   approach(state, on_face(kAxis, -0.3), on_face(kAxis, 0.0));
-  const auto hand = [&](const StepState& of, int k) {
-    return input_at(of.last().proxy_mm - kAxis * 0.2 + kSide * (0.02 * ((k / 40) % 2 == 0 ? 1.0 : -1.0)), k % 100 < 90);
+  const auto input_of = [&](const StepState& of, int k) {
+    return input_at(of.last().proxy_mm - kAxis * 0.2 + kSide * (0.02 * ((k / 40) % 2 == 0 ? 1.0 : -1.0)),
+                    k % 100 < 90 ? CutButton::pressed : CutButton::up);
   };
-  for (int k = 0; k < 77; ++k) step(state, hand(state, k));
+  for (int k = 0; k < 77; ++k) step(state, input_of(state, k));
   auto other = StepState::restore(shared, state.save());
   ASSERT_TRUE(other);
   for (int k = 77; k < 160; ++k) {
-    step(state, hand(state, k));
-    step(*other, hand(*other, k));
+    step(state, input_of(state, k));
+    step(*other, input_of(*other, k));
     ASSERT_EQ(state.hash(), other->hash()) << k;
   }
 }

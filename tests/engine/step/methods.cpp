@@ -75,7 +75,7 @@ TEST_P(EveryContactMethod, gives_finite_forces_to_a_violent_hand) {
     const double far = k % 3 == 0 ? 1.1 : k % 3 == 1 ? 0.05 : 0.001;
     at = glm::clamp(at + far * Vec3(random(), random(), random()), Vec3(-2.6), Vec3(2.6));
     const auto elapsed = static_cast<std::uint32_t>(1 + 2000.0 * (1.0 + random()));
-    const StepOutput out = step(state, input_at(at, random() > -0.2, elapsed));
+    const StepOutput out = step(state, input_at(at, random() > -0.2 ? CutButton::pressed : CutButton::up, elapsed));
     const double force = length(out.force_raw_n);
     ASSERT_TRUE(force >= 0.0 && force < 100.0) << k << ": " << force;  // NaN too; the block is 7 mm across, K is 1 N/mm
     ASSERT_TRUE(length(out.proxy_mm) < 100.0) << k;
@@ -90,7 +90,8 @@ TEST_P(EveryContactMethod, removes_and_never_adds) {
   VoxelVolume before = state.volume().dense();
   const VoxelVolume whole = before;
   for (int round = 0; round < 5; ++round) {
-    for (int k = 0; k < 60; ++k) step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.0}, true));
+    for (int k = 0; k < 60; ++k)
+      step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.0}, CutButton::pressed));
     const VoxelVolume after = state.volume().dense();
     for (std::size_t i = 0; i < after.s.size(); ++i) ASSERT_LE(after.s[i], before.s[i]);
     before = after;
@@ -101,7 +102,7 @@ TEST_P(EveryContactMethod, removes_and_never_adds) {
 TEST_P(EveryContactMethod, leaves_tissue_that_cannot_be_cut) {
   StepState state(scene_of(block(), GetParam(), 0.25, 0.0));
   approach(state, {0, 0, 3.0}, {0, 0, 2.0});
-  for (int k = 0; k < 200; ++k) ASSERT_FALSE(step(state, input_at({0, 0, 2.0}, true)).cutting);
+  for (int k = 0; k < 200; ++k) ASSERT_FALSE(step(state, input_at({0, 0, 2.0}, CutButton::pressed)).cutting);
   EXPECT_TRUE(state.volume().cut_bricks().empty());
 }
 
@@ -290,7 +291,7 @@ TEST(GradientProxy, sinks_into_a_groove_of_sixty_degrees) {
 }
 
 TEST(Penalty, is_too_soft_in_a_right_angle_and_too_stiff_in_its_own_hole) {
-  // Known, and what the law says: two walls give 2^(1/4) d where K d along both would be 2^(1/2) d ...
+  // By the law: two walls give 2^(1/4) d where K d along both would be 2^(1/2) d ...
   const double radius = 0.5, depth = 0.1;
   auto corner =
       scene_of(from_distance(4.0, kVoxel, [](Vec3 p) { return std::min(p.x, p.y); }), Method::penalty, radius);
@@ -316,7 +317,8 @@ double drilling_speed(Method method, double radius, double tick_us) {
   double from = 0.0, to = 0.0;
   for (int k = 0; k < ticks; ++k) {
     const double z = 1.65 + radius - 1e-6 * k * tick_us;
-    const StepOutput out = step(state, input_at({0.013, 0.027, z}, true, static_cast<std::uint32_t>(tick_us)));
+    const StepOutput out =
+        step(state, input_at({0.013, 0.027, z}, CutButton::pressed, static_cast<std::uint32_t>(tick_us)));
     if (k == ticks / 2) from = out.proxy_mm.z;
     to = out.proxy_mm.z;
   }

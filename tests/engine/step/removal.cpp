@@ -22,7 +22,7 @@ double drilling_speed(std::shared_ptr<const Scene> scene, Vec3 top, Vec3 directi
   Vec3 from(0.0), to(0.0);
   for (int k = 0; k < ticks; ++k) {
     const Vec3 device = top + direction * (push_mm + expected * k * tick_us * 1e-6);
-    const StepOutput out = step(state, input_at(device, true, tick_us));
+    const StepOutput out = step(state, input_at(device, CutButton::pressed, tick_us));
     if (k == ticks / 10) from = out.proxy_mm;
     if (k == ticks - 1) to = out.proxy_mm;
   }
@@ -52,7 +52,7 @@ TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.15});
   StepOutput out;
-  for (int k = 0; k < 400; ++k) out = step(state, input_at({0, 0, 2.15 - 0.004 * k}, true));
+  for (int k = 0; k < 400; ++k) out = step(state, input_at({0, 0, 2.15 - 0.004 * k}, CutButton::pressed));
   out = step(state, input_at({0, 0, 2.15 - 0.004 * 399}));  // the pedal up: what was pending is carved
   // Below the face the hole's wall is a capsule about the axis: every surface point stands at the ball's radius.
   double sum = 0.0, most = 0.0;
@@ -79,7 +79,7 @@ TEST(SurfaceRemoval, the_bur_comes_out_of_its_own_hole_without_a_tug) {
   const auto scene = scene_of(block(0.1), Method::surface, 0.5, 4.0);
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.15});
-  for (int k = 0; k < 300; ++k) step(state, input_at({0, 0, 2.15 - 0.004 * k}, true));
+  for (int k = 0; k < 300; ++k) step(state, input_at({0, 0, 2.15 - 0.004 * k}, CutButton::pressed));
   double most = 0.0;
   for (int k = 0; k < 500; ++k) {
     const StepOutput out = step(state, input_at({0.0, 0.0, std::min(3.0, 0.95 + 0.01 * k)}));
@@ -103,7 +103,7 @@ TEST(SurfaceRemoval, tissue_that_cannot_be_cut_stays) {
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.0});
   for (int k = 0; k < 200; ++k) {
-    const StepOutput out = step(state, input_at({0, 0, 2.0}, true));
+    const StepOutput out = step(state, input_at({0, 0, 2.0}, CutButton::pressed));
     ASSERT_FALSE(out.cutting);
   }
   EXPECT_TRUE(state.volume().cut_bricks().empty());
@@ -116,7 +116,7 @@ TEST(SurfaceRemoval, never_adds_tissue) {
   VoxelVolume before = state.volume().dense();
   for (int round = 0; round < 5; ++round) {
     for (int k = 0; k < 60; ++k)
-      step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.05}, true));
+      step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.05}, CutButton::pressed));
     const VoxelVolume after = state.volume().dense();
     for (std::size_t i = 0; i < after.s.size(); ++i) ASSERT_LE(after.s[i], before.s[i]);
     before = after;
@@ -141,7 +141,7 @@ Slid slide_round(double speed_mm_s, int ticks) {
   approach(state, at(0) + Vec3(0.0, 0.0, 0.6), at(0));
   Slid out;
   for (int k = 0; k < ticks; ++k) {
-    const StepOutput got = step(state, input_at(at(k), true));
+    const StepOutput got = step(state, input_at(at(k), CutButton::pressed));
     out.cutting += got.cutting;
     out.entering += got.advance_mm > 0.0;
     out.entered_um += got.advance_mm * 1e3;
@@ -160,7 +160,7 @@ TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_enters_in_few_ticks_and_in_full
     EXPECT_NEAR(slid.entered_um, whole_um, 0.2 + 0.03 * whole_um) << speed;
     EXPECT_LE(slid.entering, static_cast<int>(10.3 * whole_um) + 2) << speed;
     EXPECT_LE(slid.strokes, static_cast<std::size_t>(slid.entering)) << speed;
-    EXPECT_GT(slid.cutting, 3900) << "it says that it cuts all the time";
+    EXPECT_GT(slid.cutting, 3900) << "it reports cutting all the time";
     EXPECT_LT(slid.deepest_um, 1.0) << speed;
   }
 }
@@ -170,12 +170,13 @@ TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_goes_on_from_a_key_state_with_t
   const auto at = [](int k) { return Vec3(0.6 * std::sin(0.03 * k), 0.0005 * k, 2.18); };
   StepState state(scene);
   approach(state, at(0) + Vec3(0.0, 0.0, 0.6), at(0));
-  for (int k = 0; k < 333; ++k) step(state, input_at(at(k), true));
+  for (int k = 0; k < 333; ++k) step(state, input_at(at(k), CutButton::pressed));
   auto again = StepState::restore(scene, state.save());
   ASSERT_TRUE(again);
   int entering = 0;
   for (int k = 333; k < 1000; ++k) {
-    const StepOutput one = step(state, input_at(at(k), true)), other = step(*again, input_at(at(k), true));
+    const StepOutput one = step(state, input_at(at(k), CutButton::pressed)),
+                     other = step(*again, input_at(at(k), CutButton::pressed));
     ASSERT_EQ(one.advance_mm, other.advance_mm) << k;
     ASSERT_EQ(one.force_n, other.force_n) << k;
     entering += one.advance_mm > 0.0;
@@ -205,7 +206,7 @@ TEST(OccupancyRemoval, loses_no_wear_to_rounding_at_a_slow_advance) {
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 1.8});
   std::uint16_t least = kSolid;
-  for (int k = 0; k < 1000; ++k) step(state, input_at({0, 0, 1.8}, true));
+  for (int k = 0; k < 1000; ++k) step(state, input_at({0, 0, 1.8}, CutButton::pressed));
   for (const std::int32_t brick : state.volume().cut_bricks())
     for (int o = 0; o < kBrickVoxels; ++o)
       if (state.volume().specimen().s_in(brick, o) > 0) least = std::min(least, state.volume().cut_in(brick, o));

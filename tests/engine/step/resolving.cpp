@@ -24,8 +24,9 @@ std::shared_ptr<const Scene> block() {
 StepInput scratching(int k) {
   const int line = k / 200;
   const double along = k % 200 / 200.0;
-  return input_at({-0.5 + (line % 2 == 0 ? along : 1.0 - along), -0.5 + 0.17 * line, 1.2 + kRadius - 0.35 + 0.12 * std::sin(0.11 * k)},
-                  true);
+  return input_at({-0.5 + (line % 2 == 0 ? along : 1.0 - along), -0.5 + 0.17 * line,
+                   1.2 + kRadius - 0.35 + 0.12 * std::sin(0.11 * k)},
+                  CutButton::pressed);
 }
 constexpr int kScratching = 7 * 200 - 100;
 
@@ -45,7 +46,7 @@ StepState scratched(const std::shared_ptr<const Scene>& scene) {
   return state;
 }
 
-/// The bur stays where it was when the button was let go.
+/// The bur stays at its place of the button's release.
 StepInput resting() {
   StepInput out = scratching(kScratching - 1);
   out.buttons = 0;

@@ -1,4 +1,4 @@
-/// Analytic specimens and a steady hand for the tests of the step.
+/// Analytic specimens and inputs for the tests of the step.
 #pragma once
 
 #include <cmath>
@@ -38,8 +38,8 @@ inline double box_distance(Vec3 p, Vec3 half) {
   return length(m) + std::min(std::max(q.x, std::max(q.y, q.z)), 0.0);
 }
 
-/// A scene with one ball bur, every tissue at the same stiffness (1 N/mm) and speed, and a guard that stays out of
-/// the way unless a test asks for it.
+/// A scene with one ball bur, every tissue at the same stiffness (1 N/mm) and speed, and a guard that
+/// bounds nothing unless a test asks for it.
 inline std::shared_ptr<Scene> scene_of(const VoxelVolume& volume, Method method, double radius_mm,
                                        double speed_mm_s = 1.0) {
   auto scene = std::make_shared<Scene>();
@@ -58,11 +58,13 @@ inline std::shared_ptr<Scene> scene_of(const VoxelVolume& volume, Method method,
   return scene;
 }
 
-inline StepInput input_at(Vec3 device_mm, bool cut = false, std::uint32_t elapsed_us = 1000) {
+enum class CutButton : std::uint8_t { up, pressed };
+
+inline StepInput input_at(Vec3 device_mm, CutButton button = CutButton::up, std::uint32_t elapsed_us = 1000) {
   Sample sample;
   sample.status = Sample::Status::fresh;
   sample.position_mm = device_mm;
-  sample.buttons = cut ? 1 : 0;
+  sample.buttons = button == CutButton::pressed ? StepInput::kCut : std::uint16_t{0};
   return quantise(sample, elapsed_us, StepInput{});
 }
 

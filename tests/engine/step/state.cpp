@@ -22,11 +22,12 @@ std::shared_ptr<const Scene> two_tissue_scene(Method method) {
   return scene;
 }
 
-/// A wandering, pressing, cutting hand; lifts now and then.
+/// Wanders, presses and cuts; lifts now and then.
 StepInput wander(int k) {
   const double a = 0.011 * k;
   const bool lifted = k % 700 > 640;
-  return input_at({0.7 * std::sin(a), 0.6 * std::cos(0.7 * a), lifted ? 2.2 : 1.5 - 0.00015 * k}, !lifted);
+  return input_at({0.7 * std::sin(a), 0.6 * std::cos(0.7 * a), lifted ? 2.2 : 1.5 - 0.00015 * k},
+                  lifted ? CutButton::up : CutButton::pressed);
 }
 
 class EveryMethod : public testing::TestWithParam<Method> {};
@@ -75,7 +76,8 @@ TEST_P(EveryMethod, what_is_kept_for_speed_never_changes_an_answer) {
     const double a = pace * k;
     const int phase = k % 500;
     const double z = phase < 250 ? 1.45 - 0.0006 * phase : phase < 350 ? 1.3 : phase < 430 ? 1.95 : 2.6;
-    const StepInput input = input_at({1.5 * std::sin(a), 1.2 * std::cos(0.7 * a), z}, phase < 250);
+    const StepInput input =
+        input_at({1.5 * std::sin(a), 1.2 * std::cos(0.7 * a), z}, phase < 250 ? CutButton::pressed : CutButton::up);
     const StepOutput x = step(whole, input);
     const StepOutput y = step(*forgetful, input);
     ASSERT_EQ(x.proxy_mm, y.proxy_mm) << k;
@@ -164,12 +166,13 @@ TEST(Guard, a_device_that_is_late_or_gone_is_a_fault) {
   const GuardSettings settings;
   StepInput late = input_at(Vec3(0.0));
   late.elapsed_us = 60000;
-  EXPECT_EQ(judge(settings, late, 0.0, 0.0, false), Fault::late);
+  EXPECT_EQ(judge(settings, late, {0.0, 0.0, InputPlace::later}), Fault::late);
   StepInput gone = input_at(Vec3(0.0));
   gone.buttons |= StepInput::kGone;
-  EXPECT_EQ(judge(settings, gone, 0.0, 0.0, true), Fault::gone);
-  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, 0.0, false), Fault::jump);
-  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, 0.0, true), Fault::none) << "the first input has come from nowhere";
+  EXPECT_EQ(judge(settings, gone, {0.0, 0.0, InputPlace::first}), Fault::gone);
+  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), {6.0, 0.0, InputPlace::later}), Fault::jump);
+  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), {6.0, 0.0, InputPlace::first}), Fault::none)
+      << "the first input has come from nowhere";
 }
 
 TEST(Input, a_position_that_is_not_finite_is_marked_and_repeats_the_last) {

@@ -1,4 +1,4 @@
-// What the strokes say of the cells that they shape, against the balls themselves.
+// Features that strokes give to the cells that they shape, against the exact balls.
 #include <gtest/gtest.h>
 
 #include "engine/contact/stroke_cells.h"

@@ -1,5 +1,5 @@
-// What a tick may cost at worst, counted and not timed: a cavity of many short strokes, the memory of them full, the button
-// pressed and let go again and again.
+// Largest cost of a tick, counted and not timed: a cavity of many short strokes, a full memory of strokes, and a button
+// pressed and released again and again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,14 +33,14 @@ std::shared_ptr<const Scene> block() {
   return scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }), Method::surface, kRadius, 4.0);
 }
 
-/// Back and forth over a box of 1.6 by 1.2 mm, deeper and deeper, shaking; the button is let go for 12 ticks of every 90, and
-/// at times the hand jerks across the cavity.
+/// Back and forth over a box of 1.6 by 1.2 mm, deeper and deeper, shaking; the button is up for 12 ticks of every 90,
+/// and at times the device jerks across the cavity.
 StepInput digging(int k) {
   const double a = 0.0131 * k, b = 0.00217 * k;
   const double shake = 0.03 * std::sin(2.3 * k);
   Vec3 at(0.8 * std::sin(a) + shake, 0.6 * std::sin(b), 1.4 + kRadius - 0.1 - 0.00003 * k + 0.15 * std::sin(0.07 * k));
   if (k % 700 > 690) at.x = -at.x;
-  return input_at(at, k % 90 < 78);
+  return input_at(at, k % 90 < 78 ? CutButton::pressed : CutButton::up);
 }
 constexpr int kDigging = 36000;
 

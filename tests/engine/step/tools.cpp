@@ -95,7 +95,7 @@ TEST(PointShell, puts_neck_and_shank_on_their_radii_and_none_inside_the_ball) {
   EXPECT_NEAR(before, bur.neck_length_mm + bur.shank_length_mm, 1e-9);
 }
 
-TEST(TrilinearField, is_what_the_eight_samples_say_across_bricks_and_cuts) {
+TEST(TrilinearField, follows_its_eight_samples_across_bricks_and_cuts) {
   Volume volume(Specimen::build(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.2; }), Reading::banded));
   carve_sweep(volume, {0.3, 0.2, 1.3}, {0.1, -0.1, 0.2}, 0.35);
   const TrilinearField field(volume);

@@ -84,18 +84,18 @@ TEST(AnyHead, drills_at_the_tissues_speed_and_takes_away_its_own_shape) {
       double first = 0.0;
       constexpr int kTicks = 800;
       for (int i = 0; i < kTicks; ++i) {
-        out = step(state, input_at(at - Vec3(0, 0, kPush + 0.001 * i), true));
+        out = step(state, input_at(at - Vec3(0, 0, kPush + 0.001 * i), CutButton::pressed));
         if (i == kTicks / 2) first = floor_at(state.volume(), at);
       }
       const double speed = (first - floor_at(state.volume(), at)) / (0.001 * (kTicks - 1 - kTicks / 2));
-      // The surface method carves in pieces of 0.04 mm; the stroke measured is 0.4 mm.
+      // The surface method carves in sweeps of 0.04 mm; the stroke measured is 0.4 mm.
       EXPECT_NEAR(speed, 1.0, 0.1) << key_of(method) << " " << bur.name;
       EXPECT_FALSE(out.overflow);
       EXPECT_GT(state.volume().cut_bricks().size(), 0u);
     }
 }
 
-TEST(AnyHead, voxelised_is_what_its_distance_says) {
+TEST(AnyHead, voxelised_follows_its_distance) {
   for (const Bur& bur : all_shapes()) {
     const Vec3 axis(0.36, 0.48, 0.8);
     const VoxelTool tool = voxelise(bur, axis, kVoxel);
