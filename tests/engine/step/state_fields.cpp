@@ -73,7 +73,7 @@ std::shared_ptr<Scene> full_scene(Method method) {
   return scene;
 }
 
-/// Goes over the block's top and lifts now and then; cuts with the pedal.
+/// Slides over the block's top and lifts now and then; the pedal cuts.
 StepInput over_the_block(int k) {
   const double a = 0.012 * k;
   const bool lifted = k % 400 > 350;
@@ -104,8 +104,13 @@ StepState busy_state(const std::shared_ptr<const Scene>& scene) {
 
 class StateFields : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, StateFields,
-                         testing::Values(Method::surface, Method::occupancy, Method::ray, Method::penalty, Method::gradient),
-                         [](const auto& i) { return std::string(key_of(i.param)); });
+                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot, Method::ray,
+                                         Method::penalty, Method::gradient),
+                         [](const auto& i) {
+                           std::string name(key_of(i.param));
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
 
 TEST_P(StateFields, hashes_and_saves_every_field_of_the_list) {
   const auto scene = full_scene(GetParam());
