@@ -1,5 +1,5 @@
-/// Treats denormal numbers as zero while the object lives, on the thread that constructed it: they cost a hundred times
-/// the time of normal ones. Every thread that runs the step holds one, so that all compute the same.
+/// Treats denormal numbers as zero during the object's lifetime, on the constructing thread. They cost a hundred times
+/// the time of normal ones. Every thread that runs the step holds a guard, so that all compute the same.
 #pragma once
 
 #if defined(__SSE2__)

@@ -1,4 +1,4 @@
-/// The seam between the haptic loop and any device: real, emulated, scripted or a mouse. Neither side knows the other.
+/// Interface between the haptic loop and any device: real, emulated, scripted or a mouse. Neither includes the other.
 /// Frame: specimen, right-handed, x mesial, y buccal, z up. Units: millimetres, newtons, N/mm unless a name differs.
 #pragma once
 
@@ -21,7 +21,7 @@ struct DeviceLimits {
   double max_force_n = 8.9;          // largest force vector that the guard may ask for
   double max_stiffness_n_per_mm = 3.0;  // declared or calibrated; engine/step/stiffness_rule.h lowers the scene's to it
   bool has_own_clock = false;        // true: wait() returns when the device delivers, not at the deadline
-  /// Closed loop: the force moves a mass behind the device point, so that a stiffness can be too high.
+  /// Closed loop: the force moves a mass behind the device point. A stiffness can then be too high.
   /// False if the hand gives force and not depth (a mouse), or nobody holds the device (a script).
   bool closed_loop = true;
   std::optional<double> damping_ns_per_m;  // N s/m, viscous, of the device alone; none until calibrated
@@ -30,8 +30,8 @@ struct DeviceLimits {
   std::optional<double> softest_grip_ns_per_m;  // N s/m, of the softest grip; none: the laboratory's value
 };
 
-/// One reading of the device. A port reports `late` if the device has delivered nothing since the last sample, even if the
-/// position is the same: the loop detects a frozen device by that status alone.
+/// One reading of the device. A port reports `late` if the device has delivered nothing since the last sample. The loop
+/// detects a frozen device by that status alone, because a resting hand repeats its position.
 struct Sample {
   enum class Status : std::uint8_t { fresh, late, gone };
   Status status = Status::gone;
@@ -42,7 +42,7 @@ struct Sample {
   std::uint16_t bur = 0;      // requested bur: index into the scene's burs
 };
 
-/// The step's answer: the force for the hand, and the proxy for devices whose hand gives force and not depth.
+/// Result of a tick for the device: the force, and the proxy for devices whose hand gives force and not depth.
 struct Feedback {
   Vec3 force_n{0.0};                  // after the guard
   Vec3 proxy_mm{0.0};                 // pivot of the bur that does not penetrate

@@ -1,4 +1,4 @@
-/// Ids: UUIDv7 (RFC 9562), sortable by creation time. Each kind has a type of its own, so that kinds never mix.
+/// Ids: UUIDv7 (RFC 9562), sortable by creation time. Each kind has its own type, so that kinds never mix.
 #pragma once
 
 #include <array>

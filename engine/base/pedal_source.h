@@ -1,4 +1,4 @@
-/// The seam between the haptic thread and a foot pedal.
+/// Interface between the haptic thread and a foot pedal.
 #pragma once
 
 #include <chrono>
