@@ -14,7 +14,7 @@ std::uint64_t ns_between(Clock::time_point from, Clock::time_point to) noexcept 
   return to > from ? static_cast<std::uint64_t>(std::chrono::nanoseconds(to - from).count()) : 0;
 }
 
-// A grant in one word, so that a screen never sees half of it: level, refusal, locked, priority, a byte each.
+// A grant in one word, so that another thread never reads half of it: level, refusal, locked, priority, a byte each.
 std::uint32_t packed(const RealtimeGrant& grant) noexcept {
   return static_cast<std::uint32_t>(grant.level) | static_cast<std::uint32_t>(grant.refusal) << 8 |
          (grant.memory_locked ? 1u << 16 : 0u) | static_cast<std::uint32_t>(grant.priority & 0xFF) << 24;
@@ -55,12 +55,12 @@ void HapticLoop::run() noexcept {
   Clock::time_point deadline = start;
   std::uint64_t last_us = 0;
   while (!stop_.load(std::memory_order_acquire) && !ticker_.ended()) {
-    // A device with its own clock delivers before this; two periods of silence make the sample late.
+    // A device with its own clock delivers before this deadline; after two periods without a sample, it is late.
     deadline = own_clock_ ? Clock::now() + 2 * settings_.period : deadline + settings_.period;
     const Sample sample = port_.wait(deadline);
     Clock::time_point now = Clock::now();
     if (sample.status != Sample::Status::fresh && now < deadline) {
-      std::this_thread::sleep_until(deadline);  // a lost device answers at once: the pace stays
+      std::this_thread::sleep_until(deadline);  // a lost device returns at once; the sleep keeps the pace
       now = Clock::now();
     }
     watchdog_.beat(now);
@@ -78,7 +78,7 @@ void HapticLoop::run() noexcept {
     stats_.exchange.add_ns(ns_between(before_write, after));
     if (!own_clock_) {
       stats_.late.add_ns(ns_between(deadline, now));
-      // A tick that overran is not made up for by a burst: the next deadline lies ahead.
+      // After a long tick the loop skips deadlines and does not run a burst.
       if (after > deadline + settings_.period) {
         const auto behind = (after - deadline) / settings_.period;
         stats_.missed.fetch_add(static_cast<std::uint64_t>(behind), std::memory_order_relaxed);
@@ -87,7 +87,7 @@ void HapticLoop::run() noexcept {
     }
   }
   ticker_.end(LoopEnd::asked);
-  port_.write(ticker_.tick({}, 1));  // after the end every tick answers zero force
+  port_.write(ticker_.tick({}, 1));  // after the end every tick returns zero force
 }
 
 VirtualLoop::VirtualLoop(HapticPort& port, StepState state, const LoopSettings& settings)
@@ -100,7 +100,7 @@ std::uint64_t VirtualLoop::run(std::uint64_t ticks) noexcept {
   const auto period_us = static_cast<std::uint32_t>(settings_.period.count());
   std::uint64_t done = 0;
   while (done < ticks && !ticker_.ended()) {
-    // Deadlines begin at the clock's epoch, long past: a port that sleeps to its deadline does not sleep.
+    // Deadlines begin at the clock's epoch, long past, so a port that sleeps to its deadline does not sleep.
     now_ += settings_.period;
     const Sample sample = port_.wait(now_);
     if (sample.status == Sample::Status::gone) {

@@ -1,6 +1,6 @@
-/// The haptic loop: one thread at 1 kHz that reads the device, runs the step and writes the force. Paced by the port:
+/// The haptic loop: one thread at 1 kHz that reads the device, runs the step and writes the force. The port paces it:
 /// wait(deadline) returns at the deadline, or when a device with its own clock delivers.
-/// No input is lost: at three quarters of the ring it warns, when the ring is full it ends with zero force.
+/// No input is lost: the loop warns at three quarters of the ring. If the ring is full, it ends with zero force.
 #pragma once
 
 #include <chrono>
@@ -23,14 +23,14 @@ struct LoopSettings {
 
 class HapticLoop {
  public:
-  /// Not on the haptic thread: reserves everything. `port` is open and outlives the loop.
+  /// Not on the haptic thread: takes all memory. `port` is open and outlives the loop.
   HapticLoop(HapticPort& port, StepState state, const LoopSettings& settings = {});
   ~HapticLoop();
   HapticLoop(const HapticLoop&) = delete;
   HapticLoop& operator=(const HapticLoop&) = delete;
 
   void start();
-  /// Ends the thread, the last force written is zero; returns when it is gone. Calling it twice is fine.
+  /// Ends and joins the thread; the last force is zero. May be called twice.
   void stop();
 
   // Any thread.
@@ -39,14 +39,14 @@ class HapticLoop {
   void change_bur(std::uint16_t index) noexcept { ticker_.change_bur(index); }
   void set_coolant(bool on) noexcept { ticker_.set_coolant(on); }
 
-  /// Rings and latest values; see HandOver for who may read what.
+  /// Rings and latest values; HandOver names their readers.
   HandOver& hand_over() noexcept { return hand_over_; }
   LoopTimes times() const noexcept { return times_of(stats_); }
   RealtimeGrant grant() const noexcept;
   /// Time since the loop last ticked.
   std::chrono::nanoseconds silence() const noexcept { return watchdog_.silence(Watchdog::Clock::now()); }
 
-  /// After stop(): the state that the run came to.
+  /// After stop(): the final state.
   const StepState& state() const noexcept { return ticker_.state(); }
 
  private:
@@ -64,14 +64,14 @@ class HapticLoop {
   std::thread thread_;
 };
 
-/// The same ticks without a thread or a clock, as fast as they go: `play` and tests. Each tick is `period` long.
-/// A port whose sample is `gone` has come to its end. Runs on the caller's thread.
+/// The same ticks without a thread and without a clock, for `play` and tests. Each tick is `period` long. A `gone`
+/// sample is the port's end. Thread: the caller's.
 class VirtualLoop {
  public:
   VirtualLoop(HapticPort& port, StepState state, const LoopSettings& settings = {});
-  /// At most `ticks` ticks, fewer when the port is over or the ring is full. Returns how many.
+  /// Runs `ticks` ticks, fewer if the port ends or the ring is full. Returns their number.
   std::uint64_t run(std::uint64_t ticks) noexcept;
-  /// The length of each tick asked anew instead of `period` (a trace brings its own). Before run(); must not throw.
+  /// Replaces `period` by a function that gives each tick's length, as a trace has it. Before run(); must not throw.
   void take_elapsed_from(std::function<std::uint32_t()> elapsed_us) { elapsed_us_ = std::move(elapsed_us); }
   Ticker& ticker() noexcept { return ticker_; }
   HandOver& hand_over() noexcept { return hand_over_; }

@@ -1,4 +1,4 @@
-/// Where a loop's time goes: histograms of fixed size that one thread fills and any thread reads.
+/// Times of a loop, in histograms of fixed size that one thread fills and any thread reads.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace cusp::engine {
 
-/// Counts of durations: 0.1 us each up to 6.4 us, then 32 buckets to the power of two, so that a percentile is read
-/// within 3.2 %; up to 5 s, longer ones count as that (the maximum stays exact).
+/// Counts of durations: buckets of 0.1 us up to 6.4 us, then 32 buckets to the power of two. A percentile is within
+/// 3.2 %. A duration above 5 s counts as 5 s; the maximum is exact.
 class TimeHistogram {
  public:
   /// One writer thread. Wait-free.
@@ -29,8 +29,8 @@ class TimeHistogram {
 struct LoopStats {
   TimeHistogram tick_cpu;   // step and hand-over, the thread's own processor time
   TimeHistogram exchange;   // write() to the device, by the clock
-  TimeHistogram late;       // how long after its deadline a tick began
-  std::atomic<std::uint64_t> missed{0};  // deadlines that were skipped, because a tick began a whole period late
+  TimeHistogram late;       // from a tick's deadline to its beginning
+  std::atomic<std::uint64_t> missed{0};  // deadlines skipped because a tick began a whole period late
 };
 
 /// Plain copy for a screen or a report.

@@ -7,7 +7,7 @@ namespace cusp::engine {
 RealtimeGrant ask_by(RealtimeWays& ways) noexcept {
   RealtimeGrant grant;
   grant.refusal = RealtimeRefusal::none;
-  // The limit may not tell all that a user may: a privileged one has none.
+  // A privileged user may take more than the limit.
   int priority = kFifoPriority;
   bool taken = ways.take_fifo(priority);
   if (!taken) {
@@ -31,7 +31,7 @@ RealtimeGrant ask_by(RealtimeWays& ways) noexcept {
   if (grant.realtime()) {
     grant.memory_locked = ways.lock_memory();
   } else {
-    ways.sharpen_sleep();
+    ways.tighten_timer();
   }
   return grant;
 }

@@ -25,7 +25,7 @@ class SystemWays final : public RealtimeWays {
   bool take_fifo(int priority) noexcept override {
     sched_param parameters{};
     parameters.sched_priority = priority;
-    // A child that this thread might start does not inherit it.
+    // A child process does not inherit the class.
     return sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) == 0;
   }
   Service ask_service(int& priority) noexcept override {
@@ -37,10 +37,10 @@ class SystemWays final : public RealtimeWays {
     return Service::absent;
   }
   bool lock_memory() noexcept override {
-    // Only pages that are there already: locking future ones would let a large specimen fail under a low limit.
+    // Present pages only: with future ones locked, a large specimen would fail under a low limit.
     return mlockall(MCL_CURRENT) == 0;
   }
-  void sharpen_sleep() noexcept override { prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL); }
+  void tighten_timer() noexcept override { prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL); }
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// The desktop's service that gives threads of ordinary users a real-time class (org.freedesktop.RealtimeKit1).
+/// The desktop's service that grants ordinary users' threads a real-time class (org.freedesktop.RealtimeKit1).
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@ namespace cusp::engine {
 
 enum class RtkitAnswer : std::uint8_t { granted, refused, absent };
 
-/// Asks for the calling thread, over the system bus; waits at most a second for each of three answers. `priority` is
-/// lowered to the service's most. Sets the limit that the service demands: a thread of a real-time class that runs
-/// without ever waiting for longer than the service allows (0.2 s) is killed.
+/// Asks for the calling thread, over the system bus. Waits at most a second for each of three answers. Lowers
+/// `priority` to the service's highest. Sets the limit that the service demands: the kernel kills a real-time thread
+/// that runs for longer than that (0.2 s) without waiting.
 RtkitAnswer ask_rtkit(int& priority) noexcept;
 
 }  // namespace cusp::engine

@@ -1,7 +1,7 @@
-/// A digest of a run that costs the same few hundred nanoseconds in each tick, however much has been cut: it takes in
-/// every output, and the cut field of one brick a tick in turn. Two runs of the same inputs have the same digest after
-/// the same tick; a brick that differs is met after at most as many ticks as bricks are cut.
-/// (StepState::hash() reads all cut bricks at once, about 0.4 us each: too much for one tick of a large cavity.)
+/// Digest of a session at a constant few hundred nanoseconds a tick. It adds every output, and the cut field of one
+/// brick a tick in turn. Equal inputs give equal digests after equal ticks. A brick that differs changes the digest
+/// after at most as many ticks as bricks are cut. StepState::hash() reads all cut bricks at once, about 0.4 us each,
+/// too much for one tick of a large cavity.
 #pragma once
 
 #include <cstdint>

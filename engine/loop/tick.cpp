@@ -71,9 +71,7 @@ std::uint16_t Ticker::fragment_name_half() noexcept {
   return static_cast<std::uint16_t>(0x8000u | name >> 15);
 }
 
-Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
-  if (phase_ == LoopPhase::ended) return zero_force();
-
+void Ticker::take_requests(std::uint16_t port_bur) noexcept {
   if (phase_ == LoopPhase::ready) phase_ = LoopPhase::running;
   switch (want_.exchange(Want::nothing, std::memory_order_acq_rel)) {
     case Want::pause:
@@ -88,25 +86,41 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
     case Want::nothing: break;
   }
   const auto burs = state_.scene().burs.size();
-  if (sample.bur != port_bur_) {
-    port_bur_ = sample.bur;
-    if (sample.bur < burs) bur_ = sample.bur;
+  if (port_bur != port_bur_) {
+    port_bur_ = port_bur;
+    if (port_bur < burs) bur_ = port_bur;
   }
   if (const auto wanted = want_bur_.exchange(kNoBur, std::memory_order_acq_rel); wanted < burs) {
     bur_ = static_cast<std::uint16_t>(wanted);
   }
-  if (phase_ != LoopPhase::running) {
-    publish(sample.status);
-    return zero_force();
-  }
+}
 
+StepInput Ticker::input_of(const Sample& sample, std::uint32_t elapsed_us) noexcept {
   StepInput input = quantise(sample, elapsed_us, last_input_);
   input.bur = bur_;
   input.fragment = fragment_name_half();
   if (rearm_) input.buttons |= StepInput::kRearm;
   if (coolant_.load(std::memory_order_acquire)) input.buttons |= StepInput::kCoolant;
   rearm_ = false;
-  // Stored before it is stepped: what the state went through is always in the record.
+  return input;
+}
+
+void Ticker::add_digest() noexcept {
+  digest_.add(state_, output_);
+  // A full ring drops the mark. The digest contains all ticks before it, so the next comparison covers the dropped one.
+  if (output_.tick % kMarkTicks == 0) static_cast<void>(hand_over_.marks.push({output_.tick, digest_.value()}));
+}
+
+Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
+  if (phase_ == LoopPhase::ended) return zero_force();
+  take_requests(sample.bur);
+  if (phase_ != LoopPhase::running) {
+    publish(sample.status);
+    return zero_force();
+  }
+
+  const StepInput input = input_of(sample, elapsed_us);
+  // Stored before the step, so that the record contains every input that changed the state.
   if (!hand_over_.inputs.push(input)) {
     end(LoopEnd::ring_full);
     return zero_force();
@@ -114,11 +128,7 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
   output_ = step(state_, input);
   last_input_ = input;
   orientation_ = sample.orientation;
-  digest_.add(state_, output_);
-  if (output_.tick % kMarkTicks == 0) {
-    // A full ring drops the mark: the digest carries everything before it, so the next one compares that too.
-    static_cast<void>(hand_over_.marks.push({output_.tick, digest_.value()}));
-  }
+  add_digest();
   if (output_.contact) {
     const double length = glm::length(output_.force_raw_n);
     if (length > 1e-9) normal_ = output_.force_raw_n / length;

@@ -1,6 +1,6 @@
-/// Says from outside whether a loop is still alive: the loop beats once a tick, anyone reads how long ago.
-/// The force itself is cut where it is made: a tick that begins late is a fault of the step's guard (GuardSettings
-/// late_ms), which answers zero force before anything else, and a device cuts its motors when packets stop.
+/// Time since a loop's last tick: the loop calls beat() once a tick, any thread calls silence().
+/// The watchdog does not change the force. A tick that begins late is a fault of the step's guard
+/// (GuardSettings::late_ms), which gives zero force; a device switches its motors off when packets stop.
 #pragma once
 
 #include <atomic>

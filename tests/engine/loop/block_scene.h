@@ -1,5 +1,5 @@
-/// A small block of plastic with its face at z = 0, and a hand that drills and slides in it: enough for everything that
-/// runs the step without caring what is cut.
+/// A small block of plastic with its face at z = 0, and a scripted device that drills and slides in it: enough for
+/// everything that runs the step without caring what is cut.
 #pragma once
 
 #include <algorithm>
@@ -53,11 +53,11 @@ inline std::shared_ptr<const Scene> block_scene(Method method = Method::surface)
   scene->tissues[index_of(Tissue::plastic)] = {1.0, 4.0};
   scene->burs = block_burs();
   scene->guard.ramp_in_ms = 10;
-  scene->guard.late_ms = 60000;  // a busy machine is no fault here; lateness is tested where the clock is in hand
+  scene->guard.late_ms = 60000;  // a busy machine is no fault here; tests with their own clock test lateness
   return scene;
 }
 
-/// The hand after `tick` milliseconds: touches at 20 ms, cuts from 40 ms on, circles 0.5 mm deep until 1.2 mm.
+/// The device after `tick` milliseconds: touches at 20 ms, cuts from 40 ms on, circles 0.5 mm deep until 1.2 mm.
 inline Sample drilling_sample(std::uint64_t tick) {
   const double t = static_cast<double>(tick) * 1e-3;
   Sample sample;
@@ -68,14 +68,16 @@ inline Sample drilling_sample(std::uint64_t tick) {
   return sample;
 }
 
-/// A port that plays drilling_sample(): one sample a wait(), without sleeping or with, `gone` after the last.
+/// A port that plays drilling_sample(): one sample a wait(), `gone` after the last.
 class DrillingPort : public HapticPort {
  public:
-  explicit DrillingPort(std::uint64_t ticks, bool sleeps = false) : ticks_(ticks), sleeps_(sleeps) {}
+  /// Whether wait() returns at once or sleeps to its deadline.
+  enum class Pace : std::uint8_t { at_once, to_deadline };
+  explicit DrillingPort(std::uint64_t ticks, Pace pace = Pace::at_once) : ticks_(ticks), pace_(pace) {}
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
     if (gone_.load() || at_ >= ticks_) return {};  // at once: a lost device has no pace
-    if (sleeps_) std::this_thread::sleep_until(deadline);
+    if (pace_ == Pace::to_deadline) std::this_thread::sleep_until(deadline);
     return drilling_sample(at_++);
   }
   void write(const Feedback& feedback) noexcept override {
@@ -85,20 +87,21 @@ class DrillingPort : public HapticPort {
   }
   DeviceLimits limits() const override {
     DeviceLimits limits;
-    limits.name = "Test hand";
+    limits.name = "Test device";
     limits.device_class = "scripted";
     return limits;
   }
   void close() noexcept override {}
 
-  void lose(bool gone) noexcept { gone_.store(gone); }
+  void lose() noexcept { gone_.store(true); }
+  void find() noexcept { gone_.store(false); }
   double last_force_n() const noexcept { return last_force_n_.load(); }
   double peak_force_n() const noexcept { return peak_force_n_.load(); }
   std::uint64_t writes() const noexcept { return writes_.load(); }
 
  private:
   std::uint64_t ticks_;
-  bool sleeps_;
+  Pace pace_;
   std::uint64_t at_ = 0;
   std::atomic<bool> gone_{false};
   std::atomic<double> last_force_n_{0}, peak_force_n_{0};

@@ -44,7 +44,7 @@ TEST(VirtualLoop, WhatItStoredRebuildsItsStateBitForBit) {
   StepState again(scene);
   for (const StepInput& input : drain(loop.hand_over())) step(again, input);
   EXPECT_EQ(again.hash(), loop.state().hash());
-  EXPECT_GT(loop.state().volume().cut_bricks().size(), 0u) << "the hand must have cut, or the test shows nothing";
+  EXPECT_GT(loop.state().volume().cut_bricks().size(), 0u) << "without a cut the test shows nothing";
 }
 
 TEST(VirtualLoop, AskedForTheLengthOfEachTickItTakesThat) {
@@ -171,7 +171,7 @@ TEST(Ticker, TheLaterChoiceOfABurWins) {
   EXPECT_EQ(bur_after(sample), 0);
   ticker.change_bur(1);
   EXPECT_EQ(bur_after(sample), 1);
-  EXPECT_EQ(bur_after(sample), 1) << "a port that goes on saying 0 does not take it back";
+  EXPECT_EQ(bur_after(sample), 1) << "a port that still sends 0 does not take it back";
   sample.bur = 1;
   bur_after(sample);
   sample.bur = 0;
@@ -182,7 +182,7 @@ TEST(Ticker, TheLaterChoiceOfABurWins) {
 
 TEST(HapticLoop, AtItsEndTheLastForceIsZeroAndItsRecordRebuildsIt) {
   const auto scene = test::block_scene();
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   HapticLoop loop(port, StepState(scene), quiet());
   loop.start();
   ASSERT_TRUE(eventually([&] { return port.peak_force_n() > 0.0 && loop.hand_over().ticks.load() > 200; }));
@@ -196,8 +196,8 @@ TEST(HapticLoop, AtItsEndTheLastForceIsZeroAndItsRecordRebuildsIt) {
 }
 
 TEST(HapticLoop, ALostDeviceKeepsThePaceAndComesBack) {
-  DrillingPort port(1u << 30, true);
-  port.lose(true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
+  port.lose();
   HapticLoop loop(port, StepState(test::block_scene()), quiet());
   loop.start();
   ASSERT_TRUE(eventually([&] { return loop.hand_over().phase.load() == LoopPhase::held; }));
@@ -205,7 +205,7 @@ TEST(HapticLoop, ALostDeviceKeepsThePaceAndComesBack) {
   const auto start = std::chrono::steady_clock::now();
   ASSERT_TRUE(eventually([&] { return port.writes() >= before + 20; }));
   EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(18)) << "it must not spin";
-  port.lose(false);
+  port.find();
   ASSERT_TRUE(eventually([&] { return loop.hand_over().latest.read().device == Sample::Status::fresh; }));
   EXPECT_EQ(loop.hand_over().phase.load(), LoopPhase::held) << "it does not go on by itself";
   loop.resume();
@@ -213,7 +213,7 @@ TEST(HapticLoop, ALostDeviceKeepsThePaceAndComesBack) {
 }
 
 TEST(HapticLoop, TheLatestValueIsNeverTorn) {
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   LoopSettings settings = quiet();
   settings.period = std::chrono::microseconds(100);
   HapticLoop loop(port, StepState(test::block_scene()), settings);

@@ -1,5 +1,5 @@
-// What is asked for, in which order, and what is said of it. Needs no privileges: with some, the system's answers are
-// richer, and are held against what the kernel says.
+// Requests, their order, and the grant. Needs no privileges; with some, the system's answers are compared with the
+// kernel's.
 #include "engine/loop/realtime.h"
 #include "tests/modules.h"
 
@@ -12,12 +12,12 @@
 namespace cusp::test {
 namespace {
 
-struct Told final : RealtimeWays {
+struct FakeWays final : RealtimeWays {
   int most = 0, limit = 0;
   Service service = Service::absent;
   bool locks = true;
   std::vector<int> asked_fifo;
-  int asked_service = 0, sharpened = 0;
+  int asked_service = 0, tightened = 0;
   int own_limit() noexcept override { return limit; }
   bool take_fifo(int priority) noexcept override {
     asked_fifo.push_back(priority);
@@ -29,11 +29,11 @@ struct Told final : RealtimeWays {
     return service;
   }
   bool lock_memory() noexcept override { return locks; }
-  void sharpen_sleep() noexcept override { ++sharpened; }
+  void tighten_timer() noexcept override { ++tightened; }
 };
 
 TEST(Realtime, a_privileged_user_has_it_at_once_and_no_service_is_asked) {
-  Told ways;
+  FakeWays ways;
   ways.most = 99;
   const RealtimeGrant grant = ask_by(ways);
   EXPECT_EQ(grant, (RealtimeGrant{RealtimeLevel::fifo, RealtimeRefusal::none, kFifoPriority, true}));
@@ -41,29 +41,29 @@ TEST(Realtime, a_privileged_user_has_it_at_once_and_no_service_is_asked) {
 }
 
 TEST(Realtime, a_user_with_a_limit_has_as_much_as_that) {
-  Told ways;
+  FakeWays ways;
   ways.most = ways.limit = 20;
   EXPECT_EQ(ask_by(ways), (RealtimeGrant{RealtimeLevel::fifo, RealtimeRefusal::none, 20, true}));
   EXPECT_EQ(ways.asked_fifo, (std::vector<int>{kFifoPriority, 20}));
 }
 
-TEST(Realtime, without_rights_the_service_is_asked_and_memory_that_cannot_be_locked_is_said) {
-  Told ways;
+TEST(Realtime, without_rights_the_service_is_asked_and_memory_that_cannot_be_locked_is_reported) {
+  FakeWays ways;
   ways.service = RealtimeWays::Service::granted;
   ways.locks = false;
   EXPECT_EQ(ask_by(ways), (RealtimeGrant{RealtimeLevel::rtkit, RealtimeRefusal::none, 10, false}));
   EXPECT_EQ(ways.asked_fifo, std::vector<int>{kFifoPriority});  // no limit: not tried again with zero
-  EXPECT_EQ(ways.sharpened, 0);
+  EXPECT_EQ(ways.tightened, 0);
 }
 
-TEST(Realtime, refused_by_all_it_goes_on_as_normal_and_says_why) {
-  Told refused, alone;
+TEST(Realtime, refused_by_all_it_goes_on_as_normal_and_reports_why) {
+  FakeWays refused, alone;
   refused.service = RealtimeWays::Service::refused;
   EXPECT_EQ(ask_by(refused).refusal, RealtimeRefusal::not_permitted);
   EXPECT_EQ(ask_by(alone).refusal, RealtimeRefusal::no_service);
   EXPECT_FALSE(ask_by(alone).realtime());
   EXPECT_FALSE(ask_by(alone).memory_locked);
-  EXPECT_GT(alone.sharpened, 0);
+  EXPECT_GT(alone.tightened, 0);
 }
 
 TEST(Realtime, nobody_asked_is_no_refusal) {
@@ -71,7 +71,7 @@ TEST(Realtime, nobody_asked_is_no_refusal) {
   EXPECT_FALSE(RealtimeGrant{}.realtime());
 }
 
-TEST(Realtime, what_is_said_is_what_the_kernel_has) {
+TEST(Realtime, the_reported_grant_is_the_kernels) {
   std::thread([] {
     prefault_stack();
     const RealtimeGrant grant = ask_for_realtime();

@@ -1,5 +1,5 @@
-// The service's bus calls against a service in miniature, on a bus of the test's own (dbus-run-session). It gives no
-// thread anything: what is looked at is what it was asked, and what became of its answers.
+// The bus calls to the service, against a fake one on the test's own bus (dbus-run-session). It grants nothing: the
+// test checks the requests and the effect of the answers.
 #include "engine/loop/rtkit.h"
 #include "tests/modules.h"
 

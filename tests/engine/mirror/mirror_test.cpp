@@ -16,7 +16,7 @@ namespace {
 using test::DrillingPort;
 using test::eventually;
 
-/// Keeps its own picture of the cut from the bricks that it is told of.
+/// Keeps its own copy of the cut from the bricks of StateNews.
 class Sketch final : public MirrorObserver {
  public:
   void on_tick(const StepInput&, const StepState& after) override {
@@ -72,7 +72,7 @@ TEST(Mirror, WithoutAThreadComesToTheLoopsStateAndShowsEvery25Milliseconds) {
 
 TEST(Mirror, OnItsOwnThreadFollowsTheLiveLoop) {
   const auto scene = test::block_scene();
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   LoopSettings settings;
   settings.ask_realtime = false;
   settings.period = std::chrono::microseconds(500);
@@ -126,7 +126,7 @@ TEST(RunningDigest, SeesOneChangedValueOfOneBrickAfterAtMostOneRound) {
   EXPECT_NE(of_a.value(), of_b.value());
 }
 
-/// A hand that mills a slot along y through the whole block, at x = 1.2: what lies beyond it comes off.
+/// Mills a slot along y through the whole block, at x = 1.2: the part beyond it is severed.
 class SeveringPort final : public DrillingPort {
  public:
   explicit SeveringPort(std::uint64_t ticks) : DrillingPort(ticks), end_(ticks) {}
@@ -161,7 +161,7 @@ bool anything_beyond(const Volume& volume, double x_mm) {
   return false;
 }
 
-TEST(LoosePieces, what_is_milled_off_a_block_goes_within_100_ms_and_in_the_mirror_alike) {
+TEST(SeveredFragments, what_is_milled_off_a_block_goes_within_100_ms_and_in_the_mirror_alike) {
   const auto scene = slotted_scene();
   SeveringPort port(9000);
   VirtualLoop loop(port, StepState(scene));
@@ -183,7 +183,7 @@ TEST(LoosePieces, what_is_milled_off_a_block_goes_within_100_ms_and_in_the_mirro
   EXPECT_FALSE(mirror.mismatch());
 }
 
-TEST(LoosePieces, without_a_mirror_the_same_hand_gives_the_same_record) {
+TEST(SeveredFragments, without_a_mirror_the_same_inputs_give_the_same_record) {
   std::uint64_t hash[2];
   for (std::uint64_t& h : hash) {
     SeveringPort port(6000);

@@ -30,7 +30,7 @@ TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   Counter counter;
   SessionPlan plan = work.plan();
   plan.observers = {&counter};
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   auto run = ExerciseSession::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
   // Panels and gauges read all the while.
@@ -69,7 +69,7 @@ TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
   const Workplace work;
   SessionPlan plan = work.plan();
   plan.scenario.time_limit_s = 0.5;
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   auto session = ExerciseSession::start(plan, port);
   ASSERT_TRUE(session);
   EXPECT_FALSE((*session)->view().time_is_up);
@@ -93,7 +93,7 @@ TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
 
 TEST(ExerciseSession, PausedItsClockStandsStill) {
   const Workplace work;
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   auto run = ExerciseSession::start(work.plan(), port);
   ASSERT_TRUE(run);
   ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > 0.1; }));
@@ -114,7 +114,7 @@ TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   const Workplace work;
   SessionId session;
   {
-    DrillingPort port(1u << 30, true);
+    DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
     auto run = ExerciseSession::start(work.plan(), port);
     ASSERT_TRUE(run);
     session = (*run)->session();
@@ -136,7 +136,7 @@ TEST(ExerciseSession, AnInterruptedAttemptGoesOnWithItsToothAndItsClock) {
   SessionId session;
   double before = 0, taken = 0;
   {
-    DrillingPort port(1u << 30, true);
+    DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
     auto run = ExerciseSession::start(work.plan(), port);
     ASSERT_TRUE(run);
     session = (*run)->session();
@@ -147,7 +147,7 @@ TEST(ExerciseSession, AnInterruptedAttemptGoesOnWithItsToothAndItsClock) {
   }
   SessionPlan plan = work.plan();
   plan.resumes = session;
-  DrillingPort port(1u << 30, true);
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   auto run = ExerciseSession::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
   EXPECT_EQ((*run)->session(), session);

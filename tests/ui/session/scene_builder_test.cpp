@@ -71,7 +71,7 @@ TEST(BuildScene, GivesTheGuardWhatTheDeviceIs) {
 
 TEST(BuildScene, AReplayHasTheStiffnessAndTheGuardOfItsSession) {
   const Workplace work;
-  test::DrillingPort port(1500, false);
+  test::DrillingPort port(1500);
   SessionPlan plan = work.plan();
   plan.scenario.tissues = {{Tissue::plastic, 2.0, 4.0}};
   const auto result = play_through(plan, port);
