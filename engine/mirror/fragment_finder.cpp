@@ -30,7 +30,7 @@ void FragmentFinder::search(const StepState& state) {
 void FragmentFinder::name(const Volume& volume) {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  // A full ring drops the rest: while a fragment is removed, its bricks change, and it is found again.
+  // A full ring drops the rest. Removal changes a fragment's bricks, so a later search finds it again.
   for (const std::uint32_t fragment : find_severed_fragments(volume, changed_)) static_cast<void>(hand_over_.fragments.push(fragment));
   changed_.clear();
 }

@@ -1,6 +1,6 @@
-/// Finds the fragments that cutting has severed and sends their names to the loop. The loop's next inputs carry the names, so they
-/// are recorded, and a replay removes the same fragments in the same ticks. Thread: the mirror's while an exercise runs; the
-/// loop's own, between ticks, in virtual time.
+/// Finds the fragments that cutting has severed and sends their names to the loop. The loop's next inputs carry the
+/// names. They are recorded, so a replay removes the same fragments in the same ticks. Thread: the mirror's while an
+/// exercise runs; the loop's own, between ticks, in virtual time.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class FragmentFinder final : public MirrorObserver {
   /// Without a mirror: finds the changed bricks itself and searches at once.
   void search(const StepState& state);
 
-  /// Of session time. With two inputs for a name and a brick a tick, a small fragment is gone within 60 ms.
+  /// Of session time. A name takes two inputs and a brick one tick, so a small fragment is removed within 60 ms.
   static constexpr std::uint64_t kEveryUs = 20'000;
 
  private:

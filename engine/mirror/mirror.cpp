@@ -9,13 +9,13 @@
 namespace cusp::engine {
 
 namespace {
-// Nobody wakes the mirror, for that would be a system call in the tick: it looks again after this.
-constexpr std::chrono::milliseconds kNap{2};
-// With more inputs than this waiting, the newest state is a few milliseconds of work away: it is shown instead of an old
-// one, unless that would put it off for longer than kMostPutOffUs of session time.
+// The mirror polls the ring at this interval: a wake-up would be a system call in the tick.
+constexpr std::chrono::milliseconds kPoll{2};
+// With more inputs waiting, the mirror steps them first and shows the newest state, at most kMostDelayUs of session
+// time later.
 constexpr std::size_t kFewInputs = 8;
-constexpr std::uint64_t kMostPutOffUs = 50'000;
-// So far behind, showing would make it later still.
+constexpr std::uint64_t kMostDelayUs = 50'000;
+// With more inputs waiting, the mirror does not show: that would make it later.
 constexpr std::size_t kManyInputs = 200;
 }  // namespace
 
@@ -56,7 +56,7 @@ void Mirror::one(const StepInput& input) {
 void Mirror::compare() noexcept {
   DigestMark loop;
   while (hand_over_.marks.pop(loop)) loop_marks_.push_back(loop);
-  // Both lists rise; a tick that one side lacks (a dropped mark) is passed over.
+  // Both lists rise. A tick that one list lacks (a dropped mark) is skipped.
   std::size_t i = 0, j = 0;
   while (i < own_.size() && j < loop_marks_.size()) {
     if (own_[i].tick < loop_marks_[j].tick) {
@@ -76,7 +76,7 @@ void Mirror::compare() noexcept {
   loop_marks_.erase(loop_marks_.begin(), loop_marks_.begin() + static_cast<std::ptrdiff_t>(j));
 }
 
-void Mirror::show(bool last) {
+void Mirror::show(Call call) {
   changed_.clear();
   for (const std::int32_t brick : state_.volume().cut_bricks()) {
     const std::uint32_t revision = state_.volume().revision(brick);
@@ -85,7 +85,7 @@ void Mirror::show(bool last) {
     shown = revision;
     changed_.push_back(brick);
   }
-  const StateNews news{changed_, hand_over_.inputs.size(), first_, last};
+  const StateNews news{changed_, hand_over_.inputs.size(), first_, call == Call::last};
   for (MirrorObserver* o : observers_) o->on_state(state_, news);
   first_ = false;
   next_show_us_ = state_.last().elapsed_us + settings_.show_every_us;
@@ -93,7 +93,7 @@ void Mirror::show(bool last) {
 
 std::uint64_t Mirror::pump() {
   const FpGuard fp;
-  if (first_) show(false);
+  if (first_) show(Call::further);
   std::uint64_t done = 0;
   StepInput input;
   while (hand_over_.inputs.pop(input)) {
@@ -102,10 +102,10 @@ std::uint64_t Mirror::pump() {
     const std::uint64_t now_us = state_.last().elapsed_us;
     if (now_us < next_show_us_) continue;
     const std::size_t waiting = hand_over_.inputs.size();
-    // Without a thread nothing runs behind.
+    // Without a thread the mirror is never late.
     const bool in_time = !thread_.joinable() || waiting <= kFewInputs ||
-                         (waiting <= kManyInputs && now_us >= next_show_us_ + kMostPutOffUs);
-    if (in_time) show(false);
+                         (waiting <= kManyInputs && now_us >= next_show_us_ + kMostDelayUs);
+    if (in_time) show(Call::further);
   }
   compare();
   return done;
@@ -113,19 +113,19 @@ std::uint64_t Mirror::pump() {
 
 void Mirror::finish() {
   pump();
-  show(true);
+  show(Call::last);
 }
 
 void Mirror::run() {
   name_this_thread("cusp-mirror");
   for (;;) {
-    // Read before pumping: whatever the loop stored before stop() was called is then worked through.
+    // Read before pump(), which then steps every input that the loop stored before stop().
     const bool stopping = stop_.load(std::memory_order_acquire);
     const std::uint64_t done = pump();
     if (stopping) break;
-    if (done == 0) std::this_thread::sleep_for(kNap);
+    if (done == 0) std::this_thread::sleep_for(kPoll);
   }
-  show(true);
+  show(Call::last);
 }
 
 }  // namespace cusp::engine

@@ -1,7 +1,7 @@
-/// The mirror: a replay that runs live. A second run of the same step on the loop's inputs, with its own volume, on its
-/// own thread. Always exactly the state after some tick, so that picture, scores and recorder see one consistent
-/// instant without a lock in the volume. It may run behind (then it skips showing, never ticks), never wrong: once a
-/// second its digest is compared with the loop's at the same tick.
+/// The mirror: a live replay. It runs the same step on the loop's inputs, with its own volume, on its own thread. Its
+/// state is exactly the one after some tick. Picture, scores and recorder read one consistent instant without a lock in
+/// the volume. It may be late: then it skips showing, never ticks. Once a second it compares its digest with the loop's
+/// of the same tick.
 #pragma once
 
 #include <atomic>
@@ -19,25 +19,25 @@ namespace cusp::engine {
 /// What changed since the last call of MirrorObserver::on_state.
 struct StateNews {
   std::span<const std::int32_t> changed_bricks;  // whose cut field changed since the last call, first cut first
-  std::uint64_t behind_ticks = 0;                // inputs that still wait
-  bool first = false;                            // the first call of this run: every cut brick is listed
-  bool last = false;                             // no further input will come
+  std::uint64_t behind_ticks = 0;                // inputs still in the ring
+  bool first = false;                            // the mirror's first call: every cut brick is listed
+  bool last = false;                             // the mirror's last call: no input will follow
 };
 
-/// Thread: all calls come from the mirror's. The references live only as long as the call.
+/// Thread: the mirror's. The references are valid during the call.
 class MirrorObserver {
  public:
   virtual ~MirrorObserver() = default;
-  /// Every tick, in order, with the state after it. To be quick: it runs a thousand times a second.
+  /// Every tick, in order, with the state after it. Must be quick: there are a thousand calls a second.
   virtual void on_tick(const StepInput& input, const StepState& after) {
     static_cast<void>(input);
     static_cast<void>(after);
   }
-  /// About every show_every_us of session time: the whole state, with its volume. Later when it runs behind.
+  /// About every show_every_us of session time, later if the mirror is late: the whole state, with its volume.
   virtual void on_state(const StepState& state, const StateNews& news) = 0;
 };
 
-/// The loop and its mirror came to different digests: the run is not deterministic, the record cannot be trusted.
+/// Loop and mirror have different digests: the session is not deterministic, so its record is not exact.
 struct Mismatch {
   std::uint64_t tick = 0;
   std::uint64_t loop_digest = 0, mirror_digest = 0;
@@ -55,16 +55,16 @@ class Mirror {
   Mirror(const Mirror&) = delete;
   Mirror& operator=(const Mirror&) = delete;
 
-  /// Before start(). The observer outlives the mirror; called in the order of adding.
+  /// Before start(). The observer outlives the mirror. Observers are called in the order of adding.
   void add(MirrorObserver& observer) { observers_.push_back(&observer); }
 
   void start();
-  /// After the loop has stopped: works through every input left, makes the last call, joins.
+  /// After the loop has stopped: steps every remaining input, makes the last call, joins.
   void stop();
 
-  /// Without a thread: works through what waits, on the caller's thread. Returns the ticks done.
+  /// Without a thread: steps the inputs in the ring, on the caller's thread. Returns the number of ticks.
   std::uint64_t pump();
-  /// Without a thread: pump, then the last call to the observers.
+  /// Without a thread: pump(), then the observers' last call.
   void finish();
 
   /// Any thread.
@@ -78,7 +78,9 @@ class Mirror {
  private:
   void run();
   void one(const StepInput& input);
-  void show(bool last);
+  /// Calls on_state() of all observers. A mirror makes one last call.
+  enum class Call : std::uint8_t { further, last };
+  void show(Call call);
   void compare() noexcept;
 
   StepState state_;
@@ -90,7 +92,7 @@ class Mirror {
   std::vector<std::int32_t> changed_;
   std::uint64_t next_show_us_ = 0;
   bool first_ = true;
-  std::vector<DigestMark> own_, loop_marks_;   // digests that wait for their opposite
+  std::vector<DigestMark> own_, loop_marks_;  // digests not yet compared
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint64_t> compared_{0};
   std::atomic<bool> differs_{false};

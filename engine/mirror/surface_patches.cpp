@@ -63,16 +63,21 @@ class Builder {
 
   void run() {
     if (!read_occupancy()) return;
-    quads(true);
+    quads(Edges::own);
     out_.own = out_.indices.size();
-    if (lattice_.seam > 0) quads(false);
+    if (lattice_.seam > 0) quads(Edges::of_neighbours);
   }
 
  private:
+  /// Lattice edges: those of this brick, or those beyond it that close the seam.
+  enum class Edges : std::uint8_t { own, of_neighbours };
+  /// The end of a lattice edge that lies outside the tissue.
+  enum class Outside : std::uint8_t { lower, upper };
+
   static constexpr std::uint16_t kNone = 0xffff;
   static constexpr std::size_t kMost = kMostSamples * kMostSamples * kMostSamples;
 
-  /// False when all samples are alike.
+  /// False if all samples are alike.
   bool read_occupancy() {
     std::size_t set = 0, all = 0;
     IVec3 c;
@@ -89,7 +94,7 @@ class Builder {
 
   bool solid(IVec3 c) const { return solid_[static_cast<std::size_t>(lattice_.index(c))]; }
 
-  void quads(bool own) {
+  void quads(Edges edges) {
     const int from = std::min(lattice_.first(), -1);
     IVec3 c;
     for (c.z = from; c.z <= lattice_.last(); ++c.z)
@@ -97,11 +102,11 @@ class Builder {
         for (c.x = from; c.x <= lattice_.last(); ++c.x) {
           for (int axis = 0; axis < 3; ++axis) {
             // An edge that enters the box from outside belongs to the brick it enters.
-            if (is_own(c, axis) != own) continue;
+            if (is_own(c, axis) != (edges == Edges::own)) continue;
             IVec3 up = c;
             ++up[axis];
             const bool here = solid(c);
-            if (here != solid(up)) quad(c, axis, here);
+            if (here != solid(up)) quad(c, axis, here ? Outside::upper : Outside::lower);
           }
         }
   }
@@ -114,7 +119,7 @@ class Builder {
     return true;
   }
 
-  void quad(IVec3 c, int axis, bool outward_up) {
+  void quad(IVec3 c, int axis, Outside outside) {
     const int b = (axis + 1) % 3, d = (axis + 2) % 3;
     std::array<std::uint16_t, 4> v;
     IVec3 cell = c;
@@ -128,7 +133,7 @@ class Builder {
     --cell[b];
     v[3] = vertex(cell);
     if (v[0] == kNone || v[1] == kNone || v[2] == kNone || v[3] == kNone) return;
-    if (!outward_up) std::swap(v[1], v[3]);
+    if (outside == Outside::lower) std::swap(v[1], v[3]);
     const auto apart = [this](std::uint16_t i, std::uint16_t j) {
       const Vec3f step = out_.vertices[i].position_mm - out_.vertices[j].position_mm;
       return glm::dot(step, step);

@@ -1,6 +1,6 @@
-/// The picture's mesh, one patch per brick, from the surface points that are felt: one vertex per crossing cell, one
-/// quad round each crossing voxel edge. Patches of one level close without gaps: a vertex on a border is computed
-/// alike by both patches. Thread: whichever owns the volume (the mirror's).
+/// The picture's mesh, one patch per brick. A crossed cell gives a vertex at its surface point, a crossed voxel edge a
+/// quad. Patches of one level close without gaps, because both patches compute a border's vertex alike. Thread: the
+/// volume's owner (the mirror's).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct PatchVertex {
   bool cut = false;         // left by a bur
 };
 
-/// How dense a patch is: cells of one voxel, or of two for what lies outside the region of interest.
+/// Levels: cells of one voxel, or of two voxels outside the region of interest.
 inline constexpr int kFinePatch = 1;
 inline constexpr int kCoarsePatch = 2;
 
@@ -25,23 +25,23 @@ struct Patch {
   int brick = -1;
   int level = kFinePatch;
   std::vector<PatchVertex> vertices;
-  /// Triangles, three each, counter-clockwise seen from outside. The first `own` of them tile the surface with the
-  /// other patches of the same level; the rest (coarse patches only) reach one cell under the neighbours on every side
-  /// and close the seam where those are fine.
+  /// Triangles, three indices each, counter-clockwise seen from outside. The first `own` indices tile the surface with
+  /// the other patches of the same level. The rest (coarse patches only) reach one cell under the neighbours and close
+  /// the seam to fine ones.
   std::vector<std::uint16_t> indices;
   std::size_t own = 0;
 };
 
-/// The patch of one brick as the volume stands; empty when no surface passes. level: kFinePatch or kCoarsePatch.
-/// Deterministic: equal fields give equal patches.
+/// The patch of one brick; empty if no surface crosses it. level: kFinePatch or kCoarsePatch. Equal fields give equal
+/// patches.
 Patch build_patch(const Volume& volume, int brick, int level);
 
-/// Bricks whose patches may change when values of `brick` change: itself and those beside it (a surface point reads
-/// a few voxels about its cell), in index order.
+/// Bricks whose patches may change if values of `brick` change, by rising index: itself and its neighbours. A surface
+/// point reads a few voxels about its cell.
 std::vector<int> patches_touched_by(const Specimen& specimen, int brick);
 
-/// False when no patch of this brick can have a triangle: it and its upper and lower neighbours are uniform and alike,
-/// and none is cut. Quick; for the first build.
+/// False if no patch of this brick can have a triangle: the brick and its neighbours are uniform and alike, and none is
+/// cut.
 bool may_have_surface(const Volume& volume, int brick) noexcept;
 
 }  // namespace cusp::engine
