@@ -7,7 +7,7 @@ namespace cusp::engine::lab {
 
 namespace {
 constexpr double kSlicesPerMs = 1000.0 / kSliceUs;
-constexpr double kMostMm = 1e5;  // beyond 100 m an encoder has nothing to say
+constexpr double kMostMm = 1e5;  // range of a reading: 100 m
 }  // namespace
 
 ClosedLoop::ClosedLoop(const DeviceSettings& device, const TransportSettings& transport, const Grip& grip,
@@ -26,7 +26,7 @@ std::int32_t ClosedLoop::read(int axis) const noexcept {
   return static_cast<std::int32_t>(std::lround(std::clamp(at, -kMostMm, kMostMm) * 1e4));
 }
 
-std::int64_t ClosedLoop::way() noexcept {
+std::int64_t ClosedLoop::one_way() noexcept {
   double ms = 0.5 * transport_.delay_ms;
   if (transport_.jitter_ms > 0.0) ms += 0.5 * transport_.jitter_ms * dice_.roll();
   return std::llround(ms * kSlicesPerMs);
@@ -42,19 +42,19 @@ void ClosedLoop::begin() noexcept {
   out_.over_limit = false;
   bool lost_up = unplugged_;
   if (transport_.lost_share > 0.0) lost_up = dice_.roll() < 0.5 * transport_.lost_share || lost_up;
-  const std::int64_t arrives = now_ + way();
+  const std::int64_t arrives = now_ + one_way();
   if (!lost_up) up_.send(arrives, {read(0), read(1), read(2)});
 }
 
-bool ClosedLoop::hear(Reading& out) noexcept {
-  if (now_ < deaf_until_ || up_.empty() || up_.arrives() > now_) return false;
+bool ClosedLoop::receive(Reading& out) noexcept {
+  if (now_ < stalled_until_ || up_.empty() || up_.arrives() > now_) return false;
   Sampled newest = up_.take();
   while (!up_.empty() && up_.arrives() <= now_) newest = up_.take();
   out.x = newest.x;
   out.y = newest.y;
   out.z = newest.z;
-  out.elapsed_us = heard_ < 0 ? 1000u : static_cast<std::uint32_t>((now_ - heard_) * kSliceUs);
-  heard_ = now_;
+  out.elapsed_us = received_ < 0 ? 1000u : static_cast<std::uint32_t>((now_ - received_) * kSliceUs);
+  received_ = now_;
   return true;
 }
 
@@ -72,7 +72,7 @@ void ClosedLoop::answer(Vec3 wanted) noexcept {
     for (int a = 0; a < 3; ++a) given[a] = std::round(given[a] / device_.force_quantum_n) * device_.force_quantum_n;
   bool lost = unplugged_;
   if (transport_.lost_share > 0.0) lost = dice_.roll() < 0.5 * transport_.lost_share || lost;
-  const std::int64_t arrives = now_ + way();
+  const std::int64_t arrives = now_ + one_way();
   if (!lost) down_.send(arrives, given);
 }
 
@@ -80,7 +80,7 @@ void ClosedLoop::run(std::int64_t end) noexcept {
   while (!down_.empty() && down_.arrives() <= now_) held_ = down_.take();
   std::int64_t next = end;
   if (!down_.empty()) next = std::min(next, down_.arrives());
-  if (!up_.empty()) next = std::min(next, std::max(up_.arrives(), deaf_until_));
+  if (!up_.empty()) next = std::min(next, std::max(up_.arrives(), stalled_until_));
   const auto slices = static_cast<int>(next - now_);
   const Vec3 before = plant_.position_mm();
   plant_.advance(held_, slices);
@@ -97,12 +97,11 @@ void ClosedLoop::finish() noexcept {
 }
 
 void ClosedLoop::stall_ms(double ms) noexcept {
-  deaf_until_ = std::max<std::int64_t>(deaf_until_, now_ + std::llround(ms * kSlicesPerMs));
+  stalled_until_ = std::max<std::int64_t>(stalled_until_, now_ + std::llround(ms * kSlicesPerMs));
 }
 
-void ClosedLoop::unplug(bool out) noexcept {
-  unplugged_ = out;
-  if (!out) return;
+void ClosedLoop::unplug() noexcept {
+  unplugged_ = true;
   while (!up_.empty()) up_.take();
   while (!down_.empty()) down_.take();
   held_ = Vec3(0.0);

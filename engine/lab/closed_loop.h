@@ -1,6 +1,6 @@
-/// The laboratory's loop: a plant sampled and held at 1 kHz, a transport, and a controller that answers readings with
-/// forces, as the haptic loop does. The controller is anything callable as Vec3(const Reading&): newtons wanted.
-/// Deterministic; no clock, no heap after the constructor. Thread: any, one at a time.
+/// The laboratory's loop: a plant sampled and held at 1 kHz, a transport, and a controller that maps readings to
+/// forces. The controller is anything callable as Vec3(const Reading&), in newtons. Deterministic; no clock, no heap
+/// after the constructor. Thread: any, one at a time.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace cusp::engine::lab {
 
-/// What the host gets: the encoders' reading in the step's own unit, and the time since the reading before.
+/// The host's input: the encoders' reading in the step's unit, and the time since the reading before.
 struct Reading {
   std::int32_t x = 0, y = 0, z = 0;  // 0.1 um
   std::uint32_t elapsed_us = 1000;
@@ -22,12 +22,12 @@ struct Reading {
 /// One millisecond of the loop, from one sample of the device to the next.
 struct LoopTick {
   std::int64_t tick = 0;          // 1 after the first
-  Vec3 from_mm{0.0}, to_mm{0.0};  // true place of the device at its ends
+  Vec3 from_mm{0.0}, to_mm{0.0};  // true place of the device at its beginning and end
   Vec3 velocity_mm_s{0.0};        // true, at its end
-  Vec3 held_n{0.0};               // what the motors gave at its end: limited and quantised
+  Vec3 held_n{0.0};               // force of the motors at its end: limited and quantised
   Vec3 mean_n{0.0};               // held, over its time
   Vec3 wanted_n{0.0};             // the controller's last answer
-  double energy_mj = 0.0;         // held force times true motion: positive is given to the hand
+  double energy_mj = 0.0;         // held force times true motion; positive: to the hand
   int answers = 0;                // of the controller in this millisecond: 0 after a loss
   bool held_any = false;          // a force was held at some time in it
   bool over_limit = false;        // the controller wanted more than the limit, or no number
@@ -44,10 +44,11 @@ class ClosedLoop {
   const LoopTick& last() const noexcept { return out_; }
   Vec3 held_n() const noexcept { return held_; }
 
-  /// The host is deaf for so long from now on; when it wakes it meets the newest reading alone. [0, 1000] ms.
+  /// The host reads nothing for so long; then it reads the newest reading alone. [0, 1000] ms.
   void stall_ms(double ms) noexcept;
-  /// The cable is out, or in again: readings do not arrive; the motors hold nothing.
-  void unplug(bool out) noexcept;
+  /// Until plug_in() no reading and no force arrives; the motors hold nothing.
+  void unplug() noexcept;
+  void plug_in() noexcept { unplugged_ = false; }
 
   /// One millisecond.
   template <class Controller>
@@ -55,7 +56,7 @@ class ClosedLoop {
     begin();
     for (std::int64_t end = now_ + kSlicesPerTick; now_ < end;) {
       Reading reading;
-      while (hear(reading)) answer(controller(static_cast<const Reading&>(reading)));
+      while (receive(reading)) answer(controller(static_cast<const Reading&>(reading)));
       run(end);
     }
     finish();
@@ -66,12 +67,12 @@ class ClosedLoop {
   struct Sampled {
     std::int32_t x, y, z;
   };
-  void begin() noexcept;             // samples the encoders
-  bool hear(Reading& out) noexcept;  // what has arrived by now, the newest of several
+  void begin() noexcept;                // samples the encoders
+  bool receive(Reading& out) noexcept;  // the newest reading that has arrived; false: none
   void answer(Vec3 wanted) noexcept;
   void run(std::int64_t end) noexcept;  // to the next event, at most to end
   void finish() noexcept;
-  std::int64_t way() noexcept;  // slices of one way of one packet
+  std::int64_t one_way() noexcept;  // slices that a packet takes
   std::int32_t read(int axis) const noexcept;
 
   DeviceSettings device_;
@@ -82,8 +83,8 @@ class ClosedLoop {
   Wire<Sampled> up_;
   Wire<Vec3> down_;
   Vec3 held_{0.0};
-  std::int64_t now_ = 0, deaf_until_ = 0, heard_ = -1;
-  bool lost_down_ = false, unplugged_ = false;
+  std::int64_t now_ = 0, stalled_until_ = 0, received_ = -1;
+  bool unplugged_ = false;
   LoopTick out_;
 };
 

@@ -18,7 +18,7 @@ Matrix times(const Matrix& a, const Matrix& b) {
 }
 
 Matrix motion(double mass, double damping, double stiffness, double seconds) {
-  // Scaled so that a light, well damped mass keeps the series short and exact.
+  // Scaled, so that the series is short and exact for a light, well damped mass.
   constexpr int kHalvings = 6, kTerms = 14;
   const double t = seconds / (1 << kHalvings);
   Matrix a{};
@@ -96,7 +96,7 @@ void Plant::place(Vec3 at_mm, Vec3 velocity_mm_s) noexcept {
 }
 
 void Plant::flow(const Flow& by, Vec3 force_n, Vec3 rate, double seconds) noexcept {
-  // Along a rail's own directions nothing moves: the spring's pull there is the rail's to bear.
+  // A rail blocks its directions and bears the spring's pull along them.
   const Vec3 from = x_;
   const Vec3 x = by.xx * x_ + by.xv * v_ + by.xf * force_n + by.xg * rate;
   v_ = allowed(by.vx * x_ + by.vv * v_ + by.vf * force_n + by.vg * rate);
@@ -107,10 +107,10 @@ void Plant::flow(const Flow& by, Vec3 force_n, Vec3 rate, double seconds) noexce
 void Plant::slice(Vec3 force_n, Vec3 rate) noexcept {
   constexpr double kSeconds = kSliceUs * 1e-6;
   const Flow& by = flows_[1];
-  // What pulls at it now, without friction and dampers' share of its own speed.
+  // The pull without friction and without the damper's force of the mass's own speed.
   const Vec3 pull = allowed(force_n - grip_n_per_mm_ * x_);
   const double stop = length_of(v_) * mass_kg_ * 1e-3 / kSeconds;
-  if (stop + length_of(pull) <= friction_n_) {  // friction holds it, or stops it within this slice and then holds it
+  if (stop + length_of(pull) <= friction_n_) {  // friction holds the mass, or stops it in this slice and then holds it
     friction_mj_ += kinetic_mj();
     v_ = Vec3(0.0);
     intended_ += intended_v_ * kSeconds;
@@ -120,7 +120,7 @@ void Plant::slice(Vec3 force_n, Vec3 rate) noexcept {
   sticks_ = false;
   const Vec3 from = x_;
   flow(by, force_n, rate, kSeconds);
-  // Against where it goes, as much as stops it at most.
+  // Friction acts against the motion, at most with the force that stops it.
   const double speed = length_of(v_);
   if (speed == 0.0) return;
   const Vec3 against = -v_ / speed;
@@ -136,7 +136,7 @@ void Plant::advance(Vec3 force_n, int slices) noexcept {
     intended_ += intended_v_ * (slices * kSliceUs * 1e-6);
     return;
   }
-  // The grip's spring and damper hang on what is intended, which moves evenly.
+  // The grip's spring and damper end at the intended place, which moves evenly.
   const Vec3 rate = grip_n_per_mm_ * intended_v_;
   const Vec3 outside = force_n + weight_ + push_ + grip_ns_per_mm_ * intended_v_;
   if (friction_n_ <= 0.0) {

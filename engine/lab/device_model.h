@@ -1,8 +1,7 @@
-/// A haptic device between two samples of the loop: a mass with damping and Coulomb friction in three axes, alike in
-/// all directions, held by a grip and moved by the force that the host left in its motors. Linear parts are integrated
-/// exactly, friction in slices of 50 us with a proper stick: what friction can hold does not creep.
-/// Units: millimetres, newtons, seconds; N mm is mJ. Same numbers for the same calls on one build. No heap after the
-/// constructor. Thread: any, one at a time.
+/// A haptic device between two samples of the loop: a mass with damping and Coulomb friction, alike in all directions.
+/// A grip holds it, and the motors' force moves it. Linear parts are integrated exactly, friction in slices of 50 us
+/// with stiction: a load below the friction does not creep. Units: millimetres, newtons, seconds; N mm is mJ. Same
+/// numbers for the same calls on one build. No heap after the constructor. Thread: any, one at a time.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ inline constexpr int kSliceUs = 50;        // the laboratory's grain of time
 inline constexpr int kSlicesPerTick = 20;  // 1 kHz
 inline constexpr double kTickS = 0.001;
 
-/// What is known of no device is swept by whoever runs the laboratory [M].
+/// The caller sweeps figures that no device's source gives [M].
 struct DeviceSettings {
   double mass_kg = 0.1;            // that the hand moves with the grip of the device, (0, 10]
   double damping_ns_per_m = 2.0;   // viscous, >= 0
@@ -28,9 +27,9 @@ struct DeviceSettings {
   Vec3 weight_n{0.0};              // of the grip, where nothing compensates it
 };
 
-/// Novint Falcon, at the middle of its workspace (0.125 m), the worst direction of each: encoder 0.049 mm, force
-/// quantum 16.2 N / 4095, limit 6.1 N, all computed from the published mechanism and constants. Its moving mass,
-/// damping and friction are not known: they stay at whatever the caller sweeps [M].
+/// Novint Falcon, at the middle of its workspace (0.125 m), in the worst direction: encoder 0.049 mm, force
+/// quantum 16.2 N / 4095, limit 6.1 N. All are computed from the published mechanism and constants. Its moving mass,
+/// damping and friction are not known: the caller sweeps them [M].
 DeviceSettings falcon(double mass_kg, double damping_ns_per_m, double friction_n) noexcept;
 
 class Plant {
@@ -40,25 +39,24 @@ class Plant {
   Vec3 position_mm() const noexcept { return x_; }
   Vec3 velocity_mm_s() const noexcept { return v_; }
   double kinetic_mj() const noexcept;
-  /// True while friction holds it still.
+  /// True while friction holds it.
   bool sticks() const noexcept { return sticks_; }
   double mass_kg() const noexcept { return mass_kg_; }  // with the hand's
 
-  /// Where the hand intends to be now, and how that moves until the next call. Without a grip it has no effect.
+  /// The hand's intended place and its velocity until the next call. Without a grip it has no effect.
   void intend(Vec3 at_mm, Vec3 velocity_mm_s) noexcept;
   Vec3 intended_mm() const noexcept { return intended_; }
   /// A constant push besides: of a finger, a weight.
   void push(Vec3 force_n) noexcept { push_ = force_n; }
-  /// Led by force at this velocity, whatever pulls at it, until release().
+  /// Moves at this velocity, whatever the forces, until release().
   void drive(Vec3 velocity_mm_s) noexcept;
   void release() noexcept { driven_ = false; }
   bool driven() const noexcept { return driven_; }
-  /// Directions (unit, at right angles to each other) along which a rail lets nothing move from now on; zero vectors
-  /// hold nothing.
+  /// Blocks motion along two directions (unit, at right angles to each other). A zero vector blocks nothing.
   void rail(Vec3 first, Vec3 second) noexcept;
   void place(Vec3 at_mm, Vec3 velocity_mm_s) noexcept;
 
-  /// On by slices of kSliceUs under a constant force of the motors. 0 < slices <= kSlicesPerTick.
+  /// Advances by slices of kSliceUs under a constant force of the motors. 0 < slices <= kSlicesPerTick.
   void advance(Vec3 force_n, int slices) noexcept;
   /// Work that friction took since the start, mJ.
   double friction_mj() const noexcept { return friction_mj_; }

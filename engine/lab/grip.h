@@ -1,6 +1,6 @@
-/// How a hand holds the device: its mass rides on the device's, a spring and a damper tie both to where the hand
-/// intends to be. Same in all directions. Figures of soft and firm: the laboratory's two grips [M], after published
-/// ranges of a hand's endpoint impedance; no measurement on a dental grip is known.
+/// A hand's grip on the device: its mass adds to the device's; a spring and a damper connect both to the hand's
+/// intended place. Alike in all directions. Soft and firm are the laboratory's two grips [M], after published ranges of
+/// a hand's endpoint impedance; no measurement on a dental grip is known.
 #pragma once
 
 namespace cusp::engine::lab {

@@ -7,7 +7,7 @@
 namespace cusp::engine {
 
 namespace {
-/// The delay line's grid. Finer than a nerve, coarser than nothing.
+/// Step of the delay line.
 constexpr double kLineStepS = 0.001;
 /// Longest step of the integration: well below the period of mass and grip (0.15 kg on 1 N/mm: 77 ms).
 constexpr double kMostStepS = 0.001;
@@ -50,7 +50,7 @@ Vec3 HandModel::advance(Vec3 wanted_mm, Vec3 force_n, double dt_s) {
         tremor_mm_[a] += dt * tremor_rate_[a];
       }
     }
-    // Semi-implicit: the spring by the old place, the damper by the new velocity.
+    // Semi-implicit: the spring at the old place, the damper at the new velocity.
     const Vec3 goal = late_[at_] + tremor_mm_;
     const Vec3 pull = stiffness * (goal - position_mm_) * 1e-3 + force_n;  // N
     velocity_mm_s_ = (velocity_mm_s_ + 1e3 * dt / settings_.mass_kg * pull) / (1.0 + dt * damping / settings_.mass_kg);

@@ -9,8 +9,8 @@ namespace {
 double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
 }  // namespace
 
-void ContactEnergy::add(bool contact, double energy_mj) noexcept {
-  if (contact) {
+void ContactEnergy::add(const Share& share) noexcept {
+  if (share.contact) {
     if (gap_ >= kGapMs) {
       sum_ = 0.0;
       ++episodes_;
@@ -20,15 +20,15 @@ void ContactEnergy::add(bool contact, double energy_mj) noexcept {
     ++gap_;
   }
   if (gap_ >= kGapMs) return;
-  sum_ += energy_mj;
+  sum_ += share.energy_mj;
   most_ = std::max(most_, sum_);
 }
 
 Steadiness::Steadiness(Vec3 along, Vec3 across) noexcept : axes_{along, across, glm::cross(along, across)} {}
 
-void Steadiness::add(const LoopTick& tick, bool in_window) noexcept {
+void Steadiness::add(const LoopTick& tick, Part part) noexcept {
   over_ = over_ || tick.over_limit;
-  if (!in_window) return;
+  if (part == Part::before_window) return;
   if (count_ == 0) from_ = tick.from_mm;
   to_ = tick.to_mm;
   moment_ += tick.mean_n;
@@ -62,7 +62,7 @@ double Steadiness::cycle_hz() const noexcept {
   int axis = 0;
   for (int a = 1; a < 3; ++a)
     if (wide[a] > wide[axis]) axis = a;
-  // Turning points by more than half of the peak to peak: a maximum counts once it has been left by that much.
+  // Turning points by more than half of the peak to peak: a maximum counts once the motion is that far below it.
   const double enough = 0.5 * wide[axis];
   if (!(enough > 0.0)) return 0.0;
   double top = window_[0][axis], bottom = top;
@@ -111,30 +111,30 @@ double rise_n(Vec3 before_n, Vec3 now_n) noexcept {
   const double before = length_of(before_n);
   if (before == 0.0) return length_of(change);
   const double along = glm::dot(change, before_n) / before;
-  const double let_go = std::min(std::max(0.0, -along), before);
-  return length_of(change + before_n * (let_go / before));
+  const double fall = std::min(std::max(0.0, -along), before);
+  return length_of(change + before_n * (fall / before));
 }
 
-std::optional<double> ForceSteps::add(Vec3 force_n, Vec3 exact_n, bool guard_acted) noexcept {
+std::optional<double> ForceSteps::add(const Tick& tick) noexcept {
   const Vec3 before = force_, exact_before = exact_;
   const bool have = have_, lost = gone_ < kGapMs;
-  if (force_n != Vec3(0.0)) {
+  if (tick.force_n != Vec3(0.0)) {
     gone_ = 0;
   } else {
-    gone_ = exact_n == Vec3(0.0) ? kGapMs : std::min(gone_ + 1, kGapMs);
+    gone_ = tick.exact_n == Vec3(0.0) ? kGapMs : std::min(gone_ + 1, kGapMs);
   }
-  force_ = force_n;
-  exact_ = exact_n;
+  force_ = tick.force_n;
+  exact_ = tick.exact_n;
   have_ = true;
   if (!have) return std::nullopt;
-  const double rise = rise_n(before, force_n) * 1000.0;
-  if (guard_acted) {
+  const double rise = rise_n(before, tick.force_n) * 1000.0;
+  if (tick.guard_acted) {
     guard_ = std::max(guard_, rise);
     return std::nullopt;
   }
   // First contact: of the method, or of the exact proxy a tick apart from it.
   if ((before == Vec3(0.0) && !lost) || exact_before == Vec3(0.0)) return std::nullopt;
-  const double more = rise - rise_n(exact_before, exact_n) * 1000.0;
+  const double more = rise - rise_n(exact_before, tick.exact_n) * 1000.0;
   step_ = std::max(step_, more);
   return more;
 }

@@ -1,5 +1,5 @@
-/// What the laboratory's figures mean, each defined once. All are fed tick by tick, hold no heap and know no clock.
-/// Units: mm, N, mJ (N mm), ms unless a name says otherwise.
+/// Definitions of the laboratory's figures. Each class receives a tick at a time, and has no heap and no clock.
+/// Units: mm, N, mJ (N mm), ms unless a name has its own.
 #pragma once
 
 #include <array>
@@ -17,10 +17,15 @@ namespace cusp::engine::lab {
 class ContactEnergy {
  public:
   static constexpr int kGapMs = 20;
-  void add(const LoopTick& tick) noexcept { add(tick.held_any, tick.energy_mj); }
-  void add(bool contact, double energy_mj) noexcept;
-  double most_mj() const noexcept { return most_; }  // 0 before any contact: what is given back is not negative
-  double sum_mj() const noexcept { return sum_; }    // of the episode that is on, or of the last one
+  /// A millisecond's part of a sum.
+  struct Share {
+    bool contact = false;  // a force was held
+    double energy_mj = 0.0;
+  };
+  void add(const LoopTick& tick) noexcept { add(Share{tick.held_any, tick.energy_mj}); }
+  void add(const Share& share) noexcept;
+  double most_mj() const noexcept { return most_; }  // 0 before any contact
+  double sum_mj() const noexcept { return sum_; }    // of the present episode, or of the last one
   int episodes() const noexcept { return episodes_; }
 
  private:
@@ -28,11 +33,11 @@ class ContactEnergy {
   int gap_ = kGapMs, episodes_ = 0;
 };
 
-/// Peak to peak, energy and limit over a window of time at the end of a run: what decides whether a stiffness is
-/// stable. Motion is true motion along three axes at right angles, given at the start, so that one may lie along the
-/// press. Net energy is what the held force gave beyond what its own mean over the window would have given on the same
-/// way: a wall that carries 1 N gives out 0.01 mJ for each 10 um that the device stands further out at the window's end
-/// than at its beginning, which a spring does too and which is no vibration. Over whole cycles both are the same.
+/// Peak to peak, energy and limit over the final window of a press, which decide whether a stiffness is stable. Motion
+/// is true motion along three axes at right angles; the caller may choose one along the press. Net energy is the work
+/// of the held force less the work of its mean over the window. A wall at 1 N gives 0.01 mJ for each 10 um that the
+/// device moves out during the window. A spring does that, too, and it is no vibration. Over whole cycles both works
+/// are equal.
 class Steadiness {
  public:
   static constexpr double kWindowS = 0.8, kMostSteps = 2.0, kMostEnergyMj = 0.01;
@@ -40,15 +45,16 @@ class Steadiness {
 
   Steadiness() = default;
   Steadiness(Vec3 along, Vec3 across) noexcept;
-  /// Every tick of the run; in_window: of its final kWindowS.
-  void add(const LoopTick& tick, bool in_window) noexcept;
-  /// encoder_step_mm: of the device; motion of more than two of them is none of rest.
+  /// Part of the press that a tick belongs to.
+  enum class Part : std::uint8_t { before_window, in_window };
+  /// Every tick of the press; its final kWindowS are in the window.
+  void add(const LoopTick& tick, Part part) noexcept;
+  /// encoder_step_mm: of the device. Motion of more than two steps is no rest.
   Verdict verdict(double encoder_step_mm) const noexcept;
 
   double peak_to_peak_mm() const noexcept;  // the largest of the three axes
   double energy_mj() const noexcept;        // net, out of the wall
-  /// Of the axis that moves most: how often it turns back by more than half of its peak to peak. 0 when it does so less
-  /// than twice.
+  /// Frequency of the axis that moves most: of turns by more than half of its peak to peak. 0 for less than two turns.
   double cycle_hz() const noexcept;
 
  private:
@@ -76,19 +82,23 @@ class StuckWatch {
   int running_ = 0, longest_ = 0;
 };
 
-/// How much of a force's change is a push and not a letting go: the change from `before` to `now` without its part that
-/// only shortens `before`. N.
+/// Part of a force's change that pushes: the change from `before` to `now` without the part that only shortens
+/// `before`. N.
 double rise_n(Vec3 before_n, Vec3 now_n) noexcept;
 
-/// force_step: rise of force from tick to tick less that of the exact proxy at the same device points, outside first
-/// contact and ticks where the guard acted; guard_step: the rise in those, whole. A method that loses its force for
-/// less than kGapMs while the exact proxy holds on has lost no contact: the rise when it comes back counts.
+/// force_step: rise of force from tick to tick, less that of the exact proxy at the same device points. First contact
+/// and ticks where the guard acted do not count. guard_step: the whole rise in the guard's ticks. A method's gap of
+/// less than kGapMs while the exact proxy has contact does not end the contact: the returning force counts.
 class ForceSteps {
  public:
   static constexpr int kGapMs = ContactEnergy::kGapMs;
-  /// The tick's force_step in mN, or nothing when it does not count. exact_n: force of the exact proxy.
-  std::optional<double> add(Vec3 force_n, Vec3 exact_n, bool guard_acted) noexcept;
-  /// What came before no longer counts as a neighbour (a swap, a re-arm).
+  struct Tick {
+    Vec3 force_n{0.0}, exact_n{0.0};  // of the method, and of the exact proxy
+    bool guard_acted = false;
+  };
+  /// The tick's force_step in mN, or nothing if it does not count.
+  std::optional<double> add(const Tick& tick) noexcept;
+  /// The next tick has no predecessor (after a change of bur or specimen, or a re-arm).
   void interrupt() noexcept {
     have_ = false;
     gone_ = kGapMs;
@@ -103,7 +113,7 @@ class ForceSteps {
   double step_ = 0.0, guard_ = 0.0;
 };
 
-/// Deepest that a bur has been in tissue, by the exact clearance at its pose. um.
+/// Largest depth of a bur in tissue, by the exact clearance at its pose. um.
 class Penetration {
  public:
   void add(double clearance_mm) noexcept {

@@ -33,7 +33,7 @@ Held held(double mass, double damping, double stiffness, double tick) {
     const double small = -std::expm1(-t);
     const double v = t < 1e-4 ? tick / mass * (1.0 - t / 2.0 + t * t / 6.0) : small / damping;
     const double x = t < 1e-4 ? tick * tick / mass * (0.5 - t / 6.0 + t * t / 24.0) : (tick - small / a) / damping;
-    const double p = 1.0 - small;                                                   // v decays by it
+    const double p = 1.0 - small;                                                   // factor of v
     const double xv = t < 1e-4 ? tick * (1.0 - t / 2.0 + t * t / 6.0) : small / a;  // x gained from v
     out.d1 = -(1.0 + p);
     out.d0 = p;
@@ -41,7 +41,7 @@ Held held(double mass, double damping, double stiffness, double tick) {
     out.n0 = xv * v - p * x;
     return out;
   }
-  // Roots s1, s2 of m s^2 + b s + k. A double root is parted by a hair: its closed form has a pole there.
+  // Roots s1, s2 of m s^2 + b s + k. A double root is separated by 1e-9: the closed form has a pole there.
   const double half = damping / (2.0 * mass);
   double square = half * half - stiffness / mass;
   if (std::fabs(square) < 1e-9 * stiffness / mass) square = -1e-9 * stiffness / mass;
@@ -118,9 +118,9 @@ double largest_root(const Polynomial& p) {
 double spectral_radius(const SampledWall& wall) noexcept { return largest_root(characteristic(wall)); }
 
 double critical_stiffness_n_per_mm(SampledWall wall) noexcept {
-  // A free mass has an eigenvalue of 1: stiffness starts where the wall has taken hold of it.
+  // A free mass has an eigenvalue of 1, so the search starts at a small stiffness.
   constexpr double kFirst = 1e-4, kMost = 1e4, kFactor = 1.05;
-  // With its root at rest, a wall as weak as this moves it by K T / b in 1: far above the roots' rounding.
+  // That stiffness moves the eigenvalue from 1 by K T / b, far above the roots' rounding.
   const auto stable = [&wall](double k) {
     wall.stiffness_n_per_mm = k;
     return spectral_radius(wall) < 1.0;

@@ -1,5 +1,5 @@
-/// Stability of a virtual wall on a sampled device, by theory: what the laboratory is held against, and what published
-/// bounds say. Linear: no encoder, no friction, the wall holds in both directions.
+/// Stability of a virtual wall on a sampled device, by theory and by published bounds: the laboratory is checked
+/// against both. Linear: no encoder, no friction, the wall acts in both directions.
 #pragma once
 
 #include "engine/lab/grip.h"
@@ -17,7 +17,7 @@ struct SampledWall {
   Grip grip = kNoGrip;
 };
 
-/// The largest magnitude of an eigenvalue of the closed loop from sample to sample: below 1 all motion dies away.
+/// The largest magnitude of an eigenvalue of the closed loop from sample to sample. Below 1 all motion is damped.
 /// Zero-order hold in closed form; the roots of the characteristic polynomial by Aberth's iteration.
 double spectral_radius(const SampledWall& wall) noexcept;
 
@@ -27,7 +27,8 @@ double critical_stiffness_n_per_mm(SampledWall wall) noexcept;
 
 /// Colgate and Schenkel, "Passivity of a class of sampled-data systems: application to haptic interfaces", J. Robotic
 /// Systems 14(1), 1997: passive when b > K T / 2 + |B|. The stiffness at which that ends, N/mm; never below 0.
-/// Sufficient for a stable touch by any passive hand, not necessary for one hand: what is stable may lie far above.
+/// Sufficient for a stable touch by any passive hand, not necessary for one hand: the limit of stability may be far
+/// above.
 double colgate_bound_n_per_mm(double damping_ns_per_m, double virtual_damping_ns_per_m, double tick_s) noexcept;
 
 /// Abbott and Okamura, "Effects of position quantization and sampling rate on virtual-wall passivity", IEEE Trans.

@@ -1,6 +1,6 @@
-/// What lies between device and host: a reading goes up each millisecond, a force comes down for each reading that
-/// arrives. Half of the delay is on the way up, half on the way down; packets never overtake one another. Time in
-/// slices of kSliceUs, so that events fall between the plant's. The same seed gives the same delays and losses.
+/// The transport between device and host: a reading goes up each millisecond, a force comes down for each reading that
+/// arrives. Half of the delay is on the way up, half on the way down. Packets keep their order. Time in slices of
+/// kSliceUs. The same seed gives the same delays and losses.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ class Wire {
   void send(std::int64_t arrives, const Load& load) noexcept {
     if (count_ > 0 && arrives < last_) arrives = last_;
     last_ = arrives;
-    if (count_ == kMost) {  // a host that sleeps: the oldest goes
+    if (count_ == kMost) {  // the host is stalled: the oldest packet is dropped
       first_ = (first_ + 1) % kMost;
       --count_;
     }

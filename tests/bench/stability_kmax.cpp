@@ -112,7 +112,7 @@ class PressController {
   void compare(Vec3 force, Vec3 device) {
     const double off = length(answer_.proxy_mm - there_.pose_mm) * 1000.0;
     if (!(off <= off_um_)) off_um_ = off;
-    steps_.add(force, (there_.pose_mm - device) * k_, guarded_ && answer_.guard_acts != 0);
+    steps_.add({force, (there_.pose_mm - device) * k_, guarded_ && answer_.guard_acts != 0});
     stuck_.add(there_.pose_mm, answer_.proxy_mm);
     penetration_.add(exact_.clearance_mm(answer_.proxy_mm));
   }
@@ -201,7 +201,7 @@ PressRun PressBench::run(double k, std::uint64_t seed, PressOptions options) {
     const lab::LoopTick tick = loop.tick(controller);
     energy.add(tick);
     const bool final = t >= motion.ticks - window;
-    steady.add(tick, final);
+    steady.add(tick, final ? lab::Steadiness::Part::in_window : lab::Steadiness::Part::before_window);
     if (!(length(tick.to_mm - press.touch) < kLostMm + kPressN / k)) {
       out.verdict = Verdict::moves;
       break;

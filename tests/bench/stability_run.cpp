@@ -29,7 +29,8 @@ lab::Steadiness run_intent(lab::ClosedLoop& loop, const Intent& intent, int ms, 
   for (int t = 0; t < ms + kHoldMs; ++t) {
     const Vec3 now = intent(std::min(t, ms)), next = intent(std::min(t + 1, ms));
     loop.plant().intend(now, (next - now) / lab::kTickS);
-    steady.add(tick(t), t >= ms + kHoldMs - kWindowMs);
+    steady.add(tick(t),
+               t >= ms + kHoldMs - kWindowMs ? lab::Steadiness::Part::in_window : lab::Steadiness::Part::before_window);
   }
   return steady;
 }
@@ -130,7 +131,7 @@ void Tally::note_steps() {
     // The guard also owns the rise after a tick that it limited.
     const bool guarded = m.acted || acted;
     if (m.skip && !guarded) steps_.interrupt();
-    const auto step = steps_.add(m.force_n, m.exact_n, guarded);
+    const auto step = steps_.add({m.force_n, m.exact_n, guarded});
     if (step) step_mn_.push_back(*step);
     if (m.ends) steps_.interrupt();
     acted = m.acted;
@@ -148,13 +149,13 @@ void Tally::add_force(const StepOutput& out) { force_max_n_ = std::max(force_max
 
 void Tally::add_loop(const lab::LoopTick& tick) {
   energy_.add(tick);
-  left_.add(tick.held_any, tick.energy_mj - late_mj_of(tick));
+  left_.add(lab::ContactEnergy::Share{tick.held_any, tick.energy_mj - late_mj_of(tick)});
   run_late_mj_ += late_mj_of(tick);
 }
 
 void Tally::add_exact_loop(const lab::LoopTick& tick) {
   exact_energy_.add(tick);
-  exact_left_.add(tick.held_any, tick.energy_mj - late_mj_of(tick));
+  exact_left_.add(lab::ContactEnergy::Share{tick.held_any, tick.energy_mj - late_mj_of(tick)});
 }
 
 void Tally::add_rest(const lab::Steadiness& steady) {

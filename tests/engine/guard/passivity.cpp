@@ -1,5 +1,5 @@
-// The passivity controller in the laboratory's closed loop, on a flat wall: what it lets the hand be fed, and what it
-// leaves alone. Plain walls: the controller knows nothing of methods.
+// The passivity controller in the laboratory's closed loop, on a flat wall: the energy that it lets through, and the
+// forces that it does not change. Plain walls: the controller does not depend on the method.
 #include "engine/step/passivity.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ struct Ring {
   double energy_mj = 0.0, peak_to_peak_mm = 0.0;
 };
 
-/// A hand holds still where it would press with 1 N; the device begins at rest on the wall and is let go.
+/// A hand holds still where it would press with 1 N; the device begins at rest on the wall and is released.
 Ring held_still(double k_n_per_mm, const lab::Grip& grip, double delay_ms, double damping,
                 const GuardSettings& settings) {
   const lab::DeviceSettings device = lab::falcon(0.1, damping, 0.0);
@@ -65,12 +65,12 @@ Ring held_still(double k_n_per_mm, const lab::Grip& grip, double delay_ms, doubl
   for (int k = 0; k < 2000; ++k) {
     const lab::LoopTick tick = loop.tick(wall);
     energy.add(tick);
-    steady.add(tick, k >= 1200);
+    steady.add(tick, k >= 1200 ? lab::Steadiness::Part::in_window : lab::Steadiness::Part::before_window);
   }
   return {energy.most_mj(), steady.peak_to_peak_mm()};
 }
 
-GuardSettings told(double delay_ms) {
+GuardSettings settings_for(double delay_ms) {
   GuardSettings settings;
   settings.ramp_in_ms = 0.0;
   settings.limit_n = 6.1;
@@ -84,11 +84,11 @@ TEST(HandThatHoldsStill, is_fed_no_more_than_a_twentieth_of_a_millijoule) {
     for (const double delay_ms : {0.0, 1.0, 3.0})
       for (const double damping : {0.5, 2.0, 5.0})
         for (const double k : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) {
-          const Ring on = held_still(k, grip, delay_ms, damping, told(delay_ms));
+          const Ring on = held_still(k, grip, delay_ms, damping, settings_for(delay_ms));
           EXPECT_LE(on.energy_mj, 0.05) << "K " << k << " delay " << delay_ms << " b " << damping << " grip "
                                         << grip.stiffness_n_per_mm;
           most = std::max(most, on.energy_mj);
-          const GuardSettings off = told(delay_ms).without(GuardPart::passivity);
+          const GuardSettings off = settings_for(delay_ms).without(GuardPart::passivity);
           most_off = std::max(most_off, held_still(k, grip, delay_ms, damping, off).energy_mj);
         }
   RecordProperty("most_mj", std::to_string(most));
@@ -99,8 +99,8 @@ TEST(HandThatHoldsStill, is_fed_no_more_than_a_twentieth_of_a_millijoule) {
 
 TEST(UnguardedLoop, rings_with_three_milliseconds_of_delay_and_the_guarded_one_does_not) {
   const Ring off = held_still(1.5, lab::kSoftGrip, 3.0, 0.5, unguarded());
-  EXPECT_GT(off.peak_to_peak_mm, 1.0) << "literature and eigenvalues say that it rings";
-  const Ring on = held_still(1.5, lab::kSoftGrip, 3.0, 0.5, told(3.0));
+  EXPECT_GT(off.peak_to_peak_mm, 1.0) << "it rings by literature and eigenvalues";
+  const Ring on = held_still(1.5, lab::kSoftGrip, 3.0, 0.5, settings_for(3.0));
   EXPECT_LT(on.peak_to_peak_mm, 0.1) << "two encoder steps";
 }
 
@@ -111,9 +111,9 @@ lab::Reading reading_at(double z_mm) {
 }
 
 TEST(Controller, leaves_a_hand_that_comes_and_presses_the_exact_spring) {
-  // What an encoder's steps seem to cost lies within what may be owed up to about 0.8 mm; a deeper press, one percent or two.
+  // What an encoder's steps seem to cost lies within the margin up to about 0.8 mm; a deeper press, one percent or two.
   for (const double mm_s : {5.0, 20.0}) {
-    Wall wall(1.0, told(0.0));
+    Wall wall(1.0, settings_for(0.0));
     for (int k = 0; k < 3000; ++k) {
       const lab::Reading reading = reading_at(std::max(0.2 - mm_s * 1e-3 * k, -1.5));
       const double exact = reading.z < 0 ? -reading.position_mm().z : 0.0;
@@ -128,7 +128,7 @@ TEST(Controller, leaves_a_hand_that_comes_and_presses_the_exact_spring) {
 }
 
 TEST(Controller, costs_a_hand_that_goes_in_and_out_little) {
-  Wall wall(1.0, told(0.0));
+  Wall wall(1.0, settings_for(0.0));
   double least = 1.0;
   for (int k = 0; k < 4000; ++k) {
     // In and out at 10 mm/s, 0.5 to 1.5 mm deep, without ever leaving: read in encoder steps, each of which a held
@@ -140,7 +140,7 @@ TEST(Controller, costs_a_hand_that_goes_in_and_out_little) {
 }
 
 TEST(Controller, takes_the_tremor_of_a_resting_hand_for_no_ringing) {
-  Wall wall(1.0, told(0.0));
+  Wall wall(1.0, settings_for(0.0));
   double least = 1.0;
   for (int k = 0; k < 10'000; ++k) {
     // 1 N, and 9 Hz of 0.04 mm to and fro across the edge of an encoder step.
@@ -151,7 +151,7 @@ TEST(Controller, takes_the_tremor_of_a_resting_hand_for_no_ringing) {
 }
 
 TEST(Controller, gives_never_more_than_the_method) {
-  GuardSettings settings = told(2.0);
+  GuardSettings settings = settings_for(2.0);
   GuardState state;
   std::uint64_t dice = 1;
   for (int k = 0; k < 20'000; ++k) {
@@ -170,7 +170,7 @@ TEST(Controller, gives_never_more_than_the_method) {
 }
 
 TEST(Controller, lets_a_stiffer_tissue_be_felt_at_once) {
-  GuardSettings settings = told(0.0);
+  GuardSettings settings = settings_for(0.0);
   PassivityState state;
   GuardTick tick;
   tick.device_mm = Vec3(0.0, 0.0, -1.0);

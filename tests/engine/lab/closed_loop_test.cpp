@@ -56,7 +56,7 @@ TEST(ClosedLoop, a_force_comes_after_the_delay_there_and_back_and_not_before) {
   }
 }
 
-TEST(ClosedLoop, an_encoder_reads_steps_and_its_phase_says_where_they_begin) {
+TEST(ClosedLoop, an_encoder_reads_steps_that_begin_at_its_phase) {
   DeviceSettings s = ideal();
   s.encoder_step_mm = 0.05;
   for (const double phase : {0.0, 0.3}) {
@@ -147,7 +147,7 @@ TEST(ClosedLoop, jitter_moves_readings_about_but_keeps_their_order_and_their_tim
   EXPECT_NEAR(sum, 5000e3, 3000.0);
 }
 
-TEST(ClosedLoop, lost_packets_are_missing_and_the_next_reading_says_for_how_long) {
+TEST(ClosedLoop, lost_packets_are_missing_and_the_next_reading_spans_them) {
   const int ticks = 20000;
   const double share = 0.2;
   const Trace t = trace(delayed(0.0, 0.0, share), ticks);
@@ -198,13 +198,13 @@ TEST(ClosedLoop, a_cable_that_is_out_leaves_no_force_and_no_reading) {
   const auto controller = [](const Reading&) { return Vec3(1.0, 0.0, 0.0); };
   for (int t = 0; t < 10; ++t) loop.tick(controller);
   EXPECT_EQ(loop.held_n(), Vec3(1.0, 0.0, 0.0));
-  loop.unplug(true);
+  loop.unplug();
   for (int t = 0; t < 10; ++t) {
     const LoopTick tick = loop.tick(controller);
     EXPECT_EQ(tick.answers, 0);
     EXPECT_EQ(tick.held_n, Vec3(0.0));
   }
-  loop.unplug(false);
+  loop.plug_in();
   int answers = 0;
   for (int t = 0; t < 10; ++t) answers += loop.tick(controller).answers;
   EXPECT_GE(answers, 8);

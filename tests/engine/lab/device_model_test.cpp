@@ -45,7 +45,7 @@ TEST(Plant, a_constant_force_accelerates_an_undamped_mass_evenly) {
   EXPECT_EQ(plant.position_mm().y, 1.0);
 }
 
-TEST(Plant, a_grip_rings_at_its_own_frequency_and_decay) {
+TEST(Plant, a_grip_rings_at_its_own_frequency_and_damping) {
   // 0.15 N/mm on 0.1 + 0.1 kg, damped by 0.5 + 2 N s/m: d = 6.25 / s, w = sqrt(750 - d2).
   Plant plant(device(0.1, 0.5, 0.0), kSoftGrip, Vec3(0.0));
   plant.place(Vec3(1.0, 0.0, 0.0), Vec3(0.0));

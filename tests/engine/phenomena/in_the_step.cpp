@@ -36,7 +36,7 @@ StepInput press(double depth_mm, std::uint16_t buttons, std::uint16_t pedal = 0,
   return input;
 }
 
-/// Pushed on with a constant force, the hand following the bur down.
+/// A push of constant force: the device follows the bur down.
 struct Drilled {
   StepOutput last;
   double advanced_mm = 0.0, most_rpm = 0.0;
@@ -174,7 +174,7 @@ TEST(VibrationInTheStep, the_force_for_the_hand_stays_within_the_guards_limit) {
   }
 }
 
-/// A hand that holds still on the cutting bur: the most energy that it was fed, and whether it settled.
+/// A hand that holds still on the cutting bur: the largest energy that it got, and its motion.
 struct Held {
   double fed_mj, moves_mm;
 };
@@ -201,7 +201,7 @@ Held held_on(const Phenomena& phenomena, const lab::Grip& grip, double k_n_per_m
       return step(state, input).force_n;
     });
     energy.add(tick);
-    steady.add(tick, k >= 2000);
+    steady.add(tick, k >= 2000 ? lab::Steadiness::Part::in_window : lab::Steadiness::Part::before_window);
   }
   return {energy.most_mj(), steady.peak_to_peak_mm()};
 }
@@ -239,7 +239,7 @@ TEST(HeatInTheStep, resting_on_the_tooth_without_cutting_warms_nothing) {
   EXPECT_EQ(rest.dry_ticks, 0);
 }
 
-TEST(PhenomenaInTheStep, a_scene_that_asks_for_none_says_nothing_of_them_and_hashes_as_before) {
+TEST(PhenomenaInTheStep, a_scene_that_asks_for_none_reports_none_and_hashes_as_before) {
   StepState state(block({}));
   const Drilled out = drill(state, 1.0, 500, StepInput::kCut | StepInput::kCoolant, 40000);
   EXPECT_EQ(out.last.spindle_rpm, 0.0f);
