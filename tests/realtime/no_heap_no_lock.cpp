@@ -121,7 +121,7 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
   EXPECT_EQ(counts.allocations, 0u);
   EXPECT_EQ(counts.frees, 0u);
   EXPECT_EQ(counts.locks, 0u);
-  EXPECT_GT(contact, 2000u) << "a hand in the air would prove nothing";
+  EXPECT_GT(contact, 2000u) << "without contact the counts prove nothing";
   EXPECT_GT(cutting, 1000u);
   EXPECT_GT(ticker.state().volume().cut_bricks().size(), 0u);
 }

@@ -1,7 +1,6 @@
-// Planes of faces and of edges are laid two at a time where a bur is looked at whole, one at a time elsewhere: they are
-// the same to the last rounding. SurfaceContact::fits lays pairs and says whether any plane is met; push_out lays one by
-// one and moves a pose that stands deeper in a plane than its tolerance. Along one line the two change their minds a
-// tolerance apart.
+// SurfaceContact::fits computes planes of faces and edges two at a time, push_out one at a time: they agree to the last
+// rounding. fits reports whether any plane is met; push_out moves a pose that is deeper in a plane than its tolerance.
+// Along a line the two thresholds are one tolerance apart.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -79,7 +78,7 @@ struct Seen {
   std::vector<Vec3> touched;  // of the ball
 };
 
-/// Lets the bur down at random places until it meets something, and compares there.
+/// Lowers the bur at random places until it meets a plane, and compares there.
 Seen compare(Bench& bench, double half_mm, double top_mm, double thin_mm) {
   Numbers random{17};
   Seen seen;

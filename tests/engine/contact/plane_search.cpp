@@ -28,10 +28,9 @@ Vec3 nearest_corner(Vec3 q, std::span<const Plane> planes, double tolerance_mm) 
   return best;
 }
 
-TEST(PlaneSearch, holds_a_bur_in_its_own_hole_however_far_the_hand_pushes_on) {
-  // Of the 95 planes about a bur at the bottom of its hole, a hand 19 mm deep: those that the search stumbled over.
-  // Steps of up to 300 mm left it off three of them by 1e-6 mm, more than the tolerance: they were said to contradict
-  // each other, and the tick had no force.
+TEST(PlaneSearch, holds_a_bur_in_its_own_hole_however_far_the_device_pushes_on) {
+  // Five of the 95 planes about a bur at the bottom of its hole, with the device 19 mm deep. Steps reach 300 mm, so
+  // rounding leaves three planes by 1e-6 mm, more than the tolerance.
   const Plane planes[] = {{{-0.28539279776031773, 0.80322380624085665, 0.52285989335049332}, -0.27366870567520102, 0},
                           {{0.65902137756347656, -0.35563081502914429, 0.66273486614227295}, -1.0886641658412324, 1},
                           {{0.3610629813844729, -0.79325690179839292, -0.49028258303040972}, 0.18096292008239939, 2},

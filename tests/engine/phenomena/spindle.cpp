@@ -1,4 +1,4 @@
-// The spindle by itself. Expected speeds are the straight line of spindle.h, reckoned here by hand.
+// The spindle by itself. Expected speeds are the straight line of spindle.h, computed here.
 #include "engine/removal/spindle.h"
 #include "tests/modules.h"
 

@@ -1,11 +1,11 @@
 // Every contact method under random ticks in a scene of 64^3 voxels: walks, slides, rushes, presses and teleports of
 // the device, cuts, swaps of bur, samples that are late, lost or no number. After each tick: every force finite,
 // within the limit, zero while the guard is latched; nothing removed has come back; nothing that was reserved ran out.
-// A fifth as many with every phenomenon on, under a foot that presses pedal and coolant without sense.
+// A fifth as many with every phenomenon on, and random pedal and coolant.
 //
 // 200,000 ticks of each method; with CUSP_FULL=1 ten million of the surface proxy and a million of each other.
-// Every 20,000 ticks begin anew, with a seed of their own: a failure names it, and CUSP_RANDOM_SEED=N runs it alone.
-// In pieces, and on from where they were stopped: README.md.
+// Every 20,000 ticks begin anew, with their own seed: a failure prints it, and CUSP_RANDOM_SEED=N runs it alone.
+// Shards, and how to resume them: README.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 #include "engine_sources.h"
 #include "tests/bench/random.h"
-#include "tests/engine/random/random_pieces.h"
+#include "tests/engine/random/random_shards.h"
 #include "tests/engine/step/scenes.h"
 
 namespace cusp::test {
@@ -61,12 +61,13 @@ std::shared_ptr<Scene> scene_for(Method method, double (*shape)(Vec3)) {
   return scene;
 }
 
-/// A hand without sense.
-class Hand {
+/// Random samples of a device.
+class RandomInputs {
  public:
-  explicit Hand(std::uint64_t seed) : random_(seed) { place_ = anywhere(); }
+  explicit RandomInputs(std::uint64_t seed) : random_(seed) { place_ = anywhere(); }
 
-  StepInput next(bool faulted) {
+  /// before: output of the last tick.
+  StepInput next(const StepOutput& before) {
     if (--left_ <= 0) choose();
     const Vec3 wobble = any();
     switch (way_) {
@@ -104,7 +105,7 @@ class Hand {
     StepInput input = quantise(sample, elapsed, last_);
     last_ = input;
     last_.buttons = 0;
-    if (faulted ? one_in(20) : one_in(5000)) input.buttons |= StepInput::kRearm;
+    if (before.faulted ? one_in(20) : one_in(5000)) input.buttons |= StepInput::kRearm;
     return input;
   }
 
@@ -135,17 +136,19 @@ class Hand {
   std::uint16_t bur_ = 0;
 };
 
-/// Remembers every cut brick, and looks again at those that say that they changed. A voxel that wears says so when it
-/// vanishes: filled readings are looked through whole every 64 ticks.
+/// Keeps every cut brick and compares those with a new revision. A worn voxel changes the revision when it vanishes, so
+/// all bricks of a filled reading are compared every 64 ticks.
 class RemovalWatch {
  public:
   explicit RemovalWatch(const Volume& volume) : wears_(volume.specimen().reading() == Reading::filled) {
     seen_.reserve(volume.cut_capacity());
   }
 
-  /// True when no voxel holds more than it did.
-  bool only_removed(const Volume& volume, bool every_brick) {
-    every_brick = every_brick || (wears_ && ++looks_ % 64 == 0);
+  enum class Bricks : std::uint8_t { changed, every };
+
+  /// True if no voxel holds more than before.
+  bool only_removed(const Volume& volume, Bricks compared) {
+    const bool every_brick = compared == Bricks::every || (wears_ && ++looks_ % 64 == 0);
     const auto bricks = volume.cut_bricks();
     for (std::size_t i = 0; i < bricks.size(); ++i) {
       const std::uint32_t revision = volume.revision(bricks[i]);
@@ -157,7 +160,7 @@ class RemovalWatch {
       const std::uint16_t* now = volume.cut_of(bricks[i]);
       for (std::size_t v = 0; v < kBrickVoxels; ++v) {
         if (now[v] > seen_[i].s[v]) return false;
-        // Changed, and did not say so.
+        // Changed under the same revision.
         if (!wears_ && seen_[i].revision == revision && now[v] != seen_[i].s[v]) return false;
         seen_[i].s[v] = now[v];
       }
@@ -178,10 +181,10 @@ class RemovalWatch {
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// A foot without sense: pedal from up to down, coolant now and then.
-class Foot {
+/// Random pedal, from up to down, and coolant now and then.
+class RandomPedal {
  public:
-  explicit Foot(std::uint64_t seed) : random_(seed + 77) {}
+  explicit RandomPedal(std::uint64_t seed) : random_(seed + 77) {}
   void press(StepInput& input) {
     if (random_.bits() % 300 == 0) pedal_ = random_.bits() % 3 == 0 ? 0 : static_cast<std::uint16_t>(random_.bits());
     if (random_.bits() % 2000 == 0) coolant_ = !coolant_;
@@ -198,12 +201,12 @@ class Foot {
 void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int ticks, Counts& counts) {
   StepState state(scene);
   RemovalWatch watch(state.volume());
-  Hand hand(seed);
-  Foot foot(seed);
+  RandomInputs inputs(seed);
+  RandomPedal pedal(seed);
   const double limit = scene->guard.limit_n * (1.0 + 1e-12);
   for (int k = 0; k < ticks; ++k) {
-    StepInput input = hand.next(state.last().faulted);
-    if (scene->phenomena.any()) foot.press(input);
+    StepInput input = inputs.next(state.last());
+    if (scene->phenomena.any()) pedal.press(input);
     const StepOutput out = step(state, input);
     const auto where = [&] {
       return testing::Message() << "CUSP_RANDOM_SEED=" << seed << ", tick " << k << ", device " << input.x << ' '
@@ -213,7 +216,8 @@ void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int
     ASSERT_LE(length(out.force_n), limit) << where();
     ASSERT_TRUE(!out.faulted || out.force_n == Vec3(0.0)) << where();
     ASSERT_FALSE(out.overflow) << where();
-    ASSERT_TRUE(watch.only_removed(state.volume(), k == ticks - 1)) << where();
+    const auto compared = k == ticks - 1 ? RemovalWatch::Bricks::every : RemovalWatch::Bricks::changed;
+    ASSERT_TRUE(watch.only_removed(state.volume(), compared)) << where();
     counts.contacts += out.contact ? 1 : 0;
     counts.faults += out.faulted ? 1 : 0;
     counts.cutting += out.cutting ? 1 : 0;
@@ -233,14 +237,14 @@ class RandomTicks : public testing::TestWithParam<Method> {};
 TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
   const bool full = std::getenv("CUSP_FULL") != nullptr;
   const char* one = std::getenv("CUSP_RANDOM_SEED");
-  const char* piece = std::getenv("CUSP_RANDOM_PIECE");
+  const char* shard = std::getenv("CUSP_RANDOM_SHARD");
   const char* folder = std::getenv("CUSP_RANDOM_DONE");
   const std::uint64_t ticks = !full ? 200'000 : GetParam() == Method::surface ? 10'000'000 : 1'000'000;
   Seeds seeds{1, ticks / kTicksOfASeed};
   if (one != nullptr) seeds.first = seeds.last = std::strtoull(one, nullptr, 10);
-  if (piece != nullptr) {
-    const auto asked = piece_of(seeds, piece);
-    ASSERT_TRUE(asked) << "CUSP_RANDOM_PIECE=" << piece << " is no piece: 3/8 is the third of eight";
+  if (shard != nullptr) {
+    const auto asked = shard_of(seeds, shard);
+    ASSERT_TRUE(asked) << "CUSP_RANDOM_SHARD=" << shard << " is no shard: 3/8 is the third of eight";
     seeds = *asked;
   }
   Done done(folder == nullptr ? "" : folder, key_of(GetParam()),
@@ -254,13 +258,13 @@ TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
     if (HasFatalFailure()) return;
     done.add(seed, own);
   }
-  if (seeds.count() == 0) return;  // more pieces than seeds
+  if (seeds.count() == 0) return;  // more shards than seeds
   const Counts counts = done.sum(seeds);
   EXPECT_EQ(counts.ticks, seeds.count() * kTicksOfASeed);
   std::cout << key_of(GetParam()) << ", seeds " << seeds.first << " to " << seeds.last << ": " << counts.ticks << " ticks, " << counts.contacts << " in contact, "
             << counts.cutting << " cutting, " << counts.faults << " faulted, " << counts.infeasible << " infeasible, "
             << counts.deferred << " deferred, " << counts.cut_bricks << " bricks cut" << std::endl;
-  // A hand that never touched, cut or erred would prove nothing.
+  // Inputs without contact, cuts and faults would prove nothing.
   EXPECT_GT(counts.contacts, counts.ticks / 10);
   EXPECT_GT(counts.cutting, counts.ticks / 100);
   EXPECT_GT(counts.faults, counts.ticks / 100);

@@ -26,9 +26,9 @@ bool acute(const Bur& bur) {
   return tip.radius == 0.0 && flank.radius == 0.0 && tip.from.t == tip.to.t && flank.to.rho < flank.from.rho;
 }
 
-/// Depth of a place in all that a head sweeps which goes on and on that way, by its furthest places across it: nothing that a
-/// carving says may be deeper. Directions half a degree apart: at most 3e-4 voxel too much.
-/// t: along the axis, of the head's place that leaves what is nearest.
+/// Depth of a place in the endless sweep of a head, by the head's furthest places across the way: a bound of every
+/// carving's depth. Directions are half a degree apart, so it is at most 3e-4 voxel too large. t: along the axis, of
+/// the head's place that leaves the nearest surface.
 double depth_in_long_sweep(const Bur& bur, Vec3 axis, Vec3 pivot, Vec3 way, Vec3 place, double& t) {
   const Vec3 one = across(way), other = glm::cross(way, one);
   double least = 1e300;
@@ -111,13 +111,13 @@ TEST(CarveHead, led_down_its_axis_leaves_a_wall_whose_field_is_a_distance_on_bot
   // A rim of less than a right angle leaves it: by the head's own depth, places 1 voxel off the wall are 0.77 voxel deep.
   for (const Bur& bur : all_shapes()) {
     if (!acute(bur)) continue;
-    for (const double piece : {0.04, 0.5}) {
+    for (const double stroke : {0.04, 0.5}) {
       Volume volume = solid_block(3.2);
       const Grid& grid = volume.grid();
       const Vec3 axis(0.48, 0.36, 0.8), from = axis * 0.4;
       const double deep = 1.0;
-      for (double s = 0.0; s < deep - 1e-9; s += piece)
-        carve_sweep(volume, from - axis * s, from - axis * (s + piece), bur, axis, s > 0.0);
+      for (double s = 0.0; s < deep - 1e-9; s += stroke)
+        carve_sweep(volume, from - axis * s, from - axis * (s + stroke), bur, axis, s > 0.0);
       double most = 0.0;
       int count = 0;
       IVec3 v;
@@ -131,7 +131,7 @@ TEST(CarveHead, led_down_its_axis_leaves_a_wall_whose_field_is_a_distance_on_bot
             most = std::max(most, std::fabs(-distance_from_solid(volume.cut(v)) - off));
             ++count;
           }
-      EXPECT_LT(most, 4e-3) << bur.name << " " << piece;  // measured 7e-4, in one sweep 2.3e-3
+      EXPECT_LT(most, 4e-3) << bur.name << " " << stroke;  // measured 7e-4, in one sweep 2.3e-3
       EXPECT_GT(count, 500);
     }
   }
@@ -145,10 +145,10 @@ TEST(CarveHead, led_any_way_with_a_leaning_axis_leaves_floor_and_wall_whose_fiel
       const Vec3 along = glm::normalize(way);
       Volume volume = solid_block(4.4);
       const Grid& grid = volume.grid();
-      const double whole = 1.6, piece = 0.04;
+      const double whole = 1.6, stroke = 0.04;
       const Vec3 from = -0.5 * whole * along - axis * (0.5 * (bur.head.high() + bur.head.low()));
-      for (double s = 0.0; s < whole - 1e-9; s += piece)
-        carve_sweep(volume, from + along * s, from + along * (s + piece), bur, axis, s > 0.0);
+      for (double s = 0.0; s < whole - 1e-9; s += stroke)
+        carve_sweep(volume, from + along * s, from + along * (s + stroke), bur, axis, s > 0.0);
       double most = 0.0, sum = 0.0;
       int count = 0;
       IVec3 v;
@@ -183,7 +183,7 @@ TEST(CarveHead, reports_every_voxel_that_changed_and_no_brick_twice) {
     for (int step = 0; step < 4; ++step) {
       const Vec3 b = a + 0.06 * random.direction();
       const Carved carved = carve_sweep(volume, a, b, bur, axis);
-      int changed = 0, told = 0;
+      int changed = 0, reported = 0;
       const Grid& grid = volume.grid();
       IVec3 v;
       for (v.z = 0; v.z < grid.size.z; ++v.z)
@@ -196,9 +196,9 @@ TEST(CarveHead, reports_every_voxel_that_changed_and_no_brick_twice) {
             for_changed(carved, [&](IVec3 low, IVec3 high) {
               boxes += glm::all(glm::lessThanEqual(low, v)) && glm::all(glm::lessThanEqual(v, high));
             });
-            told += boxes == 1;
+            reported += boxes == 1;
           }
-      EXPECT_EQ(told, changed) << bur.name;
+      EXPECT_EQ(reported, changed) << bur.name;
       EXPECT_GT(changed, 0);
       carve_sweep(before, a, b, bur, axis);
       a = b;
@@ -215,7 +215,7 @@ TEST(CarveHead, of_a_ball_is_the_balls_own_carving) {
   EXPECT_EQ(one.hash(), other.hash());
 }
 
-TEST(CarveHead, in_pieces_takes_what_it_takes_at_once) {
+TEST(CarveHead, in_parts_removes_the_same_as_at_once) {
   for (const Bur& bur : all_shapes()) {
     Volume one = solid_block(3.2), other = solid_block(3.2);
     const Vec3 axis(0.36, 0.48, 0.8), a(0.0), b(0.4, -0.2, 0.1);

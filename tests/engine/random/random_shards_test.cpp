@@ -1,4 +1,4 @@
-#include "tests/engine/random/random_pieces.h"
+#include "tests/engine/random/random_shards.h"
 
 #include <gtest/gtest.h>
 
@@ -8,19 +8,20 @@
 namespace cusp::test {
 namespace {
 
-TEST(RandomPieces, hold_each_seed_once) {
+TEST(SeedShards, hold_each_seed_once) {
   const Seeds all{1, 50};
-  for (const int pieces : {1, 3, 8, 50, 70}) {
+  for (const int shards : {1, 3, 8, 50, 70}) {
     std::uint64_t next = 1;
-    for (int p = 1; p <= pieces; ++p) {
-      const auto piece = piece_of(all, std::to_string(p) + "/" + std::to_string(pieces));
-      ASSERT_TRUE(piece);
-      EXPECT_EQ(piece->first, next);
-      next += piece->count();
+    for (int p = 1; p <= shards; ++p) {
+      const auto shard = shard_of(all, std::to_string(p) + "/" + std::to_string(shards));
+      ASSERT_TRUE(shard);
+      EXPECT_EQ(shard->first, next);
+      next += shard->count();
     }
-    EXPECT_EQ(next, 51u) << pieces;
+    EXPECT_EQ(next, 51u) << shards;
   }
-  for (const char* none : {"", "3", "0/4", "5/4", "a/b", "1/4x", "-1/4", "1/0"}) EXPECT_FALSE(piece_of(all, none)) << none;
+  for (const char* none : {"", "3", "0/4", "5/4", "a/b", "1/4x", "-1/4", "1/0"})
+    EXPECT_FALSE(shard_of(all, none)) << none;
 }
 
 std::string folder_of(const char* name) {
@@ -29,8 +30,8 @@ std::string folder_of(const char* name) {
   return folder;
 }
 
-TEST(RandomPieces, that_are_done_are_remembered_and_half_a_line_is_not) {
-  const auto folder = folder_of("cusp_random_pieces");
+TEST(SeedShards, that_are_done_are_remembered_and_half_a_line_is_not) {
+  const auto folder = folder_of("cusp_random_shards");
   Counts counts;
   counts.ticks = kTicksOfASeed;
   counts.contacts = 7;
@@ -52,7 +53,7 @@ TEST(RandomPieces, that_are_done_are_remembered_and_half_a_line_is_not) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(RandomPieces, of_another_engine_are_not_gone_on_with) {
+TEST(SeedShards, of_another_engine_are_not_gone_on_with) {
   const auto folder = folder_of("cusp_random_engine");
   Done(folder, "surface", "one").add(4, Counts{});
   const Done other(folder, "surface", "two");
@@ -61,7 +62,7 @@ TEST(RandomPieces, of_another_engine_are_not_gone_on_with) {
   EXPECT_EQ(Done(folder, "ray", "two").other_engine(), "one");
   EXPECT_EQ(Done(folder, "surface", "one").other_engine(), "");
   EXPECT_EQ(Done(folder, "surface", "one").count({1, 9}), 1u);
-  // Seeds, and nobody says of which engine.
+  // Seeds without an engine's name.
   std::filesystem::remove(folder + "/engine.txt");
   EXPECT_EQ(Done(folder, "surface", "one").other_engine(), "an unnamed engine");
   EXPECT_EQ(Done("", "surface", "two").other_engine(), "");

@@ -1,5 +1,5 @@
-/// The full form of the random ticks in pieces that run apart and go on where they were stopped: which seeds a piece has,
-/// and what those that are done came to. README.md beside this says what the environment may ask for.
+/// Shards of the full form of the random ticks, which run apart and can be resumed: the seeds of a shard, and the
+/// counts of finished seeds. README.md lists the environment's variables.
 #pragma once
 
 #include <cstdint>
@@ -25,22 +25,22 @@ struct Seeds {
   friend bool operator==(const Seeds&, const Seeds&) = default;
 };
 
-/// "3/8" is the third of eight equal runs of seeds; nothing where that is no such thing.
-std::optional<Seeds> piece_of(Seeds all, std::string_view piece);
+/// "3/8" is the third of eight equal shards; nothing for any other text.
+std::optional<Seeds> shard_of(Seeds all, std::string_view shard);
 
-/// Seeds that are done, in a file of the method's own in a folder: a line for each, written when it has passed. Several
-/// programs may add to it. Without a folder nothing is kept. A folder is of one engine, whose name stands in its
-/// engine.txt: what another one has passed says nothing of this one.
+/// Finished seeds, in a file for each method in a folder: one line a seed, written when it has passed. Several programs
+/// may add to it. Without a folder nothing is kept. A folder belongs to one engine, which engine.txt names: the results
+/// of another engine do not count.
 class Done {
  public:
   /// engine: names the engine (one line), by its version and a hash of what it was built from.
   Done(const std::string& folder, std::string_view method, const std::string& engine);
-  /// The engine that the folder is of where that is another; empty where it is this one, and all may go on. A folder
-  /// that holds seeds and does not say of which engine is of "an unnamed engine".
+  /// The folder's engine if it is another one; empty for this one. A folder with seeds and without engine.txt belongs
+  /// to "an unnamed engine".
   const std::string& other_engine() const { return other_engine_; }
   bool has(std::uint64_t seed) const;
   void add(std::uint64_t seed, const Counts& counts);
-  /// Of the seeds of a piece that are done.
+  /// Of a shard's finished seeds.
   Counts sum(Seeds of) const;
   std::uint64_t count(Seeds of) const;
 

@@ -1,4 +1,4 @@
-#include "tests/engine/random/random_pieces.h"
+#include "tests/engine/random/random_shards.h"
 
 #include <algorithm>
 #include <charconv>
@@ -51,14 +51,14 @@ Counts& Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-std::optional<Seeds> piece_of(Seeds all, std::string_view piece) {
-  std::uint64_t which = 0, pieces = 0;
-  const char* end = piece.data() + piece.size();
-  const auto [slash, bad] = std::from_chars(piece.data(), end, which);
+std::optional<Seeds> shard_of(Seeds all, std::string_view shard) {
+  std::uint64_t which = 0, shards = 0;
+  const char* end = shard.data() + shard.size();
+  const auto [slash, bad] = std::from_chars(shard.data(), end, which);
   if (bad != std::errc{} || slash == end || *slash != '/') return std::nullopt;
-  const auto [rest, worse] = std::from_chars(slash + 1, end, pieces);
-  if (worse != std::errc{} || rest != end || which < 1 || which > pieces || pieces > 1'000'000) return std::nullopt;
-  return Seeds{all.first + all.count() * (which - 1) / pieces, all.first + all.count() * which / pieces - 1};
+  const auto [rest, worse] = std::from_chars(slash + 1, end, shards);
+  if (worse != std::errc{} || rest != end || which < 1 || which > shards || shards > 1'000'000) return std::nullopt;
+  return Seeds{all.first + all.count() * (which - 1) / shards, all.first + all.count() * which / shards - 1};
 }
 
 Done::Done(const std::string& folder, std::string_view method, const std::string& engine) {
@@ -89,8 +89,8 @@ void Done::add(std::uint64_t seed, const Counts& counts) {
   if (path_.empty()) return;
   std::string line = std::to_string(seed);
   each(counts, [&](const std::uint64_t& n) { line += ' ' + std::to_string(n); });
-  // One write, at the end of the file: of several programs no line ends within another's. The break before it ends a line
-  // that was left half.
+  // One write, at the end of the file: of several programs no line ends within another's. The break before it ends a
+  // line that was left half.
   std::ofstream(path_, std::ios::app) << ('\n' + line + " .\n") << std::flush;
 }
 
@@ -102,8 +102,8 @@ Counts Done::sum(Seeds of) const {
 }
 
 std::uint64_t Done::count(Seeds of) const {
-  return static_cast<std::uint64_t>(std::ranges::count_if(
-      lines_, [of](const Line& line) { return line.seed >= of.first && line.seed <= of.last; }));
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(lines_, [of](const Line& line) { return line.seed >= of.first && line.seed <= of.last; }));
 }
 
 }  // namespace cusp::test
