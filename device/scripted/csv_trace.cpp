@@ -160,23 +160,6 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
   return rows;
 }
 
-std::string write_trace(const std::vector<TraceRow>& rows) {
-  const bool burs = std::ranges::any_of(rows, [](const TraceRow& row) { return row.bur != 0; });
-  std::string out(burs ? kHeaderWithBur : kHeader);
-  out += '\n';
-  for (const TraceRow& row : rows) {
-    const std::array<std::int64_t, kMostColumns> cells = {
-        row.elapsed_us, row.x, row.y, row.z, row.qx, row.qy, row.qz, row.qw, row.buttons, row.pedal, row.bur};
-    const std::size_t count = burs ? kMostColumns : kColumns;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i > 0) out += ',';
-      out += std::to_string(cells[i]);
-    }
-    out += '\n';
-  }
-  return out;
-}
-
 Sample sample_of(const TraceRow& row) noexcept {
   Sample sample;
   sample.status = (row.buttons & kGoneBit) != 0   ? Sample::Status::gone

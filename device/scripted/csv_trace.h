@@ -40,9 +40,6 @@ using TraceFailure = Failure<TraceError>;
 /// A header line is optional; lines may end in CR LF; an empty last line is no row.
 [[nodiscard]] Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text);
 
-/// With the header line; with the bur column if any row has a bur other than 0.
-std::string write_trace(const std::vector<TraceRow>& rows);
-
 /// The row as a device reports it.
 Sample sample_of(const TraceRow& row) noexcept;
 

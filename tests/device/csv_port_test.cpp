@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,20 @@ constexpr const char* kHeader = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n";
 std::string with_header(std::string_view rows) {
   std::string text = kHeader;
   return text.append(rows);
+}
+
+/// The rows as a trace: the header line, and the bur column if a row has a bur.
+std::string text_of(const std::vector<TraceRow>& rows) {
+  const bool burs = std::ranges::any_of(rows, [](const TraceRow& row) { return row.bur != 0; });
+  std::ostringstream out;
+  out << "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal" << (burs ? ",bur\n" : "\n");
+  for (const TraceRow& r : rows) {
+    out << r.elapsed_us << ',' << r.x << ',' << r.y << ',' << r.z << ',' << r.qx << ',' << r.qy << ',' << r.qz << ','
+        << r.qw << ',' << r.buttons << ',' << r.pedal;
+    if (burs) out << ',' << r.bur;
+    out << '\n';
+  }
+  return out.str();
 }
 
 TraceError error_of(const std::string& text, std::string* where = nullptr) {
@@ -87,7 +102,7 @@ TEST(CsvTrace, RefusesBrokenRowsWithLineAndColumn) {
   EXPECT_EQ(error_of(kHeader), TraceError::empty);
 }
 
-TEST(CsvTrace, WritingAndReadingIsTheIdentity) {
+TEST(CsvTrace, EveryValueReadsBackAsWritten) {
   const unsigned seed = 7;
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
@@ -104,7 +119,7 @@ TEST(CsvTrace, WritingAndReadingIsTheIdentity) {
       row.pedal = static_cast<std::uint16_t>(random());
       row.bur = round % 2 == 0 ? 0 : static_cast<std::uint16_t>(random());
     }
-    const auto again = parse_trace(write_trace(rows));
+    const auto again = parse_trace(text_of(rows));
     ASSERT_TRUE(again);
     ASSERT_EQ(*again, rows);
   }
