@@ -14,18 +14,18 @@ std::size_t flood(const Grid& grid, std::vector<std::size_t> front, std::vector<
     next.clear();
     for (const std::size_t i : front) {
       const std::size_t x = i % nx, y = i / nx % ny, z = i / (nx * ny);
-      const auto visit = [&](bool inside, std::size_t to) {
-        if (!inside || marked[to] || !open(to)) return;
+      const auto visit = [&](std::size_t to) {
+        if (marked[to] || !open(to)) return;
         marked[to] = true;
         ++count;
         next.push_back(to);
       };
-      visit(x > 0, i - 1);
-      visit(x + 1 < nx, i + 1);
-      visit(y > 0, i - nx);
-      visit(y + 1 < ny, i + nx);
-      visit(z > 0, i - nx * ny);
-      visit(z + 1 < static_cast<std::size_t>(grid.size.z), i + nx * ny);
+      if (x > 0) visit(i - 1);
+      if (x + 1 < nx) visit(i + 1);
+      if (y > 0) visit(i - nx);
+      if (y + 1 < ny) visit(i + nx);
+      if (z > 0) visit(i - nx * ny);
+      if (z + 1 < static_cast<std::size_t>(grid.size.z)) visit(i + nx * ny);
     }
     std::swap(front, next);
   }

@@ -27,12 +27,8 @@ Transform transform_of(const aiMatrix4x4& m) {
   return {m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4};
 }
 
-/// What the library puts before a scene's root: of STL, OBJ, PLY and OFF nothing; it turns 3DS from z up to y up.
-/// The inverse gives the file's own axes back.
-Transform file_from_library(bool is_3ds) {
-  if (!is_3ds) return {};
-  return {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
-}
+/// The library turns 3DS from z up to y up, and no other format. This gives a 3DS file's own axes back.
+Transform file_of_3ds() { return {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}; }
 
 class Collector {
  public:
@@ -147,7 +143,7 @@ Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::pat
   if (!scene || !scene->mRootNode) return fail(ImportError::corrupt, name, importer.GetErrorString());
   const bool is_3ds = lower(path.extension().string()) == ".3ds";
   Collector collector(*scene, path.stem().string(), is_3ds ? Collector::NamesIn::nodes : Collector::NamesIn::meshes);
-  collector.visit(*scene->mRootNode, file_from_library(is_3ds));
+  collector.visit(*scene->mRootNode, is_3ds ? file_of_3ds() : Transform());
   if (!collector.finite()) return fail(ImportError::corrupt, name, "coordinates are not numbers");
   std::vector<TriangleMesh> meshes = collector.take();
   for (TriangleMesh& m : meshes) weld(m);

@@ -209,7 +209,8 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
   const double layer_radii = reading_of(scenario.method) == Reading::banded ? kLayerRadii : kSteppedLayerRadii;
   const Vec2 shift(errors.shift_mm.x, errors.shift_mm.y);
 
-  const auto go = [&plan](Vec2 p, double z, bool cut) { plan.strokes.push_back({Vec3(p, z), cut}); };
+  const auto travel = [&plan](Vec2 p, double z) { plan.strokes.push_back({Vec3(p, z), false}); };
+  const auto cut = [&plan](Vec2 p, double z) { plan.strokes.push_back({Vec3(p, z), true}); };
   const std::size_t paths = target.shape == "box" ? 1 : target.paths.size();
   for (std::size_t path = 0; path < paths; ++path) {
     std::vector<Line> lines = lines_of(target, path, room, r, shift);
@@ -218,8 +219,8 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
       for (Line& line : lines) thin_out(line, specimen.grid().voxel_mm);
     const double top = highest(specimen, &lines, r) + r;
     if (plan.strokes.empty()) plan.start_mm = Vec3(lines.front().front(), above);
-    go(lines.front().front(), above, false);
-    go(lines.front().front(), std::max(top, floor) + 0.1, false);
+    travel(lines.front().front(), above);
+    travel(lines.front().front(), std::max(top, floor) + 0.1);
     const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (errors.bolder * layer_radii * r))));
     for (int layer = 1; layer <= layers; ++layer) {
       const double z = layer == layers ? floor : top - (top - floor) * layer / layers;
@@ -229,20 +230,20 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
         for (const Line& line : lines) {
           const Vec3 here = plan.strokes.back().to_mm;
           const Line way = from_nearest(line, {here.x, here.y});
-          if (here.z > z) go({here.x, here.y}, z, true);
-          for (const Vec2& p : way) go(p, z, true);
+          if (here.z > z) cut({here.x, here.y}, z);
+          for (const Vec2& p : way) cut(p, z);
         }
     }
     const Vec3 last = plan.strokes.back().to_mm;
-    go({last.x, last.y}, above, false);
+    travel({last.x, last.y}, above);
   }
   if (errors.drill_to_pulp && !plan.strokes.empty()) {
     if (const std::optional<Vec3> pulp = easiest_pulp(specimen, shape)) {
       const Vec2 at(pulp->x, pulp->y);
-      go(at, above, false);
-      go(at, std::max(shape.floor_mm() + 2.0 * r, pulp->z + 2.0 * r), false);
-      go(at, pulp->z - r, true);
-      go(at, above, false);
+      travel(at, above);
+      travel(at, std::max(shape.floor_mm() + 2.0 * r, pulp->z + 2.0 * r));
+      cut(at, pulp->z - r);
+      travel(at, above);
     }
   }
   return plan;

@@ -25,8 +25,7 @@ constexpr double kTuckMm = 0.15;         // depth of their edge below it: its ch
 bool stopped(ToothCancel cancel) { return cancel != nullptr && cancel->load(); }
 
 /// Everything grows in the frame of the tables; what is of quadrant 2 or 4 is turned round at the end.
-int table_side(int fdi, bool mirrored) {
-  if (!mirrored) return fdi;
+int other_side(int fdi) {
   constexpr int kOther[5] = {0, 2, 1, 4, 3};
   return 10 * kOther[fdi / 10] + fdi % 10;
 }
@@ -37,6 +36,9 @@ struct Row {
   ToothLandmarks landmarks;
   std::vector<PlacedLesion> lesions;
   std::vector<Standing> teeth;
+
+  /// From an FDI number of the request to one of the tables' frame, and back.
+  int turned(int fdi) const { return mirrored ? other_side(fdi) : fdi; }
 };
 
 Result<Row, ToothFailure> stand(const ToothRequest& request, ToothCancel cancel) {
@@ -48,7 +50,7 @@ Result<Row, ToothFailure> stand(const ToothRequest& request, ToothCancel cancel)
   if (stopped(cancel)) return fail(ToothError::cancelled, "tooth");
   Row row;
   row.mirrored = choice->mirrored;
-  const int fdi = table_side(request.fdi, row.mirrored);
+  const int fdi = row.turned(request.fdi);
   std::vector<int> fdis{fdi};
   if (request.neighbours) {
     for (const Proximal side : {Proximal::mesial, Proximal::distal}) {
@@ -123,7 +125,7 @@ Result<Tooth, ToothFailure> grown(const ToothRequest& request, Row& row, ToothCa
   out.landmarks = row.landmarks;
   for (std::size_t i = 1; i < row.teeth.size(); ++i) {
     const Standing& s = row.teeth[i];
-    out.neighbours.push_back({table_side(s.fdi, row.mirrored), s.contact_mm, s.gap_mm});
+    out.neighbours.push_back({row.turned(s.fdi), s.contact_mm, s.gap_mm});
   }
   if (row.mirrored) {
     out.volume = mirrored(out.volume);
@@ -226,7 +228,7 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
   std::vector<Jaw::Standing> out;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (row.mirrored) mirror(meshes[i]);
-    out.push_back({table_side(rest[i].fdi, row.mirrored), std::move(meshes[i])});
+    out.push_back({row.turned(rest[i].fdi), std::move(meshes[i])});
   }
   // From the patient's right to the left.
   std::ranges::sort(out, {}, [](const Jaw::Standing& s) {

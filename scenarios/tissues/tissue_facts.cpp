@@ -19,7 +19,17 @@ using Error = TissueTableError;
 constexpr std::string_view kUnverified = "M";
 constexpr std::size_t kFirstOwnCode = 16;
 
-/// Walks the file; keeps the first thing that is wrong.
+enum class Least : std::uint8_t { included, excluded };
+
+/// Range of a figure.
+struct Range {
+  double least, most;
+  Least end;
+
+  bool holds(double v) const noexcept { return v <= most && (end == Least::excluded ? v > least : v >= least); }
+};
+
+/// Walks the file; keeps the first failure.
 class TableReader {
  public:
   explicit TableReader(const Json& document) : document_(document) {}
@@ -77,14 +87,12 @@ class TableReader {
     return &both["value"];
   }
 
-  Sourced<double> number(const Json& owner, const char* key, const std::string& where, double least, double most,
-                         bool above_least) {
+  Sourced<double> number(const Json& owner, const char* key, const std::string& where, const Range& range) {
     Sourced<double> out;
     const Json* value = figure(owner, key, where, out);
     if (value == nullptr) return out;
     if (value->is_number()) out.value = value->get<double>();
-    if (!value->is_number() || !(out.value >= least && out.value <= most) || (above_least && out.value == least))
-      wrong(Error::bad_value, where + "/" + key);
+    if (!value->is_number() || !range.holds(out.value)) wrong(Error::bad_value, where + "/" + key);
     return out;
   }
 
@@ -110,10 +118,10 @@ class TableReader {
 
   TissueFacts facts(const Json& owner, const std::string& where) {
     TissueFacts out;
-    out.stiffness_n_per_mm = number(owner, "stiffness_n_per_mm", where, 0.0, 20.0, true);
-    out.speed_mm_s = number(owner, "speed_mm_s", where, 0.0, 100.0, false);
-    out.tone_hz = number(owner, "tone_hz", where, 0.0, 20000.0, true);
-    out.loudness = number(owner, "loudness", where, 0.0, 1.0, false);
+    out.stiffness_n_per_mm = number(owner, "stiffness_n_per_mm", where, {0.0, 20.0, Least::excluded});
+    out.speed_mm_s = number(owner, "speed_mm_s", where, {0.0, 100.0, Least::included});
+    out.tone_hz = number(owner, "tone_hz", where, {0.0, 20000.0, Least::excluded});
+    out.loudness = number(owner, "loudness", where, {0.0, 1.0, Least::included});
     if (const Json* value = figure(owner, "critical", where, out.critical)) {
       if (value->is_boolean()) {
         out.critical.value = value->get<bool>();

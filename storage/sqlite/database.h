@@ -100,8 +100,8 @@ class Database {
   Stored<std::string> integrity_check();
 
  private:
-  Database(sqlite3* handle, std::filesystem::path file, bool read_only) noexcept
-      : handle_{handle}, file_{std::move(file)}, read_only_{read_only} {}
+  Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions::Access access) noexcept
+      : handle_{handle}, file_{std::move(file)}, read_only_{access == DatabaseOptions::Access::read_only} {}
   /// Opens the file and checks its header. Runs no statement.
   static Stored<Database> connect(const std::filesystem::path& file, int flags, const DatabaseOptions& options);
   static Stored<Database> open_for_writing(const std::filesystem::path& file, const DatabaseOptions& options);

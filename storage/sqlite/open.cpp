@@ -131,7 +131,7 @@ Stored<Database> Database::connect(const fs::path& file, int flags, const Databa
   std::error_code ignored;
   const fs::path whole = fs::absolute(file, ignored);
   const int status = sqlite3_open_v2(whole.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, vfs);
-  Database database{handle, file, (flags & SQLITE_OPEN_READONLY) != 0};
+  Database database{handle, file, (flags & SQLITE_OPEN_READONLY) != 0 ? Access::read_only : Access::existing};
   if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, file.string()));
   sqlite3_extended_result_codes(handle, 1);
   sqlite3_busy_timeout(handle, options.busy_timeout_ms);
@@ -176,7 +176,7 @@ Stored<Database> Database::copy_in_memory(const fs::path& file, const DatabaseOp
   if (!source) return source;
   auto copy = memory_copy(source->handle_);
   if (!copy) return std::unexpected(copy.error());
-  return Database{*copy, file, true};
+  return Database{*copy, file, Access::read_only};
 }
 
 Stored<Database> Database::open_for_writing(const fs::path& file, const DatabaseOptions& options) {

@@ -58,9 +58,11 @@ std::vector<std::string> named_as(const std::string& table) {
 void run_all(Database& db, const std::vector<std::string>& statements) {
   for (const std::string& sql : statements) must(db.run(sql));
 }
-void delete_session(Database& db, SessionId id, bool comments_too) {
+enum class Comments : std::uint8_t { keep, remove };
+
+void delete_session(Database& db, SessionId id, Comments comments) {
   for (const std::string& table : tables(db)) {
-    if (table == "comments" && !comments_too) continue;
+    if (table == "comments" && comments == Comments::keep) continue;
     for (const std::string& column : names(db, "SELECT name FROM pragma_table_info(?1)", table)) {
       if (column == "session" || (table == "sessions" && column == "id")) {
         must(db.run("DELETE FROM " + table + " WHERE " + column + " = ?1", id));
@@ -159,10 +161,10 @@ Tamperer::Act Tamperer::on_account(std::string kind, std::string set, std::strin
     return Tampering{"people", kind, "", id, {}};
   };
 }
-Tamperer::Act Tamperer::on_counter(std::string kind, bool old_file, std::function<void(const fs::path&)> act) {
+Tamperer::Act Tamperer::on_counter(std::string kind, DatabaseFile file, std::function<void(const fs::path&)> act) {
   return [=, this](Database&) -> std::optional<Tampering> {
     after_closing_ = [=, this] {
-      if (old_file) fs::copy_file(school_.old(), school_.trial(), fs::copy_options::overwrite_existing);
+      if (file == DatabaseFile::older) fs::copy_file(school_.old(), school_.trial(), fs::copy_options::overwrite_existing);
       act(school_.trial().string() + ".key-counter");
     };
     return Tampering{"counter", kind, "", {}, {"audit_log"}};
@@ -170,17 +172,17 @@ Tamperer::Act Tamperer::on_counter(std::string kind, bool old_file, std::functio
 }
 
 std::vector<Tamperer::Act> Tamperer::session_acts() {
-  const auto whole = [this](bool with_comments) {
-    return [this, with_comments](Database& db) -> std::optional<Tampering> {
+  const auto whole = [this](Comments comments) {
+    return [this, comments](Database& db) -> std::optional<Tampering> {
       const SessionId id = one_of(school_.sessions);
-      delete_session(db, id, with_comments);
+      delete_session(db, id, comments);
       return Tampering{"sessions", "delete whole session", "", id.uuid, {}};
     };
   };
   const auto back = [this](Database& db) -> std::optional<Tampering> {
     attach_old(db);
     const SessionId id = one_of(school_.in_old);
-    delete_session(db, id, false);
+    delete_session(db, id, Comments::keep);
     for (const SessionTable table : kSessionTables) {
       const std::string name(name_of(table)), key = table == SessionTable::sessions ? "id" : "session";
       must(db.run("INSERT INTO main." + name + " SELECT * FROM old." + name + " WHERE " + key + " = ?1", id));
@@ -191,8 +193,8 @@ std::vector<Tamperer::Act> Tamperer::session_acts() {
     return Tampering{"sessions", "old rows, old head", "", id.uuid, {"session_chain"}};
   };
   return {
-      whole(true),
-      whole(false),
+      whole(Comments::remove),
+      whole(Comments::keep),
       back,
   };
 }
@@ -274,12 +276,12 @@ std::vector<Tamperer::Act> Tamperer::counter_acts() {
   const auto drop = [](const fs::path& counter) { fs::remove(counter); };
   const auto spoil = [](const fs::path& counter) { std::ofstream(counter) << "cusp-counter-1\nnothing"; };
   return {
-      on_counter("older file", true, leave),
-      on_counter("older file, no counter", true, drop),
-      on_counter("no counter", false, drop),
-      on_counter("counter spoiled", false, spoil),
-      on_counter("older counter", false, put_old_counter),
-      on_counter("older file with its counter", true, put_old_counter),
+      on_counter("older file", DatabaseFile::older, leave),
+      on_counter("older file, no counter", DatabaseFile::older, drop),
+      on_counter("no counter", DatabaseFile::newest, drop),
+      on_counter("counter spoiled", DatabaseFile::newest, spoil),
+      on_counter("older counter", DatabaseFile::newest, put_old_counter),
+      on_counter("older file with its counter", DatabaseFile::older, put_old_counter),
   };
 }
 

@@ -40,7 +40,8 @@ class Tamperer {
   std::optional<Tampering> insert(Database& db, const std::string& table);
   void attach_old(Database& db) { must(db.run("ATTACH ?1 AS old", school_.old().string())); }
   Act on_account(std::string kind, std::string set, std::string where);
-  Act on_counter(std::string kind, bool old_file, std::function<void(const std::filesystem::path&)> act);
+  enum class DatabaseFile : std::uint8_t { newest, older };
+  Act on_counter(std::string kind, DatabaseFile file, std::function<void(const std::filesystem::path&)> act);
   std::vector<Act> session_acts();
   std::vector<Act> log_acts();
   std::vector<Act> forged_acts();

@@ -20,7 +20,7 @@ DeviationAt TargetLook::deviation() const {
   if (empty()) return {};
   return [shape = shape_, leeway = leeway_](Vec3 mm, bool cut) {
     Deviation out;
-    const std::optional<double> d = deviation_mm(*shape, mm, cut);
+    const std::optional<double> d = deviation_mm(*shape, mm, cut ? SurfaceKind::cut : SurfaceKind::original);
     if (!d) return out;
     out.mm = static_cast<float>(*d);
     if (cut && *d > 0.0) {

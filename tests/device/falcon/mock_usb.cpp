@@ -28,8 +28,11 @@ std::string hex(const std::vector<std::uint8_t>& bytes) {
   return out;
 }
 
-/// Device, configuration, one vendor interface, bulk 0x81 and 0x02 of 64 bytes. String 3 is the serial number.
-std::vector<std::uint8_t> descriptors(bool serial) {
+constexpr std::uint8_t kSerialString = 3;
+
+/// Device, configuration, one vendor interface, bulk 0x81 and 0x02 of 64 bytes. `serial_string`: index of the serial
+/// number's string, 0 for none.
+std::vector<std::uint8_t> descriptors(std::uint8_t serial_string) {
   return {18,
           1,
           0x00,
@@ -46,7 +49,7 @@ std::vector<std::uint8_t> descriptors(bool serial) {
           0x06,
           1,
           2,
-          static_cast<std::uint8_t>(serial ? 3 : 0),
+          serial_string,
           1,
           9,
           2,
@@ -113,7 +116,7 @@ MockFalcon::~MockFalcon() {
 
 void MockFalcon::plug() {
   if (plugged_) return;
-  const auto bytes = descriptors(!serial_.empty());
+  const auto bytes = descriptors(serial_.empty() ? 0 : kSerialString);
   const std::string number = std::to_string(address_);
   std::string text = "P: /devices/pci0000:00/usb1/" + port_ + "\n";
   text += "N: " + node_.substr(5) + "=" + hex(bytes) + "\n";

@@ -27,9 +27,8 @@ MockBus& bus() {
 }
 
 /// The emulated line has no speed here: what is tried is libusb, not the time that bytes take.
-falcon::EmulatorSettings quick(bool firmware_running = false) {
-  return {.firmware_running = firmware_running, .at_once = true};
-}
+falcon::EmulatorSettings quick() { return {.at_once = true}; }
+falcon::EmulatorSettings quick_running() { return {.firmware_running = true, .at_once = true}; }
 
 std::unique_ptr<FalconPort> port_to(const std::string& name) {
   auto link = falcon::make_usb_link(name);
@@ -97,15 +96,15 @@ TEST(FalconUsb, is_found_claimed_from_a_kernel_driver_loaded_homed_and_exchanged
 }
 
 TEST(FalconUsb, one_that_runs_already_is_left_running) {
-  MockFalcon device(bus(), 2, "1-1", "", quick(true));
+  MockFalcon device(bus(), 2, "1-1", "", quick_running());
   device.plug();
   auto port = port_to("");
   ASSERT_TRUE(port->open());
   EXPECT_EQ(port->view().session.upload_size, 0u);
 }
 
-TEST(FalconUsb, says_why_it_cannot_be_opened) {
-  MockFalcon device(bus(), 2, "1-1", "", quick(true));
+TEST(FalconUsb, reports_why_it_cannot_be_opened) {
+  MockFalcon device(bus(), 2, "1-1", "", quick_running());
   auto port = port_to("");
   const auto nobody = port->open();
   ASSERT_FALSE(nobody);
@@ -120,7 +119,7 @@ TEST(FalconUsb, says_why_it_cannot_be_opened) {
 }
 
 TEST(FalconUsb, unplugged_while_drilling_it_is_gone_and_found_again) {
-  MockFalcon device(bus(), 2, "1-1", "", quick(true));
+  MockFalcon device(bus(), 2, "1-1", "", quick_running());
   device.plug();
   auto port = port_to("");
   ASSERT_TRUE(port->open());
@@ -160,8 +159,8 @@ TEST(FalconUsb, unplugged_while_loading_it_is_loaded_again) {
   EXPECT_EQ(session.phase(), falcon::Phase::homing);
 }
 
-TEST(FalconUsb, two_are_told_apart_by_serial_number_or_socket) {
-  MockFalcon left(bus(), 2, "1-1", "FT000001", quick(true)), right(bus(), 3, "1-2", "FT000002", quick(true));
+TEST(FalconUsb, two_are_distinguished_by_serial_number_or_socket) {
+  MockFalcon left(bus(), 2, "1-1", "FT000001", quick_running()), right(bus(), 3, "1-2", "FT000002", quick_running());
   left.plug();
   right.plug();
   left.with([](Emulator& falcon) { falcon.set_buttons(falcon::status::kPlus); });
@@ -185,7 +184,7 @@ TEST(FalconUsb, two_are_told_apart_by_serial_number_or_socket) {
 }
 
 TEST(FalconUsb, two_with_the_same_number_go_by_their_sockets) {
-  MockFalcon left(bus(), 2, "1-1", "00000000", quick(true)), right(bus(), 3, "1-2", "00000000", quick(true));
+  MockFalcon left(bus(), 2, "1-1", "00000000", quick_running()), right(bus(), 3, "1-2", "00000000", quick_running());
   left.plug();
   right.plug();
   auto watch = falcon::watch_usb_falcons();
@@ -209,7 +208,7 @@ TEST(FalconUsb, coming_and_going_is_noticed) {
     return false;
   };
   {
-    MockFalcon device(bus(), 2, "1-1", "FT1", quick(true));
+    MockFalcon device(bus(), 2, "1-1", "FT1", quick_running());
     device.plug();
     EXPECT_TRUE(notices());
     EXPECT_EQ((*watch)->list().size(), 1u);

@@ -29,10 +29,10 @@ struct FakeService::Inner {
       stream.async_accept([self = shared_from_this()](error_code error) {
         if (error) return;
         ++self->service.connections_;
-        self->say(self->service.told(true));
+        self->send(self->service.report(Message::first));
       });
     }
-    void say(std::string text) {
+    void send(std::string text) {
       out = std::move(text);
       const Way way = static_cast<Way>(service.way_.load());
       if (way == Way::silent) return listen();
@@ -54,7 +54,7 @@ struct FakeService::Inner {
         if (error) return;
         self->service.hear(boost::beast::buffers_to_string(self->in.data()));
         self->in.consume(self->in.size());
-        self->say(self->service.told(false));
+        self->send(self->service.report(Message::later));
       });
     }
   };
@@ -95,13 +95,9 @@ void FakeService::set_hand(Vec3 position_m) noexcept {
   hand_ = position_m;
 }
 
-void FakeService::set_handle(bool there, Quat orientation, bool a, bool b, bool c) noexcept {
+void FakeService::set_handle(const std::optional<FakeHandle>& handle) noexcept {
   const std::lock_guard lock(mutex_);
-  handle_ = there;
-  turned_ = orientation;
-  a_ = a;
-  b_ = b;
-  c_ = c;
+  handle_ = handle;
 }
 
 Vec3 FakeService::force_n() const {
@@ -114,14 +110,14 @@ double FakeService::most_force_n() const {
   return most_force_;
 }
 
-std::string FakeService::told(bool first) const {
+std::string FakeService::report(Message which) const {
   const std::lock_guard lock(mutex_);
   nlohmann::json out;
   out["inverse3"] = nlohmann::json::array();
   if (static_cast<Way>(way_.load()) != Way::no_device) {
     nlohmann::json device;
     device["device_id"] = "049D";
-    if (first) device["config"] = {{"type", "inverse3"}, {"handedness", "right"}};
+    if (which == Message::first) device["config"] = {{"type", "inverse3"}, {"handedness", "right"}};
     device["state"]["cursor_position"] = {{"x", hand_.x}, {"y", hand_.y}, {"z", hand_.z}};
     device["state"]["cursor_velocity"] = {{"x", 0}, {"y", 0}, {"z", 0}};
     out["inverse3"].push_back(std::move(device));
@@ -130,8 +126,9 @@ std::string FakeService::told(bool first) const {
   if (handle_) {
     nlohmann::json handle;
     handle["device_id"] = "61573";
-    handle["state"]["orientation"] = {{"x", turned_.x}, {"y", turned_.y}, {"z", turned_.z}, {"w", turned_.w}};
-    handle["state"]["buttons"] = {{"a", a_}, {"b", b_}, {"c", c_}};
+    const Quat& q = handle_->orientation;
+    handle["state"]["orientation"] = {{"x", q.x}, {"y", q.y}, {"z", q.z}, {"w", q.w}};
+    handle["state"]["buttons"] = {{"a", handle_->a}, {"b", handle_->b}, {"c", handle_->c}};
     out["wireless_verse_grip"].push_back(std::move(handle));
   }
   return out.dump();

@@ -1,5 +1,5 @@
-/// The maker's service in miniature: a WebSocket on loopback that tells its devices first and then answers each message
-/// with one, as public clients have it. What it does wrong is asked for.
+/// The maker's service in miniature: a WebSocket on loopback that reports its devices first and then answers each
+/// message with one report, as public clients have it. A test chooses its faults (Way).
 #pragma once
 
 #include <atomic>
@@ -7,12 +7,19 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/vec.h"
 
 namespace cusp::test {
+
+/// The wireless handle: its orientation and its pressed buttons.
+struct FakeHandle {
+  Quat orientation{1, 0, 0, 0};
+  bool a = false, b = false, c = false;
+};
 
 class FakeService {
  public:
@@ -25,9 +32,10 @@ class FakeService {
 
   std::uint16_t port() const noexcept { return port_; }
   void set_way(Way way) noexcept { way_ = static_cast<int>(way); }
-  /// Where the hand is, and how the handle is turned (none: there is no handle).
+  /// Position of the cursor.
   void set_hand(Vec3 position_m) noexcept;
-  void set_handle(bool there, Quat orientation = Quat(1, 0, 0, 0), bool a = false, bool b = false, bool c = false) noexcept;
+  /// nullopt: there is no handle.
+  void set_handle(const std::optional<FakeHandle>& handle) noexcept;
 
   std::uint64_t messages() const noexcept { return messages_; }
   std::uint64_t connections() const noexcept { return connections_; }
@@ -37,7 +45,8 @@ class FakeService {
 
  private:
   struct Inner;
-  std::string told(bool first) const;
+  enum class Message : std::uint8_t { first, later };
+  std::string report(Message which) const;
   void hear(const std::string& text);
 
   std::uint16_t port_ = 0;
@@ -46,8 +55,7 @@ class FakeService {
   mutable std::mutex mutex_;
   Vec3 hand_{0.0, 0.0, 0.1}, force_{0.0};
   double most_force_ = 0;
-  bool handle_ = false, a_ = false, b_ = false, c_ = false;
-  Quat turned_{1, 0, 0, 0};
+  std::optional<FakeHandle> handle_;
   std::unique_ptr<Inner> inner_;
 };
 

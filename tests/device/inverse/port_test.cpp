@@ -97,7 +97,7 @@ TEST(InversePort, a_device_turned_on_its_stand_is_turned_back) {
 TEST(InversePort, the_handle_turns_the_bur_from_where_it_rested_and_its_buttons_count) {
   FakeService service;
   const Quat rest = glm::angleAxis(0.3, Vec3(0, 1, 0));
-  service.set_handle(true, rest);
+  service.set_handle(FakeHandle{rest});
   InverseSettings settings = settings_for(service);
   settings.burs = 2;
   auto port = make_inverse_port(settings);
@@ -107,22 +107,22 @@ TEST(InversePort, the_handle_turns_the_bur_from_where_it_rested_and_its_buttons_
     return s.status == Sample::Status::fresh && std::abs(s.orientation.w - 1.0) < 1e-9;
   }));
   const Quat turn = glm::angleAxis(0.5, Vec3(1, 0, 0));
-  service.set_handle(true, turn * rest, true);
+  service.set_handle(FakeHandle{.orientation = turn * rest, .a = true});
   EXPECT_TRUE(eventually(*port, [&](const Sample& s) {
     return s.buttons == 1 && s.pedal == 65535 && std::abs(glm::dot(s.orientation, turn)) > 1 - 1e-9;
   }));
-  service.set_handle(true, turn * rest, false, false, true);
+  service.set_handle(FakeHandle{.orientation = turn * rest, .c = true});
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.bur == 1; }));
 }
 
 TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
   FakeService service;
-  service.set_handle(true);
+  service.set_handle(FakeHandle{});
   service.set_hand({0, 0, 0.1});
   auto port = make_inverse_port(settings_for(service));
   ASSERT_TRUE(port->open());
   ASSERT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {1, 2, 3}); }));
-  service.set_handle(true, Quat(1, 0, 0, 0), false, true);
+  service.set_handle(FakeHandle{.b = true});
   ASSERT_TRUE(eventually(*port, [&](const Sample&) { return service.force_n() == Vec3(0.0) && service.messages() > 100; }, {1, 0, 0}));
   service.set_hand({0.03, 0, 0.1});
   const auto before = port->view().session.readings;
@@ -130,7 +130,7 @@ TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
     EXPECT_TRUE(close_to(s.position_mm, {1, 2, 3}));
     return port->view().session.readings > before + 100;
   }));
-  service.set_handle(true);
+  service.set_handle(FakeHandle{});
   ASSERT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {1, 0, 0}); }, {1, 0, 0}));
   service.set_hand({0.031, 0, 0.1});
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {2, 2, 3}); }));

@@ -97,10 +97,12 @@ class Outcomes {
 };
 
 /// Pointers to every value of a document, itself left out.
-void places_of(const json& node, const std::string& at, bool numbers_only, std::vector<std::string>& out) {
-  if (!at.empty() && (!numbers_only || node.is_number())) out.push_back(at);
+enum class Nodes : std::uint8_t { all, numbers };
+
+void places_of(const json& node, const std::string& at, Nodes which, std::vector<std::string>& out) {
+  if (!at.empty() && (which == Nodes::all || node.is_number())) out.push_back(at);
   if (!node.is_structured()) return;
-  for (const auto& [key, value] : node.items()) places_of(value, at + "/" + key, numbers_only, out);
+  for (const auto& [key, value] : node.items()) places_of(value, at + "/" + key, which, out);
 }
 
 /// A document with one value as bare text: NaN and 1e999 are no JSON that the library would write.
@@ -119,7 +121,7 @@ TEST(Mutations, EveryNumberOfEveryExerciseIsRefusedOrHarmlessWhateverItBecomes) 
   for (const std::string_view key : builtin_scenarios()) {
     const json document = json::parse(builtin_scenario_text(key));
     std::vector<std::string> places;
-    places_of(document, "", true, places);
+    places_of(document, "", Nodes::numbers, places);
     for (const std::string& place : places)
       for (const char* bare : kBareNumbers) {
         if (!full() && n++ % 61 != 0) continue;
@@ -146,7 +148,7 @@ class Mutator {
         return text.substr(0, static_cast<std::size_t>(pick(static_cast<int>(text.size()))));
       }
       if (kind <= 1) {
-        const std::string place = place_in(document, true);
+        const std::string place = place_in(document, Nodes::numbers);
         what += " " + place;
         text = with_text(document, place, kBareNumbers[static_cast<std::size_t>(pick(kBareNumbers.size()))]);
         const json next = json::parse(text, nullptr, false);
@@ -161,9 +163,9 @@ class Mutator {
 
  private:
   int pick(std::size_t count) { return static_cast<int>(random_() % std::max<std::size_t>(count, 1)); }
-  std::string place_in(const json& document, bool numbers_only) {
+  std::string place_in(const json& document, Nodes which) {
     std::vector<std::string> places;
-    places_of(document, "", numbers_only, places);
+    places_of(document, "", which, places);
     return places.empty() ? "/format" : places[static_cast<std::size_t>(pick(places.size()))];
   }
   json other_type() {
@@ -171,7 +173,7 @@ class Mutator {
     return values[static_cast<std::size_t>(pick(values.size()))];
   }
   void change(json& document, int kind, std::string& what) {
-    const json::json_pointer at(place_in(document, kind == 5));
+    const json::json_pointer at(place_in(document, kind == 5 ? Nodes::numbers : Nodes::all));
     what += " " + at.to_string();
     if (!document.contains(at)) return;
     json& parent = document[at.parent_pointer()];
@@ -184,11 +186,11 @@ class Mutator {
       if (parent.is_object()) parent["extra"] = 1;
       else parent.push_back(parent.front());
     } else if (kind == 5) {
-      const json::json_pointer with(place_in(document, true));
+      const json::json_pointer with(place_in(document, Nodes::numbers));
       what += " with " + with.to_string();
       std::swap(document[at], document[with]);
     } else if (kind == 6) {
-      const json::json_pointer from(place_in(document, false));
+      const json::json_pointer from(place_in(document, Nodes::all));
       const json copy = document[from];
       document[at] = copy;
     } else if (document[at].is_number()) {

@@ -51,8 +51,11 @@ Measured measure(const VoxelVolume& volume) {
   return out;
 }
 
+enum class Side : std::uint8_t { lower, upper };
+
 /// Where the surface crosses a ray along an axis from outside, by the two voxels about it.
-double face(const VoxelVolume& volume, Vec3 through, int axis, bool upper) {
+double face(const VoxelVolume& volume, Vec3 through, int axis, Side side) {
+  const bool upper = side == Side::upper;
   const Grid& g = volume.grid;
   IVec3 v(glm::round((through - g.origin_mm) / g.voxel_mm));
   const int step = upper ? -1 : 1;
@@ -80,11 +83,11 @@ class Formats : public ::testing::Test {
                through_y = turned_up(Vec3(4.1, 4.1, 0.6) + moved, up);
     double off_face = 0.0;
     for (int axis = 0; axis < 3; ++axis)
-      for (const bool upper : {false, true}) {
-        const double wanted = upper ? std::max(a[axis], b[axis]) : std::min(a[axis], b[axis]);
+      for (const Side side : {Side::lower, Side::upper}) {
+        const double wanted = side == Side::upper ? std::max(a[axis], b[axis]) : std::min(a[axis], b[axis]);
         const std::array<Vec3, 3> along = {turned_up(Vec3(1, 0, 0), up), turned_up(Vec3(0, 1, 0), up), turned_up(Vec3(0, 0, 1), up)};
         const Vec3 through = std::abs(along[0][axis]) > 0.5 ? through_x : std::abs(along[1][axis]) > 0.5 ? through_y : through_z;
-        off_face = std::max(off_face, std::abs(face(*volume, through, axis, upper) - wanted) / voxel);
+        off_face = std::max(off_face, std::abs(face(*volume, through, axis, side) - wanted) / voxel);
       }
     std::printf("| %-28s | %2s | %5.3f | %8.4f | %+7.3f %% | %6.3f | %6.3f |\n", name.c_str(),
                 std::string(kUpAxisKeys[static_cast<std::size_t>(up)]).c_str(), voxel, got.mm3, 100.0 * off_mm3, off_middle, off_face);
@@ -103,8 +106,8 @@ TEST_F(Formats, EveryMeshFormatHoldsTheSameBodyInTheSamePlaceWithAnyAxisUp) {
   write_obj(folder / "a.obj", {body});
   write_stl(folder / "text.stl", body);
   write_text(folder / "binary.stl", binary_stl(body));
-  write_text(folder / "text.ply", ply_file(body, false));
-  write_text(folder / "binary.ply", ply_file(body, true));
+  write_text(folder / "text.ply", ply_file(body, PlyData::text));
+  write_text(folder / "binary.ply", ply_file(body, PlyData::binary));
   write_off(folder / "a.off", body);
   ThreeDsWish plain, tree, placed, turned;
   plain.tree = false;
@@ -169,9 +172,10 @@ constexpr std::array kForward = {false, false, false}, kBackward = {true, false,
 
 class VolumeFormats : public Formats {
  protected:
-  void labels(const std::string& name, const std::string& bytes, bool with_every_axis = false) {
+  enum class Axes : std::uint8_t { as_read, every };
+  void labels(const std::string& name, const std::string& bytes, Axes axes = Axes::as_read) {
     write_text(folder / name, bytes);
-    for (std::size_t up = 0; up < (with_every_axis ? kUpAxisKeys.size() : 1); ++up) {
+    for (std::size_t up = 0; up < (axes == Axes::every ? kUpAxisKeys.size() : 1); ++up) {
       ImageImport what;
       what.path = folder / name;
       what.tissues.labels = {{7, Tissue::dentine}};
@@ -201,11 +205,11 @@ TEST_F(VolumeFormats, EveryVolumeFormatHoldsTheSameBodyInTheSamePlace) {
   const std::array<Vec3, 3> axes = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   const std::array<Vec3, 3> turned_axes = {Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(0, -1, 0)};
   const std::string data = bytes_of(straight.values), turned_data = bytes_of(turned.values);
-  labels("raw.nrrd", nrrd(straight, axes, "raw", data), true);
+  labels("raw.nrrd", nrrd(straight, axes, "raw", data), Axes::every);
   labels("gzip.nrrd", nrrd(straight, axes, "gzip", gzip_stored(data)));
-  labels("turned.nrrd", nrrd(turned, turned_axes, "raw", turned_data), true);
+  labels("turned.nrrd", nrrd(turned, turned_axes, "raw", turned_data), Axes::every);
   // Right-anterior-superior axes are minus x and minus y of a MetaImage.
-  labels("local.mha", metaimage(straight, "-1 0 0 0 -1 0 0 0 1", "ElementDataFile = LOCAL\n" + data), true);
+  labels("local.mha", metaimage(straight, "-1 0 0 0 -1 0 0 0 1", "ElementDataFile = LOCAL\n" + data), Axes::every);
   labels("turned.mha", metaimage(turned, "0 0 -1 -1 0 0 0 1 0", "ElementDataFile = LOCAL\n" + turned_data));
   labels("packed.mha", metaimage(straight, "-1 0 0 0 -1 0 0 0 1",
                                  "CompressedData = True\nElementDataFile = LOCAL\n" + zlib_stored(data)));
@@ -223,7 +227,7 @@ TEST_F(VolumeFormats, EveryVolumeFormatHoldsTheSameBodyInTheSamePlace) {
     w.values = b.values;
     return nifti_file(w);
   };
-  labels("straight.nii", nifti(straight, axes), true);
+  labels("straight.nii", nifti(straight, axes), Axes::every);
   labels("turned.nii", nifti(turned, turned_axes));
   labels("packed.nii.gz", gzip_stored(nifti(turned, turned_axes)));
   std::string header = nifti(turned, turned_axes).substr(0, 352);

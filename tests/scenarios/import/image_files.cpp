@@ -159,7 +159,8 @@ std::string binary_stl(const Mesh& mesh) {
   return out;
 }
 
-std::string ply_file(const Mesh& mesh, bool binary) {
+std::string ply_file(const Mesh& mesh, PlyData data) {
+  const bool binary = data == PlyData::binary;
   std::string out = std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") + " 1.0\nelement vertex " +
                     std::to_string(mesh.points.size()) + "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
                     std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";

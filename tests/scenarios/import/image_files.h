@@ -42,7 +42,8 @@ struct DicomWish {
 std::string dicom_file(const DicomWish& wish);
 
 std::string binary_stl(const Mesh& mesh);
-std::string ply_file(const Mesh& mesh, bool binary);
+enum class PlyData : std::uint8_t { text, binary };
+std::string ply_file(const Mesh& mesh, PlyData data);
 struct ThreeDsWish {
   bool tree = true;               // key frames, where the library finds the objects' names
   Vec3 origin{0.0};               // of the objects' own axes, in which 3DS programs show them; points stay where they are

@@ -32,8 +32,8 @@ TEST(MeshFiles, StlPlyAndThreeDsHoldTheSameBall) {
   const TempFolder folder;
   const Mesh ball = sphere("ball", {0, 0, 0}, 2.0, 3);
   write_text(folder / "a.stl", binary_stl(ball));
-  write_text(folder / "b.ply", ply_file(ball, true));
-  write_text(folder / "c.ply", ply_file(ball, false));
+  write_text(folder / "b.ply", ply_file(ball, PlyData::binary));
+  write_text(folder / "c.ply", ply_file(ball, PlyData::text));
   write_text(folder / "d.3ds", three_ds_file({ball}));
   write_text(folder / "E.STL", binary_stl(ball));
   for (const char* name : {"a.stl", "b.ply", "c.ply", "d.3ds", "E.STL"}) {

@@ -51,8 +51,8 @@ struct Bench {
   Scenario scenario = slot();
   std::shared_ptr<const Specimen> specimen;
   std::shared_ptr<const Reference> reference;
-  explicit Bench(double h = 0.1, Reading reading = Reading::banded, bool with_pulp = true)
-      : specimen(carved::specimen(block_grid(h), reading, block, with_pulp ? layers : no_pulp)),
+  explicit Bench(double h = 0.1, Reading reading = Reading::banded, Tissue (*tissue_at)(Vec3) = layers)
+      : specimen(carved::specimen(block_grid(h), reading, block, tissue_at)),
         reference(std::make_shared<Reference>(scenario, specimen)) {}
   Measure get(const Volume& volume, std::string_view key, const Process& process = {}) const {
     for (const Measure& m : measure(*reference, volume, process))
@@ -239,7 +239,7 @@ TEST(Measure, ACutThatReachesThePulpIsAnExposure) {
 }
 
 TEST(Measure, WithoutPulpItIsNotMeasured) {
-  const Bench bench(0.1, Reading::banded, false);
+  const Bench bench(0.1, Reading::banded, no_pulp);
   Volume volume(bench.specimen);
   carved::carve(volume, [](Vec3 p) { return cut_slot(p, 0, 0); });
   EXPECT_FALSE(bench.get(volume, "pulp_exposure").measured);
@@ -344,10 +344,11 @@ TEST(Measure, MeasuresCoolantOnlyIfTheExerciseHasHeat) {
 
 TEST(Deviation, IsPositiveForOverCutAndNegativeForUncutRemainder) {
   const TargetShape shape(slot().target);
-  EXPECT_NEAR(*deviation_mm(shape, {0, 0, -2.3}, true), 0.3, 1e-12);
-  EXPECT_NEAR(*deviation_mm(shape, {0, 0, -1.8}, true), -0.2, 1e-12);
-  EXPECT_LT(*deviation_mm(shape, {0, 0, 0}, false), 0.0);  // the block's face within the outline: all of it still stands
-  EXPECT_FALSE(deviation_mm(shape, {0, 2, 0}, false).has_value());
+  EXPECT_NEAR(*deviation_mm(shape, {0, 0, -2.3}, SurfaceKind::cut), 0.3, 1e-12);
+  EXPECT_NEAR(*deviation_mm(shape, {0, 0, -1.8}, SurfaceKind::cut), -0.2, 1e-12);
+  // The block's face within the outline: all of it still stands.
+  EXPECT_LT(*deviation_mm(shape, {0, 0, 0}, SurfaceKind::original), 0.0);
+  EXPECT_FALSE(deviation_mm(shape, {0, 2, 0}, SurfaceKind::original).has_value());
 }
 
 }  // namespace

@@ -142,12 +142,13 @@ TEST(Plan, FollowsTheReadingOfTheMethod) {
 }
 
 /// A world with a ledge at x = 0: below the block's top nothing passes it from left to right but what came from above.
-/// `lids`: nor from above. The strokes that the expert left out, and how often it was above the block again.
+/// `closed`: nor from above.
+enum class Ledge : std::uint8_t { open_above, closed };
 struct LedgeAttempt {
   std::size_t skipped = 0, lifts = 0;
   double clock_s = 0;
 };
-LedgeAttempt over_a_ledge(bool lids) {
+LedgeAttempt over_a_ledge(Ledge ledge) {
   const Scenario s = small_slot();
   ScriptedOperator scripted = expert(s, *small_block());
   StepOutput o;
@@ -159,7 +160,7 @@ LedgeAttempt over_a_ledge(bool lids) {
     Vec3 to = sample.position_mm;
     above = o.proxy_mm.z > 0.4;
     if (!above && o.proxy_mm.x <= 0.0 && to.x > 0.0) to = Vec3(0.0, to.y, to.z);
-    if (lids && above) to.z = std::max(to.z, 0.41);
+    if (ledge == Ledge::closed && above) to.z = std::max(to.z, 0.41);
     out.lifts += above && !was_above ? 1 : 0;
     was_above = above;
     o.device_mm = sample.position_mm;
@@ -173,12 +174,12 @@ LedgeAttempt over_a_ledge(bool lids) {
   return out;
 }
 TEST(ScriptedOperator, RepositionsTheBurFurtherAlongTheStrokeIfItIsHeld) {
-  const LedgeAttempt attempt = over_a_ledge(false);
+  const LedgeAttempt attempt = over_a_ledge(Ledge::open_above);
   EXPECT_EQ(attempt.skipped, 0u);
   EXPECT_GT(attempt.lifts, 2u);
 }
 TEST(ScriptedOperator, SkipsAStrokeThatCannotBeReachedFromAbove) {
-  const LedgeAttempt attempt = over_a_ledge(true);
+  const LedgeAttempt attempt = over_a_ledge(Ledge::closed);
   EXPECT_GT(attempt.skipped, 0u);
   EXPECT_LT(attempt.clock_s, 1200.0) << "it was through before its time was";
 }
@@ -188,14 +189,15 @@ struct TurbineAttempt {
   double stood_s = 0;  // pressed, and the handpiece still
   std::size_t skipped = 0;
 };
-TurbineAttempt with_a_turbine(bool light) {
+enum class Push : std::uint8_t { light, heavy };
+TurbineAttempt with_a_turbine(Push push) {
   Bench bench;
   bench.scenario.tissues = {{Tissue::dentine, 3, 0.5}, {Tissue::pulp, 1, 4}};
   bench.scenario.device.full_force_n = 3.9;  // stalls at 2.5 N x 0.5 mm / 0.3 mm
   bench.scenario.phenomena = {"spindle-turbine"};
   OperatorStyle style = steady_style(bench.scenario, *bench.specimen, 1);
   style.muscles.tremor_mm = 0.05;
-  style.light = light;
+  style.light = push == Push::light;
   style.max_s = 120.0;
   OperatorPort port(ScriptedOperator(plan_target(bench.scenario, *bench.specimen, {}), style, bench.scenario), 0.008);
   StepState state(attempt::scene_of(bench.scenario, bench.specimen));
@@ -211,7 +213,7 @@ TurbineAttempt with_a_turbine(bool light) {
   return out;
 }
 TEST(ScriptedOperator, PushesATurbineNoHarderThanRemovesMostAndReleasesAStall) {
-  const TurbineAttempt light = with_a_turbine(true), heavy = with_a_turbine(false);
+  const TurbineAttempt light = with_a_turbine(Push::light), heavy = with_a_turbine(Push::heavy);
   EXPECT_LT(light.stood_s, 0.3 * heavy.stood_s);  // 3.6 and 24.2 s of 120
   EXPECT_LT(light.skipped, heavy.skipped);      // 3 and 10
 }

@@ -26,14 +26,14 @@ double extent(const VoxelVolume& volume, int axis, int sign, double z_low, doubl
   return sign * best;
 }
 
-ToothDims measured_dims(const VoxelVolume& volume, double cej_mesial, double cej_distal, bool mirrored) {
+ToothDims measured_dims(const VoxelVolume& volume, double cej_mesial, double cej_distal, Quadrant quadrant) {
   const double h = volume.grid.voxel_mm, all = 100.0, from = std::max(cej_mesial, cej_distal);
   // The slice nearest to that height.
   const auto slice = [&](int axis, int sign, double z) {
     const double at = volume.grid.origin_mm.z + h * std::floor((z - volume.grid.origin_mm.z) / h + 0.5);
     return extent(volume, axis, sign, at - 1e-6, at + 1e-6);
   };
-  const int m = mirrored ? -1 : 1;
+  const int m = quadrant == Quadrant::mirrored ? -1 : 1;
   ToothDims d;
   d.crown_length = extent(volume, 2, 1, -all, all);
   d.root_length = -extent(volume, 2, -1, -all, all);

@@ -13,8 +13,10 @@ namespace cusp::test {
 /// Furthest crossing of the surface along an axis (0 x, 1 y, 2 z; sign ±1) over all grid lines whose z is in [low, high].
 double extent(const VoxelVolume& volume, int axis, int sign, double z_low, double z_high);
 
+/// Mirrored: quadrants 2 and 4.
+enum class Quadrant : std::uint8_t { as_tabled, mirrored };
 /// Lengths as teeth.json defines them; CEJ heights are those of the mesial and distal side.
-ToothDims measured_dims(const VoxelVolume& volume, double cej_mesial, double cej_distal, bool mirrored);
+ToothDims measured_dims(const VoxelVolume& volume, double cej_mesial, double cej_distal, Quadrant quadrant = Quadrant::as_tabled);
 
 /// Pieces of the voxels that `wanted` accepts, joined over faces.
 int pieces(const VoxelVolume& volume, const std::function<bool(std::size_t)>& wanted);

@@ -65,7 +65,7 @@ bool print_row(ToothRequest request, int fdi) {
   const ToothTable& t = *choice.table;
   const VoxelVolume& v = tooth->volume;
   const ToothLandmarks& l = tooth->landmarks;
-  const ToothDims d = measured_dims(v, t.cej_m, t.cej_d, choice.mirrored);
+  const ToothDims d = measured_dims(v, t.cej_m, t.cej_d, choice.mirrored ? Quadrant::mirrored : Quadrant::as_tabled);
   const double off = worst_share(d, t.dims);
   const int number = fdi % 10;
   // A shoulder of an incisal edge is no cusp; a premolar's lower cusp and the distal one of a lower molar are low.

@@ -55,7 +55,7 @@ TEST(Teeth, TurnTheirMesialSideAsTheQuadrantAsks) {
 
 TEST(FirstMolar, HasTheLengthsOfTheTable) {
   // dental.md 3.1: 7.5, 14, 11, 10.5, necks 9 and 9. Measured on the voxels: within 0.4 %; 2 % is promised.
-  const ToothDims d = measured_dims(first_molar().volume, 1.0, 0.0, false);
+  const ToothDims d = measured_dims(first_molar().volume, 1.0, 0.0);
   expect_dims(d, *average_dims(36), 0.01);
   EXPECT_DOUBLE_EQ(average_dims(36)->mesiodistal, 11.0);
   EXPECT_DOUBLE_EQ(average_dims(36)->crown_length, 7.5);
@@ -260,7 +260,7 @@ class EveryKind : public testing::TestWithParam<int> {};
 TEST_P(EveryKind, HasTheLengthsOfTheTable) {
   const ToothTable& t = table(GetParam());
   // At 0.2 mm: an edge or a tip thinner than a voxel is blunted, and a slice may lie half a voxel off the CEJ's height.
-  expect_dims(measured_dims(tooth(GetParam()).volume, t.cej_m, t.cej_d, false), t.dims, 0.02);
+  expect_dims(measured_dims(tooth(GetParam()).volume, t.cej_m, t.cej_d), t.dims, 0.02);
   expect_dims(tooth(GetParam()).landmarks.dims, t.dims, 0.005);
 }
 
@@ -314,8 +314,8 @@ TEST(Seed, ChangesTheToothWithinTheSpread) {
     EXPECT_NEAR(d.root_length / mean.root_length, 1.0, 0.19) << seed;
     EXPECT_NE(d.mesiodistal, before);
     before = d.mesiodistal;
-    expect_dims(measured_dims(t.volume, d.crown_length / 7.5, 0.0, false), d, 0.02);
-    expect_single_pieces(t.volume);
+    expect_dims(measured_dims(t.volume, d.crown_length / 7.5, 0.0), d, 0.02);
+    expect_single_components(t.volume);
     EXPECT_EQ(peaks(t.volume, 0.2), 5) << seed;
     EXPECT_GE(pulp_cover_mm(t.volume, -0.7 * d.root_length, 0.8), 0.4) << seed;
   }

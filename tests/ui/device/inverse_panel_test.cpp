@@ -51,7 +51,7 @@ TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
   ASSERT_TRUE(eventually([&] { return panel.summary().contains("answers"); }));
   EXPECT_TRUE(eventually([&] { return shows(panel, "12.5"); }));
   EXPECT_TRUE(shows(panel, "keeps its axis"));
-  service.set_handle(true, Quat(1, 0, 0, 0), true, false, true);
+  service.set_handle(FakeHandle{.a = true, .c = true});
   EXPECT_TRUE(eventually([&] { return shows(panel, "A, C"); }));
   service.set_way(FakeService::Way::silent);
   EXPECT_TRUE(eventually([&] { return panel.summary().contains("silent"); }));
