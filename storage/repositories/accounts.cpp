@@ -55,16 +55,13 @@ std::string secret(Transaction& transaction, std::string_view plain, const Passw
   return hashed;
 }
 
-enum class AccountKind : bool { personal, guest };
-
-std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserId actor, const NewAccount& a,
-                              AccountKind kind = AccountKind::personal) {
+std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserId actor, const NewAccount& a) {
   const UserId id = UserId::make();
   transaction.run(
       "INSERT INTO people (id, number, name, role, password, pin, guest, created_at) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, 0, ?7)",
       id, a.number, a.name, key_of(a.role), secret(transaction, a.password, c.cost), secret(transaction, a.pin, c.cost),
-      kind == AccountKind::guest, c.clock());
+      c.clock());
   log_account(c, transaction, actor, "account_created", id);
   return transaction.first(std::string(kColumns) + "WHERE id = ?1", account_of, id);
 }
@@ -131,20 +128,6 @@ Stored<Account> Accounts::demo_student() {
   auto made =
       transaction.ok() ? insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}) : std::nullopt;
   return committed(c_, transaction, std::move(made));
-}
-
-Stored<Account> Accounts::guest() {
-  const std::string query = std::string(kColumns) + "WHERE guest = 1";
-  const auto there = c_.db.first(query, account_of);
-  if (!there) return std::unexpected(there.error());
-  if (*there) return **there;
-  Transaction transaction(c_.db);
-  auto account = transaction.first(query, account_of);
-  // Nobody can type this number at sign-in: it holds a line break.
-  if (!account && transaction.ok()) {
-    account = insert(c_, transaction, UserId{}, {.number = "\nguest", .name = "guest"}, AccountKind::guest);
-  }
-  return committed(c_, transaction, std::move(account));
 }
 
 Stored<Account> Accounts::create(const Actor& actor, const NewAccount& account) {

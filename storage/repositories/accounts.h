@@ -18,7 +18,7 @@ struct Account {
   std::string name{};
   Role role = Role::student;
   bool disabled = false;
-  bool guest = false;  // "Try it": not in lists, histories or figures
+  bool guest = false;  // of an older program: not in lists, histories or figures
   bool has_password = false;
   bool has_pin = false;
   std::int64_t created_utc_us = 0;
@@ -46,8 +46,6 @@ class Accounts {
   /// The student "demo", without password, for `play` in a database without accounts. Made at first use.
   /// not_allowed if the database has other accounts and no "demo".
   Stored<Account> demo_student();
-  /// The account behind "Try it". Made at first use.
-  Stored<Account> guest();
 
   /// These need manage_accounts. duplicate (where = number), weak_password, bad_value, last_administrator.
   Stored<Account> create(const Actor& actor, const NewAccount& account);

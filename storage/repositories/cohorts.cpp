@@ -52,9 +52,4 @@ Stored<std::vector<UserId>> Cohorts::students(CohortId cohort) {
       "SELECT student FROM cohort_students WHERE cohort = ?1", [](Row row) { return row.id<UserId>(0); }, cohort);
 }
 
-Stored<std::vector<CohortId>> Cohorts::cohorts_of(UserId student) {
-  return c_.db.all(
-      "SELECT cohort FROM cohort_students WHERE student = ?1", [](Row row) { return row.id<CohortId>(0); }, student);
-}
-
 }  // namespace cusp::storage

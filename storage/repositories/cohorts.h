@@ -25,7 +25,6 @@ class Cohorts {
 
   Stored<std::vector<Cohort>> list();  // by name
   Stored<std::vector<UserId>> students(CohortId cohort);
-  Stored<std::vector<CohortId>> cohorts_of(UserId student);
 
  private:
   StorageContext& c_;

@@ -118,7 +118,7 @@ TEST_F(HistoryTest, sessions_of_one_moment_keep_their_order) {
 }
 
 TEST_F(HistoryTest, guests_and_try_outs_are_in_no_list_but_show_their_own_details) {
-  const Account guest = must(store->accounts.guest());
+  const Account guest = make_guest(*store);
   const SessionId tried = complete_session(*store, guest, version);
   NewSession out = new_session(Account{.id = instructor.id}, version);
   out.kind = SessionKind::try_out;

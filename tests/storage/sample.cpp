@@ -40,6 +40,14 @@ Account make_student(Store& store, const std::string& number, const std::string&
   return must(
       store.accounts.create(program, {.number = number, .name = name, .password = "battery staple", .pin = "314159"}));
 }
+Account make_guest(Store& store) {
+  const UserId id = UserId::make();
+  must(store.database().run(
+      "INSERT INTO people (id, number, name, role, password, pin, guest, created_at) "
+      "VALUES (?1, '\nguest', 'guest', 'student', '', '', 1, ?2)",
+      id, kNow));
+  return must(store.accounts.find(id));
+}
 Account make_instructor(Store& store, const std::string& number) {
   const Actor program{UserId{}, Role::administrator};
   return must(store.accounts.create(

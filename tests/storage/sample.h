@@ -34,6 +34,8 @@ std::unique_ptr<Store> open(const std::filesystem::path& file, const StoreOption
 
 Account make_administrator(Store& store);
 Account make_student(Store& store, const std::string& number = "20267314", const std::string& name = "Lena Brandt");
+/// A guest's account, which older programs may have made.
+Account make_guest(Store& store);
 Account make_instructor(Store& store, const std::string& number = "okafor");
 
 Scenario small_scenario();

@@ -28,7 +28,7 @@ struct SessionPlan {
   Scenario scenario;
   std::filesystem::path scenario_folder;     // where a volume named by the scenario lies; empty for generators
   std::filesystem::path database;            // empty: nothing is kept (an editor's try-out, a trial without an account)
-  Actor student;                             // who drills; Accounts::guest() for "Try it"
+  Actor student;                             // who drills; not read if nothing is kept
   VersionId version;                         // published version; nil: the scenario's own, published at need
   SessionKind kind = SessionKind::practice;  // try_it and try_out stay out of histories and figures
   std::optional<AssignmentId> assignment;
