@@ -208,11 +208,6 @@ const CatalogueBur* catalogue_bur(std::string_view number) {
   return nullptr;
 }
 
-const CatalogueBur* catalogue_entry_of(const Bur& bur) {
-  const CatalogueBur* one = catalogue_bur(bur.name);
-  return one != nullptr && one->bur == bur ? one : nullptr;
-}
-
 std::string_view shape_of(const Bur& bur) {
   if (bur.head.ball()) return "round";
   const CatalogueBur* one = catalogue_bur(bur.name);

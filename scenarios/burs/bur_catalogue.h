@@ -48,9 +48,6 @@ const std::vector<CatalogueBur>& bur_catalogue();
 /// By number, its other one too; nullptr when there is none.
 const CatalogueBur* catalogue_bur(std::string_view number);
 
-/// The entry that this bur was taken from, figure by figure; nullptr for one of an author's own.
-const CatalogueBur* catalogue_entry_of(const Bur& bur);
-
 /// Key of its shape: the catalogue's for a head from there, "round" for a ball of any size, else "other".
 std::string_view shape_of(const Bur& bur);
 

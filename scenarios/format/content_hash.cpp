@@ -1,12 +1,9 @@
 #include "scenarios/format/content_hash.h"
 
 #include <cassert>
-#include <fstream>
-#include <iterator>
 
 #include <sodium.h>
 
-#include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 
 namespace cusp::scenarios {
@@ -40,22 +37,6 @@ ContentHash content_hash(const Scenario& scenario, const std::map<std::string, s
   std::string lines;
   for (const auto& [path, hash] : files) lines += hash.hex() + "  " + path + "\n";
   return hash_of_bytes(std::as_bytes(std::span(lines)));
-}
-
-Result<ContentHash, FormatFailure> content_hash_of_folder(const std::filesystem::path& folder) {
-  const auto scenario = read_scenario_file(folder);
-  if (!scenario) return std::unexpected(scenario.error());
-  std::map<std::string, std::vector<std::byte>> beside;
-  if (const std::string& name = scenario->specimen.volume; !name.empty()) {
-    const std::filesystem::path path = folder / name;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return fail(FormatError::unreadable, path.string());
-    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (file.bad()) return fail(FormatError::unreadable, path.string());
-    const auto view = std::as_bytes(std::span(bytes));
-    beside[name].assign(view.begin(), view.end());
-  }
-  return content_hash(*scenario, beside);
 }
 
 }  // namespace cusp::scenarios

@@ -5,14 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/base/result.h"
-#include "scenarios/format/format_error.h"
 #include "scenarios/format/scenario.h"
 
 namespace cusp::scenarios {
@@ -28,8 +25,5 @@ ContentHash hash_of_bytes(std::span<const std::byte> bytes) noexcept;
 
 /// `beside`: the other files of the scenario by relative path with '/' (a volume); usually none.
 ContentHash content_hash(const Scenario& scenario, const std::map<std::string, std::vector<std::byte>>& beside = {});
-
-/// Reads scenario.json in `folder` and the volume that it names.
-Result<ContentHash, FormatFailure> content_hash_of_folder(const std::filesystem::path& folder);
 
 }  // namespace cusp::scenarios

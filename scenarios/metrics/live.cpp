@@ -13,11 +13,7 @@ void LiveMetrics::reset() {
   reading_.target_measured = reference_->target_mm3() > 0.0;
 }
 
-void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> changed, const StepOutput& output,
-                         const Bur& bur) {
-  const TargetShape& shape = reference_->shape();
-  reading_.over_target = !shape.empty() && shape.outline_mm({output.proxy_mm.x, output.proxy_mm.y}) < 0.0;
-  reading_.depth_under_bur_mm = shape.top_mm() - (output.proxy_mm.z - bur.radius_mm);
+void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> changed) {
   if (changed.empty()) return;
 
   // A brick's cells read its 26 neighbours.

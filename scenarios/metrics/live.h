@@ -10,7 +10,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/step/step.h"
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/modules.h"
 
@@ -22,8 +21,6 @@ struct LiveReading {
   bool target_measured = false;                 // false: the target holds no tissue
   std::array<double, kPlaces> overcut_mm3{};    // by Place; [target] is what was rightly removed
   std::array<double, kTissueCodes> removed_mm3{};
-  double depth_under_bur_mm = 0;               // of the bur's lowest point below the reference plane; negative above
-  bool over_target = false;                     // the bur's centre is within the outline
   std::optional<double> remaining_over_pulp_mm; // least so far; none: no pulp, or nothing cut
 };
 
@@ -31,8 +28,7 @@ class LiveMetrics {
  public:
   explicit LiveMetrics(std::shared_ptr<const Reference> reference);
   /// `changed`: bricks whose cut field changed since the last call (StateNews::changed_bricks).
-  void update(const Volume& volume, std::span<const std::int32_t> changed, const StepOutput& output,
-              const Bur& bur);
+  void update(const Volume& volume, std::span<const std::int32_t> changed);
   const LiveReading& reading() const noexcept { return reading_; }
   /// Forgets everything, for another volume or a jump in a replay; the next update lists every cut brick.
   void reset();

@@ -19,7 +19,6 @@ class Process {
   void add(const StepOutput& output) noexcept;
 
   double time_s() const noexcept { return static_cast<double>(elapsed_us_) * 1e-6; }
-  double contact_s() const noexcept { return static_cast<double>(contact_us_) * 1e-6; }
   double cutting_s() const noexcept { return static_cast<double>(cutting_us_) * 1e-6; }
   bool touched() const noexcept { return contact_us_ > 0; }
   double force_peak_n() const noexcept { return peak_n_; }

@@ -49,7 +49,6 @@ class ScriptedOperator {
   Vec3 start_mm() const noexcept { return plan_.start_mm; }
   const Plan& plan() const noexcept { return plan_; }
   std::size_t strokes_skipped() const noexcept { return skipped_; }
-  std::size_t strokes_done() const noexcept { return stroke_; }
   double clock_s() const noexcept { return clock_s_; }
 
  private:

@@ -36,9 +36,6 @@ inline double box_distance(Vec3 p, Vec3 centre, Vec3 half_size) noexcept {
   return glm::length(glm::max(q, Vec3(0.0))) + std::min(std::max(q.x, std::max(q.y, q.z)), 0.0);
 }
 
-/// Union: exact outside; inside a lower bound of the depth.
-inline double unite(double a, double b) noexcept { return std::min(a, b); }
-
 /// Intersection of two half spaces at a right angle whose edge is rounded with `radius`: u and v are the distances from
 /// the two. Exact outside and near the surface; inside a lower bound of the depth.
 inline double rounded_corner(double u, double v, double radius) noexcept {

@@ -79,8 +79,8 @@ std::vector<Tissue> tissues_of(const SpecimenSource& source) {
   return {out.begin(), out.end()};
 }
 
-Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source, ToothCancel cancel) {
-  if (source.generator != "tooth" || !asks_for(source, "jaw")) return std::vector<Jaw::Standing>{};
+Result<std::vector<JawSurface>, ImportFailure> make_scenery(const SpecimenSource& source, ToothCancel cancel) {
+  if (source.generator != "tooth" || !asks_for(source, "jaw")) return std::vector<JawSurface>{};
   auto rest = rest_of_jaw(tooth_request(source), kSceneryStepMm, cancel);
   if (!rest) return std::unexpected(refused(rest.error()));
   return std::move(*rest);

@@ -29,7 +29,7 @@ namespace cusp::scenarios {
 
 /// The rest of the jaw of a source that asks for it, as scenery: no voxels. Empty for any other source. Seconds; not for
 /// the haptic thread. Cancelled as above.
-[[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source,
-                                                                             ToothCancel cancel = nullptr);
+[[nodiscard]] Result<std::vector<JawSurface>, ImportFailure> make_scenery(const SpecimenSource& source,
+                                                                          ToothCancel cancel = nullptr);
 
 }  // namespace cusp::scenarios

@@ -183,8 +183,8 @@ SceneryMesh gums_of(const ToothRequest& request, const Row& row, const std::vect
   return out;
 }
 
-Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& request, const Row& row, double step_mm,
-                                                         ToothCancel cancel) {
+Result<std::vector<JawSurface>, ToothFailure> rest_of(const ToothRequest& request, const Row& row, double step_mm,
+                                                      ToothCancel cancel) {
   const int fdi = row.teeth.front().fdi;
   std::vector<int> fdis;
   std::vector<const Standing*> begins;  // for each of them the neighbour that its chain begins at
@@ -225,13 +225,13 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
     gums = gums_of(request, row, bodies, meshes);
     if (row.mirrored) mirror(*gums);
   }
-  std::vector<Jaw::Standing> out;
+  std::vector<JawSurface> out;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (row.mirrored) mirror(meshes[i]);
     out.push_back({row.turned(rest[i].fdi), std::move(meshes[i])});
   }
   // From the patient's right to the left.
-  std::ranges::sort(out, {}, [](const Jaw::Standing& s) {
+  std::ranges::sort(out, {}, [](const JawSurface& s) {
     const int quadrant = s.fdi / 10, number = s.fdi % 10;
     return quadrant == 1 || quadrant == 4 ? -number : number;
   });
@@ -249,23 +249,8 @@ Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel 
   return grown(request, *row, cancel, progress);
 }
 
-Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm, ToothCancel cancel,
-                                   const ToothProgress& progress) {
-  ToothRequest near = request;
-  near.neighbours = true;
-  auto row = stand(near, cancel);
-  if (!row) return std::unexpected(row.error());
-  if (progress) progress(kShapeShare);
-  auto tooth = grown(near, *row, cancel, progress);
-  if (!tooth) return std::unexpected(tooth.error());
-  auto rest = rest_of(request, *row, scenery_step_mm, cancel);
-  if (!rest) return std::unexpected(rest.error());
-  if (progress) progress(1.0);
-  return Jaw{std::move(*tooth), std::move(*rest)};
-}
-
-Result<std::vector<Jaw::Standing>, ToothFailure> rest_of_jaw(const ToothRequest& request, double scenery_step_mm,
-                                                             ToothCancel cancel) {
+Result<std::vector<JawSurface>, ToothFailure> rest_of_jaw(const ToothRequest& request, double scenery_step_mm,
+                                                          ToothCancel cancel) {
   ToothRequest near = request;
   near.neighbours = true;
   auto row = stand(near, cancel);
@@ -288,12 +273,6 @@ Result<ToothLandmarks, ToothFailure> tooth_landmarks(const ToothRequest& request
   if (!choice) return std::unexpected(choice.error());
   ToothLandmarks landmarks = find_landmarks(ToothShape(*choice->table, request.seed, request.voxel_mm));
   return choice->mirrored ? mirrored(std::move(landmarks)) : landmarks;
-}
-
-Result<ToothDims, ToothFailure> average_dims(int fdi) {
-  const auto choice = table_for(fdi);
-  if (!choice) return std::unexpected(choice.error());
-  return choice->table->dims;
 }
 
 }  // namespace cusp::scenarios

@@ -63,25 +63,18 @@ struct Tooth {
 [[nodiscard]] Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,
                                                      const ToothProgress& progress = {});
 
-/// A whole jaw about a tooth that can be drilled. What the bur can reach (the tooth, its neighbours, gingiva and bone
-/// about them where the request asks) is voxels; the other teeth, and the gums about those, are scenery.
-struct Jaw {
-  Tooth tooth;
-  struct Standing {
-    int fdi = 0;       // 0: the gums
-    SceneryMesh mesh;  // in the tooth's frame
-  };
-  std::vector<Standing> scenery;  // from the patient's right to the left; gums last
+/// A tooth, or the gums, of a jaw beyond the reach of the bur.
+struct JawSurface {
+  int fdi = 0;       // 0: the gums
+  SceneryMesh mesh;  // in the tooth's frame
 };
 inline constexpr double kSceneryStepMm = 0.3;  // fine enough behind the bur [M]
-/// As grow_tooth with neighbours; scenery of about `scenery_step_mm`. Pre: 0.1 <= scenery_step_mm <= 1.
-[[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = kSceneryStepMm,
-                                                 ToothCancel cancel = nullptr, const ToothProgress& progress = {});
 
-/// The scenery of grow_jaw alone.
-[[nodiscard]] Result<std::vector<Jaw::Standing>, ToothFailure> rest_of_jaw(const ToothRequest& request,
-                                                                           double scenery_step_mm = kSceneryStepMm,
-                                                                           ToothCancel cancel = nullptr);
+/// The jaw about a tooth and its neighbours as scenery of about `scenery_step_mm`: the other teeth, and the gums about
+/// those if the request asks for gums. From the patient's right to the left; gums last. Pre: 0.1 <= scenery_step_mm <= 1.
+[[nodiscard]] Result<std::vector<JawSurface>, ToothFailure> rest_of_jaw(const ToothRequest& request,
+                                                                        double scenery_step_mm = kSceneryStepMm,
+                                                                        ToothCancel cancel = nullptr);
 
 /// grow_tooth for callers that need the voxels alone.
 [[nodiscard]] Result<VoxelVolume, ToothFailure> make_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,
@@ -89,8 +82,5 @@ inline constexpr double kSceneryStepMm = 0.3;  // fine enough behind the bur [M]
 
 /// The landmarks alone, without growing voxels (about a tenth of the time). Those of grow_tooth for the same request.
 [[nodiscard]] Result<ToothLandmarks, ToothFailure> tooth_landmarks(const ToothRequest& request);
-
-/// The average of the tables for this tooth (teeth.json, dims): what dims are fitted to at seed 0.
-[[nodiscard]] Result<ToothDims, ToothFailure> average_dims(int fdi);
 
 }  // namespace cusp::scenarios

@@ -99,7 +99,7 @@ std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, Toot
   auto standing = make_scenery(source, cancel);
   if (!standing || standing->empty()) return nullptr;
   std::vector<SceneryMesh> meshes;
-  for (Jaw::Standing& one : *standing) meshes.push_back(std::move(one.mesh));
+  for (JawSurface& one : *standing) meshes.push_back(std::move(one.mesh));
   kept = std::make_shared<const SceneryLook>(std::move(meshes));
   last = source;
   return kept;

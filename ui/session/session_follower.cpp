@@ -107,7 +107,7 @@ void SessionFollower::update_scores(const StepState& state) {
     for (std::size_t t = 0; t < kTissueCodes; ++t) gone_total_[t] += gone[t] - before[t];
     before = gone;
   }
-  live_.update(volume, changed_, state.last(), state.scene().burs[state.last().bur]);
+  live_.update(volume, changed_);
 }
 
 std::vector<RemovedTissue> SessionFollower::removed() const {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <set>
 
@@ -74,22 +72,6 @@ TEST(CanonicalJson, OfCanonicalJsonIsItself) {
     ASSERT_EQ(*canonical_json(once), once);
     ASSERT_EQ(*canonical_json(write_scenario(scenario)), once);  // layout does not matter
   }
-}
-
-TEST(ContentHash, OfAFolderTakesTheVolumeItNames) {
-  const auto folder = std::filesystem::temp_directory_path() / ("cusp-hash-" + std::to_string(std::random_device{}()));
-  std::filesystem::create_directories(folder);
-  Scenario scenario = sound_scenario();
-  scenario.specimen.generator.clear();
-  scenario.specimen.volume = "block.nrrd";
-  std::ofstream(folder / "scenario.json") << write_scenario(scenario);
-  EXPECT_EQ(content_hash_of_folder(folder).error().code, FormatError::unreadable);
-  EXPECT_EQ(content_hash_of_folder(folder).error().where, (folder / "block.nrrd").string());
-  std::ofstream(folder / "block.nrrd") << "voxels";
-  EXPECT_EQ(*content_hash_of_folder(folder), content_hash(scenario, {{"block.nrrd", bytes_of("voxels")}}));
-  std::ofstream(folder / "notes.txt") << "not part of it";
-  EXPECT_EQ(*content_hash_of_folder(folder), content_hash(scenario, {{"block.nrrd", bytes_of("voxels")}}));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

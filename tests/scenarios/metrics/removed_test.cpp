@@ -68,7 +68,7 @@ TEST_P(EveryReading, tissue_by_tissue_the_metrics_equal_what_the_volume_lost) {
   ASSERT_GT(lost.mm3[index_of(Tissue::enamel)], 0.05);
   ASSERT_GT(lost.mm3[index_of(Tissue::dentine)], 0.05);
   ASSERT_GT(lost.mm3[index_of(Tissue::pulp)], 0.01);
-  live.update(volume, volume.cut_bricks(), state.last(), bur);
+  live.update(volume, volume.cut_bricks());
   const std::vector<Measure> measures = measure(*reference, volume, Process());
   double whole = 0.0;
   for (const Tissue tissue : {Tissue::enamel, Tissue::dentine, Tissue::pulp}) {

@@ -186,7 +186,7 @@ Picture view_of_jaw(const Jaw& jaw, double px_per_mm) {
   const Vec3 right(1, 0, 0), up(0, 1, 0), into(0, 0, -1);
   const Grid& g = jaw.tooth.volume.grid;
   Vec3 low = g.origin_mm, high = g.centre_mm(g.size - 1);
-  for (const Jaw::Standing& s : jaw.scenery) {
+  for (const JawSurface& s : jaw.scenery) {
     for (const glm::vec3& p : s.mesh.points_mm) {
       low = glm::min(low, Vec3(p));
       high = glm::max(high, Vec3(p));
@@ -197,7 +197,7 @@ Picture view_of_jaw(const Jaw& jaw, double px_per_mm) {
   const int w = static_cast<int>((high.x - low.x) * px_per_mm), h = static_cast<int>((high.y - low.y) * px_per_mm);
   Picture out(w, h);
   std::vector<double> depth(static_cast<std::size_t>(w * h), -1e9);
-  for (const Jaw::Standing& s : jaw.scenery) {
+  for (const JawSurface& s : jaw.scenery) {
     for (std::size_t k = 0; k < s.mesh.triangles.size(); k += 3) {
       Vec3 p[3], n[3];
       for (std::size_t i = 0; i < 3; ++i) {

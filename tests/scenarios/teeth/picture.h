@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
-#include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
+#include "tests/scenarios/teeth/jaw.h"
 
 namespace cusp::test {
 

@@ -10,6 +10,7 @@
 #include "scenarios/teeth/tooth.h"
 #include "scenarios/teeth/variety.h"
 #include "tests/modules.h"
+#include "tests/scenarios/teeth/jaw.h"
 #include "tests/scenarios/teeth/measure.h"
 
 namespace cusp::test {
@@ -266,13 +267,13 @@ TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxelsAndGumsInOnePiece) {
   ASSERT_TRUE(jaw.has_value());
   std::set<int> all = {request.fdi};
   for (const Neighbour& n : jaw->tooth.neighbours) all.insert(n.fdi);
-  for (const Jaw::Standing& s : jaw->scenery) all.insert(s.fdi);
+  for (const JawSurface& s : jaw->scenery) all.insert(s.fdi);
   EXPECT_EQ(all.size(), 17u);
   EXPECT_EQ(*all.begin(), 0);  // the gums
   EXPECT_EQ(*all.rbegin(), 48);
   ASSERT_EQ(jaw->scenery.size(), 14u);
   EXPECT_EQ(jaw->scenery.back().fdi, 0);
-  for (const Jaw::Standing& s : jaw->scenery) {
+  for (const JawSurface& s : jaw->scenery) {
     ASSERT_GT(s.mesh.points_mm.size(), 300u) << s.fdi;
     EXPECT_EQ(s.mesh.triangles.size() % 3, 0u);
     EXPECT_EQ(s.mesh.ambient.size(), s.mesh.points_mm.size());
@@ -375,7 +376,7 @@ TEST(Jaw, IsAsWideAsJawsAre) {
   const auto widths = [](int fdi) {
     const auto rest = rest_of_jaw({fdi, 0, 0.4}, 0.8);
     std::map<int, Vec3> tops;
-    for (const Jaw::Standing& s : *rest) {
+    for (const JawSurface& s : *rest) {
       Vec3 sum(0.0);
       double count = 0.0;
       for (const glm::vec3& p : s.mesh.points_mm) {

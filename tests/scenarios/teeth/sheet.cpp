@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "scenarios/teeth/tables.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
+#include "tests/scenarios/teeth/jaw.h"
 #include "tests/scenarios/teeth/picture.h"
 
 using namespace cusp;
@@ -103,7 +105,7 @@ int draw_sheet(const std::string& dir, ToothRequest request, const std::vector<i
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const VoxelVolume& v = tooth->volume;
-    const ToothDims &d = tooth->landmarks.dims, a = *average_dims(request.fdi);
+    const ToothDims &d = tooth->landmarks.dims, a = table_for(request.fdi)->table->dims;
     std::printf("%d  %.2f s  crown %.2f/%.2f root %.2f/%.2f md %.2f/%.2f neck %.2f/%.2f bl %.2f/%.2f neck %.2f/%.2f\n",
                 request.fdi, seconds, d.crown_length, a.crown_length, d.root_length, a.root_length, d.mesiodistal,
                 a.mesiodistal, d.mesiodistal_neck, a.mesiodistal_neck, d.buccolingual, a.buccolingual,

@@ -16,6 +16,7 @@
 #include "scenarios/teeth/tables.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
+#include "tests/scenarios/teeth/jaw.h"
 #include "tests/scenarios/teeth/measure.h"
 
 using namespace cusp;
@@ -36,7 +37,7 @@ int measure_jaw(const ToothRequest& request) {
   auto jaw = grow_jaw(request);
   if (!jaw) return 1;
   std::size_t meshes = 0;
-  for (const Jaw::Standing& s : jaw->scenery) meshes += s.mesh.bytes();
+  for (const JawSurface& s : jaw->scenery) meshes += s.mesh.bytes();
   const auto specimen = Specimen::build(jaw->tooth.volume, Reading::banded);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::ifstream status("/proc/self/status");

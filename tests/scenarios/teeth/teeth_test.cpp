@@ -56,9 +56,9 @@ TEST(Teeth, TurnTheirMesialSideAsTheQuadrantAsks) {
 TEST(FirstMolar, HasTheLengthsOfTheTable) {
   // dental.md 3.1: 7.5, 14, 11, 10.5, necks 9 and 9. Measured on the voxels: within 0.4 %; 2 % is promised.
   const ToothDims d = measured_dims(first_molar().volume, 1.0, 0.0);
-  expect_dims(d, *average_dims(36), 0.01);
-  EXPECT_DOUBLE_EQ(average_dims(36)->mesiodistal, 11.0);
-  EXPECT_DOUBLE_EQ(average_dims(36)->crown_length, 7.5);
+  expect_dims(d, table_for(36)->table->dims, 0.01);
+  EXPECT_DOUBLE_EQ(table_for(36)->table->dims.mesiodistal, 11.0);
+  EXPECT_DOUBLE_EQ(table_for(36)->table->dims.crown_length, 7.5);
 }
 
 TEST(FirstMolar, HasFiveCuspsAtTheHeightsOfTheTable) {
@@ -302,7 +302,7 @@ TEST(Mirror, GivesTheOtherSideBitForBit) {
 }
 
 TEST(Seed, ChangesTheToothWithinTheSpread) {
-  const ToothDims mean = *average_dims(36);
+  const ToothDims mean = table_for(36)->table->dims;
   double before = 0.0;
   for (const std::uint64_t seed : {1ull, 2ull, 3ull}) {
     const Tooth& t = tooth(36, 0.2, seed);
@@ -342,7 +342,7 @@ TEST(Refused, IsANumberThatNamesNoTooth) {
     ASSERT_FALSE(made.has_value()) << fdi;
     EXPECT_EQ(made.error().code, ToothError::unknown_fdi);
     EXPECT_EQ(made.error().where, std::to_string(fdi));
-    EXPECT_FALSE(average_dims(fdi).has_value());
+    EXPECT_FALSE(table_for(fdi).has_value());
     EXPECT_FALSE(tooth_landmarks({fdi, 0, 0.2}).has_value());
   }
 }
