@@ -6,16 +6,10 @@
 #include <cmath>
 
 #include "scenarios/import/limits.h"
+#include "scenarios/shapes/distance.h"
 
 namespace cusp::scenarios {
 namespace {
-
-/// Signed distance of a box that spans +-half about the middle.
-double box_distance_mm(Vec3 at_mm, Vec3 middle_mm, Vec3 half_mm) noexcept {
-  const Vec3 q = glm::abs(at_mm - middle_mm) - half_mm;
-  const Vec3 out = glm::max(q, Vec3(0.0));
-  return std::sqrt(glm::dot(out, out)) + std::min(std::max({q.x, q.y, q.z}), 0.0);
-}
 
 /// A box whose top face lies at z = 0 in the middle of x and y; tissue_at(depth below the top face, mm).
 template <class TissueAt>
@@ -39,7 +33,7 @@ VoxelVolume block(Vec3 size_mm, double voxel_mm, TissueAt tissue_at) {
     const Tissue tissue = tissue_at(depth_mm);
     for (int y = 0; y < grid.size.y; ++y)
       for (int x = 0; x < grid.size.x; ++x, ++i) {
-        const double d = box_distance_mm(grid.centre_mm({x, y, z}), middle, half) / voxel_mm;
+        const double d = box_distance(grid.centre_mm({x, y, z}), middle, half) / voxel_mm;
         out.s[i] = solid_from_distance(d);
         if (out.s[i] > 0) out.tissue[i] = tissue;
       }
