@@ -52,7 +52,8 @@ struct Model {
 /// One to three passes over the voxels.
 [[nodiscard]] VoxelVolume prepared(VoxelVolume volume, const Model& model);
 
-/// A cropped specimen keeps this much beyond target, leeway and the largest bur's radius: the reach of a mistake [M]. mm.
+/// A cropped specimen keeps this much beyond target, tolerance zone and the largest bur's radius, mm: the reach of a
+/// mistake [M].
 inline constexpr double kReachMm = 1.5;
 
 }  // namespace cusp::scenarios

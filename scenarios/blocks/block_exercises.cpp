@@ -26,17 +26,17 @@ constexpr double kRingRadiusMm = 2.4;  // of the middle line
 constexpr int kRingSides = 32;
 
 /// Over-cut bounds, mm of depth: times the floor's area, or the wall's, in mm² they are mm³ [M].
-constexpr Upper kLeewayFloorMm{0.086, 0.215, 0.43};
-constexpr Upper kLeewaySideMm{0.073, 0.18, 0.35};
+constexpr Upper kToleratedFloorMm{0.086, 0.215, 0.43};
+constexpr Upper kToleratedSideMm{0.073, 0.18, 0.35};
 constexpr Upper kBeyondFloorMm{0.0086, 0.086, 0.34};
 constexpr Upper kBeyondSideMm{0.009, 0.06, 0.18};
 
 struct LevelTable {
-  double leeway_mm;
+  double tolerated_mm;
   double share;  // of the over-cut bounds of level 1
   Bands removed, depth_mean, depth_most;
-  const char* leeway_en;
-  const char* leeway_de;
+  const char* tolerated_en;
+  const char* tolerated_de;
 };
 constexpr LevelTable kLevels[] = {
     {0.5, 1.0, {80, 90, 97, 100, 100, 100}, {1.3, 1.7, 1.85, 2.15, 2.35, 2.8}, {0, 0, 0, 2.25, 2.5, 3},
@@ -170,8 +170,8 @@ Rubric rubric_of(BlockShape shape, const LevelTable& level, const Areas& areas) 
   out.criteria = {{"target_removed", 35, removed_bands(shape, level.removed)},
                   {"depth_mean", 15, level.depth_mean},
                   {"depth_most", 10, level.depth_most},
-                  {"overcut_leeway_floor", 10, scaled_bands(kLeewayFloorMm, level.share * areas.floor)},
-                  {"overcut_leeway_side", 10, scaled_bands(kLeewaySideMm, level.share * areas.wall)},
+                  {"overcut_leeway_floor", 10, scaled_bands(kToleratedFloorMm, level.share * areas.floor)},
+                  {"overcut_leeway_side", 10, scaled_bands(kToleratedSideMm, level.share * areas.wall)},
                   {"overcut_beyond_floor", 10, scaled_bands(kBeyondFloorMm, level.share * areas.floor)},
                   {"overcut_beyond_side", 10, scaled_bands(kBeyondSideMm, level.share * areas.wall)}};
   return out;
@@ -184,8 +184,8 @@ void set_first_channel_bounds(Rubric& rubric) {
 }
 
 LocalText briefing_of(const ShapeTable& shape, const LevelTable& level, BlockLevel which) {
-  std::string en = std::string(shape.task_en) + " " + level.leeway_en + " round it is tolerated; anything beyond is over-cut.";
-  std::string de = std::string(shape.task_de) + " " + level.leeway_de + " ringsum wird geduldet; darüber hinaus ist zu weit geschliffen.";
+  std::string en = std::string(shape.task_en) + " " + level.tolerated_en + " round it is tolerated; anything beyond is over-cut.";
+  std::string de = std::string(shape.task_de) + " " + level.tolerated_de + " ringsum wird geduldet; darüber hinaus ist zu weit geschliffen.";
   if (which == BlockLevel::third) {
     en += " The block is of two materials: a hard layer of 1.0 mm and a softer one below it. Push less when you feel the bur "
           "break through.";
@@ -224,7 +224,7 @@ Scenario block_exercise(BlockShape shape, BlockLevel level) {
   out.tissues.push_back({Tissue::plastic, 2.0, 3.0});
   out.instruments = burs_of(shape);
   out.target = target_of(shape);
-  out.leeway = {of_level.leeway_mm, of_level.leeway_mm};
+  out.leeway = {of_level.tolerated_mm, of_level.tolerated_mm};
   out.rubric = rubric_of(shape, of_level, areas_of(shape, out.target.width_mm));
   if (shape == BlockShape::channel && level == BlockLevel::first) set_first_channel_bounds(out.rubric);
   return out;

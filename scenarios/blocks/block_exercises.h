@@ -19,7 +19,7 @@ enum class BlockShape : std::uint8_t {
   ring,     // a channel about an island
 };
 
-/// 1: leeway 0.5 mm; 2: 0.3 mm; 3: 0.2 mm, in a block of two materials.
+/// 1: tolerance zone 0.5 mm; 2: 0.3 mm; 3: 0.2 mm, in a block of two materials.
 enum class BlockLevel : std::uint8_t { first, second, third };
 
 struct BlockExercise {

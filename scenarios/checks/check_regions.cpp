@@ -4,7 +4,7 @@
 
 #include "scenarios/checks/checks.h"
 #include "scenarios/format/keys.h"
-#include "scenarios/shapes/leeway.h"
+#include "scenarios/shapes/place.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -16,10 +16,10 @@ struct Reached {
   double target_mm3 = 0;  // of the tissue within the target
   double deepest_mm = 0;  // of it, below the target's surface
   double nearest_mm = 1e9;
-  bool in_leeway = false;
+  bool in_zone = false;
 };
 
-/// What of each tissue lies in the target and its leeway, by voxels' centres.
+/// What of each tissue lies in the target and its tolerance zone, by voxels' centres.
 std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Specimen& specimen) {
   std::array<Reached, kTissueCodes> out;
   const TargetShape shape(scenario.target);
@@ -46,7 +46,7 @@ std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Spe
           here.deepest_mm = std::max(here.deepest_mm, -v);
         } else {
           const Place place = place_of(u, v, shape.corner_mm(), scenario.leeway);
-          here.in_leeway = here.in_leeway || place == Place::leeway_floor || place == Place::leeway_side;
+          here.in_zone = here.in_zone || place == Place::tolerated_floor || place == Place::tolerated_side;
         }
       }
     }
@@ -65,7 +65,7 @@ void check_pulp(const Scenario& scenario, const Reached& pulp, std::vector<Findi
     return;
   }
   if (!rule) out.push_back({Severity::warning, "/rubric/critical", "pulp_rule_off", {}, {}});
-  if (pulp.in_leeway)
+  if (pulp.in_zone)
     out.push_back({Severity::warning, "/leeway/floor_mm", "leeway_opens_pulp", {{"value", pulp.nearest_mm}}, {}});
 }
 
@@ -85,7 +85,7 @@ std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& spe
     const std::string path = "/protected/" + std::to_string(i), key(key_of_scenario_tissue(tissue));
     if (here.target_mm3 > 0.0)
       out.push_back({Severity::error, path, "target_cuts_protected", {{"value", here.target_mm3}}, key});
-    else if (here.in_leeway)
+    else if (here.in_zone)
       out.push_back({Severity::warning, path, "leeway_cuts_protected", {{"value", here.nearest_mm}}, key});
   }
   return out;

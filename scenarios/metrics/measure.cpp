@@ -62,8 +62,8 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
     const double share = std::clamp(sum.removed_mm3[kTarget] / whole, 0.0, 1.0);
     out.push_back(measured("target_removed", 100.0 * share, 100.0 * sigma / whole, "%", worst));
   }
-  constexpr std::array<std::pair<Place, const char*>, 4> kOver = {{{Place::leeway_floor, "overcut_leeway_floor"},
-                                                                  {Place::leeway_side, "overcut_leeway_side"},
+  constexpr std::array<std::pair<Place, const char*>, 4> kOver = {{{Place::tolerated_floor, "overcut_leeway_floor"},
+                                                                  {Place::tolerated_side, "overcut_leeway_side"},
                                                                   {Place::beyond_floor, "overcut_beyond_floor"},
                                                                   {Place::beyond_side, "overcut_beyond_side"}}};
   for (const auto& [place, key] : kOver) {

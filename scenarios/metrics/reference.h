@@ -1,4 +1,4 @@
-/// What a final volume is measured against: target, leeway, the target's own volume in the untouched specimen, and the
+/// What a final volume is measured against: target, tolerance zone, the target's own volume in the untouched specimen, and the
 /// pulp. Built once an exercise, shared by the live scores and the final measures. Immutable; any thread.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "engine/volume/specimen.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/modules.h"
-#include "scenarios/shapes/leeway.h"
+#include "scenarios/shapes/place.h"
 
 namespace cusp::scenarios {
 

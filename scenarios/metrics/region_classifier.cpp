@@ -160,8 +160,8 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
       [&](const Tetrahedron& outside) {
         divide(
             outside, [](const Corner& c) { return c.u - c.v; },
-            [&](const Tetrahedron& x) { split(x, leeway_.floor_mm, Place::leeway_floor, Place::beyond_floor); },
-            [&](const Tetrahedron& x) { split(x, leeway_.side_mm, Place::leeway_side, Place::beyond_side); });
+            [&](const Tetrahedron& x) { split(x, leeway_.floor_mm, Place::tolerated_floor, Place::beyond_floor); },
+            [&](const Tetrahedron& x) { split(x, leeway_.side_mm, Place::tolerated_side, Place::beyond_side); });
       });
 }
 

@@ -1,12 +1,12 @@
-/// Divides the pieces of a solid by their place (target, leeway, beyond): cells that lie wholly in one place go there at
-/// once, others are cut where the target's distance, the bisector of floor and side, and the leeway's edge pass.
+/// Divides a solid by place (target, tolerance zone, beyond). A cell that lies wholly in one place counts there whole; any
+/// other is cut where the target's distance, the bisector of floor and side, and the tolerance zone's edge pass.
 #pragma once
 
 #include <array>
 
 #include "engine/volume/cut_volume.h"
 #include "scenarios/modules.h"
-#include "scenarios/shapes/leeway.h"
+#include "scenarios/shapes/place.h"
 
 namespace cusp::scenarios {
 
@@ -20,7 +20,7 @@ class RegionClassifier : public SolidSink {
   void tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) override;
 
  protected:
-  /// A share of a piece, wholly in one place.
+  /// A part of a cell, wholly in one place.
   virtual void solid(Place place, double mm3, Tissue tissue) = 0;
   /// Place and distance from the target of a point in the current cell.
   Place place_at(Vec3 p, double& d) noexcept;

@@ -1,5 +1,5 @@
-/// What was removed, divided by place (target, leeway, beyond; floor and sides) and by tissue, brick by brick: the final
-/// measures are the sum over all bricks, the live scores keep the sum by redoing the bricks that changed.
+/// What was removed, divided by place (target, tolerance zone, beyond; floor and sides) and by tissue, brick by brick: the
+/// final measures are the sum over all bricks, the live scores keep the sum by redoing the bricks that changed.
 #pragma once
 
 #include <array>

@@ -11,8 +11,8 @@ namespace cusp::scenarios {
 
 enum class OperatorFault : std::uint8_t {
   novice,       // shakes, cuts too deep and over the edge, forgets the coolant
-  competent,    // off by 0.6 of the leeway in depth and 0.4 at the side: its marks lie on the slopes of the bands, where
-                // an audit sees what voxels change; it fails the blocks of level 1
+  competent,    // off by 0.6 of the tolerance zone in depth and 0.4 at the side: its marks lie on the slopes of the bands,
+                // where an audit sees what voxels change; it fails the blocks of level 1
   too_deep,     // floor 0.8 mm below the target's
   too_shallow,  // floor 0.8 mm above it (at most half the depth)
   shaky,        // the right path with a strong tremor

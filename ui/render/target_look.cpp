@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "scenarios/metrics/deviation.h"
-#include "scenarios/shapes/leeway.h"
+#include "scenarios/shapes/place.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

@@ -89,13 +89,13 @@ TEST(Pulp, WithoutItsRuleAToothIsWarnedOf) {
   EXPECT_THAT(t.regions(), ElementsAre("warning /rubric/critical pulp_rule_off"));
 }
 
-TEST(Pulp, ALeewayThatReachesItIsAWarning) {
+TEST(Pulp, AToleranceZoneThatReachesItIsAWarning) {
   Tooth t;
   t.scenario.leeway.floor_mm = 2.5;
   EXPECT_THAT(t.regions(), ElementsAre("warning /leeway/floor_mm leeway_opens_pulp"));
 }
 
-TEST(Protected, WhatTheTargetTakesIsAnErrorAndWhatItsLeewayTakesAWarning) {
+TEST(Protected, WhatTheTargetTakesIsAnErrorAndWhatItsToleranceZoneTakesAWarning) {
   Tooth t;
   t.scenario.protected_tissues = {Tissue::pulp, Tissue::dentine};
   EXPECT_THAT(t.regions(), ElementsAre("error /protected/1 target_cuts_protected"));
@@ -183,7 +183,7 @@ TEST(Texts, ADepthThatTheTargetNoLongerHasIsFoundInEveryLanguage) {
   EXPECT_EQ(findings[0].detail, "de");
 }
 
-TEST(Texts, ALeewayThatTheTemplateHadIsFoundThoughTheDepthIsRight) {
+TEST(Texts, AToleranceThatTheTemplateHadIsFoundThoughTheDepthIsRight) {
   Scenario s = copy_of("ring-2");
   s.briefing["en"] += " Mind the wall.";
   s.leeway = {0.4, 0.4};

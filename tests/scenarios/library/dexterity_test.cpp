@@ -62,16 +62,16 @@ INSTANTIATE_TEST_SUITE_P(Library, Dexterity, testing::ValuesIn(exercises()), [](
 
 TEST(Levels, TolerateLessAndLess) {
   for (const std::string shape : {"line", "channel", "cross", "circle", "ring"}) {
-    double leeway = 1.0;
+    double tolerated_mm = 1.0;
     for (const char* level : {"-1", "-2", "-3"}) {
       const Scenario s = load_builtin(shape + level).value();
-      EXPECT_LT(s.leeway.side_mm, leeway);
+      EXPECT_LT(s.leeway.side_mm, tolerated_mm);
       EXPECT_EQ(s.leeway.side_mm, s.leeway.floor_mm);
-      leeway = s.leeway.side_mm;
+      tolerated_mm = s.leeway.side_mm;
       EXPECT_EQ(s.target.depth_mm, 2.0);
       EXPECT_EQ(s.specimen.generator, level[1] == '3' ? "layered-block" : "block");
     }
-    EXPECT_EQ(leeway, 0.2);  // dental.md 2.1: 0.5, 0.3, 0.2
+    EXPECT_EQ(tolerated_mm, 0.2);  // dental.md 2.1: 0.5, 0.3, 0.2
   }
 }
 

@@ -124,15 +124,15 @@ TEST(Measure, ThePerfectCutIsAllOfTheTargetAndNothingElse) {
 TEST(Measure, OverCutIsDividedByRegionAsItsClosedForm) {
   const Bench bench;
   Volume volume(bench.specimen);
-  // 0.5 mm too deep with the right walls: 0.3 of it is leeway. Below the old floor the new slot's own fillet lies.
+  // 0.5 mm too deep with the right walls: 0.3 of it is tolerated. Below the old floor the new slot's own fillet lies.
   carved::carve(volume, [](Vec3 p) { return cut_slot(p, 0.5, 0); });
   const double all = slot_mm3(1.2, 2.5, 0.5) - slot_mm3(1.2, 2.0, 0.5);
-  const Measure leeway = bench.get(volume, "overcut_leeway_floor");
+  const Measure tolerated = bench.get(volume, "overcut_leeway_floor");
   const Measure beyond = bench.get(volume, "overcut_beyond_floor");
   const double side = bench.get(volume, "overcut_leeway_side").value + bench.get(volume, "overcut_beyond_side").value;
-  EXPECT_NEAR(leeway.value + beyond.value + side, all, 0.01 * all);
+  EXPECT_NEAR(tolerated.value + beyond.value + side, all, 0.01 * all);
   // By brute force: the analytic shapes sampled at 0.02 mm.
-  double want_leeway = 0, want_beyond = 0;
+  double want_tolerated = 0, want_beyond = 0;
   const TargetShape shape(bench.scenario.target);
   const double step = 0.025;
   for (double x = -4; x < 4; x += step)
@@ -141,10 +141,10 @@ TEST(Measure, OverCutIsDividedByRegionAsItsClosedForm) {
         const Vec3 p(x, y, z);
         if (cut_slot(p, 0.5, 0) >= 0.0) continue;
         const Place place = place_of(shape, bench.scenario.leeway, p);
-        want_leeway += place == Place::leeway_floor ? step * step * step : 0.0;
+        want_tolerated += place == Place::tolerated_floor ? step * step * step : 0.0;
         want_beyond += place == Place::beyond_floor ? step * step * step : 0.0;
       }
-  EXPECT_NEAR(leeway.value, want_leeway, 0.01 * want_leeway);
+  EXPECT_NEAR(tolerated.value, want_tolerated, 0.01 * want_tolerated);
   EXPECT_NEAR(beyond.value, want_beyond, 0.01 * want_beyond);
   ASSERT_TRUE(beyond.where_mm.has_value());
   EXPECT_NEAR(beyond.where_mm->z, -2.5, 0.02);
@@ -157,7 +157,7 @@ TEST(Measure, OverCutWallsCountAsSide) {
   carved::carve(volume, [](Vec3 p) { return cut_slot(p, 0, 0, 0.4); });
   const Measure side = bench.get(volume, "overcut_leeway_side");
   const Measure beyond = bench.get(volume, "overcut_beyond_side");
-  // A shift of 0.4 sweeps 0.4 x 6 x 2 and the ends' crescents, less the fillet; 0.2 of the 0.4 mm is leeway.
+  // A shift of 0.4 sweeps 0.4 x 6 x 2 and the ends' crescents, less the fillet; 0.2 of the 0.4 mm is tolerated.
   EXPECT_GT(side.value, 2.0);
   EXPECT_GT(beyond.value, 2.0);
   // The uncut remainder on the other side equals the over-cut on this one; below the bisector it counts as floor.
@@ -300,7 +300,7 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
     last = live.reading().target_removed;
   }
   EXPECT_EQ(live.reading().target_removed, bench.get(volume, "target_removed").value);
-  EXPECT_EQ(live.reading().overcut_mm3[static_cast<std::size_t>(Place::leeway_side)],
+  EXPECT_EQ(live.reading().overcut_mm3[static_cast<std::size_t>(Place::tolerated_side)],
             bench.get(volume, "overcut_leeway_side").value);
   EXPECT_EQ(live.reading().overcut_mm3[static_cast<std::size_t>(Place::beyond_floor)],
             bench.get(volume, "overcut_beyond_floor").value);

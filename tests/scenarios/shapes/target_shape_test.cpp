@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "scenarios/shapes/leeway.h"
+#include "scenarios/shapes/place.h"
 #include "scenarios/shapes/outline.h"
 #include "tests/modules.h"
 
@@ -125,7 +125,7 @@ TEST(TargetShape, APathOfOnePointIsARoundHole) {
   EXPECT_NEAR(shape.outline_mm({1.0, 2.0}), -0.8, 1e-12);
 }
 
-TEST(Leeway, APlaceBelongsToTheFaceThatItIsNearestTo) {
+TEST(Place, APlaceBelongsToTheFaceThatItIsNearestTo) {
   Target t = channel();
   t.paths = {{Vec3(-3, 0, 0), Vec3(3, 0, 0)}};  // walls at y = ±0.8, floor at z = -2, corner 0.5
   const TargetShape shape(t);
@@ -133,17 +133,17 @@ TEST(Leeway, APlaceBelongsToTheFaceThatItIsNearestTo) {
   leeway.floor_mm = 0.3;
   leeway.side_mm = 0.2;
   EXPECT_EQ(place_of(shape, leeway, {0, 0, -1}), Place::target);
-  EXPECT_EQ(place_of(shape, leeway, {0, 0, -2.25}), Place::leeway_floor);
+  EXPECT_EQ(place_of(shape, leeway, {0, 0, -2.25}), Place::tolerated_floor);
   EXPECT_EQ(place_of(shape, leeway, {0, 0, -2.35}), Place::beyond_floor);
-  EXPECT_EQ(place_of(shape, leeway, {0, 0.95, -1}), Place::leeway_side);
+  EXPECT_EQ(place_of(shape, leeway, {0, 0.95, -1}), Place::tolerated_side);
   EXPECT_EQ(place_of(shape, leeway, {0, 1.05, -1}), Place::beyond_side);
-  EXPECT_EQ(place_of(shape, leeway, {0, 0.95, 5}), Place::leeway_side);
+  EXPECT_EQ(place_of(shape, leeway, {0, 0.95, 5}), Place::tolerated_side);
   // Off the rounded edge, centre of curvature (y 0.3, z -1.5): 0.25 beyond it, either side of the bisector.
   const auto off = [](double degrees) {
     const double a = degrees * 3.14159265358979 / 180.0;
     return Vec3(0, 0.3 + 0.75 * std::cos(a), -1.5 - 0.75 * std::sin(a));
   };
-  EXPECT_EQ(place_of(shape, leeway, off(50)), Place::leeway_floor);
+  EXPECT_EQ(place_of(shape, leeway, off(50)), Place::tolerated_floor);
   EXPECT_EQ(place_of(shape, leeway, off(40)), Place::beyond_side);
 }
 
