@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "scenarios/operators/expert.h"
 #include "scenarios/operators/faults.h"
@@ -145,7 +146,8 @@ TEST(Plan, FollowsTheReadingOfTheMethod) {
 /// `closed`: nor from above.
 enum class Ledge : std::uint8_t { open_above, closed };
 struct LedgeAttempt {
-  std::size_t skipped = 0, lifts = 0;
+  std::size_t skipped = 0;  // strokes
+  std::size_t lifts = 0;    // to above the block
   double clock_s = 0;
 };
 LedgeAttempt over_a_ledge(Ledge ledge) {
@@ -299,30 +301,26 @@ TEST(Faults, TheCompetentOperatorLosesSomeMarks) {
   EXPECT_NEAR(competent.get("depth_mean").value, 0.8 + 0.6 * bench.scenario.leeway.floor_mm, 0.05);
 }
 
+/// An attempt that fails, with this reason for each of these criteria.
+attempt::Result failed_attempt(std::string_view name, const std::map<std::string, std::string>& reasons) {
+  attempt::Result r = Bench().run(name);
+  EXPECT_FALSE(r.grade.passed) << name;
+  for (const auto& [criterion, reason] : reasons) EXPECT_EQ(Bench::reason(r, criterion), reason) << name << " " << criterion;
+  return r;
+}
+
 TEST(Faults, TooDeepIsGradedTooDeep) {
-  const Bench bench;
-  const attempt::Result r = bench.run("too_deep");
-  EXPECT_FALSE(r.grade.passed);
-  EXPECT_EQ(Bench::reason(r, "depth_mean"), "too_deep");
-  EXPECT_EQ(Bench::reason(r, "overcut_beyond_floor"), "too_much");
+  const auto r = failed_attempt("too_deep", {{"depth_mean", "too_deep"}, {"overcut_beyond_floor", "too_much"}});
   EXPECT_NEAR(r.get("depth_mean").value, 1.6, 0.05);
 }
 
 TEST(Faults, TooShallowIsGradedTooShallow) {
-  const Bench bench;
-  const attempt::Result r = bench.run("too_shallow");
-  EXPECT_FALSE(r.grade.passed);
-  EXPECT_EQ(Bench::reason(r, "depth_mean"), "too_shallow");
-  EXPECT_EQ(Bench::reason(r, "target_removed"), "too_little");
+  failed_attempt("too_shallow", {{"depth_mean", "too_shallow"}, {"target_removed", "too_little"}});
 }
 
 TEST(Faults, OffTheOutlineIsGradedAtTheSide) {
-  const Bench bench;
-  const attempt::Result r = bench.run("off_outline");
-  EXPECT_FALSE(r.grade.passed);
-  EXPECT_EQ(Bench::reason(r, "overcut_beyond_side"), "too_much");
   // The floor was kept, but that counts only as far as the target came out.
-  EXPECT_EQ(Bench::reason(r, "overcut_beyond_floor"), "little_drilled");
+  failed_attempt("off_outline", {{"overcut_beyond_side", "too_much"}, {"overcut_beyond_floor", "little_drilled"}});
 }
 
 TEST(Faults, ThePulpIsACriticalEventThoughTheScoreStands) {
@@ -333,11 +331,7 @@ TEST(Faults, ThePulpIsACriticalEventThoughTheScoreStands) {
 }
 
 TEST(Faults, TheNoviceFailsDeepAndOverTheEdge) {
-  const Bench bench;
-  const attempt::Result r = bench.run("novice");
-  EXPECT_FALSE(r.grade.passed);
-  EXPECT_EQ(Bench::reason(r, "depth_mean"), "too_deep");
-  EXPECT_EQ(Bench::reason(r, "overcut_beyond_side"), "too_much");
+  failed_attempt("novice", {{"depth_mean", "too_deep"}, {"overcut_beyond_side", "too_much"}});
 }
 
 TEST(PaperBlock, TheExpertPassesAndTheNoviceFailsTooDeep) {
