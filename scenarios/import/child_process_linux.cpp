@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <optional>
 
 #include "scenarios/import/child_process.h"
 
@@ -61,6 +60,8 @@ void limit(__rlimit_resource_t what, rlim_t soft, rlim_t hard) noexcept {
   const rlimit value{soft, hard};
   setrlimit(what, &value);
 }
+
+using Clock = std::chrono::steady_clock;
 
 /// File descriptors that the child takes as its own.
 struct ChildStreams {
@@ -123,6 +124,71 @@ bool drain(int fd, Take take) {
   return n > 0 || (n < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
+/// Decides when a running child must end: at a stop request or at its wall limit.
+class Watch {
+ public:
+  Watch(Clock::time_point started, std::chrono::milliseconds wall, std::stop_token stop)
+      : deadline_(started + wall), limited_(wall.count() > 0), stop_(std::move(stop)) {}
+  bool must_end() {
+    if (stop_.stop_requested()) why_ = ChildEnd::How::stopped;
+    else if (limited_ && Clock::now() >= deadline_) why_ = ChildEnd::How::wall_limit;
+    return ended();
+  }
+  /// Whether must_end() was ever true.
+  bool ended() const noexcept { return why_ != ChildEnd::How::exited; }
+  /// Pre: ended().
+  ChildEnd::How why() const noexcept { return why_; }
+
+ private:
+  Clock::time_point deadline_;
+  bool limited_;
+  std::stop_token stop_;
+  ChildEnd::How why_ = ChildEnd::How::exited;  // exited: it need not end
+};
+
+/// This program's environment with fewer malloc arenas: each reserves 64 MiB of address space, eight for every core, so
+/// that a memory limit would depend on the machine.
+std::vector<char*> child_environment() {
+  static constexpr char kArenas[] = "MALLOC_ARENA_MAX=2";
+  std::vector<char*> out{const_cast<char*>(kArenas)};
+  for (char** e = environ; *e; ++e)
+    if (std::strncmp(*e, "MALLOC_ARENA_MAX=", 17) != 0) out.push_back(*e);
+  out.push_back(nullptr);
+  return out;
+}
+
+/// Feeds `lines` until both streams end or the child must end; returns the last of its errors.
+std::string read_streams(Pipe& out, Pipe& errors, LineReader& lines, Watch& watch) {
+  std::string kept;
+  while ((out.read >= 0 || errors.read >= 0) && !watch.must_end()) {
+    pollfd ends[2] = {{out.read, POLLIN, 0}, {errors.read, POLLIN, 0}};
+    if (poll(ends, 2, kPollMs) <= 0) continue;
+    if (ends[0].revents && !drain(out.read, [&](std::string_view t) { lines.feed(t); })) out.close_read();
+    if (ends[1].revents && !drain(errors.read, [&](std::string_view t) {
+          kept += t;
+          if (kept.size() > kKeptErrors) kept.erase(0, kept.size() - kKeptErrors);
+        }))
+      errors.close_read();
+  }
+  return kept;
+}
+
+/// Waits for the child's end, or kills its group; the status as of wait4(). A child that closed its streams is held to
+/// the same limits.
+int wait_for(pid_t pid, Watch& watch, rusage& used) {
+  int status = 0;
+  while (wait4(pid, &status, WNOHANG, &used) != pid) {
+    if (watch.ended() || watch.must_end()) {
+      kill(-pid, SIGKILL);
+      while (wait4(pid, &status, 0, &used) < 0 && errno == EINTR) {
+      }
+      break;
+    }
+    poll(nullptr, 0, 1);
+  }
+  return status;
+}
+
 double seconds_of(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
 ChildEnd end_of(int status) {
@@ -152,7 +218,6 @@ std::string own_program() { return "/proc/self/exe"; }
 
 ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limits,
                    const std::function<void(std::string_view)>& line, std::stop_token stop) {
-  using Clock = std::chrono::steady_clock;
   ChildEnd end;
   Pipe out, errors;
   const int nothing = above_standard(open("/dev/null", O_RDONLY | O_CLOEXEC));
@@ -164,12 +229,7 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
   std::vector<char*> arguments;
   for (const std::string& a : argv) arguments.push_back(const_cast<char*>(a.c_str()));
   arguments.push_back(nullptr);
-  // Each malloc arena reserves 64 MiB of address space, eight for every core: the limit would depend on the machine.
-  static constexpr char kArenas[] = "MALLOC_ARENA_MAX=2";
-  std::vector<char*> environment{const_cast<char*>(kArenas)};
-  for (char** e = environ; *e; ++e)
-    if (std::strncmp(*e, "MALLOC_ARENA_MAX=", 17) != 0) environment.push_back(*e);
-  environment.push_back(nullptr);
+  const std::vector<char*> environment = child_environment();
 
   const auto started = Clock::now();
   const pid_t parent = getpid();
@@ -184,42 +244,16 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
   out.close_write();
   errors.close_write();
 
+  Watch watch(started, limits.wall, std::move(stop));
   LineReader lines(line);
-  std::string kept_errors;
-  const auto deadline = started + limits.wall;
-  std::optional<ChildEnd::How> killed;
-  const auto must_end = [&] {
-    if (stop.stop_requested()) killed = ChildEnd::How::stopped;
-    else if (limits.wall.count() > 0 && Clock::now() >= deadline) killed = ChildEnd::How::wall_limit;
-    return killed.has_value();
-  };
-  while ((out.read >= 0 || errors.read >= 0) && !must_end()) {
-    pollfd ends[2] = {{out.read, POLLIN, 0}, {errors.read, POLLIN, 0}};
-    if (poll(ends, 2, kPollMs) <= 0) continue;
-    if (ends[0].revents && !drain(out.read, [&](std::string_view t) { lines.feed(t); })) out.close_read();
-    if (ends[1].revents && !drain(errors.read, [&](std::string_view t) {
-          kept_errors += t;
-          if (kept_errors.size() > kKeptErrors) kept_errors.erase(0, kept_errors.size() - kKeptErrors);
-        }))
-      errors.close_read();
-  }
-  // A child that closed its streams is held to the same limits.
-  int status = 0;
+  std::string kept_errors = read_streams(out, errors, lines, watch);
   rusage used{};
-  while (wait4(pid, &status, WNOHANG, &used) != pid) {
-    if (killed || must_end()) {
-      kill(-pid, SIGKILL);
-      while (wait4(pid, &status, 0, &used) < 0 && errno == EINTR) {
-      }
-      break;
-    }
-    poll(nullptr, 0, 1);
-  }
+  const int status = wait_for(pid, watch, used);
   end = end_of(status);
   end.wall_s = std::chrono::duration<double>(Clock::now() - started).count();
   end.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   end.resident_bytes = static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
-  if (killed && !WIFEXITED(status)) end.how = *killed;
+  if (watch.ended() && !WIFEXITED(status)) end.how = watch.why();
   end.errors = std::move(kept_errors);
   return end;
 }

@@ -1,4 +1,4 @@
-// Whatever bytes and events come: no crash, and no torque before eight answers in a row told of three homed arms.
+// Whatever bytes and events come: no crash, and no torque before eight answers in a row report three homed arms.
 // CUSP_RANDOM_STREAMS=1000000 for the whole million; ./check runs the first 20,000.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What a stream is made of: noise, the letters of frames, hellos and echoes, whole frames and pieces of them.
+/// What a stream is made of: noise, the letters of frames, hellos and echoes, whole frames and fragments of them.
 void add_bytes(std::mt19937& random, std::vector<std::uint8_t>& out, std::span<const std::uint8_t> image,
                const SessionState& state, int mood) {
   switch (random() % 8) {
@@ -69,85 +69,111 @@ void lead_to(Session& session, Phase phase, std::span<const std::uint8_t> image,
   }
 }
 
+struct Counts {
+  long forced = 0, packets = 0;
+  std::array<long, 14> phases{};
+};
+
+/// One session under a stream of random events, and a reading of its own of the bytes: a parser fed with the same.
+class Stream {
+ public:
+  Stream(long number, const FirmwareImage& image, Counts& counts)
+      : number_(number), image_(image.bytes()), counts_(counts), random_(static_cast<std::uint32_t>(number)),
+        session_({.event_character = random_() % 4 == 0}) {
+    if (random_() % 2 == 0) session_.give_image(image);
+    mood_ = static_cast<int>(random_() % 3);
+    constexpr Phase kFrom[] = {Phase::unplugged, Phase::settling, Phase::probing,   Phase::needs_image, Phase::arming,
+                               Phase::greeting,  Phase::locking,  Phase::uploading, Phase::switching};
+    lead_to(session_, kFrom[random_() % 9], image_, now_);
+  }
+  void flow() {
+    const int steps = 20 + static_cast<int>(random_() % 40);
+    for (int step = 0; step < steps; ++step) {
+      const unsigned what = random_() % 64;
+      session_.advance(event(what), now_);
+      session_.command({4095, -4095, 4095});
+      check();
+      session_.exchange(now_);
+      check();
+      ++counts_.phases[static_cast<std::size_t>(session_.phase())];
+      const LinkTime next = now_ + std::chrono::microseconds(random_() % (what % 16 == 7 ? 700'000 : 900));
+      // Now and then the host polls for a while without an answer.
+      for (LinkTime at = now_ + 2ms; at < std::min(next, now_ + 30ms); at += 2ms) session_.advance({}, at);
+      check();
+      now_ = next;
+    }
+  }
+
+ private:
+  LinkEvent event(unsigned what) {
+    LinkEvent out;
+    if (what == 0) {
+      out.kind = static_cast<LinkEvent::Kind>(random_() % 9);  // anything, out of turn
+      if (out.kind == LinkEvent::Kind::received) out.kind = LinkEvent::Kind::time;
+    } else if (session_.phase() == Phase::opening && open_) {
+      out.kind = LinkEvent::Kind::opened;
+      open_ = false;
+    } else if (what < 24 && session_.phase() >= Phase::settling && session_.phase() <= Phase::switching) {
+      out.kind = LinkEvent::Kind::control_done;
+    } else if (what < 56) {
+      out = received();
+    }
+    return out;
+  }
+  LinkEvent received() {
+    std::vector<std::uint8_t> payload;
+    while (payload.size() < 1 + random_() % 62) add_bytes(random_, payload, image_, session_.state(), mood_);
+    payload.resize(std::min<std::size_t>(payload.size(), kPayloadBytes));
+    for (const std::uint8_t byte : payload) {
+      const auto frame = parser_.push(byte);
+      if (!frame) continue;
+      homed_in_a_row_ = (frame->bits & status::kHomed) == status::kHomed ? homed_in_a_row_ + 1 : 0;
+    }
+    transfer_ = {0x01, static_cast<std::uint8_t>(random_() % 8 == 0 ? random_() : 0x60)};
+    transfer_.insert(transfer_.end(), payload.begin(), payload.end());
+    ++counts_.packets;
+    return {.kind = LinkEvent::Kind::received, .bytes = transfer_};
+  }
+  void check() {
+    while (const auto ask = session_.next_ask()) {
+      if (ask->kind == LinkAsk::Kind::open) open_ = true;
+      if (ask->kind != LinkAsk::Kind::send || ask->size != kFrameBytes) continue;
+      const auto frame = decode(std::span<const std::uint8_t, kFrameBytes>(ask->bytes.data(), kFrameBytes));
+      if (!frame || frame->words == std::array<std::int16_t, 3>{}) continue;
+      ++counts_.forced;
+      ASSERT_EQ(session_.phase(), Phase::ready) << "stream " << number_;
+      ASSERT_GE(homed_in_a_row_, 8) << "stream " << number_;
+    }
+  }
+
+  long number_;
+  std::span<const std::uint8_t> image_;
+  Counts& counts_;
+  std::mt19937 random_;
+  Session session_;
+  LinkTime now_ = 0ms;
+  int homed_in_a_row_ = 0;
+  FrameParser parser_;
+  int mood_ = 0;
+  bool open_ = false;
+  std::vector<std::uint8_t> transfer_;  // of the event under way
+};
+
 TEST(FalconSession, no_stream_of_bytes_brings_force_before_homing) {
   const char* wanted = std::getenv("CUSP_RANDOM_STREAMS");
   const long streams = wanted != nullptr ? std::strtol(wanted, nullptr, 10) : 20'000;
-  const auto made = FirmwareImage::from_bytes(test::boot_image());
-  ASSERT_TRUE(made);
-  const auto image = made->bytes();
-  long forced = 0, packets = 0;
-  std::array<long, 14> phases{};
-  for (long stream = 0; stream < streams; ++stream) {
-    std::mt19937 random(static_cast<std::uint32_t>(stream));
-    Session session({.event_character = random() % 4 == 0});
-    if (random() % 2 == 0) session.give_image(*made);
-    LinkTime now = 0ms;
-    int homed_in_a_row = 0;  // by a reading of its own: a parser fed with the same bytes
-    FrameParser parser;
-    const int mood = static_cast<int>(random() % 3);
-    bool open = false;
-    constexpr Phase kFrom[] = {Phase::unplugged, Phase::settling, Phase::probing,   Phase::needs_image, Phase::arming,
-                               Phase::greeting,  Phase::locking,  Phase::uploading, Phase::switching};
-    lead_to(session, kFrom[random() % 9], image, now);
-    const auto look = [&] {
-      while (const auto ask = session.next_ask()) {
-        if (ask->kind == LinkAsk::Kind::open) open = true;
-        if (ask->kind != LinkAsk::Kind::send || ask->size != kFrameBytes) continue;
-        const auto frame = decode(std::span<const std::uint8_t, kFrameBytes>(ask->bytes.data(), kFrameBytes));
-        if (!frame || frame->words == std::array<std::int16_t, 3>{}) continue;
-        ++forced;
-        ASSERT_EQ(session.phase(), Phase::ready) << "stream " << stream;
-        ASSERT_GE(homed_in_a_row, 8) << "stream " << stream;
-      }
-    };
-    const int steps = 20 + static_cast<int>(random() % 40);
-    for (int step = 0; step < steps; ++step) {
-      LinkEvent event;
-      std::vector<std::uint8_t> transfer;
-      const unsigned what = random() % 64;
-      if (what == 0) {
-        event.kind = static_cast<LinkEvent::Kind>(random() % 9);  // anything, out of turn
-        if (event.kind == LinkEvent::Kind::received) event.kind = LinkEvent::Kind::time;
-      } else if (session.phase() == Phase::opening && open) {
-        event.kind = LinkEvent::Kind::opened;
-        open = false;
-      } else if (what < 24 && session.phase() >= Phase::settling && session.phase() <= Phase::switching) {
-        event.kind = LinkEvent::Kind::control_done;
-      } else if (what < 56) {
-        std::vector<std::uint8_t> payload;
-        while (payload.size() < 1 + random() % 62) add_bytes(random, payload, image, session.state(), mood);
-        payload.resize(std::min<std::size_t>(payload.size(), kPayloadBytes));
-        for (const std::uint8_t byte : payload) {
-          const auto frame = parser.push(byte);
-          if (!frame) continue;
-          homed_in_a_row = (frame->bits & status::kHomed) == status::kHomed ? homed_in_a_row + 1 : 0;
-        }
-        transfer = {0x01, static_cast<std::uint8_t>(random() % 8 == 0 ? random() : 0x60)};
-        transfer.insert(transfer.end(), payload.begin(), payload.end());
-        event = {.kind = LinkEvent::Kind::received, .bytes = transfer};
-        ++packets;
-      }
-      session.advance(event, now);
-      session.command({4095, -4095, 4095});
-      look();
-      session.exchange(now);
-      look();
-      ++phases[static_cast<std::size_t>(session.phase())];
-      const LinkTime next = now + std::chrono::microseconds(random() % (what % 16 == 7 ? 700'000 : 900));
-      // Now and then the host goes on looking, and hears nothing for a while.
-      for (LinkTime at = now + 2ms; at < std::min(next, now + 30ms); at += 2ms) session.advance({}, at);
-      look();
-      now = next;
-    }
+  const auto image = FirmwareImage::from_bytes(test::boot_image());
+  ASSERT_TRUE(image);
+  Counts counts;
+  for (long stream = 0; stream < streams; ++stream) Stream(stream, *image, counts).flow();
+  std::cout << streams << " streams, " << counts.packets << " packets, " << counts.forced << " packets with torque\n";
+  for (std::size_t i = 0; i < counts.phases.size(); ++i) {
+    std::cout << "  " << key_of(static_cast<Phase>(i)) << ": " << counts.phases[i] << "\n";
   }
-  std::cout << streams << " streams, " << packets << " packets, " << forced << " packets with torque\n";
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    std::cout << "  " << key_of(static_cast<Phase>(i)) << ": " << phases[i] << "\n";
-  }
-  EXPECT_GT(forced, streams / 1000);  // the streams do come as far as torque: the test can fail
-  for (std::size_t i = 0; i < phases.size(); ++i) {
+  EXPECT_GT(counts.forced, streams / 1000);  // the streams do come as far as torque: the test can fail
+  for (std::size_t i = 0; i < counts.phases.size(); ++i) {
     if (static_cast<Phase>(i) == Phase::failed) continue;  // ten attempts are longer than a stream
-    EXPECT_GT(phases[i], 0) << key_of(static_cast<Phase>(i));
+    EXPECT_GT(counts.phases[i], 0) << key_of(static_cast<Phase>(i));
   }
 }
 
