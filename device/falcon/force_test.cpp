@@ -11,13 +11,13 @@ constexpr double kRiseS = 2.0, kHoldS = 1.0, kFallS = 0.5, kRestS = 0.5;
 constexpr double kOneS = kRiseS + kHoldS + kFallS + kRestS;
 constexpr int kWays = 6;
 // A hand that holds on moves with it no faster than this [M].
-constexpr double kLetGoMS = 0.30;
+constexpr double kReleasedMS = 0.30;
 constexpr double kSoftenNsPerM = 3.0;
 
 TrialBounds bounds() noexcept {
   TrialBounds out;
   out.max_n = ForceTest::kMostN + 1.0;  // and what softens it
-  out.max_m_s = kLetGoMS;
+  out.max_m_s = kReleasedMS;
   return out;
 }
 

@@ -44,7 +44,7 @@ void HidFollower::run() {
   HidDevice open;  // while there is a reader
   HidTime listed{};
   std::array<std::uint8_t, kMostBytes> bytes{};
-  const auto let_go = [&] {
+  const auto release = [&] {
     if (!reader) return;
     reader.reset();
     sink_.lost();
@@ -56,9 +56,9 @@ void HidFollower::run() {
       listed = now;
       const std::vector<HidDevice> devices = bus->list();
       // Some systems do not report the loss of an open device.
-      if (reader && !still_there(devices, open)) let_go();
+      if (reader && !still_there(devices, open)) release();
       const std::optional<HidDevice> chosen = sink_.choose(devices);
-      if (reader && (!chosen || chosen->path != open.path)) let_go();
+      if (reader && (!chosen || chosen->path != open.path)) release();
       if (chosen && !reader) {
         auto opened = bus->open(chosen->path);
         if (opened) {
@@ -84,7 +84,7 @@ void HidFollower::run() {
     }
     now = Clock::now();
     if (read.kind == HidRead::Kind::lost) {
-      let_go();
+      release();
       listed = {};  // it may be back already
     } else if (!came) {
       // A file that is always ready answers "nothing" at once: without this it would take a whole core.
@@ -92,7 +92,7 @@ void HidFollower::run() {
     }
     sink_.polled(now);
   }
-  let_go();
+  release();
 }
 
 }  // namespace cusp::device::hid

@@ -57,12 +57,12 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   if (touches && (!entry_mm_ || proxy_depth < glm::dot(*entry_mm_, along))) entry_mm_ = proxy;
   const double clear_depth = entry_mm_ ? glm::dot(*entry_mm_, along) - tuning_.clear_mm : depth;
   if (!touches && depth <= clear_depth) entry_mm_.reset();
-  const bool lifts_out = !pushing && entry_mm_;
+  const bool retracts = !pushing && entry_mm_;
   if (!pushing) {
     push_n_ = 0;
     // Off first what is touched and out of what was cut, then to the height of hovering.
-    next_depth = lifts_out ? std::min(depth, proxy_depth) - rise
-                           : towards(depth, shown_depth - tuning_.hover_mm, {sink, rise});
+    next_depth = retracts ? std::min(depth, proxy_depth) - rise
+                          : towards(depth, shown_depth - tuning_.hover_mm, {sink, rise});
   } else if (touches) {
     push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the bur, and it sinks no faster than through the air.
@@ -75,7 +75,7 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   // Across: the pointer's place, as fast as a hand would, pulling with no more than lateral_n.
   const Vec3 across = device_mm_ - along * depth;
   // On its way out it pulls at no wall.
-  const Vec3 goal = lifts_out ? proxy - along * proxy_depth : smooth_mm_ - along * glm::dot(smooth_mm_, along);
+  const Vec3 goal = retracts ? proxy - along * proxy_depth : smooth_mm_ - along * glm::dot(smooth_mm_, along);
   const double speed = touches ? tuning_.slide_mm_s : tuning_.travel_mm_s;
   Vec3 next = across + shortened(goal - across, speed * dt) + along * next_depth;
   if (touches) {

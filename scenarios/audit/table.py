@@ -58,7 +58,7 @@ def cost(result):
 
 
 def scores(result):
-    return ", ".join(f"{go['score']:.0f}" for go in result["goes"])
+    return ", ".join(f"{attempt['score']:.0f}" for attempt in result["goes"])
 
 
 def voxel_row(report, finer):

@@ -22,7 +22,7 @@ using Error = BurTableError;
 
 constexpr std::string_view kUnverified = "M", kOther = "other";
 
-/// Walks the file; keeps the first thing that is wrong.
+/// Walks the file; keeps the first failure.
 class TableReader {
  public:
   explicit TableReader(const Json& document) : document_(document) {}

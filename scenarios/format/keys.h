@@ -40,7 +40,7 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"temperature_rise_peak", "K"},       // likewise
 };
 
-/// Events that may fail a go whatever its score.
+/// Events that may fail an attempt whatever its score.
 /// dry_cutting: the tooth came to the pulp's criterion (engine/removal/heat.h); needs the phenomenon "heat".
 inline constexpr std::array<std::string_view, 2> kCriticalKeys = {"pulp_exposure", "dry_cutting"};
 

@@ -41,7 +41,7 @@ SpecimenFacts facts_of(const VoxelVolume& volume);
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
 ///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside, voxel_mismatch;
 /// warnings: feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
-///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (a go that
+///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that
 ///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 

@@ -12,7 +12,7 @@ std::string report_json(const ReportHead& head, const Grade& grade, const Report
   out["session"] = head.session;
   out["scenario"] = {{"id", head.scenario_id}, {"version", head.scenario_version}, {"hash", head.scenario_hash}};
   out["student"] = head.student;
-  out["hand"] = head.hand.empty() ? Json() : Json(head.hand);
+  out["hand"] = head.operator_name.empty() ? Json() : Json(head.operator_name);
   out["engine"] = head.engine;
   out["device"] = head.device;
   out["duration_s"] = head.duration_s;

@@ -1,4 +1,4 @@
-/// report.json: what `cusp play` and `cusp grade` leave for other programs .
+/// report.json: what `cusp play` and `cusp grade` leave for other programs.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ struct ReportHead {
   std::string scenario_id, scenario_hash;
   int scenario_version = 1;
   std::string student;
-  std::string hand;                             // "expert", "novice", or empty: a student
+  std::string operator_name;                    // "expert", "novice", or empty: a student; written as "hand"
   int engine = kEngineVersion;
   std::string device;
   double duration_s = 0;

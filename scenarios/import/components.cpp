@@ -49,13 +49,13 @@ std::size_t keep_largest_component(const Grid& grid, std::vector<Tissue>& labels
   if (most == 0) return 0;
   marked.assign(labels.size(), false);
   flood(grid, {seed}, marked, solid);
-  std::size_t gone = 0;
+  std::size_t removed = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!solid(i) || marked[i]) continue;
     labels[i] = Tissue::empty;
-    ++gone;
+    ++removed;
   }
-  return gone;
+  return removed;
 }
 
 std::size_t fill_hollows(const Grid& grid, std::vector<Tissue>& labels, Tissue tissue) {

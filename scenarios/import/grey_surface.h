@@ -22,8 +22,8 @@ struct GreyField {
 };
 
 /// s by the exact distance to where the field crosses from something to nothing, found on the grid's cells; labels are the
-/// tissues on the grid, box is what they fill. Where a label says other than the field does (a piece that was removed, a
-/// hollow that was filled), the label is right.
+/// tissues on the grid, box is what they fill. If label and field differ (a component was removed, a
+/// hollow was filled), the label counts.
 VoxelVolume volume_of_grey(const GreyField& field, const std::vector<std::pair<double, Tissue>>& thresholds, const Grid& grid,
                            const std::vector<Tissue>& labels, const LabelBox& box, const ImportProgress& progress);
 

@@ -188,7 +188,9 @@ Result<VoxelVolume, ImportFailure> make(const Image& image, const ImageTissues& 
   const bool grey = !what.thresholds.empty();
   std::vector<Tissue> labels = grey ? grey_tissues(field, what, *grid, progress) : nearest_tissues(image, field, what, *grid);
   if (what.largest_component) {
-    if (const std::size_t gone = keep_largest_component(*grid, labels)) remarks.push_back({RemarkCode::components_removed, {}, {static_cast<double>(gone)}});
+    if (const std::size_t removed = keep_largest_component(*grid, labels)) {
+      remarks.push_back({RemarkCode::components_removed, {}, {static_cast<double>(removed)}});
+    }
   }
   if (what.hollows) {
     if (const std::size_t filled = fill_hollows(*grid, labels, *what.hollows)) remarks.push_back({RemarkCode::hollows_filled, {}, {static_cast<double>(filled)}});

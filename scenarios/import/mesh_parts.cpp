@@ -96,13 +96,13 @@ namespace {
 /// Share of a voxel at this distance that is inside, for a face across it.
 double coverage(float distance) noexcept { return std::clamp(0.5 - static_cast<double>(distance), 0.0, 1.0); }
 
-/// The piece of `grid` about a shell, with its first voxel's place in `grid`.
-struct Piece {
+/// The part of `grid` about a shell, with its first voxel's place in `grid`.
+struct Subgrid {
   Grid grid;
   IVec3 first{0};
 };
-Piece piece_about(const MeshCheck& shell, const Grid& grid) {
-  Piece out{grid, IVec3(glm::floor((shell.low - grid.origin_mm) / grid.voxel_mm)) - kDistanceReach};
+Subgrid subgrid_about(const MeshCheck& shell, const Grid& grid) {
+  Subgrid out{grid, IVec3(glm::floor((shell.low - grid.origin_mm) / grid.voxel_mm)) - kDistanceReach};
   out.first = glm::max(out.first, IVec3(0));
   const IVec3 last = IVec3(glm::ceil((shell.high - grid.origin_mm) / grid.voxel_mm)) + kDistanceReach;
   out.grid.size = glm::min(last, grid.size - 1) - out.first + 1;
@@ -110,19 +110,19 @@ Piece piece_about(const MeshCheck& shell, const Grid& grid) {
   return out;
 }
 
-/// Calls each(index in grid, s of the shell) about a shell. False when what it encloses is not what its triangles say:
-/// it has turned itself inside out somewhere. A face is off by at most a tenth of a voxel, a small shell by two per cent.
+/// Calls each(index in grid, s of the shell) about a shell. False if the voxels' volume differs from the triangles': the
+/// shell is inside out somewhere. A face is off by at most a tenth of a voxel, a small shell by two per cent.
 template <class Each>
 bool for_each_voxel(const TriangleMesh& shell, const Grid& grid, const ImportProgress& progress, Each each) {
   const MeshCheck c = check(shell);
-  const Piece piece = piece_about(c, grid);
-  const std::vector<float> d = mesh_distance(shell, piece.grid, progress);
+  const Subgrid box = subgrid_about(c, grid);
+  const std::vector<float> d = mesh_distance(shell, box.grid, progress);
   double voxels = 0.0;
   std::size_t i = 0;
-  for (int z = 0; z < piece.grid.size.z; ++z)
-    for (int y = 0; y < piece.grid.size.y; ++y) {
-      std::size_t to = grid.index(piece.first + IVec3(0, y, z));
-      for (int x = 0; x < piece.grid.size.x; ++x, ++i, ++to) {
+  for (int z = 0; z < box.grid.size.z; ++z)
+    for (int y = 0; y < box.grid.size.y; ++y) {
+      std::size_t to = grid.index(box.first + IVec3(0, y, z));
+      for (int x = 0; x < box.grid.size.x; ++x, ++i, ++to) {
         voxels += coverage(d[i]);
         each(to, solid_from_distance(static_cast<double>(d[i])));
       }
@@ -135,7 +135,7 @@ bool for_each_voxel(const TriangleMesh& shell, const Grid& grid, const ImportPro
 
 Result<PartField, ImportFailure> field_of(const MeshPart& part, const Grid& grid, const ImportProgress& progress) {
   const std::string& name = part.mesh.name;
-  const Piece box = piece_about(part.checked, grid);
+  const Subgrid box = subgrid_about(part.checked, grid);
   PartField out{box.first, box.grid.size, std::vector<std::uint16_t>(box.grid.voxels())};
   std::vector<std::uint16_t>& s = out.s;
   const Shells shells = shells_of(part.mesh);

@@ -157,7 +157,7 @@ std::size_t drop_doubles(TriangleMesh& mesh) {
   return before - mesh.triangles.size();
 }
 
-/// Neighbours over an edge of two triangles are wound alike; of each piece the fewer are turned.
+/// Neighbours over an edge of two triangles are wound alike; of each component the fewer are turned.
 std::size_t wind_alike(TriangleMesh& mesh) {
   const std::vector<HalfEdge> edges = half_edges(mesh);
   struct Neighbour {
@@ -174,23 +174,23 @@ std::size_t wind_alike(TriangleMesh& mesh) {
   });
   std::vector<std::int8_t> state(mesh.triangles.size(), -1);  // 1: to be turned
   std::size_t turned = 0;
-  std::vector<std::uint32_t> piece;
+  std::vector<std::uint32_t> component;
   for (std::uint32_t start = 0; start < state.size(); ++start) {
     if (state[start] >= 0) continue;
-    piece.assign(1, start);
+    component.assign(1, start);
     state[start] = 0;
     std::size_t ones = 0;
-    for (std::size_t at = 0; at < piece.size(); ++at) {
-      const std::uint32_t t = piece[at];
+    for (std::size_t at = 0; at < component.size(); ++at) {
+      const std::uint32_t t = component[at];
       for (const Neighbour& n : neighbours[t]) {
         if (state[n.triangle] >= 0) continue;
         state[n.triangle] = static_cast<std::int8_t>(state[t] ^ (n.turned ? 1 : 0));
         ones += state[n.triangle] == 1;
-        piece.push_back(n.triangle);
+        component.push_back(n.triangle);
       }
     }
-    const std::int8_t turn = 2 * ones > piece.size() ? 0 : 1;
-    for (const std::uint32_t t : piece) {
+    const std::int8_t turn = 2 * ones > component.size() ? 0 : 1;
+    for (const std::uint32_t t : component) {
       if (state[t] != turn) continue;
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
       ++turned;

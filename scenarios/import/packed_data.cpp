@@ -11,7 +11,7 @@
 namespace cusp::scenarios {
 namespace {
 
-constexpr std::size_t kPiece = 65536;
+constexpr std::size_t kBlock = 65536;
 constexpr int kGzip = 15 + 16;    // zlib: the largest window, with a gzip head and tail
 constexpr int kEither = 15 + 32;  // the same, with the head found by its bytes
 // A header of a volume of 32 named tissues has 2 KiB; writers that store notes reach tens of KiB.
@@ -63,7 +63,7 @@ bool data_can_be_there(std::istream& in, DataSize size, Packing packing) {
 
 struct PackedSource::Packed {
   z_stream z{};
-  std::array<unsigned char, kPiece> in;
+  std::array<unsigned char, kBlock> in;
   bool ended = false;
 };
 
@@ -89,7 +89,7 @@ Result<void, ImportError> PackedSource::read(std::span<std::byte> out) {
   while (z.avail_out > 0) {
     if (packed_->ended) return std::unexpected(ImportError::truncated);
     if (z.avail_in == 0) {
-      in_.read(reinterpret_cast<char*>(packed_->in.data()), kPiece);
+      in_.read(reinterpret_cast<char*>(packed_->in.data()), kBlock);
       if (in_.bad()) return std::unexpected(ImportError::io);
       z.next_in = packed_->in.data();
       z.avail_in = static_cast<uInt>(in_.gcount());
@@ -114,7 +114,7 @@ Result<void, ImportError> PackedSource::expect_end() {
 
 struct PackedSink::Packed {
   z_stream z{};
-  std::array<unsigned char, kPiece> out;
+  std::array<unsigned char, kBlock> out;
 };
 
 PackedSink::PackedSink(std::ostream& out) : out_(out), packed_(std::make_unique<Packed>()) {
@@ -127,9 +127,9 @@ void PackedSink::pump(int flush) {
   z_stream& z = packed_->z;
   do {
     z.next_out = packed_->out.data();
-    z.avail_out = kPiece;
+    z.avail_out = kBlock;
     deflate(&z, flush);
-    out_.write(reinterpret_cast<const char*>(packed_->out.data()), static_cast<std::streamsize>(kPiece - z.avail_out));
+    out_.write(reinterpret_cast<const char*>(packed_->out.data()), static_cast<std::streamsize>(kBlock - z.avail_out));
   } while (z.avail_out == 0);
 }
 

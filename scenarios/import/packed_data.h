@@ -1,5 +1,5 @@
-/// The data part of a volume file as a stream of bytes, unpacked in pieces of 64 KiB: a file that unpacks to more than its
-/// header says costs no memory.
+/// The data part of a volume file as a stream of bytes, unpacked in blocks of 64 KiB: a file that unpacks to more than its
+/// header states costs no memory.
 #pragma once
 
 #include <cstddef>

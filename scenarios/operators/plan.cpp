@@ -99,14 +99,15 @@ Line rectangle(Vec2 centre, Vec2 half) {
   return {centre - half, centre + Vec2(half.x, -half.y), centre + half, centre + Vec2(-half.x, half.y), centre - half};
 }
 
-/// The lines of one layer, each about or inside the next, so that the stroke between them stays inside the outline. `room` is how far the bur's centre may leave the middle.
-std::vector<Line> lines_of(const Target& target, std::size_t path, double room, double radius, Vec2 shift) {
+/// The lines of one layer, each about or inside the next, so that the stroke between them stays inside the outline.
+/// `slack`: the most that the bur's centre may leave the middle, mm.
+std::vector<Line> lines_of(const Target& target, std::size_t path, double slack, double radius, Vec2 shift) {
   std::vector<Line> out;
   const double step = kLoopRadii * radius;
   if (target.shape == "box") {
     const Vec2 c = Vec2(target.paths[0][0].x, target.paths[0][0].y) + shift;
     const double least = 0.5 * std::min(target.box_size_mm.x, target.box_size_mm.y);
-    const Vec2 half = glm::max(0.5 * Vec2(target.box_size_mm.x, target.box_size_mm.y) - least + room, Vec2(0.0));
+    const Vec2 half = glm::max(0.5 * Vec2(target.box_size_mm.x, target.box_size_mm.y) - least + slack, Vec2(0.0));
     for (double in = 0.0;; in += step) {
       const Vec2 h = glm::max(half - in, Vec2(0.0));
       out.push_back(rectangle(c, h));
@@ -122,8 +123,8 @@ std::vector<Line> lines_of(const Target& target, std::size_t path, double room, 
   }
   if (line.empty()) return out;
   // The innermost first: it opens the slot for the others.
-  const int loops = room < kThinMm ? 1 : static_cast<int>(std::ceil((room - 0.5 * step) / step)) + 1;
-  for (int i = std::max(loops, 1); i-- > 0;) out.push_back(loop_round(line, std::max(0.0, room - i * step)));
+  const int loops = slack < kThinMm ? 1 : static_cast<int>(std::ceil((slack - 0.5 * step) / step)) + 1;
+  for (int i = std::max(loops, 1); i-- > 0;) out.push_back(loop_round(line, std::max(0.0, slack - i * step)));
   return out;
 }
 
@@ -203,7 +204,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
   if (shape.empty() || !bur) return plan;
   plan.bur = static_cast<std::uint16_t>(*bur);
   const double r = scenario.instruments[*bur].radius_mm;
-  const double room = std::max(0.0, shape.half_width_mm() - r + errors.wider_mm);
+  const double slack = std::max(0.0, shape.half_width_mm() - r + errors.wider_mm);
   const double floor = shape.floor_mm() - errors.deeper_mm + r;  // of the bur's centre
   const double above = highest(specimen, nullptr, 0.0) + r + kClearMm;
   const double layer_radii = reading_of(scenario.method) == Reading::banded ? kLayerRadii : kSteppedLayerRadii;
@@ -213,7 +214,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
   const auto cut = [&plan](Vec2 p, double z) { plan.strokes.push_back({Vec3(p, z), true}); };
   const std::size_t paths = target.shape == "box" ? 1 : target.paths.size();
   for (std::size_t path = 0; path < paths; ++path) {
-    std::vector<Line> lines = lines_of(target, path, room, r, shift);
+    std::vector<Line> lines = lines_of(target, path, slack, r, shift);
     if (lines.empty()) continue;
     if (reading_of(scenario.method) == Reading::filled)
       for (Line& line : lines) thin_out(line, specimen.grid().voxel_mm);

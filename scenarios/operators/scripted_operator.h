@@ -1,7 +1,7 @@
 /// A simulated student: follows a plan by the forces that it feels.
 /// It wants a velocity along the stroke. The part against the felt force becomes a push in proportion, the rest a slide
 /// along the face, so that a ball bur neither climbs out nor digs in.
-/// If the bur is held (a ledge stops the neck), the operator lifts it out and sets it down further along the stroke; if
+/// If the bur is held (a ledge stops the neck), the operator retracts it and sets it down further along the stroke; if
 /// that fails too, it skips the stroke. With a handpiece that slows under load it pushes lightly and releases a stall.
 /// It ends after OperatorStyle::max_s at the latest. Deterministic by its seed. Thread: the one that plays.
 #pragma once
@@ -52,7 +52,7 @@ class ScriptedOperator {
   double clock_s() const noexcept { return clock_s_; }
 
  private:
-  /// Lifts out above `proxy` and sets down on the rest of the stroke. False: the stroke has no rest, or no tries left.
+  /// Retracts above `proxy` and sets down on the rest of the stroke. False: the stroke has no rest, or no tries left.
   bool reposition(Vec3 proxy) noexcept;
   const Stroke& now() const noexcept {
     return reposition_step_ < kRepositionSteps ? reposition_path_[reposition_step_] : plan_.strokes[stroke_];

@@ -1,4 +1,4 @@
-/// Signed distances of plain shapes, negative inside, in mm. Exact unless a line says otherwise. Any thread.
+/// Signed distances of plain shapes, negative inside, in mm. Exact unless stated otherwise. Any thread.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 /// The shape that a Target draws: an outline on the occlusal plane, swept from its floor upwards without end (whatever
-/// stands above the reference plane within the outline is to go too), the edge between wall and floor rounded.
+/// stands above the reference plane within the outline is to be removed too), the edge between wall and floor rounded.
 /// Frame: specimen. Millimetres. Immutable; any thread.
 #pragma once
 

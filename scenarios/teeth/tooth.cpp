@@ -91,11 +91,11 @@ Result<Tooth, ToothFailure> grown(const ToothRequest& request, Row& row, ToothCa
     bodies.emplace_back(*s.shape, s.place, material, own ? row.lesions : std::vector<PlacedLesion>{});
   }
   const bool gums = request.gingiva || request.bone;
-  const double pieces = static_cast<double>(bodies.size() + (gums ? 1 : 0));
+  const double steps = static_cast<double>(bodies.size() + (gums ? 1 : 0));
   double done = 0.0;
   const auto grow = [&](const Body& body) {
-    const double from = kShapeShare + (1.0 - kShapeShare) * done / pieces;
-    const double to = kShapeShare + (1.0 - kShapeShare) * (done + 1.0) / pieces;
+    const double from = kShapeShare + (1.0 - kShapeShare) * done / steps;
+    const double to = kShapeShare + (1.0 - kShapeShare) * (done + 1.0) / steps;
     done += 1.0;
     const ToothProgress part = [&](double share) {
       if (progress) progress(from + (to - from) * share);

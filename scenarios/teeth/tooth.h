@@ -57,7 +57,7 @@ struct Tooth {
 };
 
 /// Grows a tooth and its landmarks. Banded s is the signed distance within the band; the tissue is set wherever s > 0.
-/// Cementum and enamel are never thinner than 1.2 voxels, so that each tissue is one piece. The same request gives the
+/// Cementum and enamel are never thinner than 1.2 voxels, so that each tissue is one component. The same request gives the
 /// same voxels on one build; voxels are stored and hashed, never grown again at replay. Quadrants 2 and 4 are those of
 /// 1 and 3 mirrored in x, bit for bit. Uses up to two threads of its own. Not for the haptic thread.
 [[nodiscard]] Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,

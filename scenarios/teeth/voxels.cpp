@@ -178,7 +178,7 @@ class Maker {
   }
 
   /// Pass 4. A canal that ends near the apex, or a coat one voxel thin, may cut off a few voxels: they join the tissue
-  /// around them, so that each tissue is one piece.
+  /// around them, so that each tissue is one component.
   void join_strays() {
     const std::size_t row = static_cast<std::size_t>(field_.size.x), slice = row * static_cast<std::size_t>(field_.size.y);
     const std::size_t around[6] = {1, std::size_t(0) - 1, row, std::size_t(0) - row, slice, std::size_t(0) - slice};
@@ -189,35 +189,35 @@ class Maker {
     for (std::size_t i = 0; i < out_.s.size(); ++i) {
       if (seen[i] || !solid(i)) continue;
       const Tissue own = out_.tissue[i];
-      std::vector<std::size_t> piece{i};
+      std::vector<std::size_t> component{i};
       seen[i] = 1;
-      for (std::size_t k = 0; k < piece.size(); ++k) {
+      for (std::size_t k = 0; k < component.size(); ++k) {
         for (const std::size_t step : around) {
-          const std::size_t next = piece[k] + step;
+          const std::size_t next = component[k] + step;
           if (seen[next] || !solid(next) || out_.tissue[next] != own) continue;
           seen[next] = 1;
-          piece.push_back(next);
+          component.push_back(next);
         }
       }
       std::vector<std::size_t>& most = largest[index_of(own)];
-      if (piece.size() > most.size()) most.swap(piece);
-      if (!piece.empty()) strays.push_back(std::move(piece));
+      if (component.size() > most.size()) most.swap(component);
+      if (!component.empty()) strays.push_back(std::move(component));
     }
-    for (const std::vector<std::size_t>& piece : strays) {
+    for (const std::vector<std::size_t>& component : strays) {
       std::array<int, kTissueCodes> votes{};
-      const Tissue own = out_.tissue[piece.front()];
-      // Several lesions, or the ligaments of several teeth, are several pieces; only crumbs of one are strays.
+      const Tissue own = out_.tissue[component.front()];
+      // Several lesions, or the ligaments of several teeth, are several components; only crumbs of one are strays.
       const bool several = own == Tissue::carious_enamel || own == Tissue::carious_dentine ||
                            own == kFirmCariousDentine || own == Tissue::ligament;
-      if (several && piece.size() > kCrumbVoxels) continue;
-      for (const std::size_t i : piece) {
+      if (several && component.size() > kCrumbVoxels) continue;
+      for (const std::size_t i : component) {
         for (const std::size_t step : around) {
           if (solid(i + step) && out_.tissue[i + step] != own) ++votes[index_of(out_.tissue[i + step])];
         }
       }
       const auto most = std::max_element(votes.begin(), votes.end());
       if (*most == 0) continue;
-      for (const std::size_t i : piece) out_.tissue[i] = static_cast<Tissue>(most - votes.begin());
+      for (const std::size_t i : component) out_.tissue[i] = static_cast<Tissue>(most - votes.begin());
     }
   }
 

@@ -26,7 +26,7 @@ struct TissueFacts {
   Sourced<std::uint32_t> colour;       // 0xRRGGBB, sRGB
   Sourced<double> tone_hz;             // middle of the noise that cutting it makes, (0, 20000]
   Sourced<double> loudness;            // of that noise, [0, 1]
-  Sourced<bool> critical;              // opening it fails a go where a rubric asks for it
+  Sourced<bool> critical;              // opening it fails an attempt if the rubric lists it
 };
 
 /// By tissue code; codes without a name (13 to 15, and 16 to 31, the scenario's own) have figures of "own", their colours

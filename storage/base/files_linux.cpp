@@ -155,10 +155,10 @@ Stored<std::optional<std::string>> read_private_file(const std::filesystem::path
     return std::unexpected(failure_now(file));
   }
   std::string content;
-  std::array<char, 512> piece{};
+  std::array<char, 512> part{};
   ssize_t got = 0;
-  while ((got = read(descriptor, piece.data(), piece.size())) > 0 && content.size() < 65536) {
-    content.append(piece.data(), static_cast<std::size_t>(got));
+  while ((got = read(descriptor, part.data(), part.size())) > 0 && content.size() < 65536) {
+    content.append(part.data(), static_cast<std::size_t>(got));
   }
   Stored<std::optional<std::string>> result{content};
   if (got < 0) result = std::unexpected(failure_now(file));

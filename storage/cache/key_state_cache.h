@@ -16,7 +16,7 @@ namespace cusp::storage {
 
 class KeyStateCache {
  public:
-  /// Room for the states of about seven ten-minute sessions (0.6 MB each 5 s).
+  /// Space for the states of about seven ten-minute sessions (0.6 MB each 5 s).
   static constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20;
   /// keep_rebuilt() writes nothing if less is free on the disk: the records need it.
   static constexpr std::uint64_t kLeaveFree = std::uint64_t{256} << 20;

@@ -88,7 +88,7 @@ fs::path folder_of(const fs::path& file) {
 }
 
 /// Whether the log's index could not be created or grown there. Other failures concern the file itself, or pass.
-bool lacks_room(const StorageFailure& failure) {
+bool lacks_space(const StorageFailure& failure) {
   return out_of_space(failure.code) || failure.code == StorageError::file_too_large ||
          failure.code == StorageError::io || failure.code == StorageError::read_only ||
          failure.code == StorageError::not_found;
@@ -147,7 +147,7 @@ Stored<Database> Database::open_for_reading(const fs::path& file, const Database
   const std::size_t newest = options.migrations.size();
   auto in_place = read_in_place(file, options);
   if (in_place) return current(std::move(*in_place), newest);
-  if (!lacks_room(in_place.error())) return in_place;
+  if (!lacks_space(in_place.error())) return in_place;
   auto copy = copy_in_memory(file, options);
   if (!copy) return std::unexpected(copy.error().code == StorageError::busy ? copy.error() : in_place.error());
   const auto owner = owner_of(*copy, newest);

@@ -90,8 +90,8 @@ std::set<std::string> types_of(const std::string& text) {
 TEST(OneDefinition, no_two_files_of_the_program_define_a_type_of_the_same_name) {
   std::map<std::string, std::string> where;
   std::size_t types = 0;
-  for (const char* room : {"engine", "device", "scenarios", "storage", "ui"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CUSP_SOURCE_DIR) / room)) {
+  for (const char* module : {"engine", "device", "scenarios", "storage", "ui"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CUSP_SOURCE_DIR) / module)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;
       const std::string file = fs::relative(entry.path(), CUSP_SOURCE_DIR).string();

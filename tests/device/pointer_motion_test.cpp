@@ -72,7 +72,7 @@ TEST(PointerMotion, APushBuildsUpNoFasterThanItsRise) {
   EXPECT_LE(bench.most_rise_n, 0.2 + 1e-9);
 }
 
-TEST(PointerMotion, LettingGoLiftsOff) {
+TEST(PointerMotion, AReleaseLiftsOff) {
   Bench bench(Vec3(0, 0, 1));
   bench.hand.move_to(Vec3(0, 0, 0));
   bench.hand.set_push(2);

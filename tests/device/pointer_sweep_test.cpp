@@ -1,4 +1,4 @@
-// A pointer that sweeps, holds still and lets go, over tissue that gives way under its push: what is cut, and how fast
+// A pointer that sweeps, holds still and releases, over tissue that gives way under its push: what is cut, and how fast
 // the bur is out again.
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ TEST(PointerMotion, SweepsCutABroadShallowLayerAndHoldingStillSinks) {
   }
 }
 
-TEST(PointerMotion, LettingGoTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsAt) {
+TEST(PointerMotion, AReleaseTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsAt) {
   Bench bench(Vec3(0, 0, 1));
   bench.hand.set_push(1.5);
   while (bench.strip.depth() < 5.0) bench.tick();

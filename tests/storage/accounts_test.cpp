@@ -31,7 +31,7 @@ TEST_F(AccountsTest, the_right_password_signs_in_and_a_wrong_one_does_not) {
   EXPECT_EQ(code_of(accounts.sign_in_with_pin("admin", "")), StorageError::other_secret);
 }
 
-TEST_F(AccountsTest, an_unknown_number_cannot_be_told_from_a_wrong_password) {
+TEST_F(AccountsTest, an_unknown_number_gives_the_same_failure_as_a_wrong_password) {
   make_administrator(*store);
   const auto unknown = accounts.sign_in("nobody", "correct horse");
   const auto wrong = accounts.sign_in("admin", "nonsense");
@@ -117,7 +117,7 @@ TEST_F(AccountsTest, a_number_or_name_that_is_taken_is_named_and_not_the_file) {
   EXPECT_EQ(where(store->cohorts.create(instructor, "year 2")), "year 2");
 }
 
-TEST_F(AccountsTest, a_disabled_account_is_told_so_only_with_the_right_password) {
+TEST_F(AccountsTest, a_disabled_account_is_refused_as_disabled_only_with_the_right_password) {
   const Actor admin = make_administrator(*store).actor();
   const Account student = make_student(*store);
   must(accounts.disable(admin, student.id));

@@ -9,13 +9,13 @@
 namespace cusp::test {
 namespace {
 
-TEST(Hashes, blake2b_256_of_abc_is_what_other_implementations_say) {
+TEST(Hashes, blake2b_256_of_abc_is_that_of_other_implementations) {
   // python3: hashlib.blake2b(b"abc", digest_size=32).hexdigest()
   EXPECT_EQ(hex(blake2b_256(std::string_view{"abc"})),
             "bddd813c634239723171ef3fee98579b94964e3bb1cb3e427262c8c068d52319");
 }
 
-TEST(Hashes, pieces_do_not_run_together) {
+TEST(Hashes, neighbouring_fields_do_not_merge) {
   EXPECT_NE(Blake2b{}.add_text("ab").add_text("c").finish(), Blake2b{}.add_text("a").add_text("bc").finish());
 }
 

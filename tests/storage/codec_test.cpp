@@ -43,8 +43,8 @@ StepInput any_input(std::mt19937_64& random) {
   return in;
 }
 
-/// A hand at 1 kHz: 0.1 µm steps of a slow wander with tremor.
-std::vector<StepInput> hand(std::mt19937_64& random, std::size_t count) {
+/// A hand's movement at 1 kHz: 0.1 µm steps of a slow wander with tremor.
+std::vector<StepInput> movement(std::mt19937_64& random, std::size_t count) {
   std::vector<StepInput> inputs(count);
   double x = 0, v = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -62,10 +62,10 @@ TEST(TraceCodec, any_inputs_come_back_as_they_were) {
   const std::uint64_t seed = 20261120;
   RecordProperty("seed", std::to_string(seed));
   std::mt19937_64 random(seed);
-  for (int run = 0; run < 300; ++run) {
+  for (int round = 0; round < 300; ++round) {
     std::vector<StepInput> inputs(random() % 200);
     for (StepInput& input : inputs) input = any_input(random);
-    EXPECT_EQ(must(decode_trace(encode_trace(inputs))), inputs) << "run " << run << ", seed " << seed;
+    EXPECT_EQ(must(decode_trace(encode_trace(inputs))), inputs) << "round " << round << ", seed " << seed;
   }
 }
 
@@ -73,20 +73,20 @@ TEST(TraceCodec, no_inputs_come_back_as_none) { EXPECT_TRUE(must(decode_trace(en
 
 TEST(TraceCodec, the_longest_chunk_comes_back) {
   std::mt19937_64 random(1);
-  const auto inputs = hand(random, kMostInputsPerChunk);
+  const auto inputs = movement(random, kMostInputsPerChunk);
   EXPECT_EQ(must(decode_trace(encode_trace(inputs))), inputs);
 }
 
 TEST(TraceCodec, a_second_of_a_hand_takes_a_tenth_of_its_32_bytes_an_input) {
   std::mt19937_64 random(2);
-  const auto bytes = encode_trace(hand(random, 1000));
+  const auto bytes = encode_trace(movement(random, 1000));
   RecordProperty("bytes", static_cast<int>(bytes.size()));
   EXPECT_LT(bytes.size(), 3200u);  // measured: 2,056 of 32,000
 }
 
 TEST(TraceCodec, one_changed_bit_anywhere_is_refused) {
   std::mt19937_64 random(3);
-  const auto good = encode_trace(hand(random, 50));
+  const auto good = encode_trace(movement(random, 50));
   for (std::size_t at = 0; at < good.size(); ++at) {
     for (int bit = 0; bit < 8; ++bit) {
       auto bad = good;
@@ -98,7 +98,7 @@ TEST(TraceCodec, one_changed_bit_anywhere_is_refused) {
 
 TEST(TraceCodec, cut_off_or_lengthened_bytes_are_refused) {
   std::mt19937_64 random(4);
-  const auto good = encode_trace(hand(random, 50));
+  const auto good = encode_trace(movement(random, 50));
   for (std::size_t size = 0; size < good.size(); ++size) {
     EXPECT_EQ(code_of(decode_trace(std::span{good}.first(size))), StorageError::bad_trace) << size;
   }
@@ -109,11 +109,11 @@ TEST(TraceCodec, cut_off_or_lengthened_bytes_are_refused) {
 
 TEST(TraceCodec, random_bytes_are_refused) {
   std::mt19937_64 random(5);
-  for (int run = 0; run < 2000; ++run) {
+  for (int round = 0; round < 2000; ++round) {
     std::vector<std::byte> bytes(random() % 300);
     for (std::byte& byte : bytes) byte = static_cast<std::byte>(random());
-    EXPECT_FALSE(decode_trace(bytes)) << run;
-    EXPECT_FALSE(unpack(bytes)) << run;
+    EXPECT_FALSE(decode_trace(bytes)) << round;
+    EXPECT_FALSE(unpack(bytes)) << round;
   }
 }
 

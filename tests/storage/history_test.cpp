@@ -16,16 +16,16 @@ class HistoryTest : public ::testing::Test {
   Account noah = make_student(*store, "20260001", "Noah Adler");
   ScenarioVersion version = keep(*store);
 
-  SessionId go(const Account& student, double score, bool passed = true) {
+  SessionId attempt(const Account& student, double score, bool passed = true) {
     *now += 60'000'000;
     return complete_session(*store, student, version, score, passed);
   }
 };
 
-TEST_F(HistoryTest, a_students_list_is_newest_first_with_goes_counted) {
-  go(lena, 60, false);
-  go(noah, 90);
-  const SessionId last = go(lena, 78);
+TEST_F(HistoryTest, a_students_list_is_newest_first_with_attempts_counted) {
+  attempt(lena, 60, false);
+  attempt(noah, 90);
+  const SessionId last = attempt(lena, 78);
   const auto rows = must(store->history.list(lena.actor()));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].session, last);
@@ -41,8 +41,8 @@ TEST_F(HistoryTest, a_students_list_is_newest_first_with_goes_counted) {
   EXPECT_EQ(rows[1].critical, std::vector<std::string>{"pulp_exposure"});
 }
 
-TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_gone_on_with_or_graded) {
-  go(lena, 60, false);
+TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_resumed_or_graded) {
+  attempt(lena, 60, false);
   const auto interrupted = [&](const Account& student) {
     *now += 60'000'000;
     const SessionId id = must(store->sessions.start(student.actor(), new_session(student, version))).id;
@@ -69,20 +69,20 @@ TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_gone_on_with_
 }
 
 TEST_F(HistoryTest, a_student_cannot_ask_for_another) {
-  go(noah, 90);
+  attempt(noah, 90);
   HistoryFilter filter;
   filter.student = noah.id;
   EXPECT_EQ(code_of(store->history.list(lena.actor(), filter)), StorageError::not_allowed);
-  const SessionId others = go(noah, 91);
+  const SessionId others = attempt(noah, 91);
   EXPECT_EQ(code_of(store->history.details(lena.actor(), others)), StorageError::not_allowed);
   EXPECT_EQ(code_of(store->history.best_before(lena.actor(), others)), StorageError::not_allowed);
   EXPECT_TRUE(must(store->history.list(lena.actor())).empty());
 }
 
-TEST_F(HistoryTest, filters_narrow_and_leave_the_goes_as_they_were) {
-  go(lena, 60, false);
-  const SessionId second = go(lena, 78);
-  go(noah, 90);
+TEST_F(HistoryTest, filters_narrow_and_leave_the_attempt_numbers_as_they_were) {
+  attempt(lena, 60, false);
+  const SessionId second = attempt(lena, 78);
+  attempt(noah, 90);
   const Cohort cohort = must(store->cohorts.create(instructor, "A"));
   must(store->cohorts.add(instructor, cohort.id, noah.id));
   const auto count = [&](const HistoryFilter& filter) { return must(store->history.list(instructor, filter)).size(); };
@@ -131,7 +131,7 @@ TEST_F(HistoryTest, guests_and_try_outs_are_in_no_list_but_show_their_own_detail
 }
 
 TEST_F(HistoryTest, details_hold_all_of_a_session) {
-  const SessionId id = go(lena, 81.5);
+  const SessionId id = attempt(lena, 81.5);
   must(store->comments.add(instructor, id, std::nullopt, "Good."));
   const auto details = must(store->history.details(lena.actor(), id));
   EXPECT_EQ(details.row.session, id);
@@ -145,20 +145,20 @@ TEST_F(HistoryTest, details_hold_all_of_a_session) {
 }
 
 TEST_F(HistoryTest, the_best_before_is_the_earlier_of_two_alike_and_never_a_later_one) {
-  const SessionId first = go(lena, 60);
-  const SessionId best = go(lena, 78);
-  go(lena, 78);
-  const SessionId now_one = go(lena, 70);
-  go(lena, 99);
-  go(noah, 100);
+  const SessionId first = attempt(lena, 60);
+  const SessionId best = attempt(lena, 78);
+  attempt(lena, 78);
+  const SessionId now_one = attempt(lena, 70);
+  attempt(lena, 99);
+  attempt(noah, 100);
   EXPECT_EQ(must(store->history.best_before(lena.actor(), now_one))->session, best);
   EXPECT_FALSE(must(store->history.best_before(lena.actor(), first)));
   EXPECT_EQ(must(store->history.attempts(lena.actor(), lena.id, version.scenario)), 5);
 }
 
-TEST_F(HistoryTest, standings_tell_goes_best_and_last) {
-  const SessionId best = go(lena, 78);
-  const SessionId last = go(lena, 60);
+TEST_F(HistoryTest, standings_count_attempts_and_name_best_and_last) {
+  const SessionId best = attempt(lena, 78);
+  const SessionId last = attempt(lena, 60);
   must(store->sessions.start(lena.actor(), new_session(lena, version)));  // not graded
   const auto standings = must(store->history.standings(lena.actor(), lena.id));
   ASSERT_EQ(standings.size(), 1u);
@@ -169,7 +169,7 @@ TEST_F(HistoryTest, standings_tell_goes_best_and_last) {
 
 TEST_F(HistoryTest, a_thousand_sessions_are_listed) {
   // A thousand rows of sessions and events, without the traces that the list does not read.
-  const SessionId one = go(lena, 80);
+  const SessionId one = attempt(lena, 80);
   must(store->database().run("PRAGMA foreign_keys = OFF"));
   must(
       store->database().run("WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000) "

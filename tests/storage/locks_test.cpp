@@ -29,7 +29,7 @@ int locks_held(const fs::path& file) {
   return held;
 }
 
-/// A program of its own that waits for go() and then does `work`. Made before any connection stands: SQLite's must not
+/// A program of its own that waits for begin() and then does `work`. Made before any connection stands: SQLite's must not
 /// cross a fork.
 class Program {
  public:
@@ -41,7 +41,7 @@ class Program {
     close(ends_[1]);
     _exit(read(ends_[0], &byte, 1) == 1 && work() ? 0 : 1);
   }
-  void go() { EXPECT_EQ(write(ends_[1], "g", 1), 1); }
+  void begin() { EXPECT_EQ(write(ends_[1], "g", 1), 1); }
   bool succeeded() {
     int status = 0;
     waitpid(child_, &status, 0);
@@ -87,7 +87,7 @@ TEST(Locks, another_program_that_opens_and_closes_leaves_the_log_of_this_one) {
   struct stat before {
   }, after{};
   ASSERT_EQ(stat((file.string() + "-wal").c_str(), &before), 0);
-  other.go();
+  other.begin();
   ASSERT_TRUE(other.succeeded());
   ASSERT_EQ(stat((file.string() + "-wal").c_str(), &after), 0) << "the log was deleted";
   EXPECT_EQ(before.st_ino, after.st_ino);
@@ -97,7 +97,7 @@ TEST(Locks, another_program_that_opens_and_closes_leaves_the_log_of_this_one) {
     const auto proof = verify_session((*again)->context(), session);
     return proof.has_value() && proof->intact();
   });
-  reader.go();
+  reader.begin();
   EXPECT_TRUE(reader.succeeded()) << "what was committed here is not seen there";
 }
 
@@ -113,7 +113,7 @@ TEST(Locks, programs_that_start_together_on_a_new_file_all_open_it) {
       return store.has_value();
     };
     for (int i = 0; i < 4; ++i) programs.emplace_back(open_it);
-    for (Program& program : programs) program.go();
+    for (Program& program : programs) program.begin();
     for (Program& program : programs) EXPECT_TRUE(program.succeeded()) << round;
     const auto store = open(file);
     EXPECT_EQ(must(store->database().integrity_check()), "");
@@ -151,7 +151,7 @@ TEST(Verify, FindsNothingWhileAnotherProgramRecords) {
     return !::testing::Test::HasFailure();
   });
   const auto store = open(file);
-  recorder.go();
+  recorder.begin();
   // Until the other has finished: verify at each of its moments.
   for (bool finished = false; !finished;) {
     const auto verified = must(verify_store(store->context()));

@@ -39,10 +39,10 @@ TEST(Opening, a_new_file_has_the_settings_that_keep_it_safe) {
 TEST(Opening, every_table_is_strict) {
   const Folder folder;
   auto db = must(Database::open(folder / "new.db"));
-  const auto loose =
+  const auto not_strict =
       must(db.all("SELECT name FROM pragma_table_list WHERE schema = 'main' AND NOT strict AND name <> 'sqlite_schema'",
                   [](Row row) { return row.text(0); }));
-  EXPECT_TRUE(loose.empty()) << loose.front();
+  EXPECT_TRUE(not_strict.empty()) << not_strict.front();
 }
 
 TEST(Opening, what_was_written_is_there_again) {
@@ -129,7 +129,7 @@ TEST(Opening, a_name_without_a_folder_is_made_where_the_program_stands_and_a_lin
   EXPECT_EQ(code_of(Database::open(fs::path(folder / "elsewhere") / "link.db")), StorageError::newer_schema);
 }
 
-TEST(Opening, a_place_where_no_file_can_be_made_is_told_as_such) {
+TEST(Opening, a_place_where_no_file_can_be_made_is_refused_as_such) {
   if (!fs::is_directory("/proc")) GTEST_SKIP() << "no folder here admits no file to everybody";
   const auto refused = Database::open("/proc/cusp.db");  // "no such file" to SQLite, for root as for all others
   EXPECT_EQ(code_of(refused), StorageError::read_only);
@@ -145,7 +145,7 @@ TEST(Opening, a_network_drive_is_refused_before_anything_is_made) {
   EXPECT_FALSE(fs::exists(folder / "a.db"));
 }
 
-TEST(Opening, a_read_only_disk_is_told_from_a_full_one) {
+TEST(Opening, a_read_only_disk_and_a_full_one_give_different_failures) {
   const Folder folder;
   {
     must(Database::open(folder / "a.db"));
@@ -237,7 +237,7 @@ TEST(StationKeys, where_the_key_is_lost_a_new_one_is_made_and_old_signatures_sti
   EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
 }
 
-TEST(StationKeys, a_damaged_key_file_is_told_and_not_replaced) {
+TEST(StationKeys, a_damaged_key_file_is_refused_and_not_replaced) {
   const Folder folder;
   {
     open(folder / "a.db");

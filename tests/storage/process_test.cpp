@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Splits the text at its colons.
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> fields_of(const std::string& text) {
   std::vector<std::string> out;
   std::istringstream in(text);
   for (std::string field; std::getline(in, field, ':');) out.push_back(field);
@@ -29,7 +29,7 @@ std::vector<std::string> words_of(const std::string& text) {
 
 /// The first three fields: the format of older programs.
 std::string old_form(const std::string& text) {
-  const auto fields = words_of(text);
+  const auto fields = fields_of(text);
   return fields[0] + ":" + fields[1] + ":" + fields[2];
 }
 
@@ -61,8 +61,8 @@ class Marked {
     close(mark_pipe[1]);
     close(wait[0]);
     end_ = wait[1];
-    char piece[256];
-    for (ssize_t got = 0; (got = read(mark_pipe[0], piece, sizeof piece)) > 0;) text_.append(piece, static_cast<std::size_t>(got));
+    char part[256];
+    for (ssize_t got = 0; (got = read(mark_pipe[0], part, sizeof part)) > 0;) text_.append(part, static_cast<std::size_t>(got));
     close(mark_pipe[0]);
   }
   ~Marked() { end(); }
@@ -104,7 +104,7 @@ TEST(Processes, a_number_that_another_process_got_is_not_the_one_that_had_it) {
   const Folder folder;
   const fs::path locks = folder / "a.db.running";
   const ProcessMark mine(locks);
-  const auto fields = words_of(mine.text());
+  const auto fields = fields_of(mine.text());
   ASSERT_EQ(fields.size(), 5u);
   const std::string before = fields[0] + ":" + fields[1] + ":" + fields[2] + "0:" + fields[3] + ":77";
   EXPECT_FALSE(process_runs(before, locks));
@@ -117,7 +117,7 @@ TEST(Processes, one_of_another_pid_namespace_runs_until_it_has_ended) {
   Marked other(locks, [] { return unshare(CLONE_NEWPID) == 0 || unshare(CLONE_NEWUSER | CLONE_NEWPID) == 0; });
   if (other.text().empty()) GTEST_SKIP() << "no pid namespace may be made here";
   // Its number means this machine's first process here, which did not start when it did.
-  EXPECT_EQ(words_of(other.text())[1], "1");
+  EXPECT_EQ(fields_of(other.text())[1], "1");
   EXPECT_TRUE(process_runs(other.text(), locks));
   other.end();
   EXPECT_FALSE(process_runs(other.text(), locks));
@@ -126,7 +126,7 @@ TEST(Processes, one_of_another_pid_namespace_runs_until_it_has_ended) {
 TEST(Processes, one_of_another_namespace_without_its_lock_file_is_not_taken_for_ended) {
   const Folder folder;
   const ProcessMark mine(folder / "a.db.running");
-  const auto fields = words_of(mine.text());
+  const auto fields = fields_of(mine.text());
   const std::string elsewhere = fields[0] + ":999999:1:1:" + fields[4];
   EXPECT_TRUE(process_runs(elsewhere, folder / "none.running"));
   EXPECT_TRUE(process_runs(fields[0] + ":999999:1:1:", folder / "a.db.running")) << "it held no lock";
@@ -146,7 +146,7 @@ TEST(Processes, one_of_another_user_who_hides_it_runs_until_it_has_ended) {
         mount("proc", "/proc", "proc", 0, "hidepid=2") != 0 || setgid(65534) != 0 || setuid(65534) != 0) {
       _exit(77);
     }
-    if (fs::exists("/proc/" + words_of(mine.text())[1] + "/stat")) _exit(78);
+    if (fs::exists("/proc/" + fields_of(mine.text())[1] + "/stat")) _exit(78);
     _exit((process_runs(mine.text(), locks) ? 0 : 1) | (process_runs(old_form(mine.text()), locks) ? 0 : 2) |
           (process_runs(ended.text(), locks) ? 4 : 0));
   }

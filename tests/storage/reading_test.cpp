@@ -165,7 +165,7 @@ TEST_F(ReadingTest, a_folder_that_nobody_can_write_shows_its_log_too) {
   EXPECT_EQ(sessions, 2u);
 }
 
-TEST_F(ReadingTest, a_file_that_cannot_be_read_at_all_is_told_and_not_taken_for_empty) {
+TEST_F(ReadingTest, a_file_that_cannot_be_read_at_all_is_refused_and_not_taken_for_empty) {
   const Crashed left(folder / "a.db");
   for (int n = 1; n <= 30; ++n) {
     fail_from(Failing::any_call, n);

@@ -49,7 +49,7 @@ TEST_F(ScenariosTest, publishing_makes_the_next_version_and_drops_the_draft) {
   EXPECT_EQ(must(scenarios.version(first.id)).json, "{\"id\":1}");
 }
 
-TEST_F(ScenariosTest, of_two_stores_on_one_draft_the_second_is_told_and_nothing_is_lost) {
+TEST_F(ScenariosTest, of_two_stores_on_one_draft_the_second_is_refused_and_nothing_is_lost) {
   const auto first = keep(*store);
   const auto other = open(folder / "a.db");
   Scenarios& theirs = other->scenarios;
@@ -89,7 +89,7 @@ TEST_F(ScenariosTest, a_versions_files_are_kept_by_content) {
   EXPECT_EQ(must(scenarios.versions(small_scenario().id)).size(), 1u);
 }
 
-TEST_F(ScenariosTest, a_damaged_blob_is_told) {
+TEST_F(ScenariosTest, a_damaged_blob_is_refused) {
   const Hash256 hash = must(store->blobs.put(std::vector<std::byte>(1000, std::byte{3})));
   must(store->database().run("UPDATE blobs SET packed = zeroblob(20) WHERE hash = ?1", hash));
   EXPECT_EQ(code_of(store->blobs.get(hash)), StorageError::corrupt);

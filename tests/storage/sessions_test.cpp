@@ -108,7 +108,7 @@ TEST_F(SessionsTest, a_second_that_does_not_follow_the_last_is_refused_whole) {
   EXPECT_EQ(code_of(store->sessions.finish(id, volume_after(11), "student")), StorageError::wrong_state);
 }
 
-TEST_F(SessionsTest, removed_tissue_is_told_over_time_and_in_the_end) {
+TEST_F(SessionsTest, removed_tissue_is_listed_over_time_and_in_the_end) {
   const SessionId id = start();
   RecordedSecond second = second_from(1);
   second.metrics.removed = {{Tissue::enamel, 5, 0.5}};

@@ -39,7 +39,7 @@ std::string report_text(const SessionResult& result, Store& store, const Account
     if (const auto version = store.scenarios.version(session->version)) head.scenario_version = version->number;
   }
   head.student = student.number;
-  head.hand = result.hand == "person" ? std::string() : result.hand;
+  head.operator_name = result.hand == "person" ? std::string() : result.hand;
   head.engine = result.engine_version;
   head.device = result.device.name;
   head.duration_s = result.seconds;

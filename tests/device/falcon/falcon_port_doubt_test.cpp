@@ -1,5 +1,5 @@
 // The port when something is in doubt: not there, unplugged, silent, nonsense, clutched. There is no force then, and it
-// waits no longer than it was told.
+// waits no longer than its deadline.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ using falcon::Presence;
 using test::image;
 using Bench = test::PortBench;
 
-TEST(FalconPort, says_why_it_does_not_open) {
+TEST(FalconPort, reports_why_it_does_not_open) {
   const auto error_of = [](Presence presence) {
     Bench bench;
     bench.link->set_presence(presence);
@@ -156,7 +156,7 @@ TEST(FalconPort, one_answer_with_the_clutch_s_bit_shifts_nothing) {
   EXPECT_LT(glm::length(move(0).position_mm - space.specimen_mm({x, 0, 0.12})), 0.03);
 }
 
-TEST(FalconPort, waits_no_longer_than_it_was_told_whatever_happens) {
+TEST(FalconPort, waits_no_longer_than_its_deadline_whatever_happens) {
   std::mt19937 random(23);
   Bench bench(EmulatorSettings{});
   bench.port->give_image(image());

@@ -41,7 +41,7 @@ TEST(FalconThreads, opening_can_be_given_up) {
     EXPECT_TRUE(test::eventually([&port] { return port.view().session.phase == falcon::Phase::greeting; }));
     port.cancel();
   });
-  const auto opened = port.open();  // nobody says hello: without cancel() this would take a minute
+  const auto opened = port.open();  // nobody answers hello: without cancel() this would take a minute
   screen.join();
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().detail, "cancelled");

@@ -62,7 +62,7 @@ TEST(FalconWeighing, finds_the_weight_that_was_set) {
   EXPECT_NEAR(found->arm_kg_m, set.arm_kg_m, 0.0002);
 }
 
-TEST(FalconWeighing, stopped_it_says_nothing) {
+TEST(FalconWeighing, stopped_it_gives_no_result) {
   TrialBench bench({});
   Weighing trial({}, {});
   for (int i = 0; i < 3000; ++i) bench.push(trial.advance(bench.read()));

@@ -78,7 +78,7 @@ TEST(FalconGravity, is_found_again_from_places_that_were_held) {
   EXPECT_NEAR(fit->arm_kg_m, kHeavy.arm_kg_m, 5e-4);
 }
 
-TEST(FalconGravity, refuses_what_cannot_be_told_apart) {
+TEST(FalconGravity, refuses_poses_that_do_not_determine_both) {
   EXPECT_FALSE(fit_gravity(kFalcon, {}));
   const Pose pose = pose_of(kMiddleM);
   std::vector<HeldPose> two(2, HeldPose{pose, gravity_torque_nm(kFalcon, pose, kHeavy)});

@@ -150,7 +150,7 @@ TEST(FalconFrames, random_bytes_give_what_the_plainest_reading_gives) {
   EXPECT_GT(frames, 20000u);
 }
 
-TEST(FalconLine, speeds_are_what_the_divisors_say) {
+TEST(FalconLine, speeds_follow_from_the_divisors) {
   EXPECT_DOUBLE_EQ(baud_of(ftdi::kBaudHello.value), 9600.0);     // 3,000,000 / 312.5
   EXPECT_NEAR(baud_of(ftdi::kBaudUpload.value), 142857.0, 0.5);  // 3,000,000 / 21
   EXPECT_DOUBLE_EQ(baud_of(ftdi::kBaudRun.value), 1500000.0);    // 3,000,000 / 2

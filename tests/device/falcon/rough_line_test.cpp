@@ -1,5 +1,5 @@
 // The port on a line that delays, stalls, loses, doubles and spoils: whatever it does, no torque leaves and no place is
-// told that rests on an answer of more than 10 ms ago, and when it is well again so is the port.
+// reported that rests on an answer of more than 10 ms ago, and when it is well again so is the port.
 // ./check runs the first 500 seconds of link time. CUSP_LINK_SECONDS=100000 runs more, CUSP_LINK_SEED begins there (and
 // runs that seed alone without CUSP_LINK_SECONDS), CUSP_LINK_ONCE=1 leaves out answers that come twice.
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ class Voyage {
     auto made = std::make_unique<RoughLink>(seed);
     link_ = made.get();
     port_ = std::make_unique<FalconPort>(std::move(made));
-    link_->on_packet([this](const std::array<std::int16_t, 3>& torque) { look_at(torque); });
+    link_->on_packet([this](const std::array<std::int16_t, 3>& torque) { check(torque); });
   }
   void sail(LinkTime time) {
     ASSERT_TRUE(port_->open());
@@ -90,7 +90,7 @@ class Voyage {
     const double twice = chance(0.2);
     if (answers_ == Answers::may_repeat) out.twice = twice;
     out.together = chance(0.5);
-    out.pieces = chance(0.5);
+    out.parts = chance(0.5);
     out.cut = chance(0.1);
     out.reported = chance(0.2);
     out.false_alarm = chance(0.1);
@@ -136,11 +136,11 @@ class Voyage {
   }
   void tick() {
     const Sample sample = port_->wait(std::chrono::steady_clock::time_point(link_->now() + 2ms));
-    if (sample.status == Sample::Status::fresh) look_at(sample);
+    if (sample.status == Sample::Status::fresh) check(sample);
     if (before_write_ > LinkTime(0)) link_->stall_host(std::exchange(before_write_, LinkTime(0)));
     port_->write({.force_n = {0.6, -0.8, 1.1}});
   }
-  void look_at(const Sample& sample) {
+  void check(const Sample& sample) {
     ++count_.fresh;
     const Truth* truth = link_->truth_of(port_->view().session.encoders);
     if (truth == nullptr) {
@@ -152,16 +152,16 @@ class Voyage {
     count_.old_samples += age > kFresh;
     count_.reported += truth->reported;
     const double off = glm::length(sample.position_mm - space_.specimen_mm(truth->grip_m)) / 1e3 / space_.scale();
-    const LinkTime tick = rests_on_ ? std::max(truth->sent - *rests_on_, link_->now() - told_at_) : LinkTime(0);
+    const LinkTime tick = rests_on_ ? std::max(truth->sent - *rests_on_, link_->now() - reported_at_) : LinkTime(0);
     const double since = std::chrono::duration<double>(tick).count();
-    told_at_ = link_->now();
+    reported_at_ = link_->now();
     count_.farthest_m = std::max(count_.farthest_m, off);
-    // What was told last was off by so much; since then the told place and the true one have each gone their way.
+    // The last reported place was off by so much; since then the reported place and the true one have both moved.
     count_.wrong_places += off > off_m_ + (kHandMPerS + kGripMPerS) * since + kStepM;
     off_m_ = off;
     rests_on_ = truth->sent;
   }
-  void look_at(const std::array<std::int16_t, 3>& torque) {
+  void check(const std::array<std::int16_t, 3>& torque) {
     if (torque == std::array<std::int16_t, 3>{}) return;
     ++count_.torque;
     const LinkTime age = rests_on_ ? link_->now() - *rests_on_ : LinkTime::max();
@@ -175,8 +175,8 @@ class Voyage {
   RoughLink* link_ = nullptr;
   std::unique_ptr<FalconPort> port_;
   falcon::Workspace space_ = *falcon::Workspace::from({});
-  std::optional<LinkTime> rests_on_;  // when the device sent what the newest fresh sample tells
-  LinkTime before_write_{0}, told_at_{0};
+  std::optional<LinkTime> rests_on_;  // when the device sent what the newest fresh sample reports
+  LinkTime before_write_{0}, reported_at_{0};
   double off_m_ = 0.0;  // of the newest fresh sample, from where the grip was
 };
 
@@ -264,7 +264,7 @@ TEST(FalconPort, no_line_however_rough_brings_torque_or_a_place_from_an_old_answ
   const std::uint64_t seeds = only != nullptr && wanted == nullptr ? 1 : (seconds + 9) / 10;
   const Answers answers = std::getenv("CUSP_LINK_ONCE") == nullptr ? Answers::may_repeat : Answers::once;
   Count count;
-  int told = 0;
+  int printed = 0;
   for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
     const std::uint64_t before = count.violations();
     Voyage(seed, answers, count).sail(10s);

@@ -127,7 +127,7 @@ void RoughLink::deliver(std::vector<std::uint8_t> payload, std::uint8_t line, Li
     packets_in_.push_back(std::move(packet));
   };
   const std::span<const std::uint8_t> all(payload);
-  if (happens(weather_.pieces) && all.size() > 1) {
+  if (happens(weather_.parts) && all.size() > 1) {
     const std::size_t cut = 1 + random_() % (all.size() - 1);
     push(all.first(cut), line, at);
     if (random_() % 2 == 0) push({}, kLine, at);

@@ -1,5 +1,5 @@
 /// A Falcon that is homed and answers, at the end of a line that does what no line should: delays that change, stalls on
-/// either side, packets that come twice, in pieces or together, errors that the line reports and errors that it does
+/// either side, packets that come twice, in parts or together, errors that the line reports and errors that it does
 /// not. It knows of every answer when the device sent it and where the grip was. Its time stands until somebody waits.
 #pragma once
 
@@ -22,10 +22,10 @@ struct Weather {
   falcon::LinkTime out{100'000}, in{130'000};  // ways there and back
   falcon::LinkTime in_later{130'000};          // at the end of the spell; between, it drifts
   falcon::LinkTime jitter{50'000};             // at most so much more, each way
-  double lost_packet = 0, lost_answer = 0, twice = 0, together = 0, pieces = 0, cut = 0;
-  double reported = 0;     // a letter of the answer is another letter, and the line status says so
-  double false_alarm = 0;  // the line status says so, and nothing is wrong
-  double flipped = 0;      // a bit is flipped, and nothing says so; not within kFlipsApart
+  double lost_packet = 0, lost_answer = 0, twice = 0, together = 0, parts = 0, cut = 0;
+  double reported = 0;     // a letter of the answer is another letter, and the line status reports it
+  double false_alarm = 0;  // the line status reports an error, and nothing is wrong
+  double flipped = 0;      // a bit is flipped, and nothing reports it; not within kFlipsApart
 };
 
 /// An answer as the device meant it and as it was delivered.

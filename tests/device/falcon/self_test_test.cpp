@@ -134,7 +134,7 @@ TEST(FalconTrial, ends_without_force_when_the_device_is_lost_silent_too_fast_or_
   EXPECT_EQ(after([](TrialReading& r) { r.grip_m.x = std::numeric_limits<double>::quiet_NaN(); }), TrialEnd::out_of_range);
 }
 
-TEST(FalconMotionFit, says_nothing_where_nothing_moved) {
+TEST(FalconMotionFit, fits_nothing_where_nothing_moved) {
   std::vector<MotionSample> still;
   for (int i = 0; i < 5000; ++i) still.push_back({i * 1e-3, 0.01, i % 20 < 10 ? 1.0 : -1.0});
   EXPECT_FALSE(fit_motion(still));

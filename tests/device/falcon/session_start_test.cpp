@@ -51,7 +51,7 @@ TEST(FalconSession, finds_it_although_the_first_answers_are_lost) {
   rig.falcon.lose_answers(3);
   ASSERT_TRUE(rig.reach(Phase::homing, 1s));
   EXPECT_FALSE(rig.seen.contains(Phase::arming));
-  // The fourth is answered; whose answer that is, a drained line tells: three zeros, then one packet at a time.
+  // The fourth is answered. A drained line shows which packet the answer belongs to: three zeros, then one packet at a time.
   EXPECT_EQ(rig.session.state().sent, 4u + 3u + 8u);
 }
 
@@ -85,7 +85,7 @@ TEST(FalconSession, an_echo_that_stays_away_ends_the_attempt_and_the_next_one_su
   EXPECT_TRUE(rig.reach(Phase::homing));
 }
 
-TEST(FalconSession, hellos_that_nobody_hears_are_said_again) {
+TEST(FalconSession, hellos_that_nobody_hears_are_sent_again) {
   Rig rig;
   rig.session.give_image(image());
   rig.falcon.ignore_hellos(4);  // three in the first attempt, one in the second
@@ -140,7 +140,7 @@ TEST(FalconSession, firmware_that_hangs_after_the_upload_is_loaded_again) {
   EXPECT_TRUE(rig.reach(Phase::homing));
 }
 
-TEST(FalconSession, a_falcon_without_its_adapter_says_no_hello) {
+TEST(FalconSession, a_falcon_without_its_adapter_answers_no_hello) {
   Rig rig({.powered = false});
   rig.session.give_image(image());
   ASSERT_TRUE(rig.reach(Phase::failed, 300s));
@@ -159,7 +159,7 @@ TEST(FalconSession, refused_requests_end_the_attempt) {
   }
 }
 
-TEST(FalconSession, a_device_that_may_not_be_opened_says_why_and_is_tried_again) {
+TEST(FalconSession, a_device_that_may_not_be_opened_reports_why_and_is_tried_again) {
   for (const auto& [presence, trouble] :
        {std::pair{Presence::absent, Trouble::absent}, std::pair{Presence::denied, Trouble::denied},
         std::pair{Presence::busy, Trouble::busy}}) {

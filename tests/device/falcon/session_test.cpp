@@ -47,7 +47,7 @@ TEST(FalconSession, torque_beyond_the_limit_is_cut) {
   EXPECT_EQ(rig.session.last_torque(), (std::array<std::int16_t, 3>{4095, -4095, 4095}));
 }
 
-TEST(FalconSession, frames_that_come_in_pieces_are_put_together) {
+TEST(FalconSession, frames_that_come_in_parts_are_joined) {
   // A late bridge: packets are cut wherever its timer falls.
   Rig rig({.firmware_running = true, .answer_delay = 900us});
   rig.session.give_image(image());
@@ -242,7 +242,7 @@ TEST(FalconSession, unplugged_while_forcing_it_forces_again_only_from_zero) {
   EXPECT_FALSE(rig.forced);
 }
 
-TEST(FalconSession, buttons_are_told_and_released_when_reports_stop) {
+TEST(FalconSession, buttons_are_reported_and_released_when_reports_stop) {
   Rig rig({.firmware_running = true});
   rig.reach(Phase::homing);
   rig.home();

@@ -26,7 +26,7 @@ inline Bytes keyboard_descriptor() {
           0x05, 0x07, 0x19, 0x00, 0x29, 0xFF, 0x81, 0x00, 0xC0};
 }
 
-/// Rudder pedals: a rudder of nine bits and two toe brakes of seven, as the Saitek's are told to be; one bit of padding.
+/// Rudder pedals: a rudder of nine bits and two toe brakes of seven, as published for the Saitek; one bit of padding.
 inline Bytes rudder_descriptor() {
   return {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01,                                            // joystick
           0x09, 0x35, 0x15, 0x00, 0x26, 0xFF, 0x01, 0x75, 0x09, 0x95, 0x01, 0x81, 0x02,  // Rz, 0 to 511

@@ -1,4 +1,4 @@
-/// HID devices in memory, for whoever reads them: plugged in, spoken for and pulled out by a test.
+/// HID devices in memory, for a reader under test: a test plugs them in, sends their reports and pulls them out.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct Desk {
     const std::lock_guard lock(mutex);
     std::erase(devices, plugged);
   }
-  void say(const std::shared_ptr<Plugged>& plugged, Bytes report) {
+  void send(const std::shared_ptr<Plugged>& plugged, Bytes report) {
     const std::lock_guard lock(mutex);
     plugged->reports.push_back(std::move(report));
   }

@@ -95,7 +95,7 @@ void MockHid::unplug() {
     umockdev_testbed_remove_device(bus_.testbed(), at.c_str());
 }
 
-void MockHid::say(Bytes report) {
+void MockHid::send(Bytes report) {
   const std::lock_guard lock(mutex_);
   reports_.push_back(std::move(report));
 }
@@ -119,9 +119,9 @@ gboolean MockHid::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, Mock
     umockdev_ioctl_data_unref(out);
   } else if (request == HIDIOCGRDESC) {
     UMockdevIoctlData* out = umockdev_ioctl_data_resolve(argument, 0, sizeof(hidraw_report_descriptor), nullptr);
-    auto* told = reinterpret_cast<hidraw_report_descriptor*>(out->data);
-    told->size = static_cast<std::uint32_t>(self->descriptor_.size());
-    std::memcpy(told->value, self->descriptor_.data(), self->descriptor_.size());
+    auto* answer = reinterpret_cast<hidraw_report_descriptor*>(out->data);
+    answer->size = static_cast<std::uint32_t>(self->descriptor_.size());
+    std::memcpy(answer->value, self->descriptor_.data(), self->descriptor_.size());
     umockdev_ioctl_client_complete(client, 0, 0);
     umockdev_ioctl_data_unref(out);
   } else {

@@ -37,8 +37,8 @@ class MockHid {
 
   void plug();
   void unplug();
-  /// Told to whoever reads next.
-  void say(Bytes report);
+  /// Queues a report for the next read.
+  void send(Bytes report);
   /// Reports that have not been read yet.
   std::size_t waiting();
   std::string path() const { return "/dev/" + node_; }

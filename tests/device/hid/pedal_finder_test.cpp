@@ -38,7 +38,7 @@ TEST(PedalFinder, learns_a_key_that_nobody_knew_before) {
   Lesson lesson(test::keyboard_descriptor());
   lesson.rest({0, 0, 0, 0, 0, 0, 0, 0});
   lesson.press({0, 0, 0x68, 0, 0, 0, 0, 0});
-  lesson.press({0, 0, 0, 0, 0, 0, 0, 0});  // let go again before the finder was told
+  lesson.press({0, 0, 0, 0, 0, 0, 0, 0});  // released again before the finder polled
   const auto found = lesson.finder.found();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, (ControlId{usage::kKeyPage, 0x68, 0}));

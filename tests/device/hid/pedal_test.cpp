@@ -47,7 +47,7 @@ TEST(Pedal, a_pedal_that_plays_keyboard_drills_with_its_key_and_with_no_other) {
   EXPECT_EQ(reading_of(state, settings).pressed, 0);
   ASSERT_TRUE(state.take(Bytes{0, 0, 0x04, 0x68, 0, 0, 0, 0}));
   EXPECT_EQ(reading_of(state, settings).pressed, 65535);
-  // Too many keys down: the keyboard says 01 in every slot, and nothing is known to be down.
+  // Too many keys down: the keyboard reports 01 in every slot, and nothing is known to be down.
   ASSERT_TRUE(state.take(Bytes{0, 0, 1, 1, 1, 1, 1, 1}));
   EXPECT_EQ(reading_of(state, settings).pressed, 0);
   // A modifier is a switch of its own.
@@ -107,7 +107,7 @@ TEST(Pedal, reports_that_are_none_of_its_own_change_nothing) {
   EXPECT_EQ(state.value({usage::kSimulationPage, 0xC4, 0}), 10000);
 }
 
-TEST(Pedal, several_of_one_usage_are_told_apart) {
+TEST(Pedal, several_of_one_usage_are_distinguished) {
   Bytes two = {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x09, 0x36, 0x09, 0x36, 0x15, 0x00, 0x26, 0xFF, 0x00,
                0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xC0};
   PedalState state = state_of(two);

@@ -31,7 +31,7 @@ TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) 
   auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
   EXPECT_EQ(reader.view().controls.size(), 3u);
-  desk.say(pedal, {0x02, 0x00});
+  desk.send(pedal, {0x02, 0x00});
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
   desk.unplug(pedal);
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
@@ -39,25 +39,25 @@ TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) 
   pedal = desk.plug("/dev/hidraw2", 0x05f3, 0x00ff, test::vec_descriptor());
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
   EXPECT_EQ(latest(reader).pressed, 0);  // nothing is remembered of the time before
-  desk.say(pedal, {0x01, 0x00});
+  desk.send(pedal, {0x01, 0x00});
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
 }
 
-TEST(PedalReader, a_value_that_nobody_has_looked_after_is_released) {
+TEST(PedalReader, a_value_older_than_the_limit_is_released) {
   Desk desk;
   auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   PedalReader reader(bus_of(desk));
   reader.start();
-  desk.say(pedal, {0x01, 0x00});
+  desk.send(pedal, {0x01, 0x00});
   ASSERT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
   const auto now = std::chrono::steady_clock::now();
   EXPECT_EQ(reader.latest(now + PedalReader::kStale + 1s).pressed, 0);
-  EXPECT_EQ(reader.latest(now - 1h).pressed, 65535);  // the reader has looked since
+  EXPECT_EQ(reader.latest(now - 1h).pressed, 65535);  // polled since
   reader.stop();
   EXPECT_EQ(latest(reader).pressed, 0);
 }
 
-TEST(PedalReader, one_that_may_not_be_opened_is_said_to_be_denied) {
+TEST(PedalReader, one_that_may_not_be_opened_is_denied) {
   Desk desk;
   desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor())->denied = true;
   PedalReader reader(bus_of(desk));
@@ -79,9 +79,9 @@ TEST(PedalReader, a_keyboard_is_offered_and_followed_only_when_chosen) {
   settings.drill = ControlId{usage::kKeyPage, 0x68, 0};
   reader.set_settings(settings);
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
-  desk.say(keyboard, {0, 0, 0x68, 0, 0, 0, 0, 0});
+  desk.send(keyboard, {0, 0, 0x68, 0, 0, 0, 0, 0});
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
-  desk.say(keyboard, {0, 0, 0, 0, 0, 0, 0, 0});
+  desk.send(keyboard, {0, 0, 0, 0, 0, 0, 0, 0});
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
 }
 
@@ -91,9 +91,9 @@ TEST(PedalReader, many_goings_and_comings_leave_nothing_pressed) {
   reader.start();
   for (int i = 0; i < 30; ++i) {
     auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
-    reader.set_settings({});  // looks at once
+    reader.set_settings({});  // lists the devices at once
     ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
-    for (int n = 0; n < 20; ++n) desk.say(pedal, {static_cast<std::uint8_t>(n % 2 + 1), 0x00});
+    for (int n = 0; n < 20; ++n) desk.send(pedal, {static_cast<std::uint8_t>(n % 2 + 1), 0x00});
     ASSERT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
     desk.unplug(pedal);
     ASSERT_TRUE(eventually([&] { return !reader.view().connected; }));
@@ -111,7 +111,7 @@ TEST(SpaceMouseReader, follows_the_six_axes_of_a_receiver_and_not_its_keyboard) 
   ASSERT_TRUE(eventually([&] { return view().connected; }));
   EXPECT_EQ(view().device->path, "/dev/hidraw2");
   ASSERT_TRUE(eventually([&] {
-    desk.say(mouse, test::words(1, {350, 0, 0}));
+    desk.send(mouse, test::words(1, {350, 0, 0}));
     return view().motion.move[0] > 0.9;
   }));
   desk.unplug(mouse);
@@ -119,8 +119,8 @@ TEST(SpaceMouseReader, follows_the_six_axes_of_a_receiver_and_not_its_keyboard) 
   EXPECT_TRUE(view().motion.still());
 }
 
-/// A device that says what it is told to.
-class ToldPort final : public HapticPort {
+/// A device that reports what a test sets.
+class SetPort final : public HapticPort {
  public:
   Sample sample;
   Result<void, PortFailure> open() override { return {}; }
@@ -128,20 +128,20 @@ class ToldPort final : public HapticPort {
   void write(const Feedback&) noexcept override {}
   DeviceLimits limits() const override {
     DeviceLimits limits;
-    limits.device_class = "told";
+    limits.device_class = "set";
     return limits;
   }
   void close() noexcept override {}
 };
 
-struct ToldPedal final : PedalSource {
+struct SetPedal final : PedalSource {
   PedalReading reading;
   PedalReading latest(std::chrono::steady_clock::time_point) const noexcept override { return reading; }
 };
 
 TEST(PedalledPort, whichever_is_further_down_counts) {
-  ToldPort port;
-  auto pedal = std::make_shared<ToldPedal>();
+  SetPort port;
+  auto pedal = std::make_shared<SetPedal>();
   PedalledPort both(port, pedal);
   port.sample.status = Sample::Status::fresh;
   EXPECT_EQ(both.wait({}).buttons, 0);
@@ -155,7 +155,7 @@ TEST(PedalledPort, whichever_is_further_down_counts) {
   EXPECT_EQ(both.wait({}).buttons, 3);
   port.sample = {};  // gone: nothing is held down
   EXPECT_EQ(both.wait({}).buttons, 0);
-  EXPECT_EQ(both.limits().device_class, "told");
+  EXPECT_EQ(both.limits().device_class, "set");
 }
 
 TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
@@ -184,7 +184,7 @@ TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
   }
 }
 
-TEST(HidPermissions, the_rules_told_are_those_of_the_file_and_sort_before_the_seat) {
+TEST(HidPermissions, the_built_in_rules_are_those_of_the_file_and_sort_before_the_seat) {
   std::ifstream file(CUSP_SOURCE_DIR "/device/hid/52-cusp-hid.rules");
   std::ostringstream rules;
   for (std::string line; std::getline(file, line);) {

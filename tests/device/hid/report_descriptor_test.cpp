@@ -104,7 +104,7 @@ TEST(ReportDescriptor, damage_is_refused_with_its_kind_and_place) {
   EXPECT_EQ(code({0x75, 0x21, 0x95, 0x01, 0x81, 0x02}), DescriptorError::size);       // 33 bits
   EXPECT_EQ(code({0x75, 0x01, 0x97, 0xFF, 0xFF, 0xFF, 0xFF, 0x81, 0x02}), DescriptorError::size);
   EXPECT_EQ(parse_report_descriptor(Bytes{0x75, 0x01, 0xC0}).error().at, 2u);
-  EXPECT_TRUE(parse_report_descriptor(Bytes{}));  // says nothing: no fields
+  EXPECT_TRUE(parse_report_descriptor(Bytes{}));  // empty: no fields
 }
 
 TEST(ReportDescriptor, every_cut_and_every_changed_byte_of_real_ones_is_parsed_or_refused) {

@@ -16,7 +16,7 @@ using test::words;
 const SpaceMouseState::Time kNow{std::chrono::hours(1)};
 constexpr SpaceMouseSettings kPlain{.dead_zone = 0.0};
 
-TEST(SpaceMouse, split_reports_and_one_combined_say_the_same) {
+TEST(SpaceMouse, split_reports_and_one_combined_are_equal) {
   SpaceMouseState split, one;
   ASSERT_TRUE(split.take(words(1, {10, -20, 30}), kNow));
   ASSERT_TRUE(split.take(words(2, {-350, 350, 7}), kNow));
@@ -46,7 +46,7 @@ TEST(SpaceMouse, the_dead_zone_and_the_rest_are_taken_off_and_the_full_way_stays
   EXPECT_NEAR(state.motion(settings, kNow).move[0], -(192.0 / 350.0 - 0.1) / 0.9, 1e-12);
 }
 
-TEST(SpaceMouse, silence_while_deflected_is_letting_go_and_buttons_stay) {
+TEST(SpaceMouse, silence_while_deflected_is_a_release_and_buttons_stay) {
   SpaceMouseState state;
   state.take(words(1, {350, 0, 0}), kNow);
   state.take(Bytes{3, 0x01, 0x00}, kNow);

@@ -51,7 +51,7 @@ TEST(HidUsb, every_report_of_ten_thousand_arrives_whole_and_in_order) {
   auto reader = hidapi->open(mouse.path());
   ASSERT_TRUE(reader);
   constexpr int kReports = 10'000;
-  for (int i = 0; i < kReports; ++i) mouse.say(test::words(1, {i % 350, -(i % 350), i % 7}));
+  for (int i = 0; i < kReports; ++i) mouse.send(test::words(1, {i % 350, -(i % 350), i % 7}));
   std::array<std::uint8_t, 64> bytes{};
   SpaceMouseState state;
   for (int i = 0; i < kReports; ++i) {
@@ -73,14 +73,14 @@ TEST(HidUsb, a_pedal_drills_and_unplugged_it_is_released_and_found_again) {
   PedalReader reader(make_hidapi_bus);
   reader.start();
   pedal.plug();
-  reader.set_settings({});  // looks at once
+  reader.set_settings({});  // lists the devices at once
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
   for (int round = 0; round < 2; ++round) {
-    pedal.say({0x02, 0x00});
+    pedal.send({0x02, 0x00});
     EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
-    pedal.say({0x00, 0x00});
+    pedal.send({0x00, 0x00});
     EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
-    pedal.say({0x01, 0x00});
+    pedal.send({0x01, 0x00});
     EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
     pedal.unplug();
     EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
@@ -103,9 +103,9 @@ TEST(HidUsb, a_rheostat_is_read_by_its_descriptor_and_calibrated) {
   reader.start();
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
   EXPECT_EQ(latest(reader).pressed, 0);
-  rudder.say({0x00, 0x00, 77});
+  rudder.send({0x00, 0x00, 77});
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 32768; }));  // half of the way
-  rudder.say({0x00, 0x00, 127});
+  rudder.send({0x00, 0x00, 127});
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
 }
 
@@ -118,12 +118,12 @@ TEST(HidUsb, pedal_and_space_mouse_are_read_side_by_side) {
   station.start();
   const auto view = [&] { return station.space_mouse().view(std::chrono::steady_clock::now()); };
   ASSERT_TRUE(eventually([&] { return station.pedal().view().connected && view().connected; }));
-  pedal.say({0x04, 0x00});
+  pedal.send({0x04, 0x00});
   ASSERT_TRUE(eventually([&] {
-    if (mouse.waiting() == 0) mouse.say(test::words(2, {0, 0, -350}));
+    if (mouse.waiting() == 0) mouse.send(test::words(2, {0, 0, -350}));
     return view().motion.turn[1] > 0.99 && latest(station.pedal()).pressed == 65535;
   }));
-  mouse.say({3, 0x02, 0x00});
+  mouse.send({3, 0x02, 0x00});
   EXPECT_TRUE(eventually([&] { return view().motion.buttons == 2; }));
   mouse.unplug();
   EXPECT_TRUE(eventually([&] { return !view().connected && view().motion == SpaceMouseMotion{}; }));

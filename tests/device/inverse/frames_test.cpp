@@ -1,4 +1,4 @@
-// What the service says, as public clients read it, and what it might say.
+// Reports of the service, as public clients read them, and damaged ones.
 #include "device/inverse/frames.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(InverseFrames, what_is_missing_is_missing_and_no_failure) {
   ASSERT_TRUE(bare);
   EXPECT_FALSE(bare->devices[0].position_m);
   EXPECT_FALSE(parse_frame(R"({"inverse3":[{"device_id":"1","state":{"cursor_position":{}}}]})")->devices[0].position_m);
-  // A handle that is asleep tells zeros.
+  // A handle that is asleep reports zeros.
   EXPECT_FALSE(parse_frame(R"({"wireless_verse_grip":[{"state":{"orientation":{"x":0,"y":0,"z":0,"w":0}}}]})")->orientation);
 }
 
@@ -84,7 +84,7 @@ TEST(InverseFrames, every_cut_and_many_changes_of_a_real_one_are_read_or_refused
   EXPECT_GT(read, 1000);
 }
 
-TEST(InverseFrames, a_force_is_told_as_the_service_wants_it) {
+TEST(InverseFrames, a_force_message_has_the_form_that_the_service_expects) {
   const auto json = nlohmann::json::parse(force_message("049D", {0.5, -1.0, 2.0}));
   EXPECT_EQ(json["inverse3"][0]["device_id"], "049D");
   const auto& values = json["inverse3"][0]["commands"]["set_cursor_force"]["values"];

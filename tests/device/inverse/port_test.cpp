@@ -136,7 +136,7 @@ TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {2, 2, 3}); }));
 }
 
-TEST(InversePort, says_why_it_cannot_be_opened) {
+TEST(InversePort, reports_why_it_cannot_be_opened) {
   std::uint16_t nobody = 0;
   {
     FakeService gone;

@@ -164,7 +164,7 @@ TEST(InverseSession, garbage_is_no_place_to_push_from_and_too_much_of_it_closes)
   EXPECT_EQ(rig.session.state().trouble, Trouble::garbage);
 }
 
-TEST(InverseSession, a_service_without_the_device_says_so) {
+TEST(InverseSession, a_service_without_the_device_is_no_device) {
   Rig none;
   none.request();
   none.event(LinkEvent::Kind::opened);
@@ -212,13 +212,13 @@ TEST(InverseSession, the_other_side_going_away_is_loss_in_every_phase) {
   }
 }
 
-TEST(InverseSession, its_last_words_are_no_force) {
+TEST(InverseSession, its_closing_message_commands_zero_force) {
   Rig rig;
   EXPECT_FALSE(rig.session.closing_message());
   rig.make_ready();
   for (int i = 0; i < 600; ++i) rig.exchange();
-  const auto words = nlohmann::json::parse(rig.session.closing_message().value());
-  EXPECT_EQ(words["inverse3"][0]["commands"]["set_cursor_force"]["values"]["x"], 0.0);
+  const auto closing = nlohmann::json::parse(rig.session.closing_message().value());
+  EXPECT_EQ(closing["inverse3"][0]["commands"]["set_cursor_force"]["values"]["x"], 0.0);
 }
 
 TEST(InverseSession, whatever_happens_there_is_force_in_ready_alone_and_never_too_much) {

@@ -108,7 +108,7 @@ TEST(BurCatalogue, refuses_what_is_not_a_table_of_burs) {
   EXPECT_EQ(refused([](Json& t) { t["burs"][0].erase("diameter_mm"); }), failure(E::missing, "/burs/0/diameter_mm"));
   EXPECT_EQ(refused([](Json& t) { t["burs"][0]["diameter_mm"] = -1; }), failure(E::bad_value, "/burs/0/diameter_mm"));
   EXPECT_EQ(refused([](Json& t) { t["burs"][0]["diameter_mm"] = 1.2; }), failure(E::bad_value, "/burs/0/outline"))
-      << "a head that is not as wide as it says";
+      << "a head that is not as wide as its diameter";
   EXPECT_EQ(refused([](Json& t) { t["burs"][0]["outline"]["kind"] = "star"; }), failure(E::unknown_value, "/burs/0/outline/kind"));
   EXPECT_EQ(refused([](Json& t) { t["burs"][0]["outline"]["depth_mm"] = 1; }), failure(E::unknown_key, "/burs/0/outline/depth_mm"));
   EXPECT_EQ(refused([](Json& t) { t["burs"][0]["shape"] = "star"; }), failure(E::unknown_value, "/burs/0/shape"));

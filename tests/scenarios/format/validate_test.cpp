@@ -87,7 +87,7 @@ TEST(Validate, APassMarkThatNobodyReachesIsAnError) {
   using ::testing::Contains;
   using ::testing::ElementsAre;
   using ::testing::Not;
-  // Depth wanted at 3 mm while the target is 2 mm deep: a perfect go reads 2.0, exactly at fail_lo, so 0 of 40 points.
+  // Depth wanted at 3 mm while the target is 2 mm deep: a perfect attempt reads 2.0, exactly at fail_lo, so 0 of 40 points.
   const auto too_deep = [](Scenario& s) { s.rubric.criteria[1].bands = {2, 2.5, 2.9, 3.1, 3.5, 4}; };
   EXPECT_THAT(after(too_deep), ElementsAre("error /rubric/pass pass_unreachable",
                                            "warning /rubric/criteria/1/bands target_scores_less"));
@@ -155,7 +155,7 @@ TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
   };
   EXPECT_THAT(with("57", 0.0), IsEmpty());
   EXPECT_THAT(with("1157", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_bur")) << "a dome's is its radius";
-  EXPECT_THAT(with("245", 0.25), IsEmpty()) << "0.25 mm, says the catalogue";
+  EXPECT_THAT(with("245", 0.25), IsEmpty()) << "the catalogue has 0.25 mm";
   EXPECT_THAT(with("245", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_bur"));
 }
 

@@ -224,7 +224,7 @@ TEST(Grade, WithoutATargetCriterionOrItsMeasureNothingIsScaled) {
   EXPECT_EQ(grade(s, faultless(10)).score, 100.0);
 }
 
-TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleHand) {
+TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleStudent) {
   Scenario s;
   s.rubric.criteria = {{"target_removed", 10, kRemoved},
                        {"time", 10, {0, 0, 0, 300, 400, 600}},
@@ -257,7 +257,7 @@ TEST(ReportJson, HasTheFieldsOfTheDesignInItsOrder) {
   ReportHead head;
   head.session = "019a9f3c-0000-7000-8000-000000000001";
   head.student = "demo";
-  head.hand = "expert";
+  head.operator_name = "expert";
   const auto json = nlohmann::ordered_json::parse(report_json(head, grade(scenario(), m)));
   std::vector<std::string> keys;
   for (const auto& [key, _] : json.items()) keys.push_back(key);

@@ -111,7 +111,7 @@ TEST(ImageVolume, WhatIsUpTurnsTheVolumeWithoutMirroringIt) {
   EXPECT_EQ(v->tissue[v->grid.index(IVec3(0, 3, 0) + kPadVoxels)], Tissue::pulp);
 }
 
-TEST(ImageVolume, LoosePiecesGoAndHollowsAreFilled) {
+TEST(ImageVolume, SmallComponentsAreRemovedAndHollowsAreFilled) {
   Grid g;
   g.size = {9, 9, 9};
   std::vector<Tissue> labels(g.voxels(), Tissue::empty);
@@ -223,13 +223,13 @@ TEST(ImageVolume, ARefusalForSizeGivesTheFiguresAndAVoxelThatFits) {
   what.voxel_mm = 0.1;
   what.labels = {{21, Tissue::dentine}};
   EXPECT_TRUE(volume_of_image(image, what, "jaw", limits, remarks));
-  // And so is the largest piece alone.
+  // And so is the largest component alone.
   what.labels = {{11, Tissue::dentine}, {111, Tissue::pulp}, {21, Tissue::dentine}};
   EXPECT_FALSE(volume_of_image(image, what, "jaw", limits, remarks));
   what.largest_component = true;
-  const auto piece = volume_of_image(image, what, "jaw", limits, remarks);
-  ASSERT_TRUE(piece) << piece.error().detail;
-  EXPECT_EQ(piece->grid.size, IVec3(88, 88, 208));
+  const auto component = volume_of_image(image, what, "jaw", limits, remarks);
+  ASSERT_TRUE(component) << component.error().detail;
+  EXPECT_EQ(component->grid.size, IVec3(88, 88, 208));
 }
 
 TEST(LimitFigures, GoThroughTextAndAreNotReadFromOtherText) {

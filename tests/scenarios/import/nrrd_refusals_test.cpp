@@ -27,7 +27,7 @@ std::string good_file(const TempFolder& folder) {
 }
 
 struct Broken {
-  const char* from;  // a piece of the good header
+  const char* from;  // a part of the good header
   const char* to;
   ImportError code;
   const char* where;

@@ -232,7 +232,7 @@ TEST(NrrdLabels, FacesAlongTheAxesAreExactAndABallWithinHalfAVoxel) {
       }
   RecordProperty("worst_voxels", std::to_string(worst));
   EXPECT_LT(worst, 0.6) << "measured 0.50";
-  EXPECT_GT(worst, 0.1) << "a label map cannot know better; a test that says so is broken";
+  EXPECT_GT(worst, 0.1) << "a label map cannot know better; a smaller error means a broken test";
 }
 
 TEST(NrrdLabels, OutsideTheSurfaceStandsTheNearestTissue) {

@@ -42,7 +42,7 @@ std::vector<std::string> exercises() {
 
 class Dexterity : public testing::TestWithParam<std::string> {};
 
-TEST_P(Dexterity, AnExpertHandPassesAndANoviceDoesNot) {
+TEST_P(Dexterity, TheExpertPassesAndTheNoviceDoesNot) {
   const attempt::Result good = play(GetParam(), "expert");
   EXPECT_TRUE(good.grade.passed);
   EXPECT_GE(good.grade.score, 90.0);  // measured: 100 for all fifteen

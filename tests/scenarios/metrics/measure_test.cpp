@@ -278,7 +278,7 @@ TEST(Measure, ATargetOutsideTheSpecimenIsNotMeasured) {
   }
 }
 
-TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
+TEST(Live, AgreesWithTheFinalMeasuresAfterManyCuts) {
   const Bench bench;
   Volume volume(bench.specimen);
   LiveMetrics live(bench.reference);

@@ -44,7 +44,7 @@ ToothDims measured_dims(const VoxelVolume& volume, double cej_mesial, double cej
   return d;
 }
 
-int pieces(const VoxelVolume& volume, const std::function<bool(std::size_t)>& wanted) {
+int components(const VoxelVolume& volume, const std::function<bool(std::size_t)>& wanted) {
   const Grid& g = volume.grid;
   std::vector<std::uint8_t> open(g.voxels());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = wanted(i);
@@ -217,9 +217,9 @@ double furthest_from_quoted(const PulpHeights& h, const QuotedHeights& q) {
                    off(h.cusp_to_furcation, q.cusp_to_furcation)});
 }
 
-Pieces pieces_of_tissues(const VoxelVolume& v) {
-  const auto of = [&](Tissue t) { return pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == t; }); };
-  return {pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf; }), of(Tissue::enamel), of(Tissue::dentine),
+Components components_of_tissues(const VoxelVolume& v) {
+  const auto of = [&](Tissue t) { return components(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == t; }); };
+  return {components(v, [&](std::size_t i) { return v.s[i] >= kHalf; }), of(Tissue::enamel), of(Tissue::dentine),
           of(Tissue::cementum), of(Tissue::pulp)};
 }
 

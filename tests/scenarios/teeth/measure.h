@@ -18,8 +18,8 @@ enum class Quadrant : std::uint8_t { as_tabled, mirrored };
 /// Lengths as teeth.json defines them; CEJ heights are those of the mesial and distal side.
 ToothDims measured_dims(const VoxelVolume& volume, double cej_mesial, double cej_distal, Quadrant quadrant = Quadrant::as_tabled);
 
-/// Pieces of the voxels that `wanted` accepts, joined over faces.
-int pieces(const VoxelVolume& volume, const std::function<bool(std::size_t)>& wanted);
+/// Connected components of the voxels that `wanted` accepts, joined over faces.
+int components(const VoxelVolume& volume, const std::function<bool(std::size_t)>& wanted);
 
 /// Peaks of the surface seen from above that stand at least `prominence_mm` over the way to a higher one.
 int peaks(const VoxelVolume& volume, double prominence_mm);
@@ -55,11 +55,11 @@ inline constexpr QuotedHeights kLowerMolars{{6.36, 0.93}, {1.57, 0.68}, {7.95, 0
 /// How many standard deviations the furthest of the six is from its mean.
 double furthest_from_quoted(const PulpHeights& heights, const QuotedHeights& quoted);
 
-/// Pieces of the whole, and of each of enamel, dentine, cementum and pulp: all 1 in a sound tooth.
-struct Pieces {
+/// Components of the whole, and of each of enamel, dentine, cementum and pulp: all 1 in a sound tooth.
+struct Components {
   int whole = 0, enamel = 0, dentine = 0, cementum = 0, pulp = 0;
   bool all_one() const noexcept { return whole == 1 && enamel == 1 && dentine == 1 && cementum == 1 && pulp == 1; }
 };
-Pieces pieces_of_tissues(const VoxelVolume& volume);
+Components components_of_tissues(const VoxelVolume& volume);
 
 }  // namespace cusp::test

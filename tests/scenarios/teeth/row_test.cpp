@@ -111,9 +111,9 @@ TEST(Gums, HoldTheToothWithGingivaBoneAndLigament) {
   const auto tooth = grow_tooth(request);
   ASSERT_TRUE(tooth.has_value());
   const VoxelVolume& v = tooth->volume;
-  EXPECT_EQ(pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf; }), 1);
-  EXPECT_EQ(pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == Tissue::gingiva; }), 1);
-  EXPECT_EQ(pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == Tissue::bone; }), 1);
+  EXPECT_EQ(components(v, [&](std::size_t i) { return v.s[i] >= kHalf; }), 1);
+  EXPECT_EQ(components(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == Tissue::gingiva; }), 1);
+  EXPECT_EQ(components(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == Tissue::bone; }), 1);
   EXPECT_GT(voxels_of_tissue(v, Tissue::ligament), 100u);
   // Up a wall on the buccal side: gingiva ends about a millimetre above the CEJ (z = 0), bone about two below it.
   double gum = -9.0, bone = -9.0;
@@ -188,7 +188,7 @@ TEST(Caries, OfAContactLiesBelowItAndLeavesTheBiteSurfaceSound) {
   EXPECT_GT(voxels_of_tissue(v, Tissue::carious_enamel), 100u);
   EXPECT_GT(voxels_of_tissue(v, kFirmCariousDentine), 0u);
   EXPECT_GT(voxels_of_tissue(v, Tissue::carious_dentine), 0u);
-  EXPECT_EQ(pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == Tissue::enamel; }), 1);
+  EXPECT_EQ(components(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == Tissue::enamel; }), 1);
 }
 
 TEST(Caries, OfARootTakesCementumAndDentineBelowTheNeck) {
@@ -260,7 +260,7 @@ TEST(Variety, LiftsCuspsAndGrowsCarabellisInHalfOfUpperFirstMolars) {
 }
 
 /// Coarse, for the chain of places; the promise at 0.1 mm is held by cusp-teeth-table --jaw.
-TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxelsAndGumsInOnePiece) {
+TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxelsAndGumsInOneComponent) {
   ToothRequest request{41, 0, 0.4};
   request.gingiva = request.bone = true;
   const auto jaw = grow_jaw(request, 0.6);
@@ -303,9 +303,9 @@ TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxelsAndGumsInOnePiece) {
     root[find(gums.triangles[k])] = find(gums.triangles[k + 1]);
     root[find(gums.triangles[k + 1])] = find(gums.triangles[k + 2]);
   }
-  std::set<std::uint32_t> pieces;
-  for (std::uint32_t i = 0; i < root.size(); ++i) pieces.insert(find(i));
-  EXPECT_EQ(pieces.size(), 1u);
+  std::set<std::uint32_t> roots;
+  for (std::uint32_t i = 0; i < root.size(); ++i) roots.insert(find(i));
+  EXPECT_EQ(roots.size(), 1u);
 }
 
 /// s between the voxels' centres, linear; above kHalf is within.

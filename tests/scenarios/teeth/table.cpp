@@ -82,7 +82,7 @@ bool print_row(ToothRequest request, int fdi) {
     for (const Vec3& at : line.points_mm) pit = std::min(pit, thickness_below(v, at, Tissue::enamel));
   }
   const double cover = pulp_cover_mm(v, -0.7 * t.dims.root_length, 1.2);
-  const Pieces p = pieces_of_tissues(v);
+  const Components p = components_of_tissues(v);
   double heights = 0.0;
   if (number == 6 || number == 7) {
     heights = furthest_from_quoted(pulp_heights(v, l.cusp_tips.front().at_mm), fdi < 30 ? kUpperMolars : kLowerMolars);
@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
       for (int n = 1; n <= 8; ++n) fdis.push_back(10 * quadrant + n);
     }
   }
-  std::printf("| FDI | crown | root | MD | BL | furthest off | cusps | enamel at tips | under fissures | pulp cover | pulp heights | pieces | contacts off | CPU s |\n");
+  std::printf("| FDI | crown | root | MD | BL | furthest off | cusps | enamel at tips | under fissures | pulp cover | pulp heights | components | contacts off | CPU s |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   int missed = 0;
   for (const int fdi : fdis) missed += print_row(request, fdi) ? 0 : 1;

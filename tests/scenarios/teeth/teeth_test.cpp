@@ -38,8 +38,8 @@ void expect_dims(const ToothDims& got, const ToothDims& want, double share) {
   EXPECT_NEAR(got.buccolingual_neck, want.buccolingual_neck, share * want.buccolingual_neck);
 }
 
-void expect_single_pieces(const VoxelVolume& v) {
-  const Pieces p = pieces_of_tissues(v);
+void expect_single_components(const VoxelVolume& v) {
+  const Components p = components_of_tissues(v);
   EXPECT_TRUE(p.all_one()) << p.whole << " enamel " << p.enamel << " dentine " << p.dentine << " cementum " << p.cementum
                            << " pulp " << p.pulp;
 }
@@ -75,7 +75,7 @@ TEST(FirstMolar, HasFiveCuspsAtTheHeightsOfTheTable) {
   EXPECT_EQ(peaks(t.volume, 0.25), 5);  // by the voxels alone too
 }
 
-TEST(FirstMolar, IsOnePieceOfEachTissue) { expect_single_pieces(first_molar().volume); }
+TEST(FirstMolar, IsOneComponentOfEachTissue) { expect_single_components(first_molar().volume); }
 
 TEST(FirstMolar, HasEnamelAsThickAsQuoted) {
   const Tooth& t = first_molar();
@@ -264,9 +264,9 @@ TEST_P(EveryKind, HasTheLengthsOfTheTable) {
   expect_dims(tooth(GetParam()).landmarks.dims, t.dims, 0.005);
 }
 
-TEST_P(EveryKind, IsOnePieceOfEachTissueWithThePulpInside) {
+TEST_P(EveryKind, IsOneComponentOfEachTissueWithThePulpInside) {
   const VoxelVolume& v = tooth(GetParam()).volume;
-  expect_single_pieces(v);
+  expect_single_components(v);
   EXPECT_GE(pulp_cover_mm(v, -0.7 * table(GetParam()).dims.root_length, 0.8), 0.4);  // teeth.md: 0.49 at least
 }
 

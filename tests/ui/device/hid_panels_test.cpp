@@ -67,14 +67,14 @@ TEST_F(Panels, a_rheostat_is_calibrated_by_pressing_it_and_stays_so) {
   panel.look();
   EXPECT_TRUE(shows(panel, "calibrate it"));  // it drives nothing unasked
 
-  desk.say(rudder, {0, 0, 120});
+  desk.send(rudder, {0, 0, 120});
   ASSERT_TRUE(eventually([&] { return reader.view().reports == 1; }));
   button(panel, "Calibrate")->click();
   ASSERT_TRUE(shows(panel, "take the foot off"));
   button(panel, "Next")->click();
   ASSERT_TRUE(shows(panel, "all the way down"));
   EXPECT_FALSE(button(panel, "Take it over")->isEnabled());
-  desk.say(rudder, {0, 0, 20});
+  desk.send(rudder, {0, 0, 20});
   ASSERT_TRUE(eventually([&] { return button(panel, "Take it over")->isEnabled(); }));
   button(panel, "Take it over")->click();
   EXPECT_EQ(reader.settings().drill, (hid::ControlId{hid::usage::kDesktopPage, 0x31, 0}));
@@ -105,7 +105,7 @@ TEST_F(Panels, a_known_pedal_needs_no_calibration_and_gets_a_switch_for_the_cool
   EXPECT_TRUE(shows(panel, "Any switch of it"));
   button(panel, "Choose the switch for the coolant")->click();
   ASSERT_TRUE(shows(panel, "runs the coolant"));
-  desk.say(pedal, {0x01, 0x00});
+  desk.send(pedal, {0x01, 0x00});
   ASSERT_TRUE(eventually([&] { return reader.settings().coolant.has_value(); }));
   EXPECT_EQ(*reader.settings().coolant, (hid::ControlId{hid::usage::kButtonPage, 1, 0}));
   ASSERT_TRUE(eventually([&] { return reader.view().reading == PedalReading{0, true}; }));
@@ -138,11 +138,11 @@ TEST_F(Panels, a_space_mouse_takes_its_rest_only_from_a_hand_that_is_off) {
   const auto view = [&] { return reader.view(std::chrono::steady_clock::now()); };
   ASSERT_TRUE(eventually([&] { return view().connected; }));
   panel.look();
-  desk.say(mouse, test::words(1, {300, 0, 0}));
+  desk.send(mouse, test::words(1, {300, 0, 0}));
   ASSERT_TRUE(eventually([&] { return view().raw[0] == 300; }));
   button(panel, "Hand is off: take this as rest")->click();
   EXPECT_TRUE(shows(panel, "Take the hand off first"));
-  desk.say(mouse, test::words(1, {12, -3, 0}));
+  desk.send(mouse, test::words(1, {12, -3, 0}));
   ASSERT_TRUE(eventually([&] { return view().raw[0] == 12; }));
   button(panel, "Hand is off: take this as rest")->click();
   EXPECT_EQ(HidSettings(settings.file()).space_mouse().rest[0], 12);

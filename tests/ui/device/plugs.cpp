@@ -49,7 +49,7 @@ class Hands {
     const std::lock_guard lock(mutex_);
     report_ = std::move(report);
     deflected_ = deflected;
-    if (!deflected) mouse_.say(report_);
+    if (!deflected) mouse_.send(report_);
   }
   void cap_plugged(bool on) {
     const std::lock_guard lock(mutex_);
@@ -64,7 +64,7 @@ class Hands {
     for (std::uint64_t i = 0; !stop_; ++i) {
       {
         const std::lock_guard lock(mutex_);
-        if (deflected_ && i % kSaysEvery == 0 && mouse_.waiting() < 4) mouse_.say(report_);
+        if (deflected_ && i % kSaysEvery == 0 && mouse_.waiting() < 4) mouse_.send(report_);
         falcon_.with([&](Emulator& falcon) { lead(falcon, i); });
       }
       g_usleep(1000);
@@ -135,9 +135,9 @@ struct Desk {
     } else if (act == "unplug") {
       pedal.unplug();
     } else if (act == "down") {
-      pedal.say({0x02, 0x00});
+      pedal.send({0x02, 0x00});
     } else if (act == "up") {
-      pedal.say({0x00, 0x00});
+      pedal.send({0x00, 0x00});
     } else {
       return "?";
     }

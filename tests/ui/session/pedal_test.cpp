@@ -51,7 +51,7 @@ TEST(Pedal, DrivesTheHandpieceAndUnpluggedItLetsGo) {
   ASSERT_TRUE(eventually([&] { return (*run)->view().output.contact; }));
   const auto removed = [&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)]; };
   EXPECT_EQ(removed(), 0.0);  // pressed, but nobody stands on the pedal
-  desk.say(plugged, {0x01, 0x00});
+  desk.send(plugged, {0x01, 0x00});
   ASSERT_TRUE(eventually([&] { return (*run)->view().output.cutting && removed() > 0.0; }));
   desk.unplug(plugged);
   EXPECT_TRUE(eventually([&] { return !(*run)->view().output.cutting; }));
