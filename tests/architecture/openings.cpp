@@ -55,7 +55,7 @@ std::set<std::string> variables_of(const std::string& text) {
   for (std::sregex_iterator it(text.begin(), text.end(), kSet), end; it != end; ++it) {
     const std::string value = (*it)[2].matched ? (*it)[2].str() : (*it)[3].str();
     // A connection, a store, a folder or a name for people is no file's name.
-    static const std::regex kOther(R"(::open\(|Store|folder\(|tr\(|tell\(|\bshow|\[)");
+    static const std::regex kOther(R"(::open\(|Store|folder\(|tr\(|describe\(|\bshow|\[)");
     if (!std::regex_search(value, kOther) && speaks_of_database(value, out)) out.insert((*it)[1].str());
   }
   return out;
