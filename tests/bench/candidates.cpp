@@ -15,4 +15,13 @@ std::int64_t answered_free(StepState& state) {
   return surface ? static_cast<std::int64_t>(surface->answered_free()) : -1;
 }
 
+bool newest_sweep(StepState& state, Vec3& from_mm, Vec3& to_mm) {
+  const CutMemory& memory = state.inner().memory;
+  if (memory.size() == 0) return false;
+  const CutMemory::Segment& newest = memory.segment(memory.size() - 1);
+  from_mm = newest.a;
+  to_mm = newest.b;
+  return true;
+}
+
 }  // namespace cusp::bench

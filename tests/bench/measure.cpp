@@ -76,6 +76,7 @@ void Errors::fill(Row& row) {
   if (angle_deg_.empty()) return;
   row.angle_deg_mean = mean(angle_deg_);
   row.angle_deg_p95 = percentile(angle_deg_, 0.95);
+  row.angle_deg_p99 = percentile(angle_deg_, 0.99);
   row.angle_deg_max = angle_deg_.back();
   row.depth_um_mean = mean(depth_um_);
   row.depth_um_p95 = percentile(depth_um_, 0.95);
@@ -84,7 +85,9 @@ void Errors::fill(Row& row) {
   row.pose_um_p95 = percentile(pose_um_, 0.95);
   row.pose_um_max = pose_um_.back();
   row.force_error_percent_rms = 100.0 * std::sqrt(error2_ / exact2_);
-  if (!step_mn_.empty()) row.force_step_excess_mn_p99 = percentile(step_mn_, 0.99);
+  if (step_mn_.empty()) return;
+  row.force_step_excess_mn_p99 = percentile(step_mn_, 0.99);
+  row.force_step_excess_mn_max = step_mn_.back();
 }
 
 Row row_of(const Shape& shape, const Measure& what, std::string_view motion) {

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "tests/bench/accuracy.h"
+#include "tests/bench/cavity.h"
 #include "tests/bench/chart.h"
 #include "tests/bench/head_courses.h"
 #include "tests/bench/heads.h"
@@ -31,6 +32,7 @@ struct Verb {
 constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball bur", run_accuracy, false},
     {"heads", "burs that are no balls, with a fixed and a turning axis, against the exact proxy", run_heads, false},
+    {"cavity", "balls in a cavity that a trembling hand has milled, against the exact proxy", run_cavity, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
     {"scale", "cost of a tick and memory of a scene from 128^3 to 1024^3 voxels", run_scale, false},
     {"stability", "largest stable stiffness and failures of every method, guard on and off",
@@ -87,6 +89,8 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
       ->check(CLI::Range(0.01, 1.0));
   app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));
+  app.add_option("--minutes", options.minutes, "cavity: of milling before it is explored (repeatable)")->check(CLI::Range(0.01, 120.0));
+  app.add_option("--tremor-mm", options.tremors_mm, "cavity: rms of the tremor (repeatable)")->check(CLI::Range(0.0, 1.0));
   app.add_option("--seconds", options.seconds, "latency: of each row, 10 unless given")->check(CLI::Range(0.1, 3600.0));
   app.add_option("--load", options.loads, "latency: off or on (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"off", "on"}));

@@ -62,6 +62,7 @@ struct Row {
   std::int64_t skipped = -1;        // not averaged: exact force below 50 um of spring
   double angle_deg_mean = kAbsent;  // between the method's force and the exact one
   double angle_deg_p95 = kAbsent;
+  double angle_deg_p99 = kAbsent;
   double angle_deg_max = kAbsent;
   double depth_um_mean = kAbsent;  // |exact signed clearance| of the bur at the method's proxy
   double depth_um_p95 = kAbsent;
@@ -75,6 +76,13 @@ struct Row {
   double apart_percent = kAbsent;             // heads: samples more than a voxel, at least 50 um, from the exact proxy
   double force_error_percent_rms = kAbsent;   // |force - exact| over the exact force's rms
   double force_step_excess_mn_p99 = kAbsent;  // change from tick to tick over the exact proxy's, p99
+  double force_step_excess_mn_max = kAbsent;
+  double minutes = kAbsent;                   // cavity: milled for so long
+  double tremor_mm = kAbsent;                 // cavity: rms of the hand's tremor
+  double encoder_mm = kAbsent;                // cavity: step of the device's reading while it milled; 0: 0.1 um
+  double other_minimum_percent = kAbsent;     // cavity: ticks over 50 um from the exact proxy, in no other figure
+  double force_missing_percent = kAbsent;     // cavity: ticks without force where the exact proxy has one
+  double force_spurious_percent = kAbsent;    // cavity: ticks with force where the exact proxy has none
   double follow_ticks = kAbsent;              // where the exact minimum vanishes: ticks until the method follows, mean
   std::int64_t infeasible_ticks = -1;
   std::int64_t max_candidates = -1;
@@ -181,6 +189,7 @@ void visit_contact(R& row, Visit& visit) {
   visit("skipped", row.skipped);
   visit("angle_deg_mean", row.angle_deg_mean);
   visit("angle_deg_p95", row.angle_deg_p95);
+  visit("angle_deg_p99", row.angle_deg_p99);
   visit("angle_deg_max", row.angle_deg_max);
   visit("depth_um_mean", row.depth_um_mean);
   visit("depth_um_p95", row.depth_um_p95);
@@ -194,6 +203,13 @@ void visit_contact(R& row, Visit& visit) {
   visit("apart_percent", row.apart_percent);
   visit("force_error_percent_rms", row.force_error_percent_rms);
   visit("force_step_excess_mn_p99", row.force_step_excess_mn_p99);
+  visit("force_step_excess_mn_max", row.force_step_excess_mn_max);
+  visit("minutes", row.minutes);
+  visit("tremor_mm", row.tremor_mm);
+  visit("encoder_mm", row.encoder_mm);
+  visit("other_minimum_percent", row.other_minimum_percent);
+  visit("force_missing_percent", row.force_missing_percent);
+  visit("force_spurious_percent", row.force_spurious_percent);
   visit("follow_ticks", row.follow_ticks);
   visit("infeasible_ticks", row.infeasible_ticks);
   visit("max_candidates", row.max_candidates);
