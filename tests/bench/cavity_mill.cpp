@@ -149,7 +149,7 @@ void Cavity::record() {
 std::shared_ptr<const SweptSurface> cavity_surface(const std::vector<Sweep>& sweeps) {
   const Frame frame = oblique_frame();
   return std::make_shared<const SweptSurface>(SweptPath(sweeps, kMillRadiusMm),
-                                              [&](Vec3 p) { return frame.to_local(p).z < -0.05; });
+                                              [&](Vec3 p) { return -0.05 - frame.to_local(p).z; });
 }
 
 std::vector<Vec3> exploring_points(double radius_mm, double speed_mm_s, std::uint64_t seed, int ticks) {

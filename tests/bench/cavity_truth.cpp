@@ -13,7 +13,10 @@ constexpr double kTrustMm = 0.004;   // of one Newton step
 constexpr double kSlackMm = 0.012;   // features beyond this cannot become active within one step
 constexpr double kNearMm = 0.08;     // features are gathered this far beyond touch
 constexpr double kFitsMm = 0.02;     // a ball with less play touches a wall all round
+constexpr double kFootMm = 0.015;    // a foot that remains has a surfel of its sweep this close
+constexpr double kSurfelUnderMm = 1e-6;  // a surfel lies this far below the feet, so that it turns no normal
 constexpr double kSubStepMm = 0.002;
+constexpr double kTurnsShare = 0.8;  // of the way to the centre of an edge's curvature: beyond, its points stand for it
 constexpr double kFreeMm = 1e-9;
 constexpr double kJumpMm = 0.05;     // more than a sub-step moves along a surface
 constexpr int kPasses = 200;
@@ -62,7 +65,7 @@ double CavityTruth::clearance_mm(Vec3 centre) const {
     const double far = path.depth(sweep, centre, &inwards);
     if (far > 0.0 && far < least && glm::dot(inwards, inwards) > 0.5 && surface_->remains(centre - inwards * far, sweep, sweep)) least = far;
   }
-  for (const int i : near.edges) least = std::min(least, length(surface_->refined(i, centre) - centre));
+  for (const int i : near.edges) least = std::min(least, length(surface_->foot(i, centre).at - centre));
   return least - radius_;
 }
 
@@ -92,12 +95,12 @@ Exact CavityTruth::move_to(Vec3 device, double precision_mm) {
   return {y_, length(y_ - device) > kFreeMm, length(y_ - before) > kJumpMm + length(device - device_)};
 }
 
-bool CavityTruth::add_point(Vec3 at, Vec3 y, Normal normal) {
+bool CavityTruth::add_point(Vec3 at, double radius_mm, Vec3 y, Normal normal) {
   const Vec3 d = y - at;
   const double far = length(d);
-  if (far > radius_ + kSlackMm || far < 1e-9) return false;
+  if (far > radius_mm + kSlackMm || far < 1e-9) return false;
   const Vec3 n = d / far;
-  spaces_.push_back({n, glm::dot(n, at) + radius_, Mat3(0.0)});
+  spaces_.push_back({n, glm::dot(n, at) + radius_mm, Mat3(0.0)});
   if (normal == Normal::turning) spaces_.back().bend = (glm::outerProduct(n, n) - Mat3(1.0)) / far;
   return true;
 }
@@ -122,35 +125,51 @@ void CavityTruth::add_wall(int sweep, Vec3 y) {
 }
 
 void CavityTruth::add_edge(int point, Vec3 y) {
-  const auto at_of = [this](int i) { return surface_->edge_points()[static_cast<std::size_t>(i)].at; };
   const SweptSurface::EdgePoint& e = surface_->edge_points()[static_cast<std::size_t>(point)];
-  const Vec3 d = e.at - y;
-  const double far2 = glm::dot(d, d), reach = radius_ + kSlackMm;
+  const auto square_to = [&](int i) {
+    if (i < 0) return 1e300;
+    const Vec3 d = surface_->edge_points()[static_cast<std::size_t>(i)].at - y;
+    return glm::dot(d, d);
+  };
+  const double far2 = square_to(point), reach = radius_ + kSlackMm;
   if (far2 > reach * reach) return;
-  if (e.before < 0 || e.after < 0) {
-    add_point(e.at, y, Normal::turning);
-    return;
-  }
-  const Vec3 before = at_of(e.before), after = at_of(e.after);
-  const bool foot = far2 <= glm::dot(before - y, before - y) && far2 <= glm::dot(after - y, after - y);
+  const bool nearest = far2 <= square_to(e.before) && far2 <= square_to(e.after);
+  const SweptSurface::Foot foot = surface_->foot(point, y);
   // share: how far y lies towards the centre of the edge's own curvature, where every point of the edge is as near.
-  const Vec3 curvature = (after + before - 2.0 * e.at) / std::max(1e-12, 0.25 * glm::dot(after - before, after - before));
-  const double share = glm::dot(curvature, y - e.at);
-  if (!foot || share > 0.9 || !add_point(surface_->refined(point, y), y, Normal::turning)) {
-    add_point(e.at, y, Normal::turning);
+  const double share = glm::dot(foot.curvature, y - foot.at);
+  // A point with a nearer neighbour only bounds the way along the edge, and Newton's steps along it would halve.
+  if (!nearest && share < kTurnsShare) return;
+  if (!nearest || share > 0.9) {
+    add_point(e.at, radius_, y, Normal::turning);
     return;
   }
+  if (!add_point(foot.at, radius_, y, Normal::turning) || !foot.inside) return;
   HalfSpace& h = spaces_.back();
-  const Vec3 tangent = after - before;
-  const Vec3 t = unit(tangent - h.n * glm::dot(h.n, tangent));
+  const Vec3 t = unit(foot.tangent - h.n * glm::dot(h.n, foot.tangent));
   h.bend += glm::outerProduct(t, t) * ((1.0 + share / (1.0 - share)) / std::sqrt(far2));
+}
+
+/// The normal at a foot turns within the play of the ball. Surfels all round bound the step; only the feet are exact.
+void CavityTruth::add_fitting_walls(Vec3 y) {
+  walls_.clear();
+  for (const int i : near_.surfels) {
+    const SweptSurface::Surfel& s = surface_->surfels()[static_cast<std::size_t>(i)];
+    if (!add_point(s.at, radius_ - kSurfelUnderMm, y, Normal::fixed)) continue;
+    Vec3 inwards;
+    const double far = surface_->path().depth(s.sweep, y, &inwards);
+    const Vec3 off = y - inwards * far - s.at;
+    if (glm::dot(off, off) < kFootMm * kFootMm) walls_.push_back(s.sweep);
+  }
+  std::ranges::sort(walls_);
+  walls_.erase(std::unique(walls_.begin(), walls_.end()), walls_.end());
+  for (const int sweep : walls_) add_wall(sweep, y);
 }
 
 void CavityTruth::constraints(Vec3 y) {
   if (length(y - near_.centre) > kNearMm - kSlackMm - SweptSurface::kEdgeStepMm) gather(y, near_);
   spaces_.clear();
   if (fits_) {
-    for (const int i : near_.surfels) add_point(surface_->surfels()[static_cast<std::size_t>(i)].at, y, Normal::fixed);
+    add_fitting_walls(y);
   } else {
     for (const int sweep : near_.sweeps) add_wall(sweep, y);
   }

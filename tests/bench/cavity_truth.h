@@ -38,15 +38,17 @@ class CavityTruth : public Truth {
   void constraints(Vec3 y);
   void add_wall(int sweep, Vec3 y);
   enum class Normal : std::uint8_t { fixed, turning };
-  bool add_point(Vec3 at, Vec3 y, Normal normal);
+  bool add_point(Vec3 at, double radius_mm, Vec3 y, Normal normal);
+  void add_fitting_walls(Vec3 y);
   void add_edge(int point, Vec3 y);
 
   std::shared_ptr<const SweptSurface> surface_;
   double radius_;   // thinner
-  bool fits_;       // as wide as the sweeps: a wall touches all round, and surfels stand for it
+  bool fits_;       // as wide as the sweeps: a wall touches all round
   Vec3 y_{0.0}, device_{0.0};
   Near near_;
   std::vector<HalfSpace> spaces_;
+  std::vector<int> walls_;  // of add_fitting_walls
   Mat3 bend_{0.0};  // of the active constraints of the last pose
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t kLeaf = 6;    // sweeps
 constexpr std::size_t kStack = 128;  // nodes that wait: the tree is balanced, so twice its depth suffices
 
-double box_distance2(Vec3 low, Vec3 high, Vec3 p) {
+inline double box_distance2(Vec3 low, Vec3 high, Vec3 p) {
   const Vec3 off = glm::max(glm::max(low - p, p - high), Vec3(0.0));
   return glm::dot(off, off);
 }
@@ -31,6 +31,12 @@ SweptPath::SweptPath(std::vector<Sweep> sweeps, double radius_mm)
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(sweeps_.size());
   build(0, static_cast<std::int32_t>(order_.size()));
+  legs_.reserve(order_.size());
+  for (const std::int32_t i : order_) {
+    const Vec3 along = sweep(i).b - sweep(i).a;
+    const double square = glm::dot(along, along);
+    legs_.push_back({sweep(i).a, along, square > 0.0 ? 1.0 / square : 0.0});
+  }
 }
 
 std::int32_t SweptPath::build(std::int32_t first, std::int32_t count) {
@@ -58,11 +64,6 @@ std::int32_t SweptPath::build(std::int32_t first, std::int32_t count) {
   return at;
 }
 
-double SweptPath::distance2(std::int32_t i, Vec3 p) const {
-  const Vec3 off = p - nearest_on(sweep(i), p);
-  return glm::dot(off, off);
-}
-
 double SweptPath::depth(int i, Vec3 p, Vec3* gradient) const {
   const Vec3 off = p - nearest_on(sweep(i), p);
   const double far = length(off);
@@ -70,9 +71,13 @@ double SweptPath::depth(int i, Vec3 p, Vec3* gradient) const {
   return radius_ - far;
 }
 
-SweptPath::Deepest SweptPath::deepest(Vec3 p) const {
+SweptPath::Deepest SweptPath::deepest(Vec3 p, int guess) const {
   double least = 1e300;
-  std::int32_t which = -1;
+  std::int32_t which = guess;
+  if (guess >= 0) {
+    const Vec3 off = p - nearest_on(sweep(guess), p);
+    least = glm::dot(off, off);
+  }
   struct Waiting {
     std::int32_t node;
     double distance2;
@@ -86,11 +91,10 @@ SweptPath::Deepest SweptPath::deepest(Vec3 p) const {
     const Node& node = nodes_[static_cast<std::size_t>(next.node)];
     if (node.left < 0) {
       for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
-        const std::int32_t i = order_[static_cast<std::size_t>(k)];
-        const double d2 = distance2(i, p);
+        const double d2 = legs_[static_cast<std::size_t>(k)].distance2(p);
         if (d2 < least) {
           least = d2;
-          which = i;
+          which = order_[static_cast<std::size_t>(k)];
         }
       }
       continue;
@@ -120,7 +124,7 @@ bool SweptPath::taken(Vec3 p, int but, int but_other, double more_mm) const {
     }
     for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
       const std::int32_t i = order_[static_cast<std::size_t>(k)];
-      if (i != but && i != but_other && distance2(i, p) < within2) return true;
+      if (i != but && i != but_other && legs_[static_cast<std::size_t>(k)].distance2(p) < within2) return true;
     }
   }
   return false;

@@ -27,7 +27,7 @@ std::uint64_t pair_of(int a, int b) {
 IVec3 PointGrid::cell_of(Vec3 p) { return IVec3(glm::floor(p / kCellMm)); }
 std::uint64_t PointGrid::key(IVec3 cell) { return key_of(cell); }
 
-SweptSurface::SweptSurface(SweptPath path, const std::function<bool(Vec3)>& region) : path_(std::move(path)) {
+SweptSurface::SweptSurface(SweptPath path, const Region& region) : path_(std::move(path)), region_(region) {
   Vec3 low(1e300), high(-1e300);
   for (std::size_t i = 0; i < path_.size(); ++i) {
     const Sweep& s = path_.sweep(static_cast<int>(i));
@@ -40,22 +40,24 @@ SweptSurface::SweptSurface(SweptPath path, const std::function<bool(Vec3)>& regi
   for (double z = 0.5 * kBlock; z < size.z + kBlock; z += kBlock)
     for (double y = 0.5 * kBlock; y < size.y + kBlock; y += kBlock)
       for (double x = 0.5 * kBlock; x < size.x + kBlock; x += kBlock)
-        add_surfels(low_ + Vec3(x, y, z), 0.5 * kBlock, region);
+        add_surfels(low_ + Vec3(x, y, z), 0.5 * kBlock, -1);
   seed_edges();
   trace_all();
   surfels_of_cell_.clear();
   points_of_pair_.clear();
+  region_ = nullptr;
   for (std::size_t i = 0; i < surfels_.size(); ++i) surfel_grid_.add(surfels_[i].at, static_cast<int>(i));
   for (std::size_t i = 0; i < edges_.size(); ++i) edge_grid_.add(edges_[i].at, static_cast<int>(i));
 }
 
-void SweptSurface::add_surfels(Vec3 middle, double half, const std::function<bool(Vec3)>& region) {
-  SweptPath::Deepest deepest = path_.deepest(middle);
+void SweptSurface::add_surfels(Vec3 middle, double half, int guess) {
+  if (region_(middle) < -1.7321 * half) return;
+  SweptPath::Deepest deepest = path_.deepest(middle, guess);
   if (std::fabs(deepest.mm) > 1.7321 * half) return;
   if (half > 0.6 * kSurfelMm) {
     for (int i = 0; i < 8; ++i) {
       const double h = 0.5 * half;
-      add_surfels(middle + Vec3(i & 1 ? h : -h, i & 2 ? h : -h, i & 4 ? h : -h), h, region);
+      add_surfels(middle + Vec3(i & 1 ? h : -h, i & 2 ? h : -h, i & 4 ? h : -h), h, deepest.sweep);
     }
     return;
   }
@@ -64,9 +66,9 @@ void SweptSurface::add_surfels(Vec3 middle, double half, const std::function<boo
     Vec3 inwards;
     path_.depth(deepest.sweep, at, &inwards);
     at -= inwards * deepest.mm;
-    deepest = path_.deepest(at);
+    deepest = path_.deepest(at, deepest.sweep);
   }
-  if (std::fabs(deepest.mm) > 1e-9 || length(at - middle) > 2.0 * kSurfelMm || !region(at)) return;
+  if (std::fabs(deepest.mm) > 1e-9 || length(at - middle) > 2.0 * kSurfelMm || region_(at) < 0.0) return;
   surfels_of_cell_[key_of(IVec3(glm::floor((at - low_) / kSurfelMm)))].push_back(static_cast<int>(surfels_.size()));
   surfels_.push_back({at, deepest.sweep});
 }
@@ -96,7 +98,7 @@ void SweptSurface::trace_all() {
 void SweptSurface::try_seed(const Seed& seed) {
   Vec3 p = seed.at;
   if (seed.a == seed.b || !project_onto(seed.a, seed.b, p) || length(p - seed.at) > kFarSeedMm) return;
-  if (known(seed.a, seed.b, p)) return;
+  if (region_(p) < 0.0 || known(seed.a, seed.b, p)) return;
   if (remains(p, seed.a, seed.b)) {
     trace(seed.a, seed.b, p);
   } else if (seed.tries < kMostTries) {
@@ -137,7 +139,7 @@ std::vector<Vec3> SweptSurface::walk(int a, int b, Vec3 from, double way, bool& 
     const double size = length(tangent);
     if (size < std::sqrt(kFlat2)) break;
     next += tangent * (way / size);
-    if (!project_onto(a, b, next) || length(next - p) > 3.0 * kEdgeStepMm) break;
+    if (!project_onto(a, b, next) || length(next - p) > 3.0 * kEdgeStepMm || region_(next) < 0.0) break;
     if (!remains(next, a, b)) {
       Vec3 good = p, bad = next;
       for (int half = 0; half < 50; ++half) {
@@ -184,25 +186,33 @@ void SweptSurface::store(int a, int b, const std::vector<Vec3>& points, bool clo
   }
 }
 
-Vec3 SweptSurface::refined(int i, Vec3 centre) const {
-  const EdgePoint& e = edges_[static_cast<std::size_t>(i)];
-  if (e.before < 0 || e.after < 0) return e.at;
-  const Vec3 p = edges_[static_cast<std::size_t>(e.before)].at, r = edges_[static_cast<std::size_t>(e.after)].at;
+SweptSurface::Foot SweptSurface::foot(int i, Vec3 centre) const {
+  const auto at_of = [this](int k) { return edges_[static_cast<std::size_t>(k)].at; };
+  const EdgePoint* e = &edges_[static_cast<std::size_t>(i)];
+  if ((e->before < 0) != (e->after < 0)) e = &edges_[static_cast<std::size_t>(std::max(e->before, e->after))];
+  const Vec3 at = e->at;
+  if (e->before < 0 && e->after < 0) return {at, Vec3(0.0), Vec3(0.0), false};
+  if (e->before < 0 || e->after < 0) {
+    const Sweep line{at, at_of(std::max(e->before, e->after))};
+    const Vec3 place = nearest_on(line, centre);
+    return {place, line.b - line.a, Vec3(0.0), place != line.a && place != line.b};
+  }
   // A parabola through the three, by its chord lengths, and the foot on it.
-  const double back = -length(e.at - p), on = length(r - e.at);
-  if (back > -1e-9 || on < 1e-9) return e.at;
-  const Vec3 u = (p - e.at) / back, v = (r - e.at) / on;
+  const Vec3 p = at_of(e->before), r = at_of(e->after);
+  const double back = -length(at - p), on = length(r - at);
+  if (back > -1e-9 || on < 1e-9) return {at, r - p, Vec3(0.0), false};
+  const Vec3 u = (p - at) / back, v = (r - at) / on;
   const Vec3 second = (v - u) / (on - back);
   const Vec3 slope = u - second * back;
   double s = 0.0;
   for (int k = 0; k < 4; ++k) {
-    const Vec3 at = e.at + s * slope + s * s * second - centre;
+    const Vec3 off = at + s * slope + s * s * second - centre;
     const Vec3 d = slope + 2.0 * s * second;
-    const double bend = glm::dot(d, d) + 2.0 * glm::dot(at, second);
-    if (bend < 1e-9) return e.at;
-    s = std::clamp(s - glm::dot(at, d) / bend, back, on);
+    const double bend = glm::dot(d, d) + 2.0 * glm::dot(off, second);
+    if (bend < 1e-9) return {at, slope, 2.0 * second, false};
+    s = std::clamp(s - glm::dot(off, d) / bend, back, on);
   }
-  return e.at + s * slope + s * s * second;
+  return {at + s * slope + s * s * second, slope + 2.0 * s * second, 2.0 * second, s > back && s < on};
 }
 
 }  // namespace cusp::bench

@@ -39,8 +39,9 @@ class SweptSurface {
   static constexpr double kSurfelMm = 0.01;
   static constexpr double kEdgeStepMm = 0.005;
 
-  /// Only the surface within `region` is built.
-  SweptSurface(SweptPath path, const std::function<bool(Vec3)>& region);
+  /// Depth of a place in the region whose surface is built, mm; it changes by at most the way between two places.
+  using Region = std::function<double(Vec3)>;
+  SweptSurface(SweptPath path, const Region& region);
 
   struct Surfel {
     Vec3 at{0.0};
@@ -58,8 +59,15 @@ class SweptSurface {
 
   /// No other sweep has removed this place of two sweeps' surfaces.
   bool remains(Vec3 p, int a, int b) const { return !path_.taken(p, a, b, kTouch); }
-  /// The edge's place nearest to `centre`, about one of its points.
-  Vec3 refined(int edge_point, Vec3 centre) const;
+  /// The edge's place nearest to `centre` between a point's neighbours, by a parabola; an end takes the parabola of the
+  /// point beside it. Two points are a line.
+  struct Foot {
+    Vec3 at{0.0};
+    Vec3 tangent{0.0};    // not unit
+    Vec3 curvature{0.0};  // towards its centre, 1/mm
+    bool inside = false;  // between the neighbours, so that the foot moves with `centre`
+  };
+  Foot foot(int edge_point, Vec3 centre) const;
 
  private:
   static constexpr double kTouch = 1e-9;  // mm: a point this close to a face lies on it
@@ -68,7 +76,7 @@ class SweptSurface {
     Vec3 at{0.0};
     int tries = 0;  // places between, which a third sweep had taken
   };
-  void add_surfels(Vec3 middle, double half, const std::function<bool(Vec3)>& region);
+  void add_surfels(Vec3 middle, double half, int guess);
   void seed_edges();
   void trace_all();
   void try_seed(const Seed& seed);
@@ -79,6 +87,7 @@ class SweptSurface {
   void store(int a, int b, const std::vector<Vec3>& points, bool closed);
 
   SweptPath path_;
+  Region region_;  // while it is built
   Vec3 low_{0.0};  // of the surfels' cells
   std::vector<Surfel> surfels_;
   std::vector<EdgePoint> edges_;
