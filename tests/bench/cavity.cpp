@@ -3,9 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 
 #include "engine/contact/surface_contact.h"
 #include "tests/bench/cavity_truth.h"
@@ -22,7 +23,11 @@ constexpr double kSlideTicksPerS = 2000.0;  // samples of a row, by its budget
 constexpr double kPressesPerS = 60.0;
 constexpr double kOtherMinimumMm = 0.05;    // poses further apart stand in different minima
 constexpr int kPressRest = 10;
-const Vec3 kInside(0.0, 0.0, -0.8);         // free for every explorer, in the frame's own axes
+constexpr double kLeastFreeMm = 0.02;       // where a press starts
+constexpr double kCutTicksPerS = 200.0;     // compared, of every kCutEvery that cut
+constexpr int kCutEvery = 10;
+constexpr double kLeastCutSpringMm = 0.01;  // of the exact force: a bur that cuts trails its device point by 0.06 mm at most
+constexpr double kCutReachMm = 0.15;        // of the surface built beyond the bur, for a tick that cuts
 
 /// One hand and sensor at which cavities are milled.
 struct CavityCase {
@@ -32,7 +37,7 @@ struct CavityCase {
 
 std::vector<CavityCase> cases_of(const Options& options) {
   std::vector<CavityCase> out;
-  const std::vector<double> usual = chosen(options.minutes, {0.5, 2.0, 5.0, 20.0});
+  const std::vector<double> usual = chosen(options.minutes, {1.0, 2.0, 5.0, 20.0});
   for (const double tremor : chosen(options.tremors_mm, {0.05, 0.0, 0.1})) {
     const bool main = tremor == 0.05;
     out.push_back({{tremor, 0.0, options.seed}, main || !options.minutes.empty() ? usual : std::vector<double>{2.0}});
@@ -51,7 +56,7 @@ Row cavity_row(const CavityCase& what, double minutes, std::string_view method, 
   row.tremor_mm = what.hand.tremor_mm;
   row.encoder_mm = what.hand.encoder_mm;
   row.bur_radius_mm = radius_mm;
-  row.voxel_mm = 10.0 / 128;
+  row.voxel_mm = kCavityVoxelMm;
   row.seed = static_cast<std::int64_t>(what.hand.seed);
   return row;
 }
@@ -59,8 +64,8 @@ Row cavity_row(const CavityCase& what, double minutes, std::string_view method, 
 /// Compares tick by tick; in another minimum than the truth's, nothing but the count.
 class Comparison {
  public:
-  Comparison(Row& row, const CavityTruth& truth) : row_(row), truth_(truth) {}
-  void add(const StepOutput& out, const Exact& exact, double spent_s) {
+  explicit Comparison(Row& row, double least_spring_mm = kLeastSpringMm) : row_(row), least_spring_mm_(least_spring_mm) {}
+  void add(const StepOutput& out, const Exact& exact, const CavityTruth& truth, double spent_s) {
     times_.add_ns(static_cast<std::int64_t>(spent_s * 1e9));
     errors_.note(out);
     ++ticks_;
@@ -81,10 +86,10 @@ class Comparison {
     }
     if (apart) {
       errors_.skip();
-    } else if (!exact.contact || length(exact.pose_mm - out.device_mm) < kLeastSpringMm) {
+    } else if (!exact.contact || length(exact.pose_mm - out.device_mm) < least_spring_mm_) {
       errors_.skip_small();
     } else {
-      errors_.add(out, exact, truth_.clearance_mm(out.proxy_mm));
+      errors_.add(out, exact, truth.clearance_mm(out.proxy_mm));
     }
   }
   void interrupt() { errors_.skip(); }
@@ -100,7 +105,7 @@ class Comparison {
  private:
   static constexpr double kSure = 1e-3;  // N at 1 N/mm: below, rounding decides
   Row& row_;
-  const CavityTruth& truth_;
+  double least_spring_mm_;
   Errors errors_;
   TickTimes times_;
   std::int64_t ticks_ = 0, missing_ = 0, spurious_ = 0, apart_ = 0;
@@ -116,31 +121,16 @@ StepOutput explore(StepState& state, std::uint16_t bur, Vec3 device, double& spe
   return out;
 }
 
-/// Up out of the cavity, over its middle and down into it: free all the way.
-void enter(StepState& state, std::uint16_t bur) {
-  const Frame frame = oblique_frame();
-  const auto stepper = [bur](StepState& to, const StepInput& input) {
-    StepInput with = input;
-    with.bur = bur;
-    return step(to, with);
-  };
-  Vec3 above = frame.to_local(state.last().proxy_mm);
-  above.z = 2.0;
-  lead(state, stepper, frame.to_world(above), 0.05);
-  lead(state, stepper, frame.to_world({0.0, 0.0, 2.0}), 0.05);
-  lead(state, stepper, frame.to_world(kInside), 0.05);
-}
-
 void slide_row(StepState& state, CavityTruth& truth, const Options& options, Row& row) {
   const std::uint16_t bur = Cavity::bur_of(row.bur_radius_mm);
-  enter(state, bur);
+  enter_cavity(state, bur);
   truth.start(state.last().proxy_mm);
-  Comparison comparison(row, truth);
+  Comparison comparison(row);
   const int ticks = static_cast<int>(kSlideTicksPerS * options.budget_s);
   for (const Vec3 device : exploring_points(row.bur_radius_mm, row.speed_mm_s, options.seed, ticks)) {
     double spent = 0.0;
     const StepOutput out = explore(state, bur, device, spent);
-    comparison.add(out, truth.follow(out.device_mm), spent);
+    comparison.add(out, truth.follow(out.device_mm), truth, spent);
   }
   comparison.fill();
 }
@@ -150,20 +140,21 @@ void press_row(StepState& state, CavityTruth& truth, const Options& options, Row
   const std::uint16_t bur = Cavity::bur_of(row.bur_radius_mm);
   const Frame frame = oblique_frame();
   Random random(options.seed);
-  Comparison comparison(row, truth);
+  Comparison comparison(row);
   const int presses = static_cast<int>(kPressesPerS * options.budget_s);
   for (int k = 0; k < presses; ++k) {
-    enter(state, bur);
+    enter_cavity(state, bur);
     const Vec3 from = frame.to_world({random.between(-1.6, 1.6), random.between(-0.2, 0.2), random.between(-1.0, -0.6)});
     const double z = random.between(-1.0, 0.1), phi = random.between(0.0, 6.283185307179586), rho = std::sqrt(1.0 - z * z);
     const Vec3 way = frame.direction({rho * std::cos(phi), rho * std::sin(phi), z});
+    if (truth.clearance_mm(from) < kLeastFreeMm) continue;
     double whole = 0.0;
     while (truth.clearance_mm(from + way * whole) > 0.0 && whole < 4.0) whole += 0.02;
     whole += kDepthMm;
     // One that would end near the mouth is left out: the truth ends there.
     if (frame.to_local(from + way * whole).z > -0.4) continue;
     double spent = 0.0;
-    lead(state, [bur](StepState& to, const StepInput& input) { StepInput with = input; with.bur = bur; return step(to, with); }, from, 0.05);
+    lead_bur(state, bur, from, 0.05);
     truth.start(state.last().device_mm);
     const int ticks = static_cast<int>(whole / 0.05) + 1;
     StepOutput out;
@@ -173,7 +164,28 @@ void press_row(StepState& state, CavityTruth& truth, const Options& options, Row
       exact = truth.follow(out.device_mm);
     }
     comparison.interrupt();
-    comparison.add(out, exact, spent);
+    comparison.add(out, exact, truth, spent);
+  }
+  comparison.fill();
+}
+
+/// Mills on and compares ticks that have lengthened the path.
+void cutting_row(Cavity& cavity, const Options& options, Row& row) {
+  Comparison comparison(row, kLeastCutSpringMm);
+  const int wanted = static_cast<int>(std::ceil(kCutTicksPerS * options.budget_s));
+  const int most = 20 * kCutEvery * wanted;
+  for (int tick = 0, cut = 0, compared = 0; tick < most && compared < wanted; ++tick) {
+    const Sweep before = cavity.sweeps().back();
+    const double spent = cavity.mill_tick();
+    const Sweep& now = cavity.sweeps().back();
+    if ((now.a == before.a && now.b == before.b) || ++cut % kCutEvery != 0) continue;
+    const StepOutput& out = cavity.state().last();
+    CavityTruth truth(cavity_surface_about(cavity.sweeps(), now.b, kMillRadiusMm + kCutReachMm), kMillRadiusMm,
+                      SurfaceContact::kClearanceMm);
+    truth.start(now.b);
+    comparison.interrupt();
+    comparison.add(out, truth.follow(out.device_mm), truth, spent);
+    ++compared;
   }
   comparison.fill();
 }
@@ -198,22 +210,37 @@ void exploring_rows(Cavity& cavity, const CavityCase& what, double minutes, cons
 
 /// The surface method's cavity, explored at the times asked.
 void accuracy_in_cavity(const CavityCase& what, const Options& options, std::vector<Row>& rows) {
+  cavity_scene(Method::surface);  // the specimen stays in memory and is not counted
+  const std::optional<double> before = resident_mb();
   Cavity cavity(Method::surface, what.hand);
   for (const double minutes : what.minutes) {
     cavity.mill_until(minutes, [](double) {});
+    if (cavity.sweeps().empty()) throw std::runtime_error(fmt::format("nothing is milled after {} minutes", minutes));
+    const std::size_t first = rows.size();
+    const std::optional<double> resident = resident_mb();
+    const double memory_mb = resident.value_or(kAbsent) - before.value_or(kAbsent) -
+                             1e-6 * static_cast<double>(cavity.sweeps().capacity() * sizeof(Sweep));
     exploring_rows(cavity, what, minutes, options, rows);
+    cavity.resume();
+    if (asked(options.motions, "cutting")) {
+      Row row = cavity_row(what, minutes, key_of(Method::surface), "cutting", kMillRadiusMm);
+      row.speed_mm_s = kMillSpeedMmS;
+      cutting_row(cavity, options, row);
+      rows.push_back(row);
+    }
+    for (std::size_t i = first; i < rows.size(); ++i) rows[i].memory_mb = memory_mb;
   }
 }
 
 void print_cavity(const std::vector<Row>& rows) {
-  fmt::print("{:<16}{:>6}{:>7}{:>7} {:<6}{:>5}{:>6}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>7}{:>9}{:>9}\n", "method", "min",
+  fmt::print("{:<16}{:>6}{:>7}{:>7} {:<8}{:>5}{:>6}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>7}{:>9}{:>9}{:>7}\n", "method", "min",
              "tremor", "enc", "motion", "r", "mm/s", "samples", "deg", "p99", "pose um", "p95", "other%", "depth", "max", "stepp99",
-             "max", "miss%", "p50 us", "p99.9");
+             "max", "miss%", "p50 us", "p99.9", "MB");
   for (const Row& r : rows)
-    fmt::print("{:<16}{:>6.1f}{:>7.2f}{:>7.2f} {:<6}{:>5.2f}{:>6.0f}{:>8}{:>8.3f}{:>8.2f}{:>8.2f}{:>8.1f}{:>8.2f}{:>8.3f}{:>8.2f}{:>8.1f}{:>8.1f}{:>7.2f}{:>9.1f}{:>9.1f}\n",
+    fmt::print("{:<16}{:>6.1f}{:>7.2f}{:>7.2f} {:<8}{:>5.2f}{:>6.0f}{:>8}{:>8.3f}{:>8.2f}{:>8.2f}{:>8.1f}{:>8.2f}{:>8.3f}{:>8.2f}{:>8.1f}{:>8.1f}{:>7.2f}{:>9.1f}{:>9.1f}{:>7.1f}\n",
                r.method, r.minutes, r.tremor_mm, r.encoder_mm, r.motion, r.bur_radius_mm, r.speed_mm_s, r.samples, r.angle_deg_mean,
                r.angle_deg_p99, r.pose_um_mean, r.pose_um_p95, r.other_minimum_percent, r.depth_um_mean, r.depth_um_max,
-               r.force_step_excess_mn_p99, r.force_step_excess_mn_max, r.force_missing_percent, r.tick_us_p50, r.tick_us_p999);
+               r.force_step_excess_mn_p99, r.force_step_excess_mn_max, r.force_missing_percent, r.tick_us_p50, r.tick_us_p999, r.memory_mb);
 }
 
 }  // namespace

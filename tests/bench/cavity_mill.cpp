@@ -1,6 +1,9 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/bench/candidates.h"
 #include "tests/bench/cavity.h"
@@ -11,11 +14,12 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kVoxelMm = 10.0 / 128;
 constexpr double kHalfX = 2.025, kHalfY = 0.55;  // of the box of the bur's centres, mm
 constexpr double kFirstZ = 0.2, kFloorZ = -1.4, kLayerMm = 0.2, kRowMm = 0.22;
-constexpr double kLeadMm = 0.06;  // of the device ahead of the cut at kMillSpeedMmS: full_force 0.25 N, 20 mm/s
 constexpr std::array<double, 3> kExplorers = {0.25, 0.4, 0.5};
+constexpr auto kMillBur = static_cast<std::uint16_t>(kExplorers.size());
+constexpr double kFreeStepMm = 0.05;         // a tick, through free space
+const Vec3 kInside(0.0, 0.0, -0.8);          // free for every explorer, in the frame's own axes
 
 /// Its distance and its key are all that the scene needs.
 class SolidBlock : public Shape {
@@ -33,12 +37,14 @@ class SolidBlock : public Shape {
 
 }  // namespace
 
-std::shared_ptr<Scene> cavity_scene(Method method) {
-  auto scene = scene_of(SolidBlock(), method, kVoxelMm);
+std::shared_ptr<Scene> cavity_scene(Method method, double mill_radius_mm) {
+  auto scene = scene_of(SolidBlock(), method, kCavityVoxelMm);
   scene->burs.resize(1);
   const Bur model = scene->burs.front();
   scene->burs.clear();
-  for (const double radius : kExplorers) {
+  std::vector<double> radii(kExplorers.begin(), kExplorers.end());
+  radii.push_back(mill_radius_mm);
+  for (const double radius : radii) {
     Bur bur = model;
     bur.radius_mm = radius;
     bur.neck_radius_mm = bur.shank_radius_mm = 0.1;
@@ -50,7 +56,9 @@ std::shared_ptr<Scene> cavity_scene(Method method) {
 }
 
 std::uint16_t Cavity::bur_of(double radius_mm) {
-  return static_cast<std::uint16_t>(std::ranges::find(kExplorers, radius_mm) - kExplorers.begin());
+  const auto found = std::ranges::find(kExplorers, radius_mm);
+  if (found == kExplorers.end()) throw std::invalid_argument(fmt::format("no bur of {} mm explores the cavity", radius_mm));
+  return static_cast<std::uint16_t>(found - kExplorers.begin());
 }
 
 MillMotion::MillMotion(const MillHand& hand) : hand_(hand), random_(hand.seed) {
@@ -61,7 +69,7 @@ MillMotion::MillMotion(const MillHand& hand) : hand_(hand), random_(hand.seed) {
 }
 
 void MillMotion::plan_rows(double z_mm, int lane_axis, double shift_mm) {
-  const double half_across = (lane_axis == 0 ? kHalfY : kHalfX) + kLeadMm, half_along = (lane_axis == 0 ? kHalfX : kHalfY) + kLeadMm;
+  const double half_across = lane_axis == 0 ? kHalfY : kHalfX, half_along = lane_axis == 0 ? kHalfX : kHalfY;
   double side = -1.0;
   for (double across = -half_across + shift_mm;; across += kRowMm) {
     const double row = std::min(across, half_across);
@@ -73,7 +81,7 @@ void MillMotion::plan_rows(double z_mm, int lane_axis, double shift_mm) {
 }
 
 void MillMotion::plan_round(double z_mm) {
-  const double x = kHalfX + kLeadMm, y = kHalfY + kLeadMm;
+  const double x = kHalfX, y = kHalfY;
   for (const Vec3 corner : {Vec3(-x, -y, z_mm), Vec3(x, -y, z_mm), Vec3(x, y, z_mm), Vec3(-x, y, z_mm), Vec3(-x, -y, z_mm)})
     corners_.push_back(corner);
 }
@@ -84,13 +92,12 @@ void MillMotion::plan_pass() {
   corners_.assign(1, last);
   corner_ = 0;
   constexpr int kLayers = 9;
-  const double floor = kFloorZ - kLeadMm;
   if (pass_ < kLayers) {
-    plan_rows(std::max(floor, kFirstZ - kLayerMm * pass_ - kLeadMm), pass_ % 2, 0.0);
+    plan_rows(std::max(kFloorZ, kFirstZ - kLayerMm * pass_), pass_ % 2, 0.0);
   } else if (pass_ % 2 == 0) {
-    plan_round(random_.between(floor, -0.3));
+    plan_round(random_.between(kFloorZ, -0.3));
   } else {
-    plan_rows(floor, pass_ / 2 % 2, random_.between(0.0, kRowMm));
+    plan_rows(kFloorZ, pass_ / 2 % 2, random_.between(0.0, kRowMm));
   }
   ++pass_;
 }
@@ -121,14 +128,39 @@ Vec3 MillMotion::next() {
   return at;
 }
 
-Cavity::Cavity(Method method, const MillHand& hand) : state_(cavity_scene(method)), motion_(hand) {
-  lead(state_, step, SolidBlock().home(), 1.0);
+void lead_bur(StepState& state, std::uint16_t bur, Vec3 to_mm, double per_tick_mm) {
+  const auto stepper = [bur](StepState& at, const StepInput& input) {
+    StepInput with = input;
+    with.bur = bur;
+    return step(at, with);
+  };
+  lead(state, stepper, to_mm, per_tick_mm);
+}
+
+void enter_cavity(StepState& state, std::uint16_t bur) {
+  const Frame frame = oblique_frame();
+  Vec3 above = frame.to_local(state.last().proxy_mm);
+  above.z = 2.0;
+  lead_bur(state, state.last().bur, frame.to_world(above), kFreeStepMm);
+  lead_bur(state, bur, frame.to_world({0.0, 0.0, 2.0}), kFreeStepMm);
+  lead_bur(state, bur, frame.to_world(kInside), kFreeStepMm);
+}
+
+Cavity::Cavity(Method method, const MillHand& hand, double mill_radius_mm)
+    : state_(cavity_scene(method, mill_radius_mm)), motion_(hand) {
+  lead_bur(state_, kMillBur, SolidBlock().home(), 1.0);
+}
+
+void Cavity::resume() {
+  enter_cavity(state_, kMillBur);
+  lead_bur(state_, kMillBur, device_, kFreeStepMm);
 }
 
 double Cavity::mill_tick() {
   ++ticks_;
-  StepInput input = input_at(motion_.next(), Button::down);
-  input.bur = bur_of(kMillRadiusMm);
+  device_ = motion_.next();
+  StepInput input = input_at(device_, Button::down);
+  input.bur = kMillBur;
   const double before = core_time_s();
   step(state_, input);
   const double spent = core_time_s() - before;
@@ -150,6 +182,15 @@ std::shared_ptr<const SweptSurface> cavity_surface(const std::vector<Sweep>& swe
   const Frame frame = oblique_frame();
   return std::make_shared<const SweptSurface>(SweptPath(sweeps, kMillRadiusMm),
                                               [&](Vec3 p) { return -0.05 - frame.to_local(p).z; });
+}
+
+std::shared_ptr<const SweptSurface> cavity_surface_about(const std::vector<Sweep>& sweeps, Vec3 place, double reach_mm) {
+  std::vector<Sweep> near;
+  std::ranges::copy_if(sweeps, std::back_inserter(near), [&](const Sweep& s) {
+    return length(nearest_on(s, place) - place) < kMillRadiusMm + reach_mm;
+  });
+  return std::make_shared<const SweptSurface>(SweptPath(std::move(near), kMillRadiusMm),
+                                              [&](Vec3 p) { return reach_mm - length(p - place); });
 }
 
 std::vector<Vec3> exploring_points(double radius_mm, double speed_mm_s, std::uint64_t seed, int ticks) {

@@ -48,8 +48,8 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
   shapes.insert(shapes.end(), kHeadShapes.begin(), kHeadShapes.end());
   app.add_option("--method", options.methods, "only this method (repeatable)")->check(CLI::IsMember(methods));
   app.add_option("--shape", options.shapes, "only this shape (repeatable)")->check(CLI::IsMember(shapes));
-  app.add_option("--motion", options.motions, "press or slide (repeatable)")
-      ->check(CLI::IsMember(std::vector<std::string>{"press", "slide"}));
+  app.add_option("--motion", options.motions, "press or slide; cavity: also cutting (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"press", "slide", "cutting"}));
   app.add_option("--task", options.tasks, "displacement, exploration or perforation (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation"}));
   std::vector<std::string> cases;

@@ -27,9 +27,9 @@ struct Row {
   double damping_n_s_m = kAbsent;  // stability: damping of the device
   double friction_n = kAbsent;     // stability: Coulomb friction of the device
   double delay_ms = kAbsent;       // stability: from sample to force
-  std::string shape;               // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel; heads: slot
+  std::string shape;               // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel, cavity; heads: slot
   std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
-  std::string motion;              // press, slide
+  std::string motion;              // press, slide; cavity: also cutting
   std::string axis;                // heads: fixed, turning, jitter
   std::string task;                // rate: displacement, exploration, perforation
   std::string measure;             // removal: speed, mixed, depth, shape, volume, order, slide, ridge, tick
@@ -127,7 +127,7 @@ struct Row {
   double ratio_to_occupancy = kAbsent;  // rate: updates_per_s over the occupancy proxy's in the same run
   double cached_share = kAbsent;        // rate: ticks answered from the cached clearance, 0 to 1
   std::int64_t volume_voxels = -1;      // scale
-  double memory_mb = kAbsent;           // scale
+  double memory_mb = kAbsent;           // scale; cavity: of the engine's state, without the specimen
   double cost_to_smallest = kAbsent;    // scale: a tick's cost over the one in the smallest volume, same run
 };
 
