@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kUnambiguousMm = 0.05;
 constexpr double kSearchStepMm = 0.05;      // a tick, while unambiguous_holes tests a hole
-constexpr double kNoPoseMm = 1000.0;  // lag of a proxy that is not a number
 constexpr double kHoleLeadMm = 0.02;      // a tick, into the hole and aside
 
 }  // namespace
@@ -72,11 +71,6 @@ Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const
       times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - before).count());
       const Exact exact = truth->follow(input.position_mm());
       errors.note(out);
-      const auto behind = [&](Vec3 pose) {
-        const double lag = std::fabs(glm::dot(out.device_mm - pose, hole->axis()));
-        return std::isfinite(lag) ? lag : kNoPoseMm;
-      };
-      errors.lag(std::max(0.0, behind(out.proxy_mm) - behind(exact.pose_mm)), hole->seed());
       if (!exact.contact || length(exact.pose_mm - out.device_mm) < kLeastSpringMm) {
         errors.skip_small();
       } else {

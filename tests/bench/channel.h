@@ -14,8 +14,7 @@ namespace cusp::bench {
 std::vector<std::shared_ptr<const Hole>> unambiguous_holes(double bur_radius_mm, HoleKind kind, std::uint64_t seed,
                                                      int count);
 
-/// The bur moves to the end of each hole, 0.1 mm aside, out along the axis and back in. Lag: distance along the axis by
-/// which the method's proxy stands further behind the device point than the exact one.
+/// The bur moves to the end of each hole, 0.1 mm aside, out along the axis and back in.
 Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const Measure& what);
 
 }  // namespace cusp::bench

@@ -68,11 +68,6 @@ void Errors::fill(Row& row) {
   row.skipped = skipped_;
   row.infeasible_ticks = infeasible_;
   if (!follow_.empty()) row.follow_ticks = mean(follow_);
-  if (!lag_um_.empty()) {
-    row.lag_um_mean = mean(lag_um_);
-    row.lag_um_max = lag_most_um_;
-    row.lag_worst_seed = lag_seed_;
-  }
   if (angle_deg_.empty()) return;
   row.angle_deg_mean = mean(angle_deg_);
   row.angle_deg_p95 = percentile(angle_deg_, 0.95);

@@ -35,21 +35,13 @@ class Errors {
   }
   void followed(int ticks) { follow_.push_back(ticks); }
   void note(const StepOutput& out) { infeasible_ += out.infeasible ? 1 : 0; }
-  void lag(double excess_mm, std::uint64_t seed) {
-    if (lag_um_.empty() || excess_mm * 1000.0 > lag_most_um_) {
-      lag_most_um_ = excess_mm * 1000.0;
-      lag_seed_ = static_cast<std::int64_t>(seed);
-    }
-    lag_um_.push_back(excess_mm * 1000.0);
-  }
 
   void fill(Row& row);
 
  private:
-  std::vector<double> angle_deg_, depth_um_, pose_um_, step_mn_, follow_, lag_um_;
+  std::vector<double> angle_deg_, depth_um_, pose_um_, step_mn_, follow_;
   double error2_ = 0.0, exact2_ = 0.0;
-  double lag_most_um_ = 0.0;
-  std::int64_t skipped_ = 0, infeasible_ = 0, lag_seed_ = -1;
+  std::int64_t skipped_ = 0, infeasible_ = 0;
   bool steady_ = false;
   Vec3 last_force_{0.0}, last_exact_{0.0};
 };

@@ -205,7 +205,7 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
   out << std::left << std::setw(16) << "method" << std::setw(17) << "shape" << std::setw(7) << "motion" << std::right
       << std::setw(6) << "mm/s" << std::setw(6) << "r" << std::setw(7) << "voxel" << std::setw(8) << "samples"
       << std::setw(9) << "deg" << std::setw(9) << "max" << std::setw(10) << "um" << std::setw(10) << "max"
-      << std::setw(9) << "lag um" << std::setw(9) << "max" << std::setw(9) << "step mN" << std::setw(7) << "follow"
+      << std::setw(9) << "pose um" << std::setw(9) << "max" << std::setw(9) << "step mN" << std::setw(7) << "follow"
       << std::setw(7) << "infeas" << std::setw(10) << "kHz" << std::setw(9) << "p99.9 us" << '\n';
   for (const Row& row : rows) {
     const std::string shape = row.variant.empty() ? row.shape : row.shape + ' ' + row.variant;
@@ -219,8 +219,8 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
     number(row.angle_deg_max, 9, 3);
     number(row.depth_um_mean, 10, 4);
     number(row.depth_um_max, 10, 3);
-    number(row.lag_um_mean, 9, 2);
-    number(row.lag_um_max, 9, 1);
+    number(row.pose_um_mean, 9, 2);
+    number(row.pose_um_max, 9, 1);
     number(row.force_step_excess_mn_p99, 9, 2);
     number(row.follow_ticks, 7, 1);
     number(row.infeasible_ticks < 0 ? kAbsent : static_cast<double>(row.infeasible_ticks), 7, 0);

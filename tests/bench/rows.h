@@ -67,10 +67,7 @@ struct Row {
   double depth_um_mean = kAbsent;  // |exact signed clearance| of the bur at the method's proxy
   double depth_um_p95 = kAbsent;
   double depth_um_max = kAbsent;
-  double lag_um_mean = kAbsent;  // channel: lag behind the exact proxy along the axis
-  double lag_um_max = kAbsent;
-  std::int64_t lag_worst_seed = -1;  // seed of the hole of lag_um_max
-  double pose_um_mean = kAbsent;     // distance between the method's proxy and the exact one
+  double pose_um_mean = kAbsent;  // distance between the method's proxy and the exact one
   double pose_um_p95 = kAbsent;
   double pose_um_max = kAbsent;
   double apart_percent = kAbsent;             // heads: samples more than a voxel, at least 50 um, from the exact proxy
@@ -194,9 +191,6 @@ void visit_contact(R& row, Visit& visit) {
   visit("depth_um_mean", row.depth_um_mean);
   visit("depth_um_p95", row.depth_um_p95);
   visit("depth_um_max", row.depth_um_max);
-  visit("lag_um_mean", row.lag_um_mean);
-  visit("lag_um_max", row.lag_um_max);
-  visit("lag_worst_seed", row.lag_worst_seed);
   visit("pose_um_mean", row.pose_um_mean);
   visit("pose_um_p95", row.pose_um_p95);
   visit("pose_um_max", row.pose_um_max);

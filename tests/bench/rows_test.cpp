@@ -64,7 +64,7 @@ TEST(Rows, ComeBackFromJsonAndFromCsv) {
 TEST(Rows, LeaveOutAbsentFieldsAndKeepAZero) {
   const std::string text = to_json(some());
   EXPECT_NE(text.find("\"infeasible_ticks\": 0"), std::string::npos);
-  EXPECT_EQ(text.find("lag_um_mean"), std::string::npos);
+  EXPECT_EQ(text.find("pose_um_mean"), std::string::npos);
   EXPECT_EQ(text.find("null"), std::string::npos);
 }
 

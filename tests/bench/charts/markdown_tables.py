@@ -160,9 +160,9 @@ def figures(tables):
             ("`accuracy`: angle p95 on every shape but the channel, °, worst slide",
              lambda m: small(of([r for r in usual(accuracy, m, motion="slide") if r.text("shape") != "channel"
                                  and r.text("unresolved") != "true"], "angle_deg_p95", max, "angle"))),
-            ("`accuracy`: lag in the own channel, µm, mean · worst",
-             lambda m: small(of(usual(accuracy, m, shape="channel"), "lag_um_mean", mean, "lag")) + " · "
-             + small(of(usual(accuracy, m, shape="channel"), "lag_um_max", max, "lag"))),
+            ("`accuracy`: pose error in the own channel, µm, mean · worst",
+             lambda m: small(of(usual(accuracy, m, shape="channel"), "pose_um_mean", mean, "pose")) + " · "
+             + small(of(usual(accuracy, m, shape="channel"), "pose_um_max", max, "pose"))),
             ("`scale`: cost of a tick, 1024³ over 128³", lambda m: f"{of(scale.where(method=m, variant='whole-top'), 'cost_to_smallest', lambda v: v[-1], 'scale'):.2f}"),
             ("`scale`: memory at 1024³, MB", lambda m: f"{of(scale.where(method=m), 'memory_mb', max, 'memory'):.0f}"),
             ("`stability`: penetration, guard on, µm, worst",
