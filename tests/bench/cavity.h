@@ -2,6 +2,7 @@
 /// explore it. Each tick is compared with the exact proxy in the recorded path's union. Its depth is reached after 54 s.
 /// Motions: slide and press explore with the button up. cutting compares ticks of the milling itself: the exact proxy stands
 /// in the union of all sweeps, this tick's included, at the minimum downhill from the newest swept pose.
+/// The task `mill` times the cutting ticks of every method on the same device points (mill.h).
 #pragma once
 
 #include <cstdint>
@@ -58,7 +59,7 @@ class MillMotion {
 /// A cavity being milled by one method.
 class Cavity {
  public:
-  /// sweeps() and the truths expect kMillRadiusMm.
+  /// sweeps() and the truths expect kMillRadiusMm; mill.h times other balls.
   Cavity(Method method, const MillHand& hand, double mill_radius_mm = kMillRadiusMm);
   /// Mills on until `minutes` have passed in all. each(seconds): thread CPU time of every tick.
   template <class Each>

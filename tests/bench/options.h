@@ -34,8 +34,8 @@ struct Options {
   std::vector<double> speeds_mm_s;
   std::vector<double> bur_radii_mm;
   std::vector<double> voxels_mm;
-  std::vector<double> minutes;          // cavity: of milling
-  std::vector<double> tremors_mm;       // cavity
+  std::vector<double> minutes;          // cavity, mill: of milling
+  std::vector<double> tremors_mm;       // cavity, mill
   double seconds = 10.0;          // latency: of each row
   std::vector<std::string> loads; // latency: off, on
   double budget_s = 1.0;          // wall clock of a row; sets the number of presses and ticks

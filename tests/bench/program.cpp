@@ -46,12 +46,13 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
   const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
   std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
   shapes.insert(shapes.end(), kHeadShapes.begin(), kHeadShapes.end());
+  shapes.emplace_back("cavity");
   app.add_option("--method", options.methods, "only this method (repeatable)")->check(CLI::IsMember(methods));
   app.add_option("--shape", options.shapes, "only this shape (repeatable)")->check(CLI::IsMember(shapes));
   app.add_option("--motion", options.motions, "press or slide; cavity: also cutting (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"press", "slide", "cutting"}));
-  app.add_option("--task", options.tasks, "displacement, exploration or perforation (repeatable)")
-      ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation"}));
+  app.add_option("--task", options.tasks, "displacement, exploration, perforation or mill (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation", "mill"}));
   std::vector<std::string> cases;
   const auto add_cases = [&cases](const auto& names) {
     for (std::string_view name : names) cases.emplace_back(name);
@@ -89,8 +90,8 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
       ->check(CLI::Range(0.01, 1.0));
   app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));
-  app.add_option("--minutes", options.minutes, "cavity: of milling before it is explored (repeatable)")->check(CLI::Range(0.01, 120.0));
-  app.add_option("--tremor-mm", options.tremors_mm, "cavity: rms of the tremor (repeatable)")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--minutes", options.minutes, "cavity and mill: of milling (repeatable)")->check(CLI::Range(0.01, 120.0));
+  app.add_option("--tremor-mm", options.tremors_mm, "cavity and mill: rms of the tremor (repeatable)")->check(CLI::Range(0.0, 1.0));
   app.add_option("--seconds", options.seconds, "latency: of each row, 10 unless given")->check(CLI::Range(0.1, 3600.0));
   app.add_option("--load", options.loads, "latency: off or on (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"off", "on"}));

@@ -9,6 +9,7 @@
 
 #include "tests/bench/channel.h"
 #include "tests/bench/frame.h"
+#include "tests/bench/mill.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/names.h"
 #include "tests/bench/pin.h"
@@ -250,6 +251,7 @@ std::vector<Row> rate_rows(const Options& options) {
           add(slide_rows(*shape, task.task, speed, voxel, options));
       }
   }
+  if (asked(options.tasks, "mill") && asked(options.shapes, "cavity") && options.motions.empty()) add(mill_rows(options));
   return rows;
 }
 

@@ -31,7 +31,7 @@ struct Row {
   std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
   std::string motion;              // press, slide; cavity: also cutting
   std::string axis;                // heads: fixed, turning, jitter
-  std::string task;                // rate: displacement, exploration, perforation
+  std::string task;                // rate: displacement, exploration, perforation, mill
   std::string measure;             // removal: speed, mixed, depth, shape, volume, order, slide, ridge, tick
   std::string bur;                // removal: its name, with the diameter; heads: shape and catalogue number
   std::string tissue;              // removal
@@ -116,6 +116,7 @@ struct Row {
   double back_share = kAbsent;  // faults: of the exact force, half a second after re-arming
   std::string failures;           // stability: kinds of verdict.h, separated by spaces
   double updates_per_s = kAbsent;
+  double tick_us_mean = kAbsent;  // rate: of mill
   double tick_us_p50 = kAbsent;
   double tick_us_p99 = kAbsent;
   double tick_us_p999 = kAbsent;
@@ -249,6 +250,7 @@ void visit_stability(R& row, Visit& visit) {
 template <class R, class Visit>
 void visit_cost(R& row, Visit& visit) {
   visit("updates_per_s", row.updates_per_s);
+  visit("tick_us_mean", row.tick_us_mean);
   visit("tick_us_p50", row.tick_us_p50);
   visit("tick_us_p99", row.tick_us_p99);
   visit("tick_us_p999", row.tick_us_p999);
