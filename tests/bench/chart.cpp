@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/bench/accuracy.h"
+#include "tests/bench/cavity.h"
 #include "tests/bench/heads.h"
 #include "tests/bench/pin.h"
 #include "tests/bench/program.h"
@@ -31,6 +32,7 @@ void sort_in(Evidence& to, const Report& report) {
     Report& kind = !row.measure.empty()     ? full ? to.removal_full : to.removal
                    : !row.case_name.empty() ? full ? to.stability_full : to.stability
                    : !row.axis.empty()      ? to.heads
+                   : row.shape == "cavity"  ? to.cavity
                    : row.volume_voxels >= 0 ? to.scale
                    : !row.task.empty()      ? to.rate
                                             : to.accuracy;
@@ -76,13 +78,9 @@ int failed(const ChartFailure& failure) {
 Evidence measure_all(const Options& options) {
   Evidence out;
   const Report here = empty_report();
-  out.accuracy = out.rate = out.scale = out.stability = out.removal = out.heads = here;
-  out.accuracy.rows = accuracy_rows(options);
-  out.rate.rows = rate_rows(options);
-  out.scale.rows = scale_rows(options);
-  out.stability.rows = stability_rows(options);
-  out.removal.rows = removal_rows(options);
-  out.heads.rows = heads_rows(options);
+  out.accuracy = out.cavity = out.rate = out.scale = out.stability = out.removal = out.heads = here;
+  for (const auto rows_of : {accuracy_rows, cavity_rows, rate_rows, scale_rows, stability_rows, removal_rows, heads_rows})
+    sort_in(out, {here.commit, here.machine, rows_of(options)});
   return out;
 }
 
@@ -94,7 +92,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
       files.emplace_back(name);
       continue;
     }
-    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "heads.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull})
+    for (const char* table : {"accuracy.csv", "cavity.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "heads.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull})
       if (fs::exists(fs::path(name) / table, none)) files.push_back(fs::path(name) / table);
   }
   Evidence out;
@@ -106,6 +104,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
 std::map<std::string, std::string> tables_of(const Evidence& evidence) {
   std::map<std::string, std::string> out;
   for (const auto& [name, report] : {std::pair<const char*, const Report*>{"accuracy.csv", &evidence.accuracy},
+                                     {"cavity.csv", &evidence.cavity},
                                      {"rate.csv", &evidence.rate},
                                      {"scale.csv", &evidence.scale},
                                      {"stability.csv", &evidence.stability},
@@ -143,7 +142,7 @@ int run_chart(const Options& options) {
   }
   if (!options.json.empty()) {
     Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
-    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.heads, &evidence.stability_full,
+    for (const Report* more : {&evidence.cavity, &evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.heads, &evidence.stability_full,
                                &evidence.removal_full})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
     if (const auto written = print_json(all, options.json); !written)

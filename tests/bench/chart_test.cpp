@@ -70,7 +70,7 @@ void add_stability(Report& report) {
 /// Made up, complete, and of second order above a floor of 0.001 degrees.
 Evidence made_up() {
   Evidence out;
-  out.accuracy = out.rate = out.scale = out.stability = {"0123456789abcdef", "A CPU", {}};
+  out.accuracy = out.cavity = out.rate = out.scale = out.stability = {"0123456789abcdef", "A CPU", {}};
   out.pace = {"0123456789abcdef", "A CPU", {}};
   out.motion = {"0123456789abcdef", "A CPU", {}};
   double rate = 100e3;
@@ -115,6 +115,11 @@ Evidence made_up() {
       out.scale.rows.push_back(row);
     }
   }
+  for (const std::string_view task : {"", "mill"}) {
+    Row& row = out.cavity.rows.emplace_back(accuracy_row("surface", "cavity", {0.4, 10.0 / 128, 1e4, 5.8}));
+    row.task = task;
+    row.minutes = 2.0;
+  }
   add_stability(out.stability);
   for (const std::string method : {"surface", "occupancy"})
     for (const std::string task : {"displacement", "exploration", "perforation"})
@@ -134,7 +139,7 @@ void write_tables(const std::filesystem::path& folder, const Evidence& evidence)
 TEST(Chart, WritesTheSameBytesFromTheTablesThatItWrote) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_tables";
   const auto first = tables_of(made_up());
-  EXPECT_EQ(first.size(), 6u);
+  EXPECT_EQ(first.size(), 7u);
   write_tables(folder, made_up());
   const auto read = read_evidence({folder.string()});
   ASSERT_TRUE(read);
@@ -222,6 +227,7 @@ TEST(Chart, RefusesAFileThatIsNoReport) {
 TEST(Chart, SortsTheRowsOfOneReportByKind) {
   const Evidence all = made_up();
   Report one = all.accuracy;
+  one.rows.insert(one.rows.end(), all.cavity.rows.begin(), all.cavity.rows.end());
   one.rows.insert(one.rows.end(), all.rate.rows.begin(), all.rate.rows.end());
   one.rows.insert(one.rows.end(), all.scale.rows.begin(), all.scale.rows.end());
   one.rows.insert(one.rows.end(), all.stability.rows.begin(), all.stability.rows.end());
@@ -230,6 +236,7 @@ TEST(Chart, SortsTheRowsOfOneReportByKind) {
   const auto read = read_evidence({path.string()});
   ASSERT_TRUE(read);
   EXPECT_EQ(read->accuracy.rows.size(), all.accuracy.rows.size());
+  EXPECT_EQ(read->cavity.rows.size(), all.cavity.rows.size());
   EXPECT_EQ(read->rate.rows.size(), all.rate.rows.size());
   EXPECT_EQ(read->scale.rows.size(), all.scale.rows.size());
   EXPECT_EQ(read->stability.rows.size(), all.stability.rows.size());

@@ -42,22 +42,43 @@ def places(accuracy, rate, radius):
     return out
 
 
-def speed_against_accuracy(accuracy, rate, radius):
+CAVITY_MINUTES, CAVITY_TREMOR_MM = 2.0, 0.05  # the cavity of the first chart and table
+
+
+def in_cavity(cavity, radius, **texts):
+    """The surface proxy's rows in the usual cavity: slides at 5 and 50 mm/s, presses, cutting, milling."""
+    return [r for r in cavity.where(method="surface", **texts)
+            if r.is_near("bur_radius_mm", radius) and r.is_near("minutes", CAVITY_MINUTES) and r.is_near("tremor_mm", CAVITY_TREMOR_MM)
+            and r.text("encoder_mm") in ("", "0")]
+
+
+def explored(cavity, radius):
+    """The slide at 50 mm/s in the usual cavity. Raises Missing without it."""
+    found = [r for r in in_cavity(cavity, radius, motion="slide") if r.is_near("speed_mm_s", SPEED_MM_S)]
+    if not found:
+        raise Missing(f"cavity: a slide at 50 mm/s after {CAVITY_MINUTES:.0f} minutes with a bur of {radius} mm")
+    return found[0]
+
+
+def speed_against_accuracy(accuracy, rate, radius, cavity=None):
     shown = places(accuracy, rate, radius)
     if not shown:
         raise Missing(f"accuracy and rate: no slides at 50 mm/s on face and sphere with a bur of {radius} mm")
     several = len({voxel for _, voxel, *_ in shown}) > 1
+    milled = explored(cavity, radius) if cavity else None
+    of_cavity = f", {cavity.commit[:10]} (cavity)" if cavity else ""
     sizes = "voxel size in mm beside the marks" if several else "voxels of 10/128 mm"
     fig = style.figure(
         860, 620, f"Speed against accuracy, ball bur of {radius} mm radius",
-        "Slides at 50 mm/s, 0.3 mm below the offset surface; mean of face and sphere. Right is faster, down is more exact.",
-        f"Filled: {accuracy.machine}, commits {accuracy.commit[:10]} (angles) and {rate.commit[:10]} (rates), {sizes}. "
+        "Clean path: slides at 50 mm/s, 0.3 mm below the offset surface; mean of face and sphere. Right is faster, down is more exact.",
+        f"Filled: {accuracy.machine}, commits {accuracy.commit[:10]} (angles) and {rate.commit[:10]} (rates){of_cavity}, {sizes}. "
         "Dashed: Pareto front.\nHollow: other programs, measured elsewhere on a 2-vCPU EPYC VM, 10/128 mm. "
         "(pressed): angle of presses, not of a slide.")
     axes = style.panel(fig, 76, 72, 836, 528)
     peers = [(name, speed, (face + sphere) / 2, pressed) for name, r, speed, face, sphere, pressed in PEERS if r == radius]
-    style.decades(axes.xaxis, [PAPER_EXPLORATION] + [p[2] for p in shown] + [p[1] for p in peers])
-    style.decades(axes.yaxis, [p[3] for p in shown] + [p[2] for p in peers])
+    cut = [(milled.number("updates_per_s"), milled.number("angle_deg_mean"))] if milled else []
+    style.decades(axes.xaxis, [PAPER_EXPLORATION] + [p[2] for p in shown] + [p[1] for p in peers] + [p[0] for p in cut])
+    style.decades(axes.yaxis, [p[3] for p in shown] + [p[2] for p in peers] + [p[1] for p in cut])
     axes.set_xlabel("updates a second, one core")
     axes.set_ylabel("mean angle between force and exact force, degrees")
     axes.axvline(PAPER_EXPLORATION, color=QUIET, lw=1.2, ls=(0, (2, 4)))
@@ -81,6 +102,10 @@ def speed_against_accuracy(accuracy, rate, radius):
     for _, speed, angle, _ in peers:
         axes.plot(speed, angle, "o", ms=7.5, mfc="white", mec=QUIET, mew=1.5, zorder=5)
         room.take(speed, angle, 4.5)
+    for speed, angle in cut:
+        axes.plot(speed, angle, "s", ms=8, color=COLOURS["surface"], zorder=5)
+        room.take(speed, angle, 5)
+        room.label(speed, angle, f"surface proxy in a cavity, milled {CAVITY_MINUTES:.0f} min", 7, fontsize=9.8, fontweight="bold")
     for method in METHODS:
         own = [p for p in shown if p[0] == method]
         if own:

@@ -33,8 +33,8 @@ def draw_all(tables):
     """[name]: text of every file. Raises Missing with the names of missing rows."""
     t = tables
     out = {
-        "speed-accuracy-r025.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.25)),
-        "speed-accuracy-r050.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.5)),
+        "speed-accuracy-r025.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.25, t.get("cavity"))),
+        "speed-accuracy-r050.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.5, t.get("cavity"))),
         "error-voxel.svg": svg(contact_charts.error_against_voxel(t["accuracy"])),
         "cost-size.svg": svg(contact_charts.cost_against_size(t["rate"], t["scale"])),
         "rates-by-task.svg": svg(task_charts.rates_by_task(t["pace"])),
@@ -43,7 +43,7 @@ def draw_all(tables):
         "stability-damping.svg": svg(stability_charts.stiffness_against_damping(t["stability"])),
         "drilling-depth.svg": svg(removal_charts.depth_over_time(t["removal"])),
         "drilling-speed-error.svg": svg(removal_charts.speed_error(t["removal"])),
-        "methods.md": markdown_tables.methods(t["accuracy"], t["rate"]),
+        "methods.md": markdown_tables.methods(t["accuracy"], t["rate"], t.get("cavity")),
         "stability.md": markdown_tables.stability(t["stability"]),
         "removal.md": markdown_tables.removal(t["removal"], t.get("removal-full")),
         "figures.md": markdown_tables.figures(t),

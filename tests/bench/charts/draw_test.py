@@ -86,6 +86,27 @@ class Committed(unittest.TestCase):
             with self.subTest(word), self.assertRaisesRegex(Missing, word):
                 figure(without(self.tables, name, is_dropped))
 
+    def test_the_milled_cavity_is_shown_where_it_was_measured(self):
+        fields = {"method": "surface", "motion": "slide", "speed_mm_s": "50", "minutes": "2", "tremor_mm": "0.05", "encoder_mm": "0"}
+        numbers = ("updates_per_s", "angle_deg_mean", "angle_deg_p95", "angle_deg_p99", "pose_um_mean", "pose_um_p95", "depth_um_mean",
+                   "force_step_excess_mn_p99", "force_step_excess_mn_max", "tick_us_p50", "tick_us_p999")
+        slides = [{**fields, **dict.fromkeys(numbers, "7.5"), "bur_radius_mm": r} for r in ("0.25", "0.4", "0.5")]
+        mill = {"method": "surface", "task": "mill", "minutes": "2", "tremor_mm": "0.05", "bur_radius_mm": "0.4", "tick_us_mean": "151", "tick_us_p999": "495"}
+        cavity = table("cavity", [*slides, mill])
+        accuracy, rate = self.tables["accuracy"], self.tables["rate"]
+        shown = markdown_tables.methods(accuracy, rate, cavity)
+        self.assertTrue(shown.startswith(markdown_tables.methods(accuracy, rate)))
+        self.assertIn("| 0.4 mm | 7.5 · 7.5 · 7.5 | 7.5 · 7.5 | 7.5 | 7.5 · 7.5 | 7.5 · 7.5 | 151 · 495 |", shown)
+        self.assertIn("| 0.5 mm | 7.5 · 7.5 · 7.5 | 7.5 · 7.5 | 7.5 | 7.5 · 7.5 | 7.5 · 7.5 | – |", shown)
+        label = "surface proxy in a cavity, milled 2 min"
+        self.assertIn(label, texts(contact_charts.speed_against_accuracy(accuracy, rate, 0.5, cavity)))
+        self.assertNotIn(label, texts(contact_charts.speed_against_accuracy(accuracy, rate, 0.5)))
+        with self.assertRaisesRegex(Missing, "0.4 mm"):
+            markdown_tables.methods(accuracy, rate, table("cavity", [slides[0], slides[2], mill]))
+        drawn = draw.draw_all({**self.tables, "cavity": cavity})
+        self.assertIn("milled cavity", drawn["methods.md"])
+        self.assertNotIn("milled cavity", draw.draw_all(self.tables)["methods.md"])
+
     def test_a_full_sweep_widens_the_table_of_removal_only_where_it_was_run(self):
         self.assertIn("all 36 burs", markdown_tables.removal(self.tables["removal"], self.tables["removal-full"]))
         self.assertNotIn("all 36 burs", markdown_tables.removal(self.tables["removal"]))

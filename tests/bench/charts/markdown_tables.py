@@ -1,7 +1,7 @@
 """The tables of the READMEs, each with the machine and commit that measured it."""
 import math
 
-from contact_charts import SPEED_MM_S, USUAL_VOXEL_MM
+from contact_charts import CAVITY_MINUTES, CAVITY_TREMOR_MM, SPEED_MM_S, USUAL_VOXEL_MM, explored, in_cavity
 from removal_charts import axes_along
 from stability_charts import is_usual
 from style import LABELS, METHODS, short
@@ -16,7 +16,31 @@ def lines(head, rows):
     return "".join(f"| {' | '.join(cells)} |\n" for cells in [head, *rows]).replace("\n", "\n|" + "---|" * len(head) + "\n", 1)
 
 
-def methods(accuracy, rate):
+def cavity_rows(cavity):
+    """What the surface proxy does in a cavity that a trembling hand has milled, by the radius of the exploring ball."""
+    def pair(row, *fields):
+        values = [needed(row.number(f), f"cavity: {f} with a bur of {row.text('bur_radius_mm')} mm") for f in fields]
+        return " · ".join(small(v) for v in values)
+
+    rows = []
+    for radius in (0.25, 0.4, 0.5):
+        slid = explored(cavity, radius)
+        milled = in_cavity(cavity, radius, task="mill")
+        rows.append([f"{radius:.2g} mm", pair(slid, "angle_deg_mean", "angle_deg_p95", "angle_deg_p99"), pair(slid, "pose_um_mean", "pose_um_p95"),
+                     pair(slid, "depth_um_mean"), pair(slid, "force_step_excess_mn_p99", "force_step_excess_mn_max"),
+                     pair(slid, "tick_us_p50", "tick_us_p999"), pair(milled[0], "tick_us_mean", "tick_us_p999") if milled else "–"])
+    return rows
+
+
+def in_a_cavity(cavity):
+    head = ["surface proxy in a milled cavity, ball bur r", "angle error mean · p95 · p99, degrees", "pose error mean · p95, µm", "mean depth error, µm",
+            "force step beyond the exact one p99 · most, mN", "exploring tick p50 · p99.9, µs", "milling tick mean · p99.9, µs"]
+    return "\n" + lines(head, cavity_rows(cavity)) + (
+        f"\n{cavity.source}: a ball of 0.4 mm mills 4.8 × 1.9 × 1.8 mm for {CAVITY_MINUTES:.0f} minutes at 5 mm/s with a tremor of {CAVITY_TREMOR_MM} mm "
+        "at 8 to 12 Hz; balls explore it at 50 mm/s, beside the exact proxy in the union of its path; times are thread CPU time.\n")
+
+
+def methods(accuracy, rate, cavity=None):
     rows = []
     for method in METHODS:
         cells = [[] for _ in range(5)]
@@ -41,12 +65,12 @@ def methods(accuracy, rate):
             for cell, text in zip(cells, (short(1 / tick), f"{ratio:.2g}×", small(angle), small(depth), short(1 / drill))):
                 cell.append(text)
         rows.append([LABELS[method], *(" · ".join(cell) for cell in cells)])
-    head = ["ball bur r 0.25 · 0.5 mm", "exploring, updates/s", "over occupancy", "mean angle error, degrees",
+    head = ["clean path, ball bur r 0.25 · 0.5 mm", "exploring, updates/s", "over occupancy", "mean angle error, degrees",
             "mean depth error, µm", "drilling, updates/s"]
     return lines(head, rows) + (
         f"\n{accuracy.machine}, one core, commits {accuracy.commit[:10]} (accuracy) and {rate.commit[:10]} (rate): voxels of 10/128 mm, "
         "0.3 mm below the offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and sphere; "
-        "drilling at 1 mm/s, all updates of the volume included.\n")
+        "drilling at 1 mm/s, all updates of the volume included.\n") + (in_a_cavity(cavity) if cavity else "")
 
 
 def stability(table):

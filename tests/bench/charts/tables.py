@@ -3,8 +3,8 @@ import csv
 import math
 import pathlib
 
-KINDS = ("accuracy", "rate", "scale", "stability", "removal", "pace", "motion", "stability-full", "removal-full")
-OPTIONAL = ("stability-full", "removal-full")
+KINDS = ("accuracy", "cavity", "rate", "scale", "stability", "removal", "pace", "motion", "stability-full", "removal-full")
+OPTIONAL = ("cavity", "stability-full", "removal-full")
 
 
 class Missing(Exception):
