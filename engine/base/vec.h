@@ -1,5 +1,5 @@
 /// Vectors in double precision: a float has 4 bits too few for 0.1 µm in a tooth of 20 mm.
-/// Frame: specimen, right-handed, x mesial, y buccal, z up (occlusal), millimetres, unless a name says otherwise.
+/// Frame: specimen, right-handed, x mesial, y buccal, z up (occlusal), millimetres, unless a name has another unit.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -103,7 +103,7 @@ struct Scene {
   std::vector<Bur> burs;                   // at least one; StepInput::bur chooses
   Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the head towards the shank, at the identity orientation
   double tilt_cosine = 1.0;                  // surface: cosine of the largest tilt by the input's orientation; 1: none
-  double full_force_n = 1.5;                 // F_full of eq. (4): d_max = F_full / K [M unless the scene says]
+  double full_force_n = 1.5;                 // F_full of eq. (4): d_max = F_full / K [M unless the scene sets it]
   bool friction = false;
   double friction_coefficient = 0.15;        // Coulomb cone (surface), scaled eq. (3) (occupancy) [M]
   GuardSettings guard;

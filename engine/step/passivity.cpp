@@ -14,7 +14,7 @@ constexpr double kSmoothMs = 3.0, kBehindSteps = 0.5;
 constexpr double kRecoverPerMs = 0.0005, kRecoverFreePerMs = 0.005;
 /// Largest deficit, in passivity_mj: 0.45 mJ. At 0.015 mJ, ticks late by 50 ms would feed six times as much.
 constexpr double kMostDeficit = 30.0;
-/// The damper begins above the speed that one encoder count can look like, so that it does not chatter.
+/// The damper begins above the speed that one encoder count reads as, so that it does not chatter.
 constexpr double kDamperFromMmS = 15.0;
 /// Least stiffness of a softened wall, at most kLeastNPerMm. Half of the least damping (0.5 N s/m) bears it if the
 /// force is late by half a tick and the delay. Such a wall is passive on any device.

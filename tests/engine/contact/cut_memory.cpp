@@ -1,4 +1,4 @@
-// The strokes' memory as a ring, and which cells of a brick a look needs.
+// The strokes' memory as a ring, and the cells of a brick that a search needs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ struct Numbers {
 struct Bench {
   explicit Bench(const std::function<double(Vec3)>& distance_mm)
       : scene(test::scene_of(test::from_distance(5.0, kVoxelMm, distance_mm), Method::surface, kRadiusMm)) {
-    // So slim a neck touches nothing that the ball does not: push_out looks at the head alone.
+    // A slim neck touches only what the ball touches, because push_out() reads the head alone.
     scene->burs[0].neck_radius_mm = 0.01;
     scene->burs[0].shank_radius_mm = 0.02;
     volume = std::make_unique<Volume>(scene->specimen);

@@ -103,7 +103,7 @@ TEST_P(EveryMethod, a_severed_cube_disappears_within_100_ms_and_in_the_replay_al
   for (int k = 0; k < 3000 && gone_at < 0; ++k) {
     const double y = -0.4 + 0.8 * std::min(1.0, k / 400.0), z = 0.2 * std::sin(0.05 * k);
     StepInput input = input_at({0.14, y, z}, CutButton::pressed);
-    // As the loop does: looked for every 25 ms, then named in two inputs.
+    // As the loop does: a search every 25 ms, then a name in two inputs.
     if (names.empty() && k % 25 == 0) {
       const auto bricks = state.volume().cut_bricks();
       names = find_severed_fragments(state.volume(), bricks);
@@ -118,7 +118,7 @@ TEST_P(EveryMethod, a_severed_cube_disappears_within_100_ms_and_in_the_replay_al
   }
   ASSERT_GE(severed_at, 0) << "the neck was cut through";
   ASSERT_GE(gone_at, 0);
-  // At most 25 ms before it is looked for, and so much after.
+  // At most 25 ms to the search, and as much after it.
   EXPECT_LT(gone_at - severed_at, 75);
   EXPECT_FALSE(state.last().overflow);
 

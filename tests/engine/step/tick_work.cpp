@@ -17,17 +17,17 @@ constexpr double kRadius = 0.5;
 
 /// What was counted, as microseconds of an EPYC at 2.6 GHz: measured over a session of ten minutes there.
 struct Work {
-  std::int64_t looks = 0;
+  std::int64_t visited = 0;
   std::uint64_t made = 0, resolved = 0;
   double microseconds() const {
-    return 0.025 * static_cast<double>(looks) + 0.45 * static_cast<double>(made) + 10.0 * static_cast<double>(resolved);
+    return 0.025 * static_cast<double>(visited) + 0.45 * static_cast<double>(made) + 10.0 * static_cast<double>(resolved);
   }
 };
 Work work_of(StepState& state) {
   const SurfaceContact& surface = *state.inner().surface;
   return {surface.candidates_visited(), surface.cut_surface().cells_made(), surface.cut_surface().cells_resolved()};
 }
-Work operator-(const Work& a, const Work& b) { return {a.looks - b.looks, a.made - b.made, a.resolved - b.resolved}; }
+Work operator-(const Work& a, const Work& b) { return {a.visited - b.visited, a.made - b.made, a.resolved - b.resolved}; }
 
 std::shared_ptr<const Scene> block() {
   return scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }), Method::surface, kRadius, 4.0);
@@ -59,7 +59,7 @@ TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_its_bud
     step(state, digging(k));
     const Work now = work_of(state), tick = now - before;
     before = now;
-    most = {std::max(most.looks, tick.looks), std::max(most.made, tick.made), std::max(most.resolved, tick.resolved)};
+    most = {std::max(most.visited, tick.visited), std::max(most.made, tick.made), std::max(most.resolved, tick.resolved)};
     if (tick.microseconds() > worst) {
       worst = tick.microseconds();
       worst_at = k;
@@ -73,10 +73,10 @@ TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_its_bud
   EXPECT_TRUE(full) << "of " << state.inner().memory.size();
   EXPECT_GT(state.volume().cut_bricks().size(), 30u);
   // Measured 26, 586, 11,021 and 430 us. A part of 32 cells is the most that is resolved at once; two searches may take all
-  // their looks, the second where the proxy outruns its device.
+  // their candidates, the second where the proxy outruns its device.
   EXPECT_LE(most.resolved, 32u);
   EXPECT_LE(most.made, 900u);
-  EXPECT_LE(most.looks, 2 * SurfaceContact::kMostCandidates);
+  EXPECT_LE(most.visited, 2 * SurfaceContact::kMostCandidates);
   EXPECT_LT(worst, 500.0) << "in tick " << worst_at;
 }
 
