@@ -154,7 +154,7 @@ struct Desk {
     } else if ((act == "move" || act == "turn") && words >> x >> y >> z) {
       hands.cap(test::words(act == "move" ? 1 : 2, {x, y, z}), x != 0 || y != 0 || z != 0);
     } else if (act == "buttons" && words >> bits) {
-      mouse.say({3, static_cast<std::uint8_t>(bits), 0});
+      mouse.send({3, static_cast<std::uint8_t>(bits), 0});
     } else {
       return "?";
     }
