@@ -25,8 +25,6 @@ class AuditPage : public QWidget {
   AuditPage(EditorModel& model, std::function<AuditRunner(const std::string& folder)> runner_of, QWidget* parent = nullptr);
   ~AuditPage() override;
 
-  QPushButton* measure_button() const { return measure_; }
-  QPushButton* use_button() const { return use_; }
   const std::shared_ptr<const AuditReport>& report() const { return report_; }
 
  private:

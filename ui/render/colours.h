@@ -30,13 +30,9 @@ inline constexpr Colour kTargetCasing = colour_of(0x16191E);
 inline constexpr Colour kLeewayLine = colour_of(0x2F68C4);
 inline constexpr Colour kLeewayCasing = colour_of(0xFFFFFF, 0.75f);
 inline constexpr Colour kOverCut = colour_of(0xE0700F);
-inline constexpr Colour kLeftStanding = colour_of(0x4B2E91);
 
-/// Difference map: left standing, half, on target, half, cut too far.
+/// Difference map at -0.5, -0.3, 0, +0.3 and +0.5 mm: uncut remainder, on target, over-cut. tooth.frag.glsl blends them.
 inline constexpr std::array<Colour, 5> kDifference = {colour_of(0x4B2E91), colour_of(0x9A86D0), colour_of(0xEFEDE6),
                                                       colour_of(0xF2A65A), colour_of(0xB54708)};
-inline constexpr float kDifferenceEndMm = 0.5f;    // colour of the ends
-inline constexpr float kDifferenceHalfMm = 0.3f;   // where a line is drawn
-inline constexpr float kDifferenceQuietMm = 0.1f;  // within it: on target
 
 }  // namespace cusp::ui

@@ -1,11 +1,6 @@
 #include "ui/render/snapshot.h"
 
-#include <png.h>
-
 #include <algorithm>
-#include <csetjmp>
-#include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -29,30 +24,6 @@ Picture halved(int width, int height, const std::vector<std::uint8_t>& twice) {
         out.rgba[to++] = static_cast<std::uint8_t>((sum + 2) / 4);
       }
   return out;
-}
-
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-/// libpng leaves by longjmp: nothing with a destructor lives in here.
-bool write_png_rows(std::FILE* file, int width, int height, png_bytep first, std::size_t row) {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  if (png == nullptr) return false;
-  png_infop info = png_create_info_struct(png);
-  if (info == nullptr || setjmp(png_jmpbuf(png))) {
-    png_destroy_write_struct(&png, &info);
-    return false;
-  }
-  png_init_io(png, file);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGBA,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  png_write_info(png, info);
-  for (int y = 0; y < height; ++y) png_write_row(png, first + static_cast<std::size_t>(y) * row);
-  png_write_end(png, info);
-  png_destroy_write_struct(&png, &info);
-  return true;
 }
 
 Result<Picture, PictureFailure> draw_here(const Volume& volume, const PictureRequest& request) {
@@ -108,33 +79,6 @@ Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRe
   std::optional<Result<Picture, PictureFailure>> drawn;
   std::thread([&] { drawn.emplace(draw_here(volume, request)); }).join();
   return std::move(*drawn);
-}
-
-Result<void, PictureFailure> write_png(const std::string& path, const Picture& picture) {
-  const std::string part = path + ".part";
-  std::error_code ignored;
-  bool good = false;
-  {
-    const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(part.c_str(), "wb"));
-    if (!file) return fail(PictureError::cannot_write, path);
-    good = write_png_rows(file.get(), picture.width, picture.height, const_cast<png_bytep>(picture.rgba.data()),
-                          static_cast<std::size_t>(picture.width) * 4) &&
-           std::fflush(file.get()) == 0;
-  }
-  if (good) {
-    std::error_code failed;
-    std::filesystem::rename(part, path, failed);
-    if (!failed) return {};
-  }
-  std::filesystem::remove(part, ignored);
-  return fail(PictureError::cannot_write, path);
-}
-
-Result<void, PictureFailure> write_tooth_png(const std::string& path, const Volume& volume,
-                                             const PictureRequest& request) {
-  Result<Picture, PictureFailure> picture = draw_tooth(volume, request);
-  if (!picture) return std::unexpected(picture.error());
-  return write_png(path, *picture);
 }
 
 }  // namespace cusp::ui

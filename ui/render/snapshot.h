@@ -1,4 +1,4 @@
-/// The tooth as a picture file, without a window: for reports and verbs. Any thread, also a window's: each picture is
+/// The tooth as a picture, without a window: for reports and verbs. Any thread, also a window's: each picture is
 /// drawn with a context of its own on a thread of its own, and the caller waits for it.
 #pragma once
 
@@ -12,9 +12,8 @@
 namespace cusp::ui {
 
 enum class PictureError : std::uint8_t {
-  no_opengl,     // no context, or an older one than 3.3; detail: which call failed
-  drawing,       // OpenGL failed while drawing; detail: its error
-  cannot_write,  // where: the file
+  no_opengl,  // no context, or an older one than 3.3; detail: which call failed
+  drawing,    // OpenGL failed while drawing; detail: its error
 };
 using PictureFailure = Failure<PictureError>;
 
@@ -41,9 +40,5 @@ struct Picture {
 };
 
 Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request);
-/// Written beside the target name and renamed, so that no half file is left.
-Result<void, PictureFailure> write_png(const std::string& path, const Picture& picture);
-Result<void, PictureFailure> write_tooth_png(const std::string& path, const Volume& volume,
-                                             const PictureRequest& request);
 
 }  // namespace cusp::ui

@@ -38,7 +38,6 @@ class SignIn : public QWidget {
   void show_incident(const Message& message);
   /// The records cannot be written: shown to everybody, with "Try again".
   void show_reading_only(const Message& why);
-  bool first_start() const { return first_start_; }
   QString message() const;
 
  Q_SIGNALS:

@@ -133,8 +133,6 @@ ToothView::~ToothView() {
   surface_ = nullptr;
 }
 
-bool ToothView::has_picture() const { return surface_ != nullptr; }
-
 void ToothView::repaint_soon() {
   if (surface_ != nullptr) surface_->update();
 }
@@ -279,8 +277,6 @@ std::optional<QPointF> ToothView::project(Vec3 mm) const {
   if (!p) return std::nullopt;
   return QPointF(p->x, p->y);
 }
-
-QImage ToothView::grab_picture() { return surface_ != nullptr ? surface_->grabFramebuffer() : QImage(); }
 
 void ToothView::resizeEvent(QResizeEvent* event) {
   if (surface_ != nullptr) {

@@ -24,9 +24,6 @@ class ToothView : public QWidget {
   explicit ToothView(QWidget* parent = nullptr);
   ~ToothView() override;
 
-  /// False where a placeholder stands.
-  bool has_picture() const;
-
   /// Builds the whole mesh of a volume as it stands, here and now (about 0.4 s for a molar), and looks at it when
   /// nothing was shown before.
   void show_volume(const Volume& volume, const FeedSettings& settings = {});
@@ -55,6 +52,8 @@ class ToothView : public QWidget {
   void look_at(Vec3 place_mm);
   /// The left button turns too (where a click means nothing else).
   void set_left_turns(bool on) { left_turns_ = on; }
+  /// True: the wheel is the receiver's, and only Ctrl+wheel zooms.
+  void set_wheel_taken(bool on) { wheel_taken_ = on; }
 
   /// What lies under a widget position.
   std::optional<PickedPoint> pick(QPointF at) const;
@@ -67,8 +66,6 @@ class ToothView : public QWidget {
 
   /// Frames are counted there; may be nullptr.
   void set_stats(FrameStats* stats) { stats_ = stats; }
-  /// The picture as it is drawn now (null without OpenGL).
-  QImage grab_picture();
 
  Q_SIGNALS:
   void camera_changed();
@@ -78,10 +75,6 @@ class ToothView : public QWidget {
   void released(QPointF at);
   /// Wheel steps (120 = one notch). Without Ctrl the receiver may take it by wheel_taken; else it zooms.
   void wheel_turned(int delta);
-
- public:
-  /// True: the wheel is the receiver's, and only Ctrl+wheel zooms.
-  void set_wheel_taken(bool on) { wheel_taken_ = on; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

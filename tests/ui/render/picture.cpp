@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "tests/modules.h"
@@ -232,26 +230,6 @@ TEST_F(Drawn, patches_put_again_and_again_leave_no_trace_of_the_former_ones) {
   const DrawStats short_way = fresh->draw(scene, 100, 100);
   EXPECT_EQ(long_way.triangles, short_way.triangles);
   EXPECT_EQ(long_way.bricks, short_way.bricks);
-}
-
-TEST_F(Drawn, a_png_is_written_whole_under_its_name) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_picture";
-  std::filesystem::create_directories(folder);
-  const auto path = folder / "tooth.png";
-  ASSERT_TRUE(write_tooth_png(path.string(), ball_volume(), small()));
-  std::ifstream in(path, std::ios::binary);
-  std::string head(8, '\0');
-  in.read(head.data(), 8);
-  EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
-  EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
-  std::filesystem::remove_all(folder);
-}
-
-TEST(Png, a_folder_that_is_not_there_is_shown_and_nothing_is_left) {
-  const auto done = write_png("/nowhere/at/all/tooth.png", Picture{1, 1, {0, 0, 0, 255}});
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, PictureError::cannot_write);
-  EXPECT_EQ(done.error().where, "/nowhere/at/all/tooth.png");
 }
 
 }  // namespace
