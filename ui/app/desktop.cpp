@@ -1,7 +1,6 @@
 #include "ui/app/desktop.h"
 
 #include <QApplication>
-#include <QBoxLayout>
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QShortcut>
@@ -262,13 +261,9 @@ void Desktop::show_briefing(const Exercise& exercise) {
 }
 
 void Desktop::show_failure(const Message& message) {
-  auto* page = new QWidget;
-  page->setProperty("kind", u"page"_qs);
-  page->setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(page);
   auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Back"), Ink::bad);
   connect(state, &EmptyState::acted, this, &Desktop::back);
-  column->addWidget(state);
+  QWidget* page = make_page(state);
   page->setFocusProxy(state->button());
   push(page);
 }

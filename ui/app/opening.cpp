@@ -1,7 +1,5 @@
 // How the desktop opens the records: for writing, or where the disk takes nothing more for reading.
 
-#include <QBoxLayout>
-
 #include "ui/app/desktop.h"
 #include "ui/signin/sign_in.h"
 #include "ui/text/incident_text.h"
@@ -46,14 +44,9 @@ void Desktop::start() {
 }
 
 void Desktop::show_refusal(const Message& message) {
-  auto* page = new QWidget;
-  page->setProperty("kind", u"page"_qs);
-  page->setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(page);
   auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Try again"), Ink::bad);
   connect(state, &EmptyState::acted, this, &Desktop::start);
-  column->addWidget(state);
-  replace_root(page);
+  replace_root(make_page(state));
 }
 
 std::optional<Message> Desktop::incident() {

@@ -1,7 +1,6 @@
 // The desktop's way to a report: from an attempt that has just ended, or from the records.
 
 #include <QApplication>
-#include <QBoxLayout>
 #include <QThreadPool>
 
 #include "ui/app/desktop.h"
@@ -9,6 +8,7 @@
 #include "ui/report/report_page.h"
 #include "ui/session/replay.h"
 #include "ui/widgets/busy.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
@@ -32,12 +32,8 @@ void Desktop::open_report(const SessionId& session) { open_result_page(session, 
 void Desktop::grade_interrupted(const SessionId& session) { open_result_page(session, Keep::grade); }
 
 void Desktop::open_result_page(const SessionId& session, Keep keep) {
-  auto* waiting = new QWidget;
-  waiting->setProperty("kind", u"page"_qs);
-  waiting->setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(waiting);
   auto* busy = new Busy;
-  column->addWidget(busy);
+  QWidget* waiting = make_page(busy);
   push(waiting);
   busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), Busy::Cancel::none);
   StoreOptions options;

@@ -13,9 +13,9 @@
 
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
-#include "ui/drill/line_sample.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/line_sample.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"

@@ -1,4 +1,4 @@
-// HandleKnob: painting, dragging, arrow keys.
+#include "ui/editor/handle_knob.h"
 
 #include <QAccessibleWidget>
 #include <QCoreApplication>

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPointer>
 #include <QPushButton>
 #include <QThreadPool>
@@ -12,9 +11,11 @@
 #include <cmath>
 
 #include "ui/editor/depth_arrow.h"
+#include "ui/editor/handle_knob.h"
 #include "ui/editor/target_preview.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/line_sample.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -31,26 +32,6 @@ QFrame* make_panel(QWidget* parent) {
   card->setAutoFillBackground(true);
   return card;
 }
-
-/// Sample of a line for the legend.
-class LineSample : public QWidget {
- public:
-  LineSample(bool leeway, QWidget* parent) : QWidget(parent), leeway_(leeway) { setFixedSize(px(24), px(12)); }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter p(this);
-    p.setRenderHint(QPainter::Antialiasing);
-    QPen pen(leeway_ ? tokens().line_leeway : tokens().line_target, px(3));
-    pen.setCapStyle(Qt::FlatCap);
-    if (leeway_) pen.setDashPattern({2, 1.2});
-    p.setPen(pen);
-    p.drawLine(QPointF(0, height() / 2.0), QPointF(width(), height() / 2.0));
-  }
-
- private:
-  bool leeway_;
-};
 
 QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
@@ -91,10 +72,10 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   auto* lines = new QHBoxLayout(legend_);
   lines->setContentsMargins(px(12), px(7), px(12), px(7));
   lines->setSpacing(px(6));
-  lines->addWidget(new LineSample(false, legend_));
+  lines->addWidget(new LineSample(LineSample::Line::target, legend_));
   lines->addWidget(make_label(tr("Target"), TextRole::caption));
   lines->addSpacing(px(6));
-  lines->addWidget(new LineSample(true, legend_));
+  lines->addWidget(new LineSample(LineSample::Line::tolerance_zone, legend_));
   lines->addWidget(make_label(tr("Tolerance zone"), TextRole::caption));
 
   arrow_ = new DepthArrow(this);
@@ -325,23 +306,23 @@ void TargetView::place_tag(QLabel* tag, QPoint at) {
   // The nearest free place around the handle, below it first.
   static constexpr std::array<QPointF, 6> kWays = {
       QPointF(-0.8, 0.6), QPointF(0.8, 0.6), QPointF(0, 1), QPointF(-1, -0.3), QPointF(1, -0.3), QPointF(0, -1)};
-  const auto free = [&](const QRect& room) {
-    if (!rect().contains(room)) return false;
+  const auto free = [&](const QRect& place) {
+    if (!rect().contains(place)) return false;
     for (const QWidget* other : {static_cast<QWidget*>(depth_tag_), static_cast<QWidget*>(width_tag_),
                                  static_cast<QWidget*>(tools_), static_cast<QWidget*>(legend_)}) {
-      if (other != tag && other->isVisibleTo(this) && other->geometry().intersects(room)) return false;
+      if (other != tag && other->isVisibleTo(this) && other->geometry().intersects(place)) return false;
     }
     return std::ranges::none_of(knobs_, [&](const HandleKnob* knob) {
-      return knob->isVisibleTo(this) && knob->geometry().intersects(room);
+      return knob->isVisibleTo(this) && knob->geometry().intersects(place);
     });
   };
   for (int far = px(24); far <= px(160); far += px(8)) {
     for (const QPointF& way : kWays) {
-      QRect room(QPoint(), tag->size());
+      QRect place(QPoint(), tag->size());
       const QPointF reach(way.x() * (far + tag->width() / 2.0), way.y() * (far + tag->height() / 2.0));
-      room.moveCenter((QPointF(at) + reach).toPoint());
-      if (!free(room)) continue;
-      tag->move(room.topLeft());
+      place.moveCenter((QPointF(at) + reach).toPoint());
+      if (!free(place)) continue;
+      tag->move(place.topLeft());
       return;
     }
   }

@@ -32,8 +32,6 @@ class TargetView : public QWidget {
   /// Null hides the handles: no specimen is grown yet.
   void set_specimen(std::shared_ptr<const GrownSpecimen> grown);
   ToothView* view() const { return view_; }
-  /// In the order of handles_of(); the others are hidden.
-  const std::vector<HandleKnob*>& knobs() const { return knobs_; }
   /// A widget in the middle: progress, or the cause of a failure.
   void set_centre(QWidget* widget);
 
@@ -58,7 +56,7 @@ class TargetView : public QWidget {
   QLabel *depth_tag_, *width_tag_, *hint_;
   DepthArrow* arrow_;
   QWidget* centre_ = nullptr;
-  std::vector<HandleKnob*> knobs_;
+  std::vector<HandleKnob*> knobs_;  // in the order of handles_of(); the others are hidden
   std::vector<TargetHandle> handles_;
   std::shared_ptr<const GrownSpecimen> grown_;
   std::optional<SpecimenSource> looked_at_;
@@ -67,32 +65,6 @@ class TargetView : public QWidget {
   QTimer rest_;
   bool carved_ = true, lines_wanted_ = false, mesh_wanted_ = false, working_ = false;
   int preset_ = 0;
-};
-
-class HandleKnob : public QWidget {
-  Q_OBJECT
-
- public:
-  HandleKnob(TargetView& stage, int index);
-  void set_handle(const TargetHandle& handle, const QString& name, const QString& value);
-  const TargetHandle& handle() const { return handle_; }
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
-
- private:
-  void fit_mask();
-  TargetView& stage_;
-  TargetHandle handle_, start_;
-  Target start_target_;
-  QPointF start_at_;
-  bool dragging_ = false;
 };
 
 }  // namespace cusp::ui

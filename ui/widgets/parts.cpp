@@ -243,6 +243,14 @@ PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) 
   row->addLayout(buttons_);
 }
 
+QWidget* make_page(QWidget* content) {
+  auto* page = new QWidget;
+  page->setProperty("kind", u"page"_qs);
+  page->setAttribute(Qt::WA_StyledBackground);
+  (new QVBoxLayout(page))->addWidget(content);
+  return page;
+}
+
 QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent) {
   auto* area = new QScrollArea(parent);
   area->setWidgetResizable(true);

@@ -117,6 +117,8 @@ class PageHead : public QWidget {
   QHBoxLayout* buttons_;
 };
 
+/// A page that one widget fills.
+QWidget* make_page(QWidget* content);
 /// A page that scrolls if it is too tall; `body` receives its layout.
 QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent = nullptr);
 

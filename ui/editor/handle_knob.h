@@ -1,0 +1,39 @@
+/// One handle of the target on the tooth: the left button drags it, arrow keys move it by 0.05 mm, with Shift by 0.01 mm.
+/// Thread: GUI.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/editor/target_handles.h"
+
+namespace cusp::ui {
+
+class TargetView;
+
+class HandleKnob : public QWidget {
+  Q_OBJECT
+
+ public:
+  HandleKnob(TargetView& stage, int index);
+  void set_handle(const TargetHandle& handle, const QString& name, const QString& value);
+  const TargetHandle& handle() const { return handle_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void fit_mask();
+  TargetView& stage_;
+  TargetHandle handle_, start_;
+  Target start_target_;
+  QPointF start_at_;
+  bool dragging_ = false;
+};
+
+}  // namespace cusp::ui
