@@ -58,9 +58,9 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   setWindowIcon(icon(u"tooth"_qs, Ink::accent));
   setCentralWidget(stack_);
   // A full HD screen at 200 % has 960 x 540 to give: there the window takes all of it.
-  const QSize room = screen()->availableSize() - QSize(0, kFrame);
-  setMinimumSize(kLeast.boundedTo(room));
-  resize(kUsual.boundedTo(room));
+  const QSize most = screen()->availableSize() - QSize(0, kFrame);
+  setMinimumSize(kLeast.boundedTo(most));
+  resize(kUsual.boundedTo(most));
   // Qt makes a window anew when it gets its first OpenGL view later: it would flicker and lose its place.
   (new ToothView(this))->hide();
   winId();  // and forget that it is to fill the screen
@@ -92,11 +92,9 @@ void Desktop::replace_root(QWidget* root) {
   stack_->setCurrentWidget(root);
 }
 
-void Desktop::show_sign_in(const QString& number, bool staff) {
-  auto* page = new SignIn(*store_);
+void Desktop::show_sign_in(SignIn* page) {
   if (const auto message = incident()) page->show_incident(*message);
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
-  page->set_typed_number(number, staff ? SignIn::Who::staff : SignIn::Who::student);
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
@@ -123,7 +121,7 @@ void Desktop::show_cover() {
   if (!list) return;
   for (const Exercise& e : list->exercises) {
     if (e.scenario.key != kCoverExercise) continue;
-    const QImage cover = pictures_->picture(e, {}, ThumbnailCache::Use::cover, tokens().dark);
+    const QImage cover = pictures_->picture(e, {}, ThumbnailCache::Use::cover);
     if (!cover.isNull()) sign_in_->set_picture(cover);
   }
 }
@@ -135,7 +133,7 @@ void Desktop::sign_in(const Account& account) {
 
 void Desktop::sign_out() {
   account_.reset();
-  show_sign_in();
+  show_sign_in(new SignIn(*store_));
 }
 
 QVector<NavEntry> Desktop::entries() {
@@ -190,7 +188,7 @@ QVector<NavEntry> Desktop::entries() {
              }};
   }
   list += {u"device"_qs, tr("Device"), u"device"_qs, [this, role]() -> QWidget* {
-             auto* page = new DevicePage(settings_, ports_, role != Role::student, hid_);
+             auto* page = new DevicePage(settings_, ports_, role, hid_);
              connect(page, &DevicePage::chosen, this, &Desktop::show_device);
              return page;
            }};
@@ -270,7 +268,9 @@ void Desktop::show_failure(const Message& message) {
 
 void Desktop::rebuild() {
   if (sign_in_ && page() == sign_in_) {
-    show_sign_in(sign_in_->typed_number(), sign_in_->who() == SignIn::Who::staff);
+    auto* fresh = new SignIn(*store_);
+    fresh->set_typed_number(sign_in_->typed_number(), sign_in_->who());
+    show_sign_in(fresh);
   } else if (shell_ && page() == shell_) {
     show_shell(shell_->page_key());
   } else if (!store_) {

@@ -10,7 +10,7 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_session.h"
+#include "ui/session/replay.h"
 #include "ui/settings/settings.h"
 #include "ui/student/exercises.h"
 #include "ui/text/failure_text.h"
@@ -84,7 +84,7 @@ class Desktop : public QMainWindow {
 
  private:
   void rebuild();
-  void show_sign_in(const QString& number = {}, bool staff = false);
+  void show_sign_in(SignIn* page);
   void show_cover();
   void show_shell(const QString& page_key);
   void show_device();
@@ -99,7 +99,6 @@ class Desktop : public QMainWindow {
   DrillScreen* open_drilling(const SessionPlan& plan, const DrillText& text);
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
-  enum class Keep : std::uint8_t { nothing, grade };
   void open_result_page(const SessionId& session, Keep keep);
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);

@@ -40,7 +40,7 @@ void Desktop::start() {
     return;
   }
   store_ = std::move(*store);
-  show_sign_in();
+  show_sign_in(new SignIn(*store_));
 }
 
 void Desktop::show_refusal(const Message& message) {

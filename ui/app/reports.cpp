@@ -13,13 +13,13 @@
 namespace cusp::ui {
 namespace {
 
-/// What the background came to: a result or a failure in words.
+/// A result, or the message of a failure.
 struct Opened {
   std::optional<SessionResult> result;
   Message message;
 };
 
-Opened open_in_background(const Stored<std::unique_ptr<Store>>& store, const SessionId& session, bool keep) {
+Opened open_in_background(const Stored<std::unique_ptr<Store>>& store, const SessionId& session, Keep keep) {
   if (!store) return {std::nullopt, describe(store.error())};
   auto result = open_result(**store, session, keep);
   if (!result) return {std::nullopt, describe(result.error())};
@@ -41,7 +41,7 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
   options.mark_interrupted = false;
   QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options] {
     // A store belongs to one thread: this one opens its own on the same file.
-    auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, keep == Keep::grade));
+    auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, keep));
     QMetaObject::invokeMethod(
         qApp,
         [this, opened, waiting] {
@@ -72,12 +72,13 @@ void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::opti
     own = details && details->row.student == reader.id;
   }
   const QString back_name = !signed_in ? tr("Sign in") : tr("Back");
-  auto* report = new ReportPage(std::move(gathered), ports_, own && exercise.has_value() && !reading_only_, back_name);
+  const auto again = own && exercise && !reading_only_ ? ReportPage::TryAgain::offered : ReportPage::TryAgain::hidden;
+  auto* report = new ReportPage(std::move(gathered), ports_, again, back_name);
   connect(report, &ReportPage::back_wanted, this, &Desktop::back);
   if (exercise) {
-    connect(report, &ReportPage::try_again_wanted, this, [this, again = *exercise] {
+    connect(report, &ReportPage::try_again_wanted, this, [this, exercise = *exercise] {
       back();
-      drill(again);
+      drill(exercise);
     });
   }
   push(report);

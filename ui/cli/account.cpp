@@ -17,7 +17,7 @@ void AccountOption::add_to(CLI::App& verb) {
       ->type_name("NAME");
 }
 
-std::expected<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file) {
+Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file) {
   StoreOptions options;
   options.database.access = DatabaseOptions::Access::existing;
   auto store = Store::open(file, options);
@@ -47,14 +47,14 @@ void warn_of(const StorageContext& context) {
 }
 
 /// One account's number and the secret that was tried; the same for a number that nobody has.
-Message no_match(const QString& number, bool by_pin) {
-  return {by_pin ? CliText::tr("Number %1 and PIN do not match.").arg(number)
-                 : CliText::tr("Number %1 and password do not match.").arg(number),
+Message no_match(const QString& number, Secret tried) {
+  return {tried == Secret::pin ? CliText::tr("Number %1 and PIN do not match.").arg(number)
+                               : CliText::tr("Number %1 and password do not match.").arg(number),
           {}};
 }
 
 /// PIN or password, as the account has them; what was given decides where it has both or nobody has the number.
-std::expected<Account, Message> sign_in_by_secret(Store& store, const std::string& typed) {
+Result<Account, Message> sign_in_by_secret(Store& store, const std::string& typed) {
   const QString number = QString::fromStdString(typed);
   const auto known = store.accounts.find_number(typed);
   if (!known && known.error().code != StorageError::not_found) return std::unexpected(describe(known.error()));
@@ -69,24 +69,25 @@ std::expected<Account, Message> sign_in_by_secret(Store& store, const std::strin
                                   : read_secret(help(CliText::tr("Password: ")));
   }
   const bool by_pin = known ? pin && (!password || acceptable_pin(secret)) : acceptable_pin(secret);
+  const Secret tried = by_pin ? Secret::pin : Secret::password;
   auto account = by_pin ? store.accounts.sign_in_with_pin(typed, secret) : store.accounts.sign_in(typed, secret);
   if (account) return std::move(*account);
-  if (account.error().code == StorageError::wrong_password) return std::unexpected(no_match(number, by_pin));
-  return std::unexpected(describe_account(account.error(), number, by_pin ? Secret::pin : Secret::password));
+  if (account.error().code == StorageError::wrong_password) return std::unexpected(no_match(number, tried));
+  return std::unexpected(describe_account(account.error(), number, tried));
 }
 
 }  // namespace
 
-std::expected<Account, Message> sign_in(Store& store, const AccountOption& option, bool may_make) {
+Result<Account, Message> sign_in(Store& store, const AccountOption& option, WithoutAccounts without) {
   if (option.number.empty()) {
-    auto demo = may_make ? store.accounts.demo_student() : store.accounts.find_number("demo");
+    auto demo = without == WithoutAccounts::make_demo ? store.accounts.demo_student() : store.accounts.find_number("demo");
     if (demo) {
       warn_of(store.context());
       return std::move(*demo);
     }
     const bool missing = demo.error().code == StorageError::not_allowed || demo.error().code == StorageError::not_found;
     if (!missing) return std::unexpected(describe(demo.error()));
-    return std::unexpected(Message{CliText::tr("This database has accounts: say with --as which one to act as."), {}});
+    return std::unexpected(Message{CliText::tr("This database has accounts: --as names the one to act as."), {}});
   }
   auto account = sign_in_by_secret(store, option.number);
   if (account) warn_of(store.context());

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <expected>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "engine/base/result.h"
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
@@ -19,10 +20,12 @@ struct AccountOption {
 };
 
 /// Opens a database that is there; read-only where it cannot be written.
-std::expected<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file);
+Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file);
 
-/// Signs in with the password or PIN of CUSP_PASSWORD or one line of stdin. Without a number: "demo", made where there are no
-/// accounts yet and `may_make`.
-std::expected<Account, Message> sign_in(Store& store, const AccountOption& option, bool may_make);
+/// What sign_in() does in a database without accounts.
+enum class WithoutAccounts : std::uint8_t { refuse, make_demo };
+
+/// Signs in with the password or PIN of CUSP_PASSWORD or one line of stdin. Without a number: the student "demo".
+Result<Account, Message> sign_in(Store& store, const AccountOption& option, WithoutAccounts without);
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-// cusp audit SCENARIO [--hand NAME:SEED ...] [--apply [-o FILE]] [--json FILE]
+// cusp audit SCENARIO [--seeds N] [--detail] [--apply [-o FILE]] [--json FILE]
 
 #include <algorithm>
 #include <cstdio>
@@ -38,22 +38,23 @@ void print(const AuditReport& report) {
   line(CliText::tr("Choice"), {}, CliText::tr("µs"), CliText::tr("MB"), CliText::tr("start, s"), CliText::tr("force, N"),
        CliText::tr("score"));
   const auto number = [](double v, int digits) { return QLocale().toString(v, 'f', digits); };
-  const auto figures = [&](const QString& name, const QString& verdict, const ModelResult& r, bool first, double score) {
-    line(name, verdict, number(first ? r.cost.us_a_tick : r.cost.us_more, 1), number(static_cast<double>(r.cost.bytes) / 1e6, 1),
-         number(r.cost.start_s, 2), first ? QString() : number(r.force_rms_n, 3) + u" / "_qs + number(r.force_most_n, 2), first ? QString() : number(score, 2));
-  };
-  figures(CliText::tr("as it is set"), {}, report.as_set, true, 0);
+  const auto megabytes = [&](const ModelResult& r) { return number(static_cast<double>(r.cost.bytes) / 1e6, 1); };
+  const ModelResult& as_set = report.as_set;
+  line(CliText::tr("as it is set"), {}, number(as_set.cost.us_a_tick, 1), megabytes(as_set), number(as_set.cost.start_s, 2), {}, {});
   for (const AuditRow& row : report.rows) {
-    if (row.result) {
-      figures(choice_name(row.choice), verdict_name(row.verdict), *row.result, false, row.change.score);
-    } else {
-      line(choice_name(row.choice), verdict_name(row.verdict), {}, {}, {}, {}, {});
+    const QString name = choice_name(row.choice), verdict = verdict_name(row.verdict);
+    if (!row.result) {
+      line(name, verdict, {}, {}, {}, {}, {});
+      continue;
     }
+    const ModelResult& r = *row.result;
+    line(name, verdict, number(r.cost.us_more, 1), megabytes(r), number(r.cost.start_s, 2),
+         number(r.force_rms_n, 3) + u" / "_qs + number(r.force_most_n, 2), number(row.change.score, 2));
   }
   print_line(plain(CliText::tr("µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change "
                          "on the same path. Score: the largest change of an operator’s attempt.")));
   if (!report.as_set.cost.instructions_a_tick)
-    print_line(plain(CliText::tr("This machine does not count instructions: times alone are told.")));
+    print_line(plain(CliText::tr("This machine does not count instructions, so only times are shown.")));
   print_line(plain(leanest_sentence(report)));
 }
 
@@ -86,8 +87,8 @@ int audit_verb(const AuditOptions& o) {
   AuditSettings settings;
   settings.operators.clear();
   settings.detail_alone = o.detail;
-  for (const char* hand : {"expert", "competent", "novice"}) {
-    for (int seed = 1; seed <= o.seeds; ++seed) settings.operators.push_back({hand, static_cast<std::uint64_t>(seed)});
+  for (const char* name : {"expert", "competent", "novice"}) {
+    for (int seed = 1; seed <= o.seeds; ++seed) settings.operators.push_back({name, static_cast<std::uint64_t>(seed)});
   }
   catch_interrupt();
   int printed = -1;
@@ -120,7 +121,7 @@ void add_audit(CLI::App& program, Job& job) {
       "audit", help(CliText::tr("What each part of an exercise’s model costs and changes, and the leanest model that grades the "
                                  "same; scripted operators drill it many times, which takes minutes")));
   verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required();
-  verb->add_option("--seeds", o->seeds, help(CliText::tr("Attempts of each scripted operator: expert, fair and novice")))
+  verb->add_option("--seeds", o->seeds, help(CliText::tr("Attempts of each scripted operator: expert, competent and novice")))
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   verb->add_flag("--detail", o->detail, help(CliText::tr("Only the size of the voxels: seconds to a few minutes")));

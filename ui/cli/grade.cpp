@@ -26,7 +26,7 @@ struct GradeOptions {
 };
 
 /// A scenario.json, or its "rubric" alone. That is checked as a part of the session's own scenario.
-std::expected<Rubric, Message> read_rubric(const std::string& file, const Scenario& scenario) {
+Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& scenario) {
   if (auto whole = read_scenario_file(file)) return whole->rubric;
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
@@ -65,7 +65,7 @@ int grade_verb(const GradeOptions& o) {
   auto opened_store = open_records(o.db);
   if (!opened_store) return failed(opened_store.error());
   Store& store = **opened_store;
-  auto account = sign_in(store, o.account, false);
+  auto account = sign_in(store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   const auto session = store.sessions.find(*id);
   if (!session) return failed(describe(session.error()));
@@ -84,7 +84,7 @@ int grade_verb(const GradeOptions& o) {
   // With another rubric only shown; without one, a session that has no grade yet gets its own.
   const auto before = store.grades.newest(*id);
   if (!before) return failed(describe(before.error()));
-  auto result = grade_session(store, *id, rubric ? &*rubric : nullptr, !rubric && !*before);
+  auto result = grade_session(store, *id, rubric ? &*rubric : nullptr, !rubric && !*before ? Keep::grade : Keep::nothing);
   if (!result) return failed(describe(result.error()));
   if (!o.out.empty()) {
     if (auto written = write_report_files(o.out, *result, store, *student); !written) return failed(written.error());

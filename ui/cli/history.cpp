@@ -24,6 +24,12 @@ struct HistoryOptions {
   JsonOption json;
 };
 
+/// "passed", "not passed", or the state of a session without a grade.
+QString result_text(const HistoryRow& row) {
+  if (!row.passed) return state_name(row.state);
+  return *row.passed ? CliText::tr("passed") : CliText::tr("not passed");
+}
+
 nlohmann::ordered_json row_json(const HistoryRow& row) {
   nlohmann::ordered_json json;
   json["session"] = row.session.text();
@@ -49,18 +55,17 @@ nlohmann::ordered_json row_json(const HistoryRow& row) {
 
 std::string row_line(const HistoryRow& row) {
   const QString score = row.score ? QStringLiteral("%1").arg(*row.score, 5, 'f', 1) : QStringLiteral("    –");
-  const QString result = !row.passed ? state_name(row.state) : *row.passed ? CliText::tr("passed") : CliText::tr("not passed");
   return plain(QString::fromStdString(row.session.text()) + QStringLiteral("  ") +
                QString::fromStdString(iso_utc(row.started_utc_us)) + QStringLiteral("  ") +
                QString::fromStdString(row.student_number) + QStringLiteral("  ") + local(row.title) + QStringLiteral("  ") +
-               score + QStringLiteral("  ") + result);
+               score + QStringLiteral("  ") + result_text(row));
 }
 
 int list(const HistoryOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
-  auto account = sign_in(**store, o.account, false);
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   HistoryFilter filter;
   filter.limit = o.limit;
@@ -81,7 +86,7 @@ int show(const HistoryOptions& o) {
   if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
-  auto account = sign_in(**store, o.account, false);
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   auto details = (*store)->history.details(account->actor(), *id);
   if (!details) return failed(describe(details.error()));
@@ -188,7 +193,7 @@ int verify(const HistoryOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
-  auto account = sign_in(**store, o.account, false);
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   auto sound = (*store)->database().integrity_check();
   if (!sound) return failed(describe(sound.error()));

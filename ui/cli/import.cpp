@@ -75,7 +75,7 @@ std::optional<PartPrecedence> precedence_named(const std::string& text) {
 /// Length of a unit of the file as it is to be taken.
 double unit_of(const ImportOptions& o) { return o.unit_mm * o.scale; }
 
-/// An axis of the specimen, and whether it is turned about against the right hand.
+/// An axis of the specimen, and whether it is turned against the right-hand rule.
 struct QuarterTurn {
   int axis = 0, quarters = 1;
 };
@@ -139,7 +139,7 @@ void print_image(const ImageInfo& i) {
                 .arg(i.spacing_mm.x, 0, 'g', 4)
                 .arg(i.spacing_mm.y, 0, 'g', 4)
                 .arg(i.spacing_mm.z, 0, 'g', 4)));
-  if (!i.spacing_known) print_line(plain(CliText::tr("The file does not say how large a voxel is; --unit-mm does.")));
+  if (!i.spacing_known) print_line(plain(CliText::tr("The file does not give the size of a voxel; --unit-mm does.")));
   if (i.kind == ImageKind::grey) print_line(plain(CliText::tr("Grey values from %1 to %2").arg(i.low).arg(i.high)));
   for (const auto& [value, voxels] : i.values) {
     print_line(plain(CliText::tr("%1: %n voxel(s)", nullptr, static_cast<int>(voxels)).arg(value)));
@@ -179,7 +179,7 @@ QString not_a_pair(const std::string& text) {
 }
 
 /// What was typed as an image's tissues, or why it is wrong.
-std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
+Result<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
   ImageTissues t;
   t.unit_mm = unit_of(o);
   t.voxel_mm = o.voxel_mm;
@@ -207,7 +207,7 @@ std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxi
   return t;
 }
 
-/// A label map whose numbers are tissue codes needs no words for them.
+/// A label map whose numbers are tissue codes needs no --tissue.
 Result<void, ImportFailure> take_codes_as_they_are(const ImportOptions& o, ImageTissues& t, std::stop_token stop) {
   const auto seen = look_in_child(paths_of(o), {}, show_progress, std::move(stop));
   if (!seen) return std::unexpected(seen.error());
@@ -298,7 +298,7 @@ Result<VoxelVolume, ImportFailure> volume_from_image(const ImportOptions& o, Ima
 }
 
 /// What was typed as the import of meshes, or why it is wrong.
-std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
+Result<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
   MeshImport what;
   what.path = o.files.front();
   what.more.assign(o.files.begin() + 1, o.files.end());
@@ -315,14 +315,14 @@ std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up
     what.tissues.push_back(*pair);
   }
   if (what.tissues.empty())
-    return std::unexpected(CliText::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
+    return std::unexpected(CliText::tr("--tissue MESH=TISSUE gives the tissue of each mesh; --list names the meshes."));
   return what;
 }
 
 int import_verb(const ImportOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (o.list) return list_verb(o);
-  if (o.out.empty()) return wrong_usage(CliText::tr("Say with -o where the volume is to be written."));
+  if (o.out.empty()) return wrong_usage(CliText::tr("-o VOLUME is missing: the file to write."));
   const auto up = up_axis(o.up);
   if (!up) return wrong_usage(CliText::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
   const auto turns = turns_of(o);
@@ -358,7 +358,7 @@ void add_import(CLI::App& program, Job& job) {
   verb->add_option("--from", o->from, help(CliText::tr("The tissue from a grey value on, up to the next; “empty” leaves out")))
       ->type_name("TISSUE=VALUE");
   verb->add_option("--hollows", o->hollows, help(CliText::tr("What closed hollows of a volume are made of")))->type_name("TISSUE");
-  verb->add_flag("--largest-piece", o->largest, help(CliText::tr("Of a volume keep only the largest piece")));
+  verb->add_flag("--largest-piece", o->largest, help(CliText::tr("Of a volume keep only the largest connected component")));
   verb->add_option("--unit-mm", o->unit_mm, help(CliText::tr("Length of one unit of the file in millimetres")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -376,7 +376,7 @@ void add_import(CLI::App& program, Job& job) {
   verb->add_option("--precedence", o->precedence,
                    help(CliText::tr("Which mesh wins where several overlap: the innermost one, or the first --tissue given")))
       ->capture_default_str();
-  verb->add_flag("--list", o->list, help(CliText::tr("Only tell what the file holds")));
+  verb->add_flag("--list", o->list, help(CliText::tr("Only list what the file holds")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return import_verb(*o); }; });
 }

@@ -8,7 +8,7 @@
 
 namespace cusp::ui {
 
-std::expected<LoadedScenario, Message> load_scenario(const std::string& what) {
+Result<LoadedScenario, Message> load_scenario(const std::string& what) {
   const bool built_in = !builtin_scenario_text(what).empty();
   auto scenario = built_in ? load_builtin(what) : read_scenario_file(what);
   if (!scenario) return std::unexpected(describe(scenario.error()));

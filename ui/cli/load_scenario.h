@@ -1,10 +1,10 @@
 /// SCENARIO of the command line: a path, or the key of a built-in one.
 #pragma once
 
-#include <expected>
 #include <filesystem>
 #include <string>
 
+#include "engine/base/result.h"
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
@@ -18,6 +18,6 @@ struct LoadedScenario {
 
 /// A scenario with errors of validate() is refused by the first of them, with its path; what needs the specimen is left to
 /// `cusp validate`.
-std::expected<LoadedScenario, Message> load_scenario(const std::string& what);
+Result<LoadedScenario, Message> load_scenario(const std::string& what);
 
 }  // namespace cusp::ui

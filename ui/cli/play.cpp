@@ -1,4 +1,4 @@
-// cusp play SCENARIO --script expert|fair|novice|FILE [--db DB] [--as NAME] --out DIR
+// cusp play SCENARIO --script expert|competent|novice|FILE [--db DB] [--as NAME] --out DIR
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -58,9 +58,9 @@ std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device
 
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
 std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
-  if (auto hand = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    port = std::make_unique<OperatorPort>(std::move(*hand));
-    plan.hand = o.script;
+  if (auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+    port = std::make_unique<OperatorPort>(std::move(*scripted));
+    plan.operator_name = o.script;
     return std::nullopt;
   }
   const std::filesystem::path file(o.script);
@@ -74,7 +74,7 @@ std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySett
   }
   trace->close();
   port = std::move(trace);
-  plan.hand = file.filename().string();
+  plan.operator_name = file.filename().string();
   return std::nullopt;
 }
 
@@ -103,7 +103,7 @@ int play(const PlayOptions& o) {
 
   auto store = Store::open(plan.database);
   if (!store) return failed(describe(store.error()));
-  auto account = sign_in(**store, o.account, true);
+  auto account = sign_in(**store, o.account, WithoutAccounts::make_demo);
   if (!account) return failed(account.error());
   plan.student = account->actor();
 
@@ -137,7 +137,7 @@ void add_play(CLI::App& program, Job& job) {
   verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
       ->required();
   verb->add_option("--script", o->script,
-                   help(CliText::tr("expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
+                   help(CliText::tr("expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
   verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->capture_default_str();

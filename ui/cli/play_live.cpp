@@ -23,20 +23,20 @@ constexpr auto kLook = std::chrono::milliseconds(50);
 constexpr double kTravelMmS = 30.0;
 constexpr double kSilenceS = 0.050;
 constexpr double kStartAboveMm = 1.5;
-constexpr std::size_t kMostHands = 64;
+constexpr std::size_t kMostOperators = 64;
 
-/// Scripted hands one after the other, as the hand of an emulated Falcon. Made before the attempt; the haptic thread neither
+/// Scripted operators one after the other, as the hand of an emulated Falcon. Made before the attempt; the haptic thread neither
 /// allocates nor waits in it.
-class HandsInTurn {
+class OperatorsInTurn {
  public:
-  explicit HandsInTurn(std::vector<ScriptedOperator> hands) : hands_(std::move(hands)), at_mm_(hands_.front().start_mm()) {}
+  explicit OperatorsInTurn(std::vector<ScriptedOperator> operators) : operators_(std::move(operators)), at_mm_(operators_.front().start_mm()) {}
 
   EmulatedHandPose next(const Feedback& felt, double dt_s) noexcept {
     const double dt = std::clamp(dt_s, 1e-6, 0.004);
     clock_s_ += dt;
     if (travels_) {
       // Up first, then across to where the next begins.
-      const Vec3 start = hands_[now_].start_mm();
+      const Vec3 start = operators_[now_].start_mm();
       const Vec3 to = at_mm_.z < start.z - 1e-6 ? Vec3(at_mm_.x, at_mm_.y, start.z) : start;
       const Vec3 way = to - at_mm_;
       const double length = glm::length(way), step = kTravelMmS * dt;
@@ -45,8 +45,8 @@ class HandsInTurn {
       felt_.device_mm = felt_.proxy_mm = at_mm_;
       return {at_mm_, false, 0};
     }
-    if (hands_[now_].done()) {
-      if (now_ + 1 == hands_.size()) {
+    if (operators_[now_].done()) {
+      if (now_ + 1 == operators_.size()) {
         done_.store(true, std::memory_order_release);
       } else {
         ++now_;
@@ -60,7 +60,7 @@ class HandsInTurn {
     felt_.stiffness_n_per_mm = felt.in_contact ? felt.stiffness_n_per_mm : 0.0;
     felt_.faulted = felt.faulted;
     felt_.device_mm = at_mm_;
-    const Sample sample = hands_[now_].next(felt_, dt);
+    const Sample sample = operators_[now_].next(felt_, dt);
     at_mm_ = sample.position_mm;
     if ((sample.buttons & StepInput::kCoolant) != 0) coolant_.store(true, std::memory_order_relaxed);
     return {at_mm_, (sample.buttons & 1) != 0, sample.bur};
@@ -68,10 +68,10 @@ class HandsInTurn {
   double clock_s() const noexcept { return clock_s_; }
   bool done() const noexcept { return done_.load(std::memory_order_acquire); }
   bool wants_coolant() const noexcept { return coolant_.load(std::memory_order_relaxed); }
-  Vec3 start_mm() const noexcept { return hands_.front().start_mm(); }
+  Vec3 start_mm() const noexcept { return operators_.front().start_mm(); }
 
  private:
-  std::vector<ScriptedOperator> hands_;
+  std::vector<ScriptedOperator> operators_;
   std::size_t now_ = 0;
   Vec3 at_mm_;
   StepOutput felt_;
@@ -99,8 +99,8 @@ void print_phase(const FalconView& view, falcon::Phase& printed) {
   std::fprintf(stderr, "falcon %s\n", std::string(falcon::key_of(printed)).c_str());
 }
 
-/// Until the operator has finished, the time is up, or somebody stops it. `hands` null: a real device.
-void follow(ExerciseSession& session, const HandsInTurn* hands, const LiveOptions& options, const std::function<bool()>& stop,
+/// Until the operator has finished, the time is up, or somebody stops it. `operators` null: a real device.
+void follow(ExerciseSession& session, const OperatorsInTurn* operators, const LiveOptions& options, const std::function<bool()>& stop,
             LiveFigures& figures) {
   bool was_held = false, coolant = false;
   double printed_s = 0;
@@ -116,18 +116,18 @@ void follow(ExerciseSession& session, const HandsInTurn* hands, const LiveOption
       figures.tick_max_at_s = view.seconds;
       if (options.progress) std::fprintf(stderr, "tick %.0f us\n", view.loop.tick_max_us);
     }
-    if (hands && hands->wants_coolant() && !coolant) session.set_coolant(coolant = true);
+    if (operators && operators->wants_coolant() && !coolant) session.set_coolant(coolant = true);
     const bool held = view.phase == LoopPhase::held;
     if (held && !was_held) {
       ++figures.holds;
       if (options.progress) std::fprintf(stderr, "held\n");
     }
     was_held = held;
-    // Nobody is there to press a button: it goes on as soon as the device has come back.
+    // Nobody is there to press a button: the session resumes as soon as the device has come back.
     if (held && view.device == Sample::Status::fresh) session.resume();
     if (stop() || view.time_is_up || view.phase == LoopPhase::ended) break;
     if (options.seconds > 0 && view.seconds >= options.seconds) break;
-    if (hands && hands->done()) break;
+    if (operators && operators->done()) break;
   }
 }
 
@@ -156,28 +156,28 @@ nlohmann::ordered_json to_json(const LiveFigures& f) {
 Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, const LiveOptions& options,
                          const std::function<bool()>& stop, LiveFigures& figures) {
   Vec3 start_mm = start_above(*plan.specimen, plan.scenario);
-  std::shared_ptr<HandsInTurn> hands;
+  std::shared_ptr<OperatorsInTurn> operators;
   SessionDevice device;
   EmulatedHand lead;
   if (choice.kind == "emulated-falcon") {
     std::vector<ScriptedOperator> made;
-    for (std::size_t i = 0; i < (options.seconds > 0 ? kMostHands : 1); ++i) {
-      auto hand = operator_by_name(options.script, plan.scenario, *plan.specimen, options.seed + i);
-      if (!hand) return session_fail(SessionError::device, Failure<PortError>{PortError::bad_file, options.script, "hand"});
-      made.push_back(std::move(*hand));
+    for (std::size_t i = 0; i < (options.seconds > 0 ? kMostOperators : 1); ++i) {
+      auto scripted = operator_by_name(options.script, plan.scenario, *plan.specimen, options.seed + i);
+      if (!scripted) return session_fail(SessionError::device, Failure<PortError>{PortError::bad_file, options.script, "operator"});
+      made.push_back(std::move(*scripted));
     }
-    hands = std::make_shared<HandsInTurn>(std::move(made));
-    start_mm = hands->start_mm();
-    // The emulated device falls mute from its own thread: the hand's calls are where it can be reached.
-    lead = [hands, &device, every = options.silence_every_s](const Feedback& felt, double dt_s) noexcept {
-      const EmulatedHandPose pose = hands->next(felt, dt_s);
+    operators = std::make_shared<OperatorsInTurn>(std::move(made));
+    start_mm = operators->start_mm();
+    // The emulated device falls mute from its own thread: only the hand's calls reach it.
+    lead = [operators, &device, every = options.silence_every_s](const Feedback& felt, double dt_s) noexcept {
+      const EmulatedHandPose pose = operators->next(felt, dt_s);
       if (every > 0) {
-        const double s = hands->clock_s();
+        const double s = operators->clock_s();
         device.emulated->falcon().fall_mute(s >= every && s - every * static_cast<double>(static_cast<long>(s / every)) < kSilenceS);
       }
       return pose;
     };
-    plan.hand = options.script;
+    plan.operator_name = options.script;
   }
   auto made = make_session_device(choice, start_mm, plan.scenario.instruments.size(), std::move(lead));
   if (!made) return session_fail(SessionError::device, made.error());
@@ -195,7 +195,7 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
   ExerciseSession& session = **started;
 
   const auto began = std::chrono::steady_clock::now();
-  follow(session, hands.get(), options, stop, figures);
+  follow(session, operators.get(), options, stop, figures);
   figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   const LiveView last = session.view();
   figures.loop = last.loop;

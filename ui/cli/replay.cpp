@@ -83,8 +83,8 @@ std::uint64_t tick_at(const std::vector<StepInput>& inputs, double seconds) {
 int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   auto opened = open_session(store, id);
   if (!opened) return failed(describe(opened.error()));
-  auto run = Replay::open(store, std::move(*opened));
-  if (!run) return failed(describe(run.error()));
+  auto replayed = Replay::open(store, std::move(*opened));
+  if (!replayed) return failed(describe(replayed.error()));
   catch_interrupt();
   ReplayJump jump;
   jump.from = o.at_s ? ReplayFrom::nearest : ReplayFrom::first_tick;
@@ -93,11 +93,11 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
     show_progress(share);
     return !interrupted();
   };
-  auto arrived = run->to(o.at_s ? tick_at(run->inputs(), *o.at_s) : UINT64_MAX, jump);
+  auto arrived = replayed->to(o.at_s ? tick_at(replayed->inputs(), *o.at_s) : UINT64_MAX, jump);
   end_progress();
   if (!arrived) return failed(describe(arrived.error()));
   if (!*arrived) return failed(CliText::tr("Stopped. Nothing was changed."));
-  const StepState& state = run->state();
+  const StepState& state = replayed->state();
   if (!o.volume.empty()) {
     if (auto written = write_nrrd(state.volume().dense(), o.volume); !written) return failed(describe(written.error()));
   }
@@ -105,7 +105,7 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   json["session"] = id.text();
   json["engine"] = kEngineVersion;
   json["ticks"] = state.last().tick;
-  json["ticks_run"] = run->ticks_run();
+  json["ticks_run"] = replayed->ticks_computed();
   json["duration_s"] = static_cast<double>(state.last().elapsed_us) * 1e-6;
   json["volume_hash"] = hex16(state.volume().hash());
   if (!o.json.write(json)) return kFailed;
@@ -119,7 +119,7 @@ int replay(const ReplayOptions& o) {
   if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
-  auto account = sign_in(**store, o.account, false);
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   // A record so damaged that its session cannot be found is still to be proved.
   if (const auto session = (*store)->sessions.find(*id)) {

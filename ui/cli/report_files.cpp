@@ -39,16 +39,16 @@ std::string report_text(const SessionResult& result, Store& store, const Account
     if (const auto version = store.scenarios.version(session->version)) head.scenario_version = version->number;
   }
   head.student = student.number;
-  head.operator_name = result.hand == "person" ? std::string() : result.hand;
+  head.operator_name = result.operator_name == kUserOperator ? std::string() : result.operator_name;
   head.engine = result.engine_version;
   head.device = result.device.name;
   head.duration_s = result.seconds;
   head.state = result.interrupted ? "interrupted" : "finished";
   head.volume_hash = hex(result.volume_hash);
-  ReportTexts words;
-  words.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
-  words.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
-  return report_json(head, result.grade, words);
+  ReportTexts texts;
+  texts.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
+  texts.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
+  return report_json(head, result.grade, texts);
 }
 
 void print_criteria(const Grade& grade, const std::string& indent) {
@@ -66,8 +66,8 @@ std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& 
   return {folder / "report.json", folder / "report.pdf", folder / "tooth.png"};
 }
 
-std::expected<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
-                                             const Account& student) {
+Result<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
+                                         const Account& student) {
   if (!write_whole(folder / "report.json", report_text(result, store, student))) {
     return std::unexpected(cannot_write(folder / "report.json"));
   }

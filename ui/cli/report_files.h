@@ -1,11 +1,11 @@
 /// report.json, report.pdf and tooth.png of an attempt.
 #pragma once
 
-#include <expected>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
@@ -23,7 +23,7 @@ void print_criteria(const Grade& grade, const std::string& indent);
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder);
 
 /// Each file whole or not at all. Needs a QGuiApplication for the page.
-std::expected<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
-                                             const Account& student);
+Result<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
+                                         const Account& student);
 
 }  // namespace cusp::ui

@@ -32,12 +32,13 @@ constexpr int kShownDigits = 16;  // of the file's 64: enough to compare by eye
 }  // namespace
 
 struct DevicePage::Inner {
-  Inner(const QString& file, Ports world, bool for_staff, MakeWatch make)
-      : device(file), ports(std::move(world)), staff(for_staff), make_watch(std::move(make)), watch(make_watch()) {}
+  Inner(const QString& file, Ports world, Role of, MakeWatch make)
+      : device(file), ports(std::move(world)), role(of), make_watch(std::move(make)), watch(make_watch()) {}
 
   DeviceSettings device;
   Ports ports;
-  bool staff;
+  Role role;
+  bool staff() const { return role != Role::student; }
   MakeWatch make_watch;
   std::unique_ptr<DeviceWatch> watch;  // none while nobody sees the page
   bool known = false;                  // the first answer is there
@@ -55,14 +56,14 @@ struct DevicePage::Inner {
   Card* inverse;
 };
 
-DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid, MakeWatch watch, QWidget* parent)
-    : QWidget(parent), inner_(std::make_unique<Inner>(settings.file(), std::move(ports), staff, std::move(watch))) {
+DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStation* hid, MakeWatch watch, QWidget* parent)
+    : QWidget(parent), inner_(std::make_unique<Inner>(settings.file(), std::move(ports), role, std::move(watch))) {
   Inner& in = *inner_;
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
-  body->addWidget(new PageHead(tr("Device"), staff ? QString() : tr("Check it before you drill")));
+  body->addWidget(new PageHead(tr("Device"), role != Role::student ? QString() : tr("Check it before you drill")));
   in.band = new Band(this);
   body->addWidget(in.band);
 
@@ -77,7 +78,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   card->body()->addWidget(in.rights);
   body->addWidget(card);
 
-  in.falcon = new FalconPanel(in.device, in.ports, staff, this);
+  in.falcon = new FalconPanel(in.device, in.ports, role, this);
   body->addWidget(in.falcon);
 
   in.firmware_card = new Card(tr("Firmware of the Falcon"), {}, this);
@@ -92,7 +93,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   QPushButton* name = make_button(tr("Name the file…"), ButtonKind::standard, QStringLiteral("import"));
   connect(name, &QPushButton::clicked, this, &DevicePage::name_firmware);
   in.firmware_card->body()->addWidget(name, 0, Qt::AlignLeft);
-  in.firmware_card->setVisible(staff);
+  in.firmware_card->setVisible(in.staff());
   body->addWidget(in.firmware_card);
 
   in.inverse = new Card(QStringLiteral("Inverse3"), {}, this);
@@ -166,7 +167,7 @@ void DevicePage::fill() {
     auto* pick = new QRadioButton(device_title(one.kind, one.name));
     pick->setAccessibleName(pick->text());
     pick->setChecked(is_chosen(one));
-    pick->setEnabled(in.staff || is_chosen(one));
+    pick->setEnabled(in.staff() || is_chosen(one));
     in.group->addButton(pick);
     // However it is set down: a screen reader does it without a click.
     connect(pick, &QRadioButton::toggled, this, [this, one](bool on) {
@@ -214,7 +215,7 @@ void DevicePage::show_chosen() {
   if (falcon) {
     in.falcon->set_device(chosen.kind, chosen.name);
   } else {
-    in.falcon->let_go();
+    in.falcon->release();
   }
 }
 

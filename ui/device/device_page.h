@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "device/catalogue.h"
+#include "storage/base/rights.h"
 #include "ui/modules.h"
 #include "ui/session/background_watch.h"
 #include "ui/settings/settings.h"
@@ -24,8 +25,8 @@ class DevicePage : public QWidget {
  public:
   using MakeWatch = std::function<std::unique_ptr<DeviceWatch>()>;
   /// `settings` and `hid` outlive this; `hid` null: no pedal, no SpaceMouse. The watch lasts while the page is seen.
-  DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid = nullptr, MakeWatch watch = [] { return watch_in_background(); },
-             QWidget* parent = nullptr);
+  DevicePage(Settings& settings, Ports ports, Role role, hid::HidStation* hid = nullptr,
+             MakeWatch watch = [] { return watch_in_background(); }, QWidget* parent = nullptr);
   ~DevicePage() override;
 
   class FalconPanel* falcon() const;

@@ -56,7 +56,7 @@ QString way_text(int step) {
 
 struct FalconPanel::Inner {
   enum class Running { nothing, force, self_test, weighing };
-  Inner(DeviceSettings& station, Ports world, bool for_staff) : settings(station), ports(std::move(world)), staff(for_staff) {}
+  Inner(DeviceSettings& station, Ports world, Role role) : settings(station), ports(std::move(world)), staff(role != Role::student) {}
 
   DeviceSettings& settings;
   Ports ports;
@@ -81,8 +81,8 @@ struct FalconPanel::Inner {
   QPushButton *force, *self_test, *weigh, *stop, *save;
 };
 
-FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWidget* parent)
-    : QWidget(parent), inner_(std::make_unique<Inner>(settings, std::move(ports), staff)) {
+FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, Role role, QWidget* parent)
+    : QWidget(parent), inner_(std::make_unique<Inner>(settings, std::move(ports), role)) {
   Inner& in = *inner_;
   QVBoxLayout* column = make_column(this, 16);
   in.band = new Band(this);
@@ -96,9 +96,9 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   make_live(column);
   make_tests(column);
   make_trim(column);
-  in.self_test->setVisible(staff);
-  in.weigh->setVisible(staff);
-  in.measured->setVisible(staff);
+  in.self_test->setVisible(in.staff);
+  in.weigh->setVisible(in.staff);
+  in.measured->setVisible(in.staff);
   in.save->hide();
   in.stop->hide();
   in.step->hide();
@@ -183,7 +183,7 @@ void FalconPanel::make_trim(QVBoxLayout* column) {
 FalconPanel::~FalconPanel() = default;
 
 void FalconPanel::set_device(const std::string& kind, const std::string& name) {
-  let_go();
+  release();
   inner_->kind = kind;
   inner_->name = name;
   inner_->has_found = false;
@@ -195,7 +195,7 @@ void FalconPanel::set_device(const std::string& kind, const std::string& name) {
   // Nothing is kept of an emulated one.
   inner_->trim_card->setVisible(inner_->staff && kind == "falcon");
   inner_->trim->set_trim(trim_of(inner_->settings.profile(name)));
-  inner_->trim->show_grip({}, false);
+  inner_->trim->hide_grip();
   show_measured();
   if (isVisible()) open();
 }
@@ -208,7 +208,7 @@ void FalconPanel::open() {
   in.timer.start();
 }
 
-void FalconPanel::let_go() {
+void FalconPanel::release() {
   inner_->timer.stop();
   inner_->bench.reset();
   inner_->running = Inner::Running::nothing;
@@ -222,7 +222,7 @@ void FalconPanel::showEvent(QShowEvent* event) {
 }
 
 void FalconPanel::hideEvent(QHideEvent* event) {
-  let_go();
+  release();
   QWidget::hideEvent(event);
 }
 
@@ -249,7 +249,11 @@ void FalconPanel::look() {
   const bool up = v.phase == BenchPhase::running;
   in.now->show_bench(v);
   const bool homed = up && v.falcon.session.phase == falcon::Phase::ready;
-  in.trim->show_grip(v.falcon, homed);
+  if (homed) {
+    in.trim->show_grip(v.falcon);
+  } else {
+    in.trim->hide_grip();
+  }
   const bool tests = in.running != Inner::Running::nothing;
   in.trim->setEnabled(!tests);
   const bool may = homed && !tests;
@@ -314,7 +318,7 @@ void FalconPanel::trial_over() {
   const bool real = in.kind == "falcon";
   FalconProfile profile = in.settings.profile(in.name);
   if (was == Inner::Running::force) {
-    in.outcome->setText(tr("All six ways were pushed. Tell the staff if one of them felt wrong."));
+    in.outcome->setText(tr("All six ways were pushed. If one of them felt wrong, report it to the staff."));
   } else if (was == Inner::Running::weighing) {
     const auto weight = dynamic_cast<const falcon::Weighing&>(*trial).result();
     if (!weight) {

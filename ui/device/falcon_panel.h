@@ -6,6 +6,8 @@
 #include <QWidget>
 #include <memory>
 
+#include "storage/base/rights.h"
+#include "ui/modules.h"
 #include "ui/settings/device_settings.h"
 #include "ui/widgets/ports.h"
 
@@ -18,15 +20,15 @@ class FalconPanel : public QWidget {
 
  public:
   /// `settings` outlives this. Students see, home and feel it; what changes the station is staff's.
-  FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWidget* parent = nullptr);
+  FalconPanel(DeviceSettings& settings, Ports ports, Role role, QWidget* parent = nullptr);
   ~FalconPanel() override;
 
-  /// Which one; lets go of the one before.
+  /// Which one; releases the one before.
   void set_device(const std::string& kind, const std::string& name);
-  /// Its state in a few words, for lists and tests.
+  /// Its state as a short text, for lists and tests.
   QString summary() const;
-  /// Lets go of the device, so that an attempt may have it.
-  void let_go();
+  /// Releases the device, so that an attempt may have it.
+  void release();
 
  public Q_SLOTS:
   /// Reads what is there now; by itself twenty times a second while it is seen.

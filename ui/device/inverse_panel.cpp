@@ -57,7 +57,7 @@ struct InversePanel::Inner {
   State state = State::away;
   PortFailure failure{PortError::not_found, {}};
   QTimer timer;
-  QString said;
+  QString announced;
 
   Chip* chip;
   QLabel *message, *place, *rate, *handle;
@@ -157,7 +157,7 @@ void InversePanel::make_acts(QVBoxLayout* column) {
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(8));
   in.ask = make_button(tr("Look for it"), ButtonKind::standard, QStringLiteral("search"));
-  in.free = make_button(tr("Let it go"), ButtonKind::quiet);
+  in.free = make_button(tr("Release it"), ButtonKind::quiet);
   acts->addWidget(in.ask);
   acts->addWidget(in.free);
   in.cancel = make_button(tr("Cancel"), ButtonKind::quiet);
@@ -170,8 +170,8 @@ void InversePanel::make_acts(QVBoxLayout* column) {
 void InversePanel::connect_all() {
   Inner& in = *inner_;
   connect(in.ask, &QPushButton::clicked, this, &InversePanel::connect_to_it);
-  connect(in.free, &QPushButton::clicked, this, &InversePanel::let_go);
-  connect(in.cancel, &QPushButton::clicked, this, &InversePanel::let_go);
+  connect(in.free, &QPushButton::clicked, this, &InversePanel::release);
+  connect(in.cancel, &QPushButton::clicked, this, &InversePanel::release);
   connect(in.turned, &QComboBox::currentIndexChanged, this, [this](int index) {
     inner_->settings.yaw_rad = radians(index * kQuarterDeg);
     inner_->keep();
@@ -186,14 +186,14 @@ void InversePanel::connect_all() {
   });
 }
 
-InversePanel::~InversePanel() { let_go(); }
+InversePanel::~InversePanel() { release(); }
 
 InverseSettings InversePanel::chosen() const { return inner_->settings; }
 
 void InversePanel::connect_to_it() {
   Inner& in = *inner_;
   if (in.state == Inner::State::asking) return;
-  let_go();
+  release();
   in.state = Inner::State::asking;
   in.port = in.make(in.settings);
   in.answer = std::make_shared<Inner::Answer>();
@@ -228,12 +228,12 @@ void InversePanel::take_answer() {
   announce(this, in.message->text());
 }
 
-void InversePanel::let_go() {
+void InversePanel::release() {
   Inner& in = *inner_;
   in.timer.stop();
   if (in.port) {
     in.port->cancel();
-    // The last words go out and the line is closed on a thread that may wait for that.
+    // The last message is sent and the connection closed on a thread that may wait for that.
     BackgroundTask([port = std::move(in.port)]() mutable { port.reset(); });
   }
   in.asking = {};
@@ -286,8 +286,8 @@ void InversePanel::look() {
   const bool still = in.state != State::asking && in.state != State::answers;
   for (QWidget* field : {static_cast<QWidget*>(in.turned), static_cast<QWidget*>(in.scale), static_cast<QWidget*>(in.service)})
     field->setEnabled(still);
-  if (const QString now = summary(); now != in.said) {
-    in.said = now;
+  if (const QString now = summary(); now != in.announced) {
+    in.announced = now;
     Q_EMIT summary_changed(now);
   }
 }
@@ -309,7 +309,7 @@ QString InversePanel::show_answers() {
   if (s.reading.b) down << QStringLiteral("B");
   if (s.reading.c) down << QStringLiteral("C");
   in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
-                     : down.isEmpty()   ? tr("Tells how it is turned")
+                     : down.isEmpty()   ? tr("Reports how it is turned")
                                         : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
   return message;
 }
@@ -317,7 +317,7 @@ QString InversePanel::show_answers() {
 QString InversePanel::summary() const { return QStringLiteral("Haply Inverse3: %1").arg(inner_->chip->text()); }
 
 void InversePanel::hideEvent(QHideEvent* event) {
-  let_go();
+  release();
   QWidget::hideEvent(event);
 }
 

@@ -32,7 +32,7 @@ class InversePanel : public QWidget {
   /// Asks the service. Answers show by themselves.
   void connect_to_it();
   /// Lets go of the device, or stops asking for it. It is free once dropped background tasks are over (ui/session/background_task.h).
-  void let_go();
+  void release();
 
  Q_SIGNALS:
   void summary_changed(const QString& summary);

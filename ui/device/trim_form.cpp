@@ -26,6 +26,7 @@ constexpr double kMmPerM = 1000.0;
 constexpr std::array<std::uint8_t, 4> kClutches = {falcon::status::kForward, falcon::status::kMinus, falcon::status::kPlus, 0};
 // What a step changed: steps of one field one after another are one.
 enum Field { kCentre, kScale, kClutch, kGain, kAll };
+const QString kNoPlace = QStringLiteral("–");
 
 std::optional<falcon::Workspace> workspace_of(const FalconTrim& trim) {
   return falcon::Workspace::from({.centre_m = trim.centre_m, .scale = trim.scale});
@@ -231,12 +232,12 @@ void TrimForm::fill() {
   in.workspace = workspace_of(trim);
 }
 
-void TrimForm::show_grip(const FalconView& view, bool homed) {
+void TrimForm::show_grip(const FalconView& view) {
   Inner& in = *inner_;
-  in.here->setEnabled(homed);
-  QString place = QStringLiteral("–");
+  in.here->setEnabled(true);
+  QString place = kNoPlace;
   bool held = false;
-  if (homed && in.workspace) {
+  if (in.workspace) {
     in.grip_m = view.grip_m;
     // As the driver does it.
     if ((view.session.buttons & in.trim.clutch) != 0) {
@@ -251,6 +252,12 @@ void TrimForm::show_grip(const FalconView& view, bool homed) {
   }
   if (in.place->text() != place) in.place->setText(place);
   in.held->setVisible(held);
+}
+
+void TrimForm::hide_grip() {
+  inner_->here->setEnabled(false);
+  inner_->place->setText(kNoPlace);
+  inner_->held->hide();
 }
 
 }  // namespace cusp::ui

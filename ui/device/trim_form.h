@@ -34,8 +34,10 @@ class TrimForm : public QWidget {
   /// Of another device: the steps that could be taken back are of the one before, and go.
   void set_trim(const FalconTrim& trim);
   const FalconTrim& trim() const;
-  /// Where the grip is now, and where these numbers put the bur. `homed`: its place can be trusted.
-  void show_grip(const FalconView& view, bool homed);
+  /// Where the grip of a homed Falcon is now, and where these numbers put the bur.
+  void show_grip(const FalconView& view);
+  /// Before homing nothing is known of the grip's place.
+  void hide_grip();
 
  public Q_SLOTS:
   void undo();

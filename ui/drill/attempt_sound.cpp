@@ -25,7 +25,7 @@ void AttemptSound::begin(const Scenario& scenario) {
   const bool muted = settings_ && settings_->muted();
   sound_->set_volume(volume);
   sound_->set_muted(muted);
-  panel_.set_sound(sound_->start(), volume, muted);
+  panel_.set_sound({.available = sound_->start(), .volume_percent = volume, .muted = muted});
 }
 
 void AttemptSound::follow(const LiveView& live, const Scene& scene) {

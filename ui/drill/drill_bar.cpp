@@ -79,7 +79,7 @@ void DrillBar::show_grant(const RealtimeGrant& grant) {
 void DrillBar::set_stopped(bool stopped) {
   if (stopped == stopped_) return;
   stopped_ = stopped;
-  const QString act = stopped ? tr("Go on") : tr("Pause");
+  const QString act = stopped ? tr("Resume") : tr("Pause");
   pause_->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
   pause_->setText(u' ' + act);  // as make_button: the style leaves no space after the sign
   pause_->setAccessibleName(act);

@@ -24,7 +24,7 @@ class DrillBar : public QFrame {
   /// Only a device that pushes a hand suffers from late ticks; shown, and read out, as soon as the loop knows what it was
   /// granted.
   void show_grant(const RealtimeGrant& grant);
-  /// Pause, or Go on once it stands.
+  /// Pause, or Resume once it stands.
   void set_stopped(bool stopped);
   void enable_pause(bool on);
   void enable_leave(bool on);

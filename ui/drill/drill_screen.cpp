@@ -241,7 +241,7 @@ void DrillScreen::toggle_pause() {
     in.attempt->session->resume();
     setFocus();
   } else {
-    if (in.input) in.input->let_go();
+    if (in.input) in.input->release_all();
     in.attempt->session->pause();
   }
 }
@@ -249,9 +249,10 @@ void DrillScreen::toggle_pause() {
 void DrillScreen::keyPressEvent(QKeyEvent* event) {
   Inner& in = *inner_;
   if (event->key() == Qt::Key_Escape) return ask_leave();
-  if (in.input && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) &&
-      in.input->press_key(event->key(), event->isAutoRepeat()))
-    return;
+  if (in.input && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+    using KeyPress = PointerInput::KeyPress;
+    if (in.input->press_key(event->key(), event->isAutoRepeat() ? KeyPress::repeated : KeyPress::first)) return;
+  }
   if (event->modifiers() == Qt::NoModifier && in.stage->press_tool(event->key())) return;
   QWidget::keyPressEvent(event);
 }
@@ -264,7 +265,7 @@ void DrillScreen::keyReleaseEvent(QKeyEvent* event) {
 
 void DrillScreen::focusOutEvent(QFocusEvent* event) {
   // Another widget or window, or a menu, gets what follows: this widget never hears of a key released there.
-  if (inner_->input) inner_->input->let_go();
+  if (inner_->input) inner_->input->release_all();
   QWidget::focusOutEvent(event);
 }
 

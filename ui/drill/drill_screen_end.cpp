@@ -9,7 +9,7 @@ namespace cusp::ui {
 void DrillScreen::ask_finish() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
-  if (in.input) in.input->let_go();
+  if (in.input) in.input->release_all();
   in.stage->set_asking(true);
   in.attempt->session->pause();
   in.ports.ask(this, {tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")},
@@ -90,7 +90,7 @@ void DrillScreen::ask_leave() {
     inner.attempt->session.reset();
     Q_EMIT self->left();
   };
-  if (in.input) in.input->let_go();
+  if (in.input) in.input->release_all();
   double removed = 0;
   for (const double mm3 : in.attempt->session->view().removed_mm3) removed += mm3;
   if (removed <= 0) return leave(true);

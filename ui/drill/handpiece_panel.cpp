@@ -105,13 +105,13 @@ void HandpiecePanel::set_exercise(const Scenario& scenario) {
   setVisible(spindle_ || reckons_heat_);
 }
 
-void HandpiecePanel::set_sound(bool available, int volume_percent, bool muted) {
+void HandpiecePanel::set_sound(const Sound& sound) {
   const QSignalBlocker quiet(volume_), still(mute_);
-  volume_->setValue(volume_percent);
-  mute_->setChecked(muted);
+  volume_->setValue(sound.volume_percent);
+  mute_->setChecked(sound.muted);
   show_muted();
-  sound_row_->setVisible(sounds_ && available);
-  no_sound_->setVisible(sounds_ && !available);
+  sound_row_->setVisible(sounds_ && sound.available);
+  no_sound_->setVisible(sounds_ && !sound.available);
 }
 
 void HandpiecePanel::show_muted() {
@@ -132,17 +132,15 @@ void HandpiecePanel::show_coolant(bool on) {
   coolant_->setShortcut(Qt::Key_W);  // a new text takes the shortcut away
 }
 
-void HandpiecePanel::toggle_coolant() { coolant_->toggle(); }
-
 void HandpiecePanel::show_values(const LiveView& live) {
   const StepOutput& out = live.output;
   if (spindle_) {
     const bool stands = stands_still(live);
     const bool stalled = !stands && out.has(PhenomenonSign::stalled);
     const double rpm = stands ? 0.0 : std::round(static_cast<double>(out.spindle_rpm) / kShownRpm) * kShownRpm;
-    //: Turns of the bur in a minute.
     QLocale grouped;
     grouped.setNumberOptions(grouped.numberOptions() & ~QLocale::OmitGroupSeparator);
+    //: Turns of the bur in a minute.
     set_text(speed_, stalled ? tr("stalled, push less") : tr("%1 rpm").arg(format_number(rpm, 0, grouped)));
     set_ink(speed_, stalled ? "look" : "");
   }
@@ -156,9 +154,9 @@ void HandpiecePanel::show_values(const LiveView& live) {
   const bool over = rise >= kPulpCriterionK;
   if (over == over_) return;
   over_ = over;
-  const QString said = over ? tr("Too warm for the pulp (%1, not verified): run the coolant")
+  const QString note = over ? tr("Too warm for the pulp (%1, not verified): run the coolant")
                             : tr("The pulp is at risk from %1 (not verified)");
-  set_text(heat_note_, said.arg(degrees(kPulpCriterionK)));
+  set_text(heat_note_, note.arg(degrees(kPulpCriterionK)));
   set_ink(heat_note_, over ? "bad" : "text2");
   if (over) announce(this, heat_note_->text());
 }

@@ -26,10 +26,12 @@ class HandpiecePanel : public QFrame {
   /// Once. Hidden as a whole where the exercise asks for none of it.
   void set_exercise(const Scenario& scenario);
   void show_values(const LiveView& live);
-  /// What the user wants of the sound, and whether there is an output; without one it shows that.
-  void set_sound(bool available, int volume_percent, bool muted);
-  /// Coolant, by key or screen reader.
-  void toggle_coolant();
+  struct Sound {
+    bool available = false;  // false: the station has no output, and the panel shows that
+    int volume_percent = 0;
+    bool muted = false;
+  };
+  void set_sound(const Sound& sound);
   /// Speed, coolant and warmth as one sentence; empty where there is none.
   QString spoken() const;
 

@@ -13,11 +13,11 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
   connect(&view_, &ToothView::camera_changed, this, &PointerInput::show_view);
   view_.installEventFilter(this);
   connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
-    if (state != Qt::ApplicationActive) let_go();
+    if (state != Qt::ApplicationActive) release_all();
   });
   connect(&view_, &ToothView::moved, this, [this](QPointF at, Qt::MouseButtons buttons) {
     // The button was released without an event for this view: over another window, in a menu.
-    if (button_ && !(buttons & Qt::LeftButton)) let_go();
+    if (button_ && !(buttons & Qt::LeftButton)) release_all();
     if (!(buttons & (Qt::RightButton | Qt::MiddleButton))) slide(at);
   });
   connect(&view_, &ToothView::pressed, this, [this](QPointF at) {
@@ -46,7 +46,7 @@ bool PointerInput::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::EnabledChange:
     case QEvent::TouchCancel:
     case QEvent::TabletLeaveProximity:
-    case QEvent::UngrabMouse: let_go(); break;
+    case QEvent::UngrabMouse: release_all(); break;
     default: break;
   }
   return QObject::eventFilter(watched, event);
@@ -88,7 +88,8 @@ void PointerInput::hand_over() {
   hand_.set_push(!enabled_ ? 0.0 : drilling ? push_n_ : held_push_n_);
 }
 
-bool PointerInput::press_key(int key, bool repeated) {
+bool PointerInput::press_key(int key, KeyPress press) {
+  const bool repeated = press == KeyPress::repeated;
   if (!enabled_) return false;
   switch (key) {
     case Qt::Key_Space:
@@ -162,7 +163,7 @@ void PointerInput::step_keys() {
     hand_.nudge(right, up);
 }
 
-void PointerInput::let_go() {
+void PointerInput::release_all() {
   button_ = space_ = false;
   held_push_n_ = 0;
   arrows_.clear();
@@ -171,7 +172,7 @@ void PointerInput::let_go() {
 }
 
 void PointerInput::set_enabled(bool on) {
-  if (!on) let_go();
+  if (!on) release_all();
   enabled_ = on;
 }
 

@@ -20,11 +20,12 @@ class PointerInput : public QObject {
   /// `hand` outlives this. `tool_axis`: unit, from the bur to the shank.
   PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, double usual_push_n, QObject* parent);
 
+  enum class KeyPress { first, repeated };
   /// True when the key is one of drilling's and was taken.
-  bool press_key(int key, bool repeated);
+  bool press_key(int key, KeyPress press = KeyPress::first);
   bool release_key(int key);
-  /// Lets go of everything: pause, loss of focus, a question.
-  void let_go();
+  /// Releases button and keys: at a pause, a loss of focus, a question.
+  void release_all();
   void set_enabled(bool on);
 
   /// What drilling pushes with, N.
@@ -40,7 +41,7 @@ class PointerInput : public QObject {
   void drilled();  // the cut was switched on
 
  protected:
-  /// Of the view: whatever takes the mouse away from it lets go.
+  /// Of the view: whatever takes the mouse away releases the button.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

@@ -29,7 +29,7 @@ StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   column->addWidget(homing_);
   auto* ways = new QHBoxLayout;
   QPushButton* leave = make_button(tr("Leave"), ButtonKind::standard);
-  QPushButton* go_on = make_button(tr("Go on"), ButtonKind::standard, QStringLiteral("play"));
+  QPushButton* go_on = make_button(tr("Resume"), ButtonKind::standard, QStringLiteral("play"));
   connect(leave, &QPushButton::clicked, this, &StopCard::leave);
   connect(go_on, &QPushButton::clicked, this, &StopCard::go_on);
   ways->addStretch();
@@ -51,7 +51,7 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
     case Stop::none: break;
     case Stop::paused:
       title = tr("Paused");
-      more = tr("The clock stands still. P goes on.");
+      more = tr("The clock stands still. P resumes.");
       break;
     case Stop::fault: {
       const Message homing_text = describe(fault);
@@ -61,15 +61,15 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
     }
     case Stop::device_gone:
       title = tr("The device does not answer");
-      more = tr("The force is off and the clock stands still. Plug it in again, then go on.");
+      more = tr("The force is off and the clock stands still. Plug it in again, then resume.");
       break;
     case Stop::device_back:
       title = tr("The device answers again");
-      more = tr("The force is off and the clock stands still. Take it in hand, then go on.");
+      more = tr("The force is off and the clock stands still. Take the handpiece, then resume.");
       break;
     case Stop::record:
       title = tr("The record cannot be written");
-      more = tr("%1 What you drilled so far is safe while this window stays open. Put the cause right, then go on.").arg(cause);
+      more = tr("%1 What you drilled so far is safe while this window stays open. Remove the cause, then resume.").arg(cause);
       break;
     case Stop::behind:
       title = tr("This computer is too slow for the exercise");

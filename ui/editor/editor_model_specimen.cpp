@@ -1,6 +1,7 @@
 // EditorModel's edits of the specimen and of its tissues.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/tissues/tissue_facts.h"
@@ -24,13 +25,13 @@ void clean(SpecimenSource& source) {
   }
 }
 
-bool has_pulp(const Scenario& s) {
-  return std::ranges::any_of(s.tissues, [](const ScenarioTissue& t) { return t.tissue == Tissue::pulp; });
+bool has_pulp(const std::vector<ScenarioTissue>& tissues) {
+  return std::ranges::find(tissues, Tissue::pulp, &ScenarioTissue::tissue) != tissues.end();
 }
 
-/// Protects the critical tissues of the specimen and no others. New pulp brings its rule; a rule that was switched off while
+/// Protects the critical tissues of the specimen and no others. `before`: the tissues until now. New pulp brings its rule; a rule that was switched off while
 /// there was pulp stays off.
-void guard(Scenario& s, bool had_pulp) {
+void guard(Scenario& s, const std::vector<ScenarioTissue>& before) {
   const auto there = [&s](Tissue t) {
     return std::ranges::any_of(s.tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
   };
@@ -40,9 +41,9 @@ void guard(Scenario& s, bool had_pulp) {
     if (tissue_facts(t.tissue).critical.value && !guarded) s.protected_tissues.push_back(t.tissue);
   }
   auto& critical = s.rubric.critical;
-  if (!has_pulp(s)) std::erase(critical, "pulp_exposure");
+  if (!has_pulp(s.tissues)) std::erase(critical, "pulp_exposure");
   const bool ruled = std::ranges::find(critical, "pulp_exposure") != critical.end();
-  if (has_pulp(s) && !had_pulp && !ruled) critical.push_back("pulp_exposure");
+  if (has_pulp(s.tissues) && !has_pulp(before) && !ruled) critical.push_back("pulp_exposure");
 }
 
 }  // namespace
@@ -52,9 +53,8 @@ bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<S
   return edit(tr("Tooth"), u"specimen"_qs, [&](Scenario& s) {
     s.specimen = source;
     clean(s.specimen);
-    const bool had_pulp = has_pulp(s);
-    s.tissues = tissues;
-    guard(s, had_pulp);
+    const std::vector<ScenarioTissue> before = std::exchange(s.tissues, tissues);
+    guard(s, before);
   });
 }
 
@@ -67,9 +67,8 @@ bool EditorModel::set_tooth(const SpecimenSource& source, const QString& field) 
       const auto kept = std::ranges::find(s.tissues, t.tissue, &ScenarioTissue::tissue);
       if (kept != s.tissues.end()) t = *kept;
     }
-    const bool had_pulp = has_pulp(s);
-    s.tissues = std::move(tissues);
-    guard(s, had_pulp);
+    const std::vector<ScenarioTissue> before = std::exchange(s.tissues, std::move(tissues));
+    guard(s, before);
   });
 }
 

@@ -30,12 +30,12 @@ QLabel* make_note() {
 
 }  // namespace
 
-QString figure_note(double value, double usual, const std::string& source, bool verified) {
-  if (value != usual) return TissuesForm::tr("set for this exercise");
-  if (!verified) return TissuesForm::tr("usual, not verified");
-  if (source == "paper") return TissuesForm::tr("usual, from the published method");
-  if (source == "chun-2014") return TissuesForm::tr("usual, by hardness (Chun 2014)");
-  return TissuesForm::tr("usual, from %1").arg(QString::fromStdString(source));
+QString figure_note(double value, const Sourced<double>& usual) {
+  if (value != usual.value) return TissuesForm::tr("set for this exercise");
+  if (!usual.verified) return TissuesForm::tr("usual, not verified");
+  if (usual.source == "paper") return TissuesForm::tr("usual, from the published method");
+  if (usual.source == "chun-2014") return TissuesForm::tr("usual, by hardness (Chun 2014)");
+  return TissuesForm::tr("usual, from %1").arg(QString::fromStdString(usual.source));
 }
 
 TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
@@ -121,7 +121,7 @@ void TissuesForm::follow_model() {
     const TissueFacts& usual = tissue_facts(t.tissue);
     const auto show = [](NumberBox* box, QLabel* note, double value, const Sourced<double>& figure) {
       box->show_value(value);
-      note->setText(figure_note(value, figure.value, figure.source, figure.verified));
+      note->setText(figure_note(value, figure));
       box->setAccessibleDescription(note->text());
     };
     show(rows_[i].stiffness, rows_[i].stiffness_note, t.stiffness_n_per_mm, usual.stiffness_n_per_mm);

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/editor_model.h"
 
 class QCheckBox;
@@ -38,6 +39,6 @@ class TissuesForm : public QWidget {
 };
 
 /// Source of a figure: set here, usual with its source, or usual and not verified.
-QString figure_note(double value, double usual, const std::string& source, bool verified);
+QString figure_note(double value, const Sourced<double>& usual);
 
 }  // namespace cusp::ui

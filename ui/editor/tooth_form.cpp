@@ -163,12 +163,10 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   column->setSpacing(px(4));
   const QString field = u"lesion/%1/"_qs.arg(index);
   const int number = static_cast<int>(index) + 1;
-  const auto change = [this, index](const QString& what, const std::function<void(LesionSource&)>& act, bool rests) {
-    const auto on_source = [&](SpecimenSource& s) {
+  const auto on_lesion = [index](const std::function<void(LesionSource&)>& act) {
+    return [index, act](SpecimenSource& s) {
       if (index < s.lesions.size()) act(s.lesions[index]);
     };
-    if (rests) edit_at_once(what, on_source);
-    return rests || edit(what, on_source);
   };
   auto* head = new QHBoxLayout;
   head->setSpacing(px(4));
@@ -190,16 +188,16 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   head->addWidget(remove);
   column->addLayout(head);
   column->addWidget(row.site);
-  connect(row.kind, &QComboBox::activated, this, [this, change, field, box = row.kind](int) {
+  connect(row.kind, &QComboBox::activated, this, [this, on_lesion, field, box = row.kind](int) {
     const std::string kind = box->currentData().toString().toStdString();
     const auto sites = lesion_sites(model_.scenario().specimen.fdi, kind_of(kind));
-    change(field + u"kind"_qs, [&](LesionSource& l) {
+    edit_at_once(field + u"kind"_qs, on_lesion([&](LesionSource& l) {
       l.kind = kind;
       if (std::ranges::find(sites, l.site) == sites.end() && !sites.empty()) l.site = sites.front();
-    }, true);
+    }));
   });
-  connect(row.site, &QComboBox::activated, this, [change, field, box = row.site](int) {
-    change(field + u"site"_qs, [&](LesionSource& l) { l.site = box->currentData().toString().toStdString(); }, true);
+  connect(row.site, &QComboBox::activated, this, [this, on_lesion, field, box = row.site](int) {
+    edit_at_once(field + u"site"_qs, on_lesion([&](LesionSource& l) { l.site = box->currentData().toString().toStdString(); }));
   });
   connect(remove, &QToolButton::clicked, this, [this, index] {
     edit_at_once(u"lesions"_qs, [index](SpecimenSource& s) {
@@ -208,13 +206,13 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   });
   // The form shows the diameter; scenario.json holds the radius.
   row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostLesionSizeMm, 0.1, 1,
-                           [=](double mm) { return change(field + u"size"_qs, [mm](LesionSource& l) { l.radius_mm = mm / 2; }, false); });
+                           [=, this](double mm) { return edit(field + u"size"_qs, on_lesion([mm](LesionSource& l) { l.radius_mm = mm / 2; })); });
   add_row(column, tr("Width"), row.size);
   row.depth = new NumberBox(model_, tr("Depth of carious lesion %1").arg(number), u"mm"_qs, 0, kMostLesionDepthMm, 0.1, 1,
-                            [=](double mm) { return change(field + u"depth"_qs, [mm](LesionSource& l) { l.depth_mm = mm; }, false); });
+                            [=, this](double mm) { return edit(field + u"depth"_qs, on_lesion([mm](LesionSource& l) { l.depth_mm = mm; })); });
   row.depth_label = add_row(column, tr("Depth"), row.depth);
   row.softness = new NumberBox(model_, tr("Softness of carious lesion %1").arg(number), u"%"_qs, 0, 100, 5, 0,
-                               [=](double share) { return change(field + u"soft"_qs, [share](LesionSource& l) { l.softness = share / 100; }, false); });
+                               [=, this](double share) { return edit(field + u"soft"_qs, on_lesion([share](LesionSource& l) { l.softness = share / 100; })); });
   row.softness->setToolTip(tr("How far from its middle to its rim the lesion is soft; the rest is firm"));
   add_row(column, tr("Soft"), row.softness);
   list_->addWidget(card);

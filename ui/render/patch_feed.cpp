@@ -57,10 +57,10 @@ BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) 
   return out;
 }
 
-void PatchFeed::put(BakedPatch patch, bool live) {
+void PatchFeed::put(BakedPatch patch, Origin origin) {
   const std::lock_guard lock(mutex_);
   Waiting& place = waiting_[patch.brick];
-  place.live = place.live || live;
+  if (origin == Origin::update) place.origin = origin;
   place.patch = std::move(patch);
 }
 
@@ -87,7 +87,7 @@ void PatchFeed::build_all(const Volume& volume, std::uint64_t tick) {
   for (const Patch& patch : patches) {
     BakedPatch baked = bake(volume, patch.brick, patch);
     baked.tick = tick;
-    if (!baked.indices.empty()) put(std::move(baked), false);
+    if (!baked.indices.empty()) put(std::move(baked), Origin::build_all);
   }
 }
 
@@ -126,7 +126,7 @@ void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> chang
   for (const int b : anew) {
     BakedPatch patch = bake(volume, b, build_patch(volume, b, level_[static_cast<std::size_t>(b)]));
     patch.tick = tick;
-    put(std::move(patch), true);
+    put(std::move(patch), Origin::update);
   }
   const std::lock_guard lock(mutex_);
   changes_.insert(changes_.end(), changes.begin(), changes.end());
@@ -136,10 +136,9 @@ FedPatches PatchFeed::take(std::size_t max_bytes) {
   FedPatches out;
   std::size_t bytes = 0;
   const std::lock_guard lock(mutex_);
-  // Live changes before the first picture's patches.
-  for (const bool live : {true, false}) {
+  for (const Origin origin : {Origin::update, Origin::build_all}) {
     for (auto it = waiting_.begin(); it != waiting_.end();) {
-      if (it->second.live != live) {
+      if (it->second.origin != origin) {
         ++it;
         continue;
       }
@@ -152,7 +151,7 @@ FedPatches PatchFeed::take(std::size_t max_bytes) {
       out.patches.push_back(std::move(it->second.patch));
       it = waiting_.erase(it);
     }
-    if (live) out.changes = std::exchange(changes_, {});
+    if (origin == Origin::update) out.changes = std::exchange(changes_, {});
   }
   return out;
 }

@@ -50,22 +50,22 @@ class PatchFeed {
   FedPatches take(std::size_t max_bytes);
   bool empty() const;
 
-
  private:
+  enum class Origin : std::uint8_t { build_all, update };
   struct Waiting {
     BakedPatch patch;
-    bool live = false;  // changed while drawing, before the first picture's
+    Origin origin = Origin::build_all;  // changes go out before the first picture's patches
   };
   bool in_region(const Volume& volume, int brick) const;
   BakedPatch bake(const Volume& volume, int brick, const Patch& patch) const;
-  void put(BakedPatch patch, bool live);
+  void put(BakedPatch patch, Origin origin);
 
   FeedSettings settings_;
   std::vector<std::uint8_t> level_;               // [brick] fine in the region, where a bur was, and where it is rough
   std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
   mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop
   std::map<int, Waiting> waiting_;                // [brick]
-  TickTimes changes_;                             // not yet shown; handed on when the last live patch has gone out
+  TickTimes changes_;                             // not yet shown; handed on with the last patch of update()
 };
 
 }  // namespace cusp::ui

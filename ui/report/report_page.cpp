@@ -29,7 +29,7 @@ constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the t
 
 }  // namespace
 
-ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_try_again, const QString& back_name, QWidget* parent)
+ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, const QString& back_name, QWidget* parent)
     : QWidget(parent), data_(std::move(data)), ports_(ports) {
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
@@ -37,7 +37,7 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_try_again, 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(make_bar(can_try_again, back_name));
+  column->addWidget(make_bar(again, back_name));
   halves_ = new QHBoxLayout;
   halves_->setSpacing(0);
   halves_->addWidget(make_tooth(), 45);
@@ -94,7 +94,7 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-QWidget* ReportPage::make_bar(bool can_try_again, const QString& back_name) {
+QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   auto* bar = new QFrame;
   bar->setProperty("kind", u"bar_top"_qs);
   bar->setFixedHeight(px(48));
@@ -110,7 +110,7 @@ QWidget* ReportPage::make_bar(bool can_try_again, const QString& back_name) {
   row->addSpacing(px(4));
   row->addWidget(make_label(data_.title, TextRole::section, Weight::bold));
   QString aside = occasion_text(data_);
-  if (!data_.student.isEmpty() && !can_try_again) aside = data_.student + u" · "_qs + aside;
+  if (!data_.student.isEmpty() && again == TryAgain::hidden) aside = data_.student + u" · "_qs + aside;
   row->addWidget(make_label(aside, TextRole::body, Weight::regular, "text2"), 1);
   QPushButton* paper = make_button(tr("Print"), ButtonKind::standard, u"print"_qs, QKeySequence::Print);
   QPushButton* pdf = make_button(tr("Save as PDF"), ButtonKind::standard, u"export"_qs, QKeySequence::Save);
@@ -119,10 +119,10 @@ QWidget* ReportPage::make_bar(bool can_try_again, const QString& back_name) {
   row->addWidget(paper);
   row->addWidget(pdf);
   for (QPushButton* button : {paper, pdf}) saves_.emplace_back(button, button->text());
-  if (can_try_again) {
-    QPushButton* again = make_button(tr("Try again"), ButtonKind::primary);
-    connect(again, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
-    row->addWidget(again);
+  if (again == TryAgain::offered) {
+    QPushButton* fresh = make_button(tr("Try again"), ButtonKind::primary);
+    connect(fresh, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
+    row->addWidget(fresh);
   }
   return bar;
 }
@@ -222,6 +222,7 @@ QWidget* ReportPage::make_criteria() {
   table_->setAccessibleName(tr("Criteria"));
   table_->setModel(model_);
   table_->set_stretch_column(CriteriaModel::kName);
+  table_->setTextElideMode(Qt::ElideMiddle);  // names differ at their end: floor or walls
   table_->set_rows_shown(14);
   card->body()->addWidget(table_);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { choose(table_->chosen_row()); });
@@ -293,15 +294,15 @@ QWidget* ReportPage::make_against() {
   }
   auto* legend = new QHBoxLayout;
   legend->setSpacing(px(6));
-  const auto dot = [&](bool filled, const QString& text) {
+  const auto dot = [&](const QString& sign_name, Ink ink, const QString& text) {
     auto* sign = new QLabel;
-    sign->setPixmap(icon_pixmap(filled ? u"dot"_qs : u"circle"_qs, filled ? Ink::accent : Ink::text2, 12, devicePixelRatioF()));
+    sign->setPixmap(icon_pixmap(sign_name, ink, 12, devicePixelRatioF()));
     legend->addWidget(sign);
     legend->addWidget(make_label(text, TextRole::caption, Weight::regular, "text2"));
     legend->addSpacing(px(6));
   };
-  dot(false, tr("%1, %2").arg(format_day(data_.before_when), format_points(data_.before->score)));
-  dot(true, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
+  dot(u"circle"_qs, Ink::text2, tr("%1, %2").arg(format_day(data_.before_when), format_points(data_.before->score)));
+  dot(u"dot"_qs, Ink::accent, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
   legend->addStretch();
   card->body()->addLayout(legend);
   card->body()->addWidget(new AgainstBefore(data_.result.grade, *data_.before));

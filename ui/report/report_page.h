@@ -26,8 +26,9 @@ class ReportPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `can_try_again`: the one who drilled it is looking.
-  ReportPage(ReportData data, const Ports& ports, bool can_try_again, const QString& back_name, QWidget* parent = nullptr);
+  /// `offered`: to the one who drilled it; the page then leaves out the student's name.
+  enum class TryAgain { hidden, offered };
+  ReportPage(ReportData data, const Ports& ports, TryAgain again, const QString& back_name, QWidget* parent = nullptr);
   Table* table() const { return table_; }
   const ReportData& data() const { return data_; }
 
@@ -39,7 +40,7 @@ class ReportPage : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* make_bar(bool can_try_again, const QString& back_name);
+  QWidget* make_bar(TryAgain again, const QString& back_name);
   QWidget* make_tooth();
   QWidget* make_score();
   QWidget* make_criteria();

@@ -24,9 +24,9 @@ namespace {
 // Costs: what an expert does first, in ticks of 1 ms, in blocks that the models take in turn.
 constexpr std::uint64_t kBlockTicks = 500;
 constexpr std::size_t kBlocks = 24;
-// As play_through: looked at for severed pieces this often.
+// As play_through: searched for fragments this often.
 constexpr std::uint64_t kTurn = 25;
-constexpr double kSwayS = 4.0;  // [M] a hand that may turn its handpiece does so, from side to side, this often
+constexpr double kSwayS = 4.0;  // [M] period of the handpiece turning from side to side, where the exercise lets it turn
 
 /// A model as the engine takes it.
 struct Table {
@@ -38,15 +38,15 @@ struct Table {
   std::uint64_t bytes = 0;
 };
 
-/// Message how far it is, in [0, 1]; false: stop.
-using Onwards = std::function<bool(double share)>;
+/// Progress in [0, 1]; false: stop.
+using Progress = std::function<bool(double share)>;
 
-Outcome<Table> lay(const Model& model, const std::filesystem::path& folder, const Onwards& onwards) {
+Outcome<Table> make_table(const Model& model, const std::filesystem::path& folder, const Progress& progress) {
   Table out;
   out.scenario = model.scenario;
   const double began = thread_cpu_s();
   std::atomic<bool> stop = false;
-  auto dense = make_specimen(model.scenario.specimen, folder, &stop, [&](double share) { stop = stop || !onwards(share); });
+  auto dense = make_specimen(model.scenario.specimen, folder, &stop, [&](double share) { stop = stop || !progress(share); });
   if (!dense) return session_fail(SessionError::specimen, dense.error());
   const double grown = thread_cpu_s();
   *dense = prepared(std::move(*dense), model);
@@ -70,13 +70,13 @@ Outcome<Table> lay(const Model& model, const std::filesystem::path& folder, cons
 
 using Tables = std::vector<std::shared_ptr<const Table>>;  // null: cannot be played
 
-/// A hand that sways its handpiece where the exercise lets it turn.
+/// A scripted operator that sways the handpiece where the exercise lets it turn.
 class Swaying final : public HapticPort {
  public:
-  Swaying(ScriptedOperator hand, double dt_s, double turn_deg) : hand_(std::move(hand), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
+  Swaying(ScriptedOperator scripted, double dt_s, double turn_deg) : operator_(std::move(scripted), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
-    Sample sample = hand_.wait(deadline);
+    Sample sample = operator_.wait(deadline);
     if (turn_deg_ > 0) {
       const double half = 0.25 * turn_deg_ * (3.141592653589793 / 180.0) * std::sin(6.283185307179586 * clock_s_ / kSwayS);
       sample.orientation = {std::cos(half), std::sin(half), 0.0, 0.0};
@@ -84,19 +84,19 @@ class Swaying final : public HapticPort {
     clock_s_ += dt_s_;
     return sample;
   }
-  void write(const Feedback& feedback) noexcept override { hand_.write(feedback); }
-  DeviceLimits limits() const override { return hand_.limits(); }
+  void write(const Feedback& feedback) noexcept override { operator_.write(feedback); }
+  DeviceLimits limits() const override { return operator_.limits(); }
   void close() noexcept override {}
 
  private:
-  OperatorPort hand_;
+  OperatorPort operator_;
   double dt_s_, turn_deg_, clock_s_ = 0;
 };
 
 /// The same path once more, whatever is felt.
-class Led final : public HapticPort {
+class Replayed final : public HapticPort {
  public:
-  explicit Led(const std::vector<StepInput>& path) : path_(path) {}
+  explicit Replayed(const std::vector<StepInput>& path) : path_(path) {}
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point) noexcept override {
     Sample sample;
@@ -165,10 +165,10 @@ struct Path {
   std::size_t touched_at = 0;
 };
 Path path_for_costs(const Table& table) {
-  auto hand = operator_by_name("expert", table.scenario, *table.specimen, 1);
+  auto scripted = operator_by_name("expert", table.scenario, *table.specimen, 1);
   Path out;
-  if (!hand) return out;
-  Swaying port(std::move(*hand), 0.001, table.scenario.tool_turn_deg);
+  if (!scripted) return out;
+  Swaying port(std::move(*scripted), 0.001, table.scenario.tool_turn_deg);
   StepState state(table.scene);
   StepInput last;
   bool touched = false;
@@ -246,7 +246,7 @@ void take_costs(const Tables& tables, std::vector<std::optional<ModelResult>>& r
   }
 }
 
-/// Plays one exercise's runs; remembers where the hands went in it.
+/// Plays the models of one exercise, and keeps each operator's path through the exercise as it is.
 class Player {
  public:
   explicit Player(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -254,18 +254,18 @@ class Player {
 
  private:
   struct Known {
-    AuditOperator hand;
+    AuditOperator scripted;
     AuditAttempt attempt;
   };
   /// A model is grown once for as long as runs ask for it, and for one run longer: a jaw of fine voxels takes half a
   /// minute. The exercise as it is stays.
-  struct Laid {
+  struct CachedTable {
     Model model;
     std::shared_ptr<const Table> table;
     std::size_t asked_in = 0;
   };
-  Outcome<std::shared_ptr<const Table>> laid(const Model& model, const Onwards& onwards);
-  void put_away(const AuditRun& run);
+  Outcome<std::shared_ptr<const Table>> table_of(const Model& model, const Progress& progress);
+  void drop_unused(const AuditRun& run);
   /// The operator's own attempt at home; played once.
   Result<const AuditAttempt*, AuditFailure> at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on);
   Result<std::optional<AuditAttempt>, AuditFailure> felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on);
@@ -274,40 +274,40 @@ class Player {
   Scenario home_;
   std::shared_ptr<const Table> home_table_;
   std::deque<Known> known_;
-  std::vector<Laid> laid_;
+  std::vector<CachedTable> tables_;
   std::size_t run_ = 0;
 };
 
-Outcome<std::shared_ptr<const Table>> Player::laid(const Model& model, const Onwards& onwards) {
-  for (Laid& one : laid_) {
+Outcome<std::shared_ptr<const Table>> Player::table_of(const Model& model, const Progress& progress) {
+  for (CachedTable& one : tables_) {
     if (!(one.model == model)) continue;
     one.asked_in = run_;
     return one.table;
   }
-  auto table = lay(model, folder_, onwards);
+  auto table = make_table(model, folder_, progress);
   if (!table) return std::unexpected(table.error());
-  laid_.push_back({model, std::make_shared<const Table>(std::move(*table)), run_});
-  return laid_.back().table;
+  tables_.push_back({model, std::make_shared<const Table>(std::move(*table)), run_});
+  return tables_.back().table;
 }
 
-void Player::put_away(const AuditRun& run) {
+void Player::drop_unused(const AuditRun& run) {
   ++run_;
-  std::erase_if(laid_, [&](const Laid& one) {
+  std::erase_if(tables_, [&](const CachedTable& one) {
     return one.asked_in + 1 < run_ && one.table != home_table_ && std::ranges::find(run.models, one.model) == run.models.end();
   });
 }
 
 Result<std::optional<AuditAttempt>, AuditFailure> Player::felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on) {
-  auto hand = operator_by_name(who.name, table.scenario, *table.specimen, who.seed);
-  if (!hand) return fail(AuditError::unplayable, who.name);
-  Swaying port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
+  auto scripted = operator_by_name(who.name, table.scenario, *table.specimen, who.seed);
+  if (!scripted) return fail(AuditError::unplayable, who.name);
+  Swaying port(std::move(*scripted), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
   return play(table, port, go_on);
 }
 
 Result<const AuditAttempt*, AuditFailure> Player::at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on) {
   if (!home_table_ || !(home_ == home)) {
     bool stop = false;
-    auto table = laid({home}, [&](double) { return !(stop = stop || !go_on()); });
+    auto table = table_of({home}, [&](double) { return !(stop = stop || !go_on()); });
     if (stop) return fail(AuditError::cancelled, {});
     if (!table) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
     home_table_ = std::move(*table);
@@ -315,7 +315,7 @@ Result<const AuditAttempt*, AuditFailure> Player::at_home(const Scenario& home, 
     known_.clear();
   }
   for (const Known& one : known_)
-    if (one.hand == who) return &one.attempt;
+    if (one.scripted == who) return &one.attempt;
   auto attempt = felt(*home_table_, who, go_on);
   if (!attempt) return std::unexpected(attempt.error());
   if (!*attempt) return fail(AuditError::cancelled, {});
@@ -324,20 +324,20 @@ Result<const AuditAttempt*, AuditFailure> Player::at_home(const Scenario& home, 
 }
 
 Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(const AuditRun& run, const AuditWatch& watch) {
-  put_away(run);
+  drop_unused(run);
   Tables tables;
   std::vector<std::optional<ModelResult>> results;
   const auto stopped = [] { return fail(AuditError::cancelled, {}); };
-  // Laying the tables is taken for a tenth, the attempts for the rest.
+  // Making the tables counts as a tenth, the attempts as the rest.
   const double attempts = static_cast<double>(run.models.size() * run.operators.size());
   for (const Model& model : run.models) {
     bool stop = false;
-    const auto onwards = [&](double share) {
+    const auto progress = [&](double share) {
       stop = stop || (watch && !watch(0.1 * (static_cast<double>(tables.size()) + share) / static_cast<double>(run.models.size())));
       return !stop;
     };
-    if (!onwards(0.0)) return stopped();
-    auto table = laid(model, onwards);
+    if (!progress(0.0)) return stopped();
+    auto table = table_of(model, progress);
     if (stop) return stopped();
     if (!table && tables.empty()) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
     tables.push_back(table ? *table : nullptr);
@@ -360,8 +360,8 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
         if (!played) return std::unexpected(played.error());
         own = std::move(*played);
       } else if (!is_home) {
-        Led led((*home)->path);
-        own = play(*tables[m], led, go_on);
+        Replayed replayed((*home)->path);
+        own = play(*tables[m], replayed, go_on);
       }
       if (!own && !is_home) return stopped();
       const AuditAttempt& came = own ? *own : **home;

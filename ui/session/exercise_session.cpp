@@ -67,29 +67,29 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
     return std::unexpected(setup.error());
   }
   auto inner = std::make_unique<Inner>(std::move(plan), std::move(*setup), port);
-  Inner& run = *inner;
-  if (run.setup.store) {
-    run.recorder = std::make_unique<Recorder>(std::move(run.setup.store), run.setup.session, Recorder::Writing::on_a_thread);
+  Inner& in = *inner;
+  if (in.setup.store) {
+    in.recorder = std::make_unique<Recorder>(std::move(in.setup.store), in.setup.session, Recorder::Writing::on_a_thread);
   }
-  run.follower = std::make_unique<SessionFollower>(
-      run.setup.reference, *run.setup.mirror_start,
-      SessionFollower::Settings{run.recorder.get(), run.setup.process, run.plan.scenario.time_limit_s,
-                                [&run] { run.loop->pause(); }});
-  run.loop = std::make_unique<HapticLoop>(run.with_pedal, std::move(*run.setup.loop_start));
-  run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over(),
+  in.follower = std::make_unique<SessionFollower>(
+      in.setup.reference, *in.setup.mirror_start,
+      SessionFollower::Settings{in.recorder.get(), in.setup.process, in.plan.scenario.time_limit_s,
+                                [&in] { in.loop->pause(); }});
+  in.loop = std::make_unique<HapticLoop>(in.with_pedal, std::move(*in.setup.loop_start));
+  in.mirror = std::make_unique<Mirror>(std::move(*in.setup.mirror_start), in.loop->hand_over(),
                                         MirrorSettings{.show_every_us = kShowUs});
-  run.setup.loop_start.reset();
-  run.setup.mirror_start.reset();
+  in.setup.loop_start.reset();
+  in.setup.mirror_start.reset();
   // The picture before the scores.
-  for (Observer* observer : run.plan.observers) run.mirror->add(*observer);
-  run.mirror->add(*run.follower);
-  run.fragments = std::make_unique<FragmentFinder>(run.loop->hand_over());
-  run.mirror->add(*run.fragments);
-  run.rate_at = std::chrono::steady_clock::now();
-  run.mirror->start();
+  for (Observer* observer : in.plan.observers) in.mirror->add(*observer);
+  in.mirror->add(*in.follower);
+  in.fragments = std::make_unique<FragmentFinder>(in.loop->hand_over());
+  in.mirror->add(*in.fragments);
+  in.rate_at = std::chrono::steady_clock::now();
+  in.mirror->start();
   // Who continues holds the bur elsewhere than the record ends: the guard would call that a jump. resume() re-arms it.
-  if (!run.plan.resumes.is_nil()) run.loop->pause();
-  run.loop->start();
+  if (!in.plan.resumes.is_nil()) in.loop->pause();
+  in.loop->start();
   return std::unique_ptr<ExerciseSession>(new ExerciseSession(std::move(inner)));
 }
 
@@ -108,52 +108,52 @@ void ExerciseSession::change_bur(std::size_t index) {
 void ExerciseSession::set_coolant(bool on) { inner_->loop->set_coolant(on); }
 
 Outcome<SessionResult> ExerciseSession::finish() {
-  Inner& run = *inner_;
-  if (run.over) return session_fail(SessionError::wrong_state, run.setup.session.text());
-  run.stop();
-  if (run.recorder) {
-    if (run.recorder->state() == RecordingState::failed) run.recorder->retry();
-    if (!run.recorder->drain()) {
-      const auto failure = run.recorder->failure();
+  Inner& in = *inner_;
+  if (in.over) return session_fail(SessionError::wrong_state, in.setup.session.text());
+  in.stop();
+  if (in.recorder) {
+    if (in.recorder->state() == RecordingState::failed) in.recorder->retry();
+    if (!in.recorder->drain()) {
+      const auto failure = in.recorder->failure();
       return failure ? session_fail(SessionError::recording_failed, *failure)
-                     : session_fail(SessionError::recording_failed, run.plan.database.string());
+                     : session_fail(SessionError::recording_failed, in.plan.database.string());
     }
-    run.store = run.recorder->take_store();
-    run.recorder.reset();
+    in.store = in.recorder->take_store();
+    in.recorder.reset();
   }
-  const bool differs = run.mirror->mismatch() || run.loop->state().hash() != run.mirror->state().hash();
+  const bool differs = in.mirror->mismatch() || in.loop->state().hash() != in.mirror->state().hash();
   if (differs) {
-    run.over = true;
-    const auto mismatch = run.mirror->mismatch();
-    const std::uint64_t tick = mismatch ? mismatch->tick : run.mirror->ticks();
+    in.over = true;
+    const auto mismatch = in.mirror->mismatch();
+    const std::uint64_t tick = mismatch ? mismatch->tick : in.mirror->ticks();
     // Kept as it was recorded, for whoever looks into it; a grade of it would be of a volume that nobody felt.
-    if (run.store) static_cast<void>(run.store->sessions.interrupt(run.setup.session, "not_deterministic"));
+    if (in.store) static_cast<void>(in.store->sessions.interrupt(in.setup.session, "not_deterministic"));
     return session_fail(SessionError::not_deterministic, std::to_string(tick));
   }
-  auto result = conclude(run.plan, run.setup, run.store.get(), run.mirror->state(), run.follower->process(), run.end());
-  if (result || result.error().code != SessionError::recording_failed) run.over = true;
+  auto result = conclude(in.plan, in.setup, in.store.get(), in.mirror->state(), in.follower->process(), in.end());
+  if (result || result.error().code != SessionError::recording_failed) in.over = true;
   return result;
 }
 
 void ExerciseSession::abandon() {
-  Inner& run = *inner_;
-  run.stop();
-  if (run.over) return;
-  run.over = true;
-  if (run.recorder) {
-    run.recorder->drain();
-    run.store = run.recorder->take_store();
-    run.recorder.reset();
+  Inner& in = *inner_;
+  in.stop();
+  if (in.over) return;
+  in.over = true;
+  if (in.recorder) {
+    in.recorder->drain();
+    in.store = in.recorder->take_store();
+    in.recorder.reset();
   }
   // Where even this cannot be written, the session is marked when the database is opened next.
-  if (run.store) static_cast<void>(run.store->sessions.interrupt(run.setup.session, "left"));
-  run.store.reset();
+  if (in.store) static_cast<void>(in.store->sessions.interrupt(in.setup.session, "left"));
+  in.store.reset();
 }
 
 LiveView ExerciseSession::view() const {
-  Inner& run = *inner_;
+  Inner& in = *inner_;
   LiveView view;
-  const LoopLatest& latest = run.loop->hand_over().latest.read();
+  const LoopLatest& latest = in.loop->hand_over().latest.read();
   view.output = latest.output;
   view.orientation = latest.orientation;
   view.phase = latest.phase;
@@ -164,10 +164,10 @@ LiveView ExerciseSession::view() const {
   view.push_n = glm::length(latest.output.force_raw_n);
   view.seconds = static_cast<double>(latest.output.elapsed_us) * 1e-6;
 
-  const FollowedView followed = run.follower->view();
+  const FollowedView followed = in.follower->view();
   const LiveReading& scores = followed.scores;
   const auto over = [&scores](Place place) { return scores.overcut_mm3[static_cast<std::size_t>(place)]; };
-  view.time_is_up = run.follower->time_is_up();
+  view.time_is_up = in.follower->time_is_up();
   view.shown_tick = followed.tick;
   view.target_removed_percent = scores.target_measured ? scores.target_removed : 0.0;
   view.over_leeway_mm3 = over(Place::tolerated_floor) + over(Place::tolerated_side);
@@ -177,25 +177,25 @@ LiveView ExerciseSession::view() const {
   view.over_pulp_mm = scores.remaining_over_pulp_mm;
   view.pulp_exposed = scores.removed_mm3[index_of(Tissue::pulp)] > 0;
   view.peak_push_n = followed.peak_push_n;
-  const auto& burs = run.setup.scene->burs;
+  const auto& burs = in.setup.scene->burs;
   const Bur& bur = burs[std::min<std::size_t>(latest.output.bur, burs.size() - 1)];
-  view.bur_depth_mm = bur_depth_mm(run.setup.reference->shape(), latest.output, bur);
+  view.bur_depth_mm = bur_depth_mm(in.setup.reference->shape(), latest.output, bur);
 
-  if (run.recorder) {
-    view.recording = run.recorder->state();
-    view.recording_failure = run.recorder->failure();
+  if (in.recorder) {
+    view.recording = in.recorder->state();
+    view.recording_failure = in.recorder->failure();
   }
-  view.mismatch = run.mirror->mismatch();
-  view.loop = run.loop->times();
-  view.grant = run.loop->grant();
+  view.mismatch = in.mirror->mismatch();
+  view.loop = in.loop->times();
+  view.grant = in.loop->grant();
   const auto now = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> since = now - run.rate_at;
+  const std::chrono::duration<double> since = now - in.rate_at;
   if (since.count() >= 1.0) {
-    run.ticks_per_s = static_cast<double>(view.loop.ticks - run.rate_ticks) / since.count();
-    run.rate_ticks = view.loop.ticks;
-    run.rate_at = now;
+    in.ticks_per_s = static_cast<double>(view.loop.ticks - in.rate_ticks) / since.count();
+    in.rate_ticks = view.loop.ticks;
+    in.rate_at = now;
   }
-  view.ticks_per_s = run.ticks_per_s;
+  view.ticks_per_s = in.ticks_per_s;
   return view;
 }
 

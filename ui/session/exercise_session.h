@@ -32,7 +32,7 @@ struct SessionPlan {
   VersionId version;                         // published version; nil: the scenario's own, published at need
   SessionKind kind = SessionKind::practice;  // try_it and try_out stay out of histories and figures
   std::optional<AssignmentId> assignment;
-  std::string hand = "person";               // the user; else a scripted operator's name or a file's
+  std::string operator_name{kUserOperator};  // else the name of a scripted operator or of a file
   SessionId resumes;                         // an interrupted session to resume; nil: a new one
   std::shared_ptr<const Specimen> specimen;  // build_specimen()'s, to save the time; may be null
   std::vector<Observer*> observers;          // outlive the session
@@ -52,7 +52,7 @@ struct SessionResult {
   double seconds = 0;
   DeviceLimits device;
   double stiffness_share = 1.0;              // of the scenario's, that the device could hold
-  std::string hand;
+  std::string operator_name;
   int engine_version = kEngineVersion;
 };
 

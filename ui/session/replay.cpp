@@ -71,7 +71,7 @@ SessionResult result_of(const OpenedSession& opened) {
   result.seconds = static_cast<double>(opened.elapsed_us) * 1e-6;
   result.device = opened.session.header.device;
   result.stiffness_share = opened.session.header.stiffness_share;
-  result.hand = opened.session.operator_name;
+  result.operator_name = opened.session.operator_name;
   result.engine_version = opened.session.header.engine_version;
   return result;
 }
@@ -92,7 +92,7 @@ Outcome<void> keep_grade(Store& store, const SessionResult& result, const Rubric
 
 }  // namespace
 
-Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
+Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, Keep keep,
                              const std::optional<Actor>& grader) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
@@ -107,7 +107,7 @@ Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* o
   result.volume_hash = result.volume->hash();
   result.measures = measure(reference, *result.volume, replay->process());
   result.grade = grade(result.scenario, result.measures);
-  if (keep) {
+  if (keep == Keep::grade) {
     auto kept = keep_grade(store, result, result.scenario.rubric, replay->state().last().tick, grader);
     if (!kept) return std::unexpected(kept.error());
     result.state = SessionState::graded;
@@ -115,7 +115,7 @@ Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* o
   return result;
 }
 
-Outcome<SessionResult> open_result(Store& store, SessionId id, bool keep) {
+Outcome<SessionResult> open_result(Store& store, SessionId id, Keep keep) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
   auto graded = store.grades.newest(id);

@@ -26,7 +26,7 @@ struct OpenedSession {
   std::shared_ptr<const Scene> scene;
   std::uint64_t ticks = 0;           // stored
   std::uint64_t elapsed_us = 0;
-  bool same_engine = true;           // else inputs cannot be run again, only stored results open
+  bool same_engine = true;           // else inputs cannot be replayed, only stored results open
 };
 
 /// storage, scenario, specimen_changed or scene.
@@ -44,7 +44,7 @@ struct ReplayJump {
   std::function<bool(double share)> watch{};  // some times a second, 0 to 1 of this jump; false stops it
 };
 
-/// A session being run again. Starts before the first tick. A key state is believed only if its hash is the one that the
+/// A session being replayed. Starts before the first tick. A key state is believed only if its hash is the one that the
 /// chained second that ends there has; any other is passed over. To fill the cache in the background: a second Replay, on
 /// a thread and a Store of its own, to the end with `first_tick` and `keep`.
 class Replay {
@@ -52,7 +52,7 @@ class Replay {
   /// other_engine; storage when the trace cannot be read.
   static Outcome<Replay> open(Store& store, OpenedSession session);
 
-  /// Runs to just after `tick` (at most the last): forward from where it stands, or from a key state when that is less
+  /// Computes to just after `tick` (at most the last): forward from where it stands, or from a key state when that is less
   /// work. False: `watch` stopped it, and it stands at state().
   Outcome<bool> to(std::uint64_t tick, const ReplayJump& jump = {});
   void add(Observer& observer) { observers_.push_back(&observer); }  // sees the state after each to()
@@ -62,8 +62,8 @@ class Replay {
   const std::vector<StepInput>& inputs() const noexcept { return inputs_; }
   /// Of every tick from the first on, unless a jump began at the nearest key state.
   const Process& process() const noexcept { return process_; }
-  /// Ticks that to() has run since open(): what jumps cost, without a clock.
-  std::uint64_t ticks_run() const noexcept { return ticks_run_; }
+  /// Ticks that to() has computed since open(): what jumps cost, without a clock.
+  std::uint64_t ticks_computed() const noexcept { return ticks_computed_; }
 
  private:
   /// The end of a recorded second.
@@ -77,11 +77,13 @@ class Replay {
   Outcome<void> read_marks();
   void look_into_cache();
   std::optional<KeyState> key_state_at(std::uint64_t tick, Mark& mark);
-  bool restore_nearest(std::uint64_t target, std::uint64_t after, bool with_process);
+  bool restore_nearest(std::uint64_t target, std::uint64_t after, ReplayFrom from);
   void keep_key_state(Mark& mark);
   bool run(std::uint64_t target, const ReplayJump& jump);
   void begin_anew();
-  void show(bool first);
+  /// Which bricks the observers hear of: the cut ones that changed, or every cut one after a jump.
+  enum class Shown : std::uint8_t { changed, all };
+  void show(Shown bricks);
 
   Store* store_;
   OpenedSession session_;
@@ -91,20 +93,22 @@ class Replay {
   Process process_;
   std::vector<Observer*> observers_;
   std::vector<std::uint32_t> shown_revision_;
-  std::uint64_t ticks_run_ = 0;
+  std::uint64_t ticks_computed_ = 0;
   bool whole_ = true;          // process_ is of every tick from the first on
-  bool computed_ = true;       // and every one of them was run here
+  bool computed_ = true;       // and every one of them was computed here
   bool cache_refuses_ = false;
   bool shown_ = false;
 };
 
-/// What stands in the database of a session: grade and final volume, without running it again. An interrupted one without
-/// a final volume is rebuilt; one that was never graded is graded as it stands, and that is stored when `keep`.
-Outcome<SessionResult> open_result(Store& store, SessionId id, bool keep = false);
+/// What a grading leaves in the database. `grade`: the grade, and the final volume of an interrupted session.
+enum class Keep : std::uint8_t { nothing, grade };
 
-/// Rebuilds and grades, with the scenario's rubric or another one. `keep`: stores the grade (and the final volume of an
-/// interrupted session). wrong_state while the session runs.
-Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
+/// What stands in the database of a session: grade and final volume, without computing it again. An interrupted one without
+/// a final volume is rebuilt; one that was never graded is graded as it stands.
+Outcome<SessionResult> open_result(Store& store, SessionId id, Keep keep = Keep::nothing);
+
+/// Rebuilds and grades, with the scenario's rubric or another one. wrong_state while the session is running.
+Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, Keep keep,
                              const std::optional<Actor>& grader = std::nullopt);
 
 /// Proof of one session, in order: rows and chain (storage), each second's state hash, volume and grade bit for bit.

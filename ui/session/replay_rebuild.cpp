@@ -8,7 +8,7 @@ namespace cusp::ui {
 
 namespace {
 constexpr std::uint64_t kWatchTicks = 250;
-// Less than this is run without looking for a key state that another program may have left.
+// Fewer ticks are computed without searching for a key state that another program may have left.
 constexpr std::uint64_t kWorthLooking = 1000;
 }  // namespace
 
@@ -75,7 +75,7 @@ std::optional<KeyState> Replay::key_state_at(std::uint64_t tick, Mark& mark) {
 }
 
 /// Takes the last key state in (after, target] that can be trusted.
-bool Replay::restore_nearest(std::uint64_t target, std::uint64_t after, bool with_process) {
+bool Replay::restore_nearest(std::uint64_t target, std::uint64_t after, ReplayFrom from) {
   for (auto at = marks_.upper_bound(target); at != marks_.begin();) {
     --at;
     auto& [tick, mark] = *at;
@@ -84,7 +84,7 @@ bool Replay::restore_nearest(std::uint64_t target, std::uint64_t after, bool wit
     const auto kept = key_state_at(tick, mark);
     if (!kept) continue;
     const auto process = Process::restore(kept->process);
-    if (with_process && !process) continue;
+    if (from == ReplayFrom::whole_process && !process) continue;
     auto restored = StepState::restore(session_.scene, kept->state);
     if (!restored || restored->last().tick != tick || restored->hash() != mark.state_hash) {
       store_->key_states.drop(session_.session.id, tick);
@@ -114,7 +114,7 @@ bool Replay::run(std::uint64_t target, const ReplayJump& jump) {
   for (std::uint64_t at = begin; at < target;) {
     process_.add(step(*state_, inputs_[static_cast<std::size_t>(at)]));
     ++at;
-    ++ticks_run_;
+    ++ticks_computed_;
     if (mark != marks_.end() && mark->first == at) {
       if (jump.keep) keep_key_state(mark->second);
       ++mark;
@@ -135,26 +135,27 @@ Outcome<bool> Replay::to(std::uint64_t tick, const ReplayJump& jump) {
   bool jumped = false;
   if (jump.from != ReplayFrom::first_tick) {
     if (anew || target - here > kWorthLooking) look_into_cache();
-    jumped = restore_nearest(target, anew ? 0 : here, jump.from == ReplayFrom::whole_process);
+    jumped = restore_nearest(target, anew ? 0 : here, jump.from);
   }
   if (anew && !jumped) {
     begin_anew();
     jumped = true;
   }
   const bool arrived = run(target, jump);
-  show(jumped || !shown_);
+  show(jumped || !shown_ ? Shown::all : Shown::changed);
   return arrived;
 }
 
-void Replay::show(bool first) {
+void Replay::show(Shown bricks) {
+  const bool all = bricks == Shown::all;
   std::vector<std::int32_t> changed;
   for (const std::int32_t brick : state_->volume().cut_bricks()) {
     std::uint32_t& shown = shown_revision_[static_cast<std::size_t>(brick)];
     const std::uint32_t revision = state_->volume().revision(brick);
-    if (revision != shown || first) changed.push_back(brick);
+    if (revision != shown || all) changed.push_back(brick);
     shown = revision;
   }
-  const StateNews news{changed, 0, first, false};
+  const StateNews news{changed, 0, all, false};
   for (Observer* observer : observers_) observer->on_state(*state_, news);
   shown_ = true;
 }

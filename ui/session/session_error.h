@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <expected>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include "engine/base/haptic_port.h"
+#include "engine/base/result.h"
 #include "scenarios/format/format_error.h"
 #include "scenarios/import/import_error.h"
 #include "storage/base/error.h"
@@ -43,7 +43,7 @@ struct SessionFailure {
 };
 
 template <class T>
-using Outcome = std::expected<T, SessionFailure>;
+using Outcome = Result<T, SessionFailure>;
 
 inline std::unexpected<SessionFailure> session_fail(SessionError code, std::string where, std::string detail = {}) {
   return std::unexpected(SessionFailure{code, std::move(where), std::move(detail), {}});

@@ -122,7 +122,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   row.version = *version;
   row.kind = plan.kind;
   row.assignment = plan.assignment;
-  row.operator_name = plan.hand;
+  row.operator_name = plan.operator_name;
   row.header.build = build_info();
   row.header.device = device;
   row.header.guard = setup.scene->guard;
@@ -162,7 +162,7 @@ Hash256 rubric_hash(const Rubric& rubric) {
 namespace {
 
 /// Final volume, event and grade, each in its own transaction. What passes by itself is waited for; a second try after
-/// any failure goes on where the first stopped.
+/// any failure continues where the first stopped.
 Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume, SessionEnd end) {
   const std::string reason(key_of(end));
   const auto now = write_patiently({}, [&] { return store.sessions.state(session); });
@@ -193,7 +193,7 @@ Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& set
   result.seconds = process.time_s();
   result.device = setup.device;
   result.stiffness_share = setup.stiffness_share;
-  result.hand = plan.hand;
+  result.operator_name = plan.operator_name;
   result.interrupted = interrupts(end);
   result.measures = measure(*setup.reference, *result.volume, process);
   result.grade = grade(plan.scenario, result.measures);

@@ -32,22 +32,22 @@ QString burs_text(const Scenario& scenario) {
 
 void show_covering(QLabel* label, const QImage& image, double radius) {
   const qreal ratio = label->devicePixelRatioF();
-  const QSize room = label->size() * ratio;
-  if (room.isEmpty()) return;
-  QImage scaled = image.scaled(room, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QSize size = label->size() * ratio;
+  if (size.isEmpty()) return;
+  QImage scaled = image.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   if (scaled.isNull()) {
     // The picture is not drawn yet: the colour behind the tooth.
-    scaled = QImage(room, QImage::Format_RGB32);
+    scaled = QImage(size, QImage::Format_RGB32);
     scaled.fill(tokens().view_middle);
   }
-  QPixmap out(room);
+  QPixmap out(size);
   out.fill(Qt::transparent);
   QPainter painter(&out);
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath clip;
-  clip.addRoundedRect(QRectF(QPointF(), room), radius * ratio, radius * ratio);
+  clip.addRoundedRect(QRectF(QPointF(), size), radius * ratio, radius * ratio);
   painter.setClipPath(clip);
-  painter.drawImage((room.width() - scaled.width()) / 2, (room.height() - scaled.height()) / 2, scaled);
+  painter.drawImage((size.width() - scaled.width()) / 2, (size.height() - scaled.height()) / 2, scaled);
   painter.end();
   out.setDevicePixelRatio(ratio);
   label->setPixmap(out);
@@ -131,7 +131,7 @@ void Briefing::add_facts(QVBoxLayout& text) {
     facts->addRow(make_label(name, TextRole::body, Weight::regular, "text2"), label);
   };
   fact(tr("Burs"), burs_text(s));
-  fact(tr("Wanted depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
+  fact(tr("Required depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
   fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
@@ -176,7 +176,7 @@ QWidget* Briefing::make_keys() {
 }
 
 void Briefing::show_picture() {
-  show_covering(picture_, pictures_.picture(exercise_, folder_, ThumbnailCache::Use::card, tokens().dark), px(8));
+  show_covering(picture_, pictures_.picture(exercise_, folder_, ThumbnailCache::Use::card), px(8));
 }
 
 }  // namespace cusp::ui

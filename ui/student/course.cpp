@@ -77,7 +77,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
       if (a.version != row.exercise.version || row.assignment) continue;
       row.assignment = a.id;
       row.due_utc_us = a.due_utc_us;
-      row.goes_allowed = a.attempts_allowed;
+      row.attempts_allowed = a.attempts_allowed;
     }
     course.rows.push_back(std::move(row));
   }
@@ -111,7 +111,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
     case kKind: return kind_of(r.exercise.scenario.specimen);
     case kDue: return r.due_utc_us ? format_day(from_utc_us(*r.due_utc_us)) : tr("always open");
     case kAttempts:
-      return r.goes_allowed ? tr("%1 of %2").arg(r.attempts).arg(*r.goes_allowed) : format_number(r.attempts, 0);
+      return r.attempts_allowed ? tr("%1 of %2").arg(r.attempts).arg(*r.attempts_allowed) : format_number(r.attempts, 0);
     case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");
     default: return {};
   }

@@ -15,7 +15,7 @@ struct CourseRow {
   int attempts = 0;
   std::optional<HistoryRow> best, last;
   std::optional<std::int64_t> due_utc_us;
-  std::optional<int> goes_allowed;
+  std::optional<int> attempts_allowed;
   std::optional<AssignmentId> assignment;
 };
 

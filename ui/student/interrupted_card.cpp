@@ -39,7 +39,7 @@ Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::st
   if (!session) return std::unexpected(session.error());
   if (session->header.engine_version != kEngineVersion) return InterruptedWay::other_engine;
   if (session->operator_name != kUserOperator) return InterruptedWay::scripted;
-  return row.device_class == device_class ? InterruptedWay::go_on : InterruptedWay::other_device;
+  return row.device_class == device_class ? InterruptedWay::resume : InterruptedWay::other_device;
 }
 
 InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
@@ -57,9 +57,9 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   text->setSpacing(px(2));
   line->addLayout(text, 1);
   text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, Weight::bold));
-  QString said = how_far(store, row);
-  if (way != InterruptedWay::go_on) said += u' ' + why_not_on(way, row, device_class);
-  QLabel* what = make_label(said, TextRole::body, Weight::regular, "text2");
+  QString remark = how_far(store, row);
+  if (way != InterruptedWay::resume) remark += u' ' + why_not_on(way, row, device_class);
+  QLabel* what = make_label(remark, TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
   auto* acts = new QHBoxLayout;
@@ -67,7 +67,7 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   acts->setContentsMargins(0, px(8), 0, 0);
   text->addLayout(acts);
   const QString grade = tr("Grade as it stands");
-  if (way == InterruptedWay::go_on) {
+  if (way == InterruptedWay::resume) {
     primary_ = make_large_button(tr("Continue"), ButtonKind::primary, u"play"_qs);
     connect(primary_, &QPushButton::clicked, this, &InterruptedCard::resume_wanted);
     acts->addWidget(primary_);

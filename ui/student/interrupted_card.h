@@ -9,7 +9,7 @@ namespace cusp::ui {
 
 /// What may be done with an interrupted attempt.
 enum class InterruptedWay : std::uint8_t {
-  go_on,         // same student, engine version and device class
+  resume,        // same student, engine version and device class
   other_device,  // can only be graded: this station has another device class
   scripted,      // can only be graded: a scripted operator cut it
   other_engine,  // neither: this engine cannot replay its inputs

@@ -32,7 +32,7 @@ constexpr int kShortText = 120;  // characters: about two lines beside the pictu
 
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
 
-/// A wrapping value takes the rest of the line and goes on below.
+/// A wrapping value takes the rest of the line and wraps below.
 enum class Value { one_line, wraps };
 
 QWidget* fact(const QString& name, const QString& value, Value length = Value::one_line) {
@@ -163,13 +163,14 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));
   if (row.due_utc_us) facts->addWidget(fact(tr("Due"), format_day(moment(*row.due_utc_us))));
-  facts->addWidget(fact(tr("Attempts"), row.goes_allowed ? tr("%1 of %2 used").arg(row.attempts).arg(*row.goes_allowed)
+  facts->addWidget(fact(tr("Attempts"), row.attempts_allowed ? tr("%1 of %2 used").arg(row.attempts).arg(*row.attempts_allowed)
                                                      : format_number(row.attempts, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
                                                                        : tr("none yet")));
   facts->addWidget(fact(tr("Burs"), burs_text(s), Value::wraps), 1);
   text->addLayout(facts);
   text->addStretch();
+  text->addSpacing(px(4));
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(12));
   // One primary button a page: that of an interrupted attempt comes first.
@@ -341,7 +342,7 @@ QWidget* StartPage::make_comment() {
 
 void StartPage::show_picture() {
   if (!picture_ || !next_) return;
-  show_covering(picture_, pictures_.picture(next_->exercise, {}, ThumbnailCache::Use::card, tokens().dark), px(7));
+  show_covering(picture_, pictures_.picture(next_->exercise, {}, ThumbnailCache::Use::card), px(7));
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

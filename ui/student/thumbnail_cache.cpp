@@ -24,9 +24,9 @@ Colour linear(const QColor& c) {
   return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF()), 1.0f};
 }
 
-/// Null when told to stop.
-QImage draw(const Scenario& scenario, const std::filesystem::path& folder, ThumbnailCache::Use use, bool dark,
-            const std::atomic<bool>& stop) {
+/// Null if `stop` was set.
+QImage draw(const Scenario& scenario, const std::filesystem::path& folder, ThumbnailCache::Use use,
+            const Tokens& colours, const std::atomic<bool>& stop) {
   const auto specimen = build_specimen(scenario, folder, &stop);
   if (!specimen) return {};
   const Volume volume(*specimen);
@@ -52,9 +52,8 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Thumb
   Scene3d scene;
   scene.camera = Camera::about(0.5 * (box.low + box.high), (card ? 0.40 : 0.46) * glm::length(box.high - box.low));
   scene.camera.set_preset(PresetView::working);
-  const Tokens& t = dark ? Tokens::dark_theme() : Tokens::light();
-  scene.background_middle = linear(t.view_middle);
-  scene.background_edge = linear(t.view_edge);
+  scene.background_middle = linear(colours.view_middle);
+  scene.background_edge = linear(colours.view_edge);
   scene.show_target = card;
   scene.line_scale = 3.0f;
   if (card) picture->set_lines(look.lines(volume));
@@ -78,7 +77,8 @@ ThumbnailCache::~ThumbnailCache() {
   pool_.waitForDone();
 }
 
-QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::path& folder, Use use, bool dark) {
+QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::path& folder, Use use) {
+  const bool dark = tokens().dark;
   const QString name = QString::fromStdString(content_hash(exercise.scenario).hex()).left(32) +
                        (use == Use::card ? u"-card"_qs : u"-cover"_qs) + (dark ? u"-dark.png"_qs : u"-light.png"_qs);
   const QString file = QString::fromStdString((cache_ / name.toStdString()).string());
@@ -86,7 +86,7 @@ QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::
   if (!kept.isNull() || asked_.contains(name)) return kept;
   asked_.insert(name);
   pool_.start([this, scenario = exercise.scenario, folder, use, dark, file] {
-    const QImage drawn = draw(scenario, folder, use, dark, closing_);
+    const QImage drawn = draw(scenario, folder, use, dark ? Tokens::dark_theme() : Tokens::light(), closing_);
     if (drawn.isNull()) return;
     // Renamed when whole: a half picture is never read.
     if (!drawn.save(file + u".part"_qs, "PNG")) return;

@@ -23,8 +23,8 @@ class ThumbnailCache : public QObject {
   /// Gives up the picture that is being drawn, and does not wait for it to grow.
   ~ThumbnailCache() override;
 
-  /// The picture, or a null image: then it is being drawn, and ready() comes. Where there is no OpenGL it never comes.
-  QImage picture(const Exercise& exercise, const std::filesystem::path& folder, Use use, bool dark);
+  /// The picture in the present theme, or a null image: then it is being drawn, and ready() comes. Where there is no OpenGL it never comes.
+  QImage picture(const Exercise& exercise, const std::filesystem::path& folder, Use use);
 
  Q_SIGNALS:
   void ready();

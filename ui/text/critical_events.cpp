@@ -39,9 +39,12 @@ std::optional<Vec3> place_of(const std::string& key, const Grade& grade, const s
 }
 
 /// The pair of ways that the side names begin with: "mesio" and "disto" have no sense of their own in other languages.
-QString oblique(bool mesial, bool buccal, bool upper) {
-  if (mesial) return buccal ? Text::tr("mesiobuccal") : upper ? Text::tr("mesiopalatal") : Text::tr("mesiolingual");
-  return buccal ? Text::tr("distobuccal") : upper ? Text::tr("distopalatal") : Text::tr("distolingual");
+struct Side {
+  bool mesial, buccal, upper;  // else distal, oral, lower
+};
+QString oblique(const Side& at) {
+  if (at.mesial) return at.buccal ? Text::tr("mesiobuccal") : at.upper ? Text::tr("mesiopalatal") : Text::tr("mesiolingual");
+  return at.buccal ? Text::tr("distobuccal") : at.upper ? Text::tr("distopalatal") : Text::tr("distolingual");
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen
 }
 
 QString critical_advice(const std::string& key) {
-  if (key == "pulp_exposure") return Text::tr("Read the depth before each stroke, and stop above the wanted floor.");
+  if (key == "pulp_exposure") return Text::tr("Read the depth before each stroke, and stop at the required depth.");
   if (key == "dry_cutting") return Text::tr("Run the coolant before the bur touches the tooth.");
   return {};
 }
@@ -82,7 +85,7 @@ QString side_text(const SpecimenSource& specimen, Vec3 place_mm) {
   if (std::abs(buccal) > kMostOblique * std::abs(mesial)) {
     return buccal > 0 ? Text::tr("buccal") : upper ? Text::tr("palatal") : Text::tr("lingual");
   }
-  return oblique(mesial > 0, buccal > 0, upper);
+  return oblique({.mesial = mesial > 0, .buccal = buccal > 0, .upper = upper});
 }
 
 }  // namespace cusp::ui

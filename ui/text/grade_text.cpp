@@ -143,17 +143,17 @@ QString advice_text(const CriterionGrade& g) {
   // What was drilled too little is advised about once, by the target's own criterion.
   if (g.reason_code == "full" || g.reason_code == "not_measured" || g.reason_code == "little_drilled") return {};
   const std::string& m = g.id;
-  if (m == "target_removed") return Text::tr("Turn the view and look for what still stands inside the target line.");
+  if (m == "target_removed") return Text::tr("Turn the view and look for what remains inside the target line.");
   if (m == "overcut_leeway_floor" || m == "overcut_beyond_floor")
     return Text::tr("Lift off and read the depth before you go deeper.");
   if (m == "overcut_leeway_side" || m == "overcut_beyond_side")
     return Text::tr("Keep the bur’s edge inside the target line; push less near the walls.");
   if (m == "undercut") return Text::tr("Turn the view and clear the corners along the walls.");
   if (m.starts_with("depth_")) {
-    if (g.reason_code == "too_deep") return Text::tr("Stop pushing before the wanted depth and move sideways.");
-    return Text::tr("Go on to the wanted depth over the whole floor.");
+    if (g.reason_code == "too_deep") return Text::tr("Stop pushing at the required depth and move sideways.");
+    return Text::tr("Cut to the required depth over the whole floor.");
   }
-  if (m == "remaining_over_pulp") return Text::tr("Keep away from the pulp: stay above the wanted floor.");
+  if (m == "remaining_over_pulp") return Text::tr("Keep away from the pulp: stop at the required depth.");
   if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");
   if (m == "time") return Text::tr("Plan the way of the bur before the first cut.");
   if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");

@@ -29,14 +29,14 @@
 namespace cusp::test {
 namespace {
 
-/// A bus that says what it is told.
+/// A bus that lists what the test plugs in.
 struct Bus {
   std::vector<FoundDevice> hardware;
   bool news = true;
 };
-class ToldWatch final : public DeviceWatch {
+class TestWatch final : public DeviceWatch {
  public:
-  explicit ToldWatch(Bus& bus) : bus_(bus) {}
+  explicit TestWatch(Bus& bus) : bus_(bus) {}
   std::vector<FoundDevice> list() override { return with_software_devices(bus_.hardware); }
   bool changed() noexcept override { return std::exchange(bus_.news, false); }
 
@@ -60,8 +60,8 @@ struct Desk {
     };
     ports.pick_file = [this](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(picked); };
   }
-  std::unique_ptr<DevicePage> page(bool staff) {
-    return std::make_unique<DevicePage>(settings, ports, staff, nullptr, [this] { return std::make_unique<ToldWatch>(bus); });
+  std::unique_ptr<DevicePage> page(Role role) {
+    return std::make_unique<DevicePage>(settings, ports, role, nullptr, [this] { return std::make_unique<TestWatch>(bus); });
   }
   DeviceChoice choice() { return DeviceSettings(settings.file()).choice(); }
 };
@@ -71,7 +71,7 @@ QPushButton* button(QWidget& in, const QString& text) {
     if (b->text().trimmed() == text) return b;
   return nullptr;
 }
-bool says(QWidget& in, const QString& part) {
+bool shows(QWidget& in, const QString& part) {
   for (const QLabel* label : in.findChildren<QLabel*>())
     if (label->isVisibleTo(&in) && label->text().contains(part)) return true;
   return false;
@@ -80,7 +80,7 @@ bool says(QWidget& in, const QString& part) {
 TEST(DevicePage, lists_what_is_plugged_in_and_keeps_what_was_chosen) {
   Desk desk;
   desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}, {.kind = "falcon", .name = "FT000002", .port = "1-2"}};
-  auto page = desk.page(true);
+  auto page = desk.page(Role::instructor);
   ASSERT_EQ(page->listed().size(), 4);
   EXPECT_TRUE(page->listed()[0].contains(QStringLiteral("FT000001")));
   EXPECT_TRUE(page->listed()[1].contains(QStringLiteral("FT000002")));
@@ -92,7 +92,7 @@ TEST(DevicePage, lists_what_is_plugged_in_and_keeps_what_was_chosen) {
 
 TEST(DevicePage, a_device_is_chosen_by_a_screen_reader_as_by_a_click) {
   Desk desk;
-  auto page = desk.page(true);
+  auto page = desk.page(Role::instructor);
   QSignalSpy chosen(page.get(), &DevicePage::chosen);
   const auto buttons = page->findChildren<QRadioButton*>();  // the emulated Falcon, the mouse
   QRadioButton* emulated = nullptr;
@@ -110,13 +110,13 @@ TEST(DevicePage, a_device_is_chosen_by_a_screen_reader_as_by_a_click) {
 
 TEST(DevicePage, one_that_comes_or_goes_is_listed_without_a_click) {
   Desk desk;
-  auto page = desk.page(true);
-  EXPECT_TRUE(says(*page, QStringLiteral("No Falcon is plugged in")));
+  auto page = desk.page(Role::instructor);
+  EXPECT_TRUE(shows(*page, QStringLiteral("No Falcon is plugged in")));
   desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}};
   desk.bus.news = true;
   page->look();
   EXPECT_EQ(page->listed().size(), 3);
-  EXPECT_FALSE(says(*page, QStringLiteral("No Falcon is plugged in")));
+  EXPECT_FALSE(shows(*page, QStringLiteral("No Falcon is plugged in")));
   desk.bus.hardware.clear();
   desk.bus.news = true;
   page->look();
@@ -139,18 +139,18 @@ TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_loo
     return watch_in_background([gate] { return std::make_unique<Hanging>(gate); });
   };
   {
-    DevicePage left(desk.settings, desk.ports, true, nullptr, background);
+    DevicePage left(desk.settings, desk.ports, Role::instructor, nullptr, background);
     left.show();
     left.look();
-    EXPECT_TRUE(says(left, QStringLiteral("Looking at what is plugged in")));
+    EXPECT_TRUE(shows(left, QStringLiteral("Looking at what is plugged in")));
     left.hide();
   }
-  DevicePage page(desk.settings, desk.ports, true, nullptr, background);
+  DevicePage page(desk.settings, desk.ports, Role::instructor, nullptr, background);
   page.show();
   EXPECT_FALSE(gate->gave_up());
   gate->open();
   EXPECT_TRUE(test::eventually([&] { return page.listed().size() == 3; }));
-  EXPECT_FALSE(says(page, QStringLiteral("Looking at what is plugged in")));
+  EXPECT_FALSE(shows(page, QStringLiteral("Looking at what is plugged in")));
   page.hide();
   wait_for_dropped_tasks();
   EXPECT_FALSE(gate->gave_up());
@@ -159,7 +159,7 @@ TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_loo
 TEST(DevicePage, a_falcon_that_may_not_be_opened_comes_with_the_line_that_mends_it) {
   Desk desk;
   desk.bus.hardware = {{.kind = "falcon", .name = "1-1", .port = "1-1", .denied = true}};
-  auto page = desk.page(true);
+  auto page = desk.page(Role::instructor);
   bool there = false;
   for (const QLineEdit* line : page->findChildren<QLineEdit*>()) there = there || line->text().contains(QStringLiteral("udevadm"));
   EXPECT_TRUE(there);
@@ -168,7 +168,7 @@ TEST(DevicePage, a_falcon_that_may_not_be_opened_comes_with_the_line_that_mends_
 TEST(DevicePage, a_student_looks_and_feels_and_changes_nothing) {
   Desk desk;
   desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}};
-  auto page = desk.page(false);
+  auto page = desk.page(Role::student);
   for (const QRadioButton* pick : page->findChildren<QRadioButton*>()) EXPECT_EQ(pick->isEnabled(), pick->isChecked());
   EXPECT_TRUE(button(*page, QStringLiteral("Self-test"))->isHidden());
   EXPECT_TRUE(button(*page, QStringLiteral("Weigh the grip"))->isHidden());
@@ -178,7 +178,7 @@ TEST(DevicePage, a_student_looks_and_feels_and_changes_nothing) {
 
 TEST(DevicePage, a_firmware_file_is_checked_before_it_is_kept) {
   Desk desk;
-  auto page = desk.page(true);
+  auto page = desk.page(Role::instructor);
   desk.picked = desk.folder.filePath(QStringLiteral("no.bin"));
   std::ofstream(desk.picked.toStdString()) << "not a firmware";
   button(*page, QStringLiteral("Name the file…"))->click();
@@ -199,7 +199,7 @@ TEST(DevicePage, a_firmware_file_is_checked_before_it_is_kept) {
 TEST(DevicePage, the_trim_of_each_falcon_is_kept_under_its_name_and_can_be_taken_back) {
   Desk desk;
   desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}, {.kind = "falcon", .name = "FT000002", .port = "1-2"}};
-  auto page = desk.page(true);
+  auto page = desk.page(Role::instructor);
   page->findChildren<QRadioButton*>()[0]->click();
   auto* form = page->findChild<TrimForm*>();
   ASSERT_TRUE(form->isVisibleTo(page.get()));
@@ -233,10 +233,10 @@ TEST(DevicePage, the_trim_is_for_staff_and_for_a_real_falcon) {
   Desk desk;
   desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}};
   DeviceSettings(desk.settings.file()).choose("falcon", "FT000001");
-  EXPECT_FALSE(desk.page(true)->findChild<TrimForm*>()->parentWidget()->isHidden());
-  EXPECT_TRUE(desk.page(false)->findChild<TrimForm*>()->parentWidget()->isHidden());
+  EXPECT_FALSE(desk.page(Role::instructor)->findChild<TrimForm*>()->parentWidget()->isHidden());
+  EXPECT_TRUE(desk.page(Role::student)->findChild<TrimForm*>()->parentWidget()->isHidden());
   DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
-  EXPECT_TRUE(desk.page(true)->findChild<TrimForm*>()->parentWidget()->isHidden());
+  EXPECT_TRUE(desk.page(Role::instructor)->findChild<TrimForm*>()->parentWidget()->isHidden());
 }
 
 /// A Falcon's view with the grip there, homed.
@@ -250,24 +250,24 @@ FalconView grip_at(Vec3 place_m, std::uint8_t buttons = 0) {
 
 TEST(TrimForm, shows_under_the_hand_what_the_numbers_do) {
   TrimForm form;
-  form.show_grip(grip_at({0.010, 0.004, 0.125 - 0.006}), true);
-  EXPECT_TRUE(says(form, QStringLiteral("right 5.0 mm, up 2.0 mm, nearer -3.0 mm")) ||
-              says(form, QStringLiteral("5.0")));  // half of the hand's way
+  form.show_grip(grip_at({0.010, 0.004, 0.125 - 0.006}));
+  EXPECT_TRUE(shows(form, QStringLiteral("right 5.0 mm, up 2.0 mm, nearer -3.0 mm")) ||
+              shows(form, QStringLiteral("5.0")));  // half of the hand's way
   button(form, QStringLiteral("As it stands now"))->click();
   EXPECT_LT(glm::length(form.trim().centre_m - Vec3(0.010, 0.004, 0.119)), 1e-12);
-  form.show_grip(grip_at({0.010, 0.004, 0.119}), true);
-  EXPECT_FALSE(says(form, QStringLiteral("5.0")));
-  // The clutch holds the bur while the grip goes on, and lets it go on from there.
-  form.show_grip(grip_at({0.010, 0.004, 0.119}, falcon::status::kForward), true);
-  form.show_grip(grip_at({0.040, 0.004, 0.119}, falcon::status::kForward), true);
+  form.show_grip(grip_at({0.010, 0.004, 0.119}));
+  EXPECT_FALSE(shows(form, QStringLiteral("5.0")));
+  // The clutch holds the bur while the grip moves, and the bur then moves from there.
+  form.show_grip(grip_at({0.010, 0.004, 0.119}, falcon::status::kForward));
+  form.show_grip(grip_at({0.040, 0.004, 0.119}, falcon::status::kForward));
   EXPECT_TRUE(form.findChild<Chip*>()->isVisibleTo(&form));
-  EXPECT_FALSE(says(form, QStringLiteral("15.0")));
-  form.show_grip(grip_at({0.040, 0.004, 0.119}), true);
-  form.show_grip(grip_at({0.044, 0.004, 0.119}), true);
-  EXPECT_TRUE(says(form, QStringLiteral("2.0")));
+  EXPECT_FALSE(shows(form, QStringLiteral("15.0")));
+  form.show_grip(grip_at({0.040, 0.004, 0.119}));
+  form.show_grip(grip_at({0.044, 0.004, 0.119}));
+  EXPECT_TRUE(shows(form, QStringLiteral("2.0")));
   EXPECT_FALSE(form.findChild<Chip*>()->isVisibleTo(&form));
-  form.show_grip(grip_at({0.044, 0.004, 0.119}), false);  // not homed: nothing is known of its place
-  EXPECT_TRUE(says(form, QStringLiteral("–")));
+  form.hide_grip();
+  EXPECT_TRUE(shows(form, QStringLiteral("–")));
   EXPECT_FALSE(button(form, QStringLiteral("As it stands now"))->isEnabled());
 }
 
@@ -297,7 +297,7 @@ TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start
 TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   Desk desk;
   DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
-  auto page = desk.page(true);
+  auto page = desk.page(Role::instructor);
   page->show();
   FalconPanel* panel = page->falcon();
   QPushButton* force = button(*panel, QStringLiteral("Feel the force"));
@@ -308,13 +308,13 @@ TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   ASSERT_TRUE(force->isEnabled()) << panel->summary().toStdString();
   force->click();
   EXPECT_EQ(desk.asked.size(), 1);
-  // Nobody holds it: the force goes off by itself, and it is said.
-  for (int i = 0; i < 20000 && !says(*panel, QStringLiteral("Nothing was changed")); ++i) {
+  // Nobody holds it: the force goes off by itself, and the panel shows it.
+  for (int i = 0; i < 20000 && !shows(*panel, QStringLiteral("Nothing was changed")); ++i) {
     QTest::qWait(1);
     panel->look();
   }
-  EXPECT_TRUE(says(*panel, QStringLiteral("Nothing was changed")));
-  page->hide();  // lets go of it
+  EXPECT_TRUE(shows(*panel, QStringLiteral("Nothing was changed")));
+  page->hide();  // releases it
 }
 
 TEST(SelfTestReport, shows_what_was_measured_and_what_it_means_for_exercises) {

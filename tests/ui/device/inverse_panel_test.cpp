@@ -1,4 +1,4 @@
-// The panel over a service in miniature: it asks only when it is told to, and says what became of it.
+// The panel over a service in miniature: it asks only when asked to, and shows the answer.
 #include "tests/modules.h"
 #include "ui/device/inverse_panel.h"
 
@@ -56,7 +56,7 @@ TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
   service.set_way(FakeService::Way::silent);
   EXPECT_TRUE(eventually([&] { return panel.summary().contains("silent"); }));
   EXPECT_EQ(service.most_force_n(), 0.0);  // it only looks
-  panel.let_go();
+  panel.release();
   EXPECT_TRUE(panel.summary().contains("not asked"));
 }
 

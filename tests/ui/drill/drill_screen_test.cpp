@@ -98,7 +98,7 @@ TEST_F(Screen, speed_coolant_and_warmth_are_shown_where_the_exercise_reckons_the
       if (label->isVisible() && label->text().contains(part)) return true;
     return false;
   };
-  EXPECT_TRUE(shows(QStringLiteral("not verified"))) << "a criterion of general knowledge says so";
+  EXPECT_TRUE(shows(QStringLiteral("not verified"))) << "a criterion of general knowledge is marked";
   ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("0 rpm")); }, kPatienceMs));
   QTest::keyPress(screen.get(), Qt::Key_Space);
   ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("000 rpm")); }, kPatienceMs));
@@ -117,14 +117,14 @@ TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_s
   settings.set_volume_percent(30);
   screen->keep_sound_in(&settings);
   begin("channel-1", {"spindle-electric", "sound"});
-  // Where this machine has no output, the panel says so; the controls are the same with one.
-  bool said = false;
+  // Where this machine has no output, the panel shows it; the controls are the same with one.
+  bool shown = false;
   for (const QLabel* label : panel()->findChildren<QLabel*>())
-    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("No sound")));
+    shown = shown || (label->isVisible() && label->text().startsWith(QStringLiteral("No sound")));
   const auto* slider = panel()->findChild<QSlider*>();
   ASSERT_NE(slider, nullptr);
-  EXPECT_NE(said, slider->isVisible());
-  panel()->set_sound(true, settings.volume_percent(), settings.muted());
+  EXPECT_NE(shown, slider->isVisible());
+  panel()->set_sound({.available = true, .volume_percent = settings.volume_percent(), .muted = settings.muted()});
   EXPECT_EQ(slider->value(), 30);
   EXPECT_NE(slider->focusPolicy() & Qt::TabFocus, 0);
   QTest::keyClick(panel()->findChild<QSlider*>(), Qt::Key_Right);
@@ -155,7 +155,7 @@ TEST_F(Screen, pause_is_shown_and_the_same_key_resumes) {
   };
   ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Pause")); }, kPatienceMs));
   screen->toggle_pause();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Go on")); }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Resume")); }, kPatienceMs));
   screen->toggle_pause();
   ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Pause")); }, kPatienceMs));
 }
@@ -199,7 +199,7 @@ TEST_F(Screen, a_key_that_is_held_while_the_focus_goes_elsewhere_drills_no_longe
   };
   QTest::keyPress(screen.get(), Qt::Key_Space);
   ASSERT_TRUE(QTest::qWaitFor([&] { return push() > 0.1; }, kPatienceMs));
-  // As Tab does: the key comes up in another widget, and the screen is never told.
+  // As Tab does: the key comes up in another widget, and the screen gets no event.
   screen->findChild<BurTray*>()->findChild<QAbstractButton*>()->setFocus();
   EXPECT_TRUE(QTest::qWaitFor([&] { return push() == 0; }, kPatienceMs));
 }

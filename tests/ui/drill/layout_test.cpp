@@ -1,4 +1,4 @@
-// What the drilling screen does with little room, and in languages that are read from the right.
+// What the drilling screen does in a small window, and in languages that are read from the right.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -18,11 +18,12 @@ namespace cusp::test {
 namespace {
 
 /// Pixels of the half of `image` that differ from the same half of `empty`.
-int drawn_in(const QImage& image, const QImage& empty, bool left_half) {
+enum class Half { left, right };
+int drawn_in(Half half, const QImage& image, const QImage& empty) {
   int out = 0;
-  const int middle = image.width() / 2;
+  const int middle = image.width() / 2, first = half == Half::left ? 0 : middle, end = half == Half::left ? middle : image.width();
   for (int y = 0; y < image.height(); ++y)
-    for (int x = left_half ? 0 : middle; x < (left_half ? middle : image.width()); ++x) out += image.pixel(x, y) != empty.pixel(x, y);
+    for (int x = first; x < end; ++x) out += image.pixel(x, y) != empty.pixel(x, y);
   return out;
 }
 
@@ -34,8 +35,8 @@ TEST(DrillLayout, the_sides_of_a_section_stay_where_they_are_on_the_tooth_in_eve
     const QImage empty = section.grab().toImage();
     section.set_sides(QStringLiteral("B"), {});
     const QImage shown = section.grab().toImage();
-    EXPECT_GT(drawn_in(shown, empty, true), 5);
-    EXPECT_EQ(drawn_in(shown, empty, false), 0);
+    EXPECT_GT(drawn_in(Half::left, shown, empty), 5);
+    EXPECT_EQ(drawn_in(Half::right, shown, empty), 0);
   }
 }
 
@@ -218,9 +219,9 @@ TEST(StopCard, a_device_that_answers_again_is_shown_as_back_without_its_cable) {
   DrillStage stage;
   stage.resize(800, 600);
   stage.show();
-  const auto shown = [&stage](const char* words) {
+  const auto shown = [&stage](const char* text) {
     for (const QLabel* label : stage.findChildren<QLabel*>())
-      if (label->isVisible() && label->text().contains(QLatin1String(words))) return true;
+      if (label->isVisible() && label->text().contains(QLatin1String(text))) return true;
     return false;
   };
   LiveView live;

@@ -1,4 +1,4 @@
-// Mouse and keys to wishes of the hand, on a view without a picture (platform "offscreen").
+// Mouse and keys to wishes of the pointer, on a view without a picture (platform "offscreen").
 #include "tests/modules.h"
 #include "ui/drill/pointer_input.h"
 
@@ -52,7 +52,7 @@ TEST_F(Input, beside_the_tooth_the_bur_stays_where_it_was) {
   EXPECT_EQ(hand.wish().target_mm, before);
 }
 
-TEST_F(Input, the_left_button_drills_with_the_push_that_the_wheel_set_and_letting_go_lifts) {
+TEST_F(Input, the_left_button_drills_with_the_push_that_the_wheel_set_and_releasing_lifts) {
   Q_EMIT view.wheel_turned(240);
   EXPECT_NEAR(input->push_n(), 1.0, 1e-9);
   Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
@@ -76,11 +76,11 @@ TEST_F(Input, a_mouse_held_still_while_drilling_does_not_move_the_bur_sideways_a
   EXPECT_LT(glm::length(hand.wish().target_mm - pressed), 1e-6);
 }
 
-TEST_F(Input, whatever_takes_the_mouse_away_lets_go_at_once) {
+TEST_F(Input, whatever_takes_the_mouse_away_releases_at_once) {
   for (const QEvent::Type type : {QEvent::WindowDeactivate, QEvent::WindowBlocked, QEvent::Hide, QEvent::TouchCancel,
                                   QEvent::TabletLeaveProximity, QEvent::UngrabMouse}) {
     Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
-    input->press_key(Qt::Key_PageDown, false);
+    input->press_key(Qt::Key_PageDown);
     ASSERT_TRUE(hand.wish().cut);
     QEvent event(type);
     QApplication::sendEvent(&view, &event);
@@ -92,7 +92,7 @@ TEST_F(Input, whatever_takes_the_mouse_away_lets_go_at_once) {
   }
 }
 
-TEST_F(Input, a_button_that_was_let_go_elsewhere_lets_go_with_the_next_move) {
+TEST_F(Input, a_button_that_was_released_elsewhere_is_released_with_the_next_move) {
   Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
   Q_EMIT view.moved(px({0.1, 0, 2}), Qt::LeftButton, Qt::NoModifier);
   EXPECT_TRUE(hand.wish().cut);
@@ -101,7 +101,7 @@ TEST_F(Input, a_button_that_was_let_go_elsewhere_lets_go_with_the_next_move) {
   EXPECT_EQ(hand.wish().push_n, 0);
 }
 
-TEST_F(Input, every_step_of_a_sweep_reaches_the_hand_on_the_plane_that_was_pressed) {
+TEST_F(Input, every_step_of_a_sweep_reaches_the_pointer_on_the_plane_that_was_pressed) {
   Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
   const double height = hand.wish().target_mm.z;
   for (int i = 1; i <= 40; ++i) {
@@ -113,17 +113,17 @@ TEST_F(Input, every_step_of_a_sweep_reaches_the_hand_on_the_plane_that_was_press
 }
 
 TEST_F(Input, page_down_rests_on_the_tooth_and_page_up_lifts_off) {
-  EXPECT_TRUE(input->press_key(Qt::Key_PageDown, false));
+  EXPECT_TRUE(input->press_key(Qt::Key_PageDown));
   EXPECT_NEAR(hand.wish().push_n, 0.8, 1e-9);
   EXPECT_FALSE(hand.wish().cut);
-  input->press_key(Qt::Key_PageDown, false);
+  input->press_key(Qt::Key_PageDown);
   EXPECT_NEAR(hand.wish().push_n, 0.9, 1e-9);
-  for (int i = 0; i < 20; ++i) input->press_key(Qt::Key_PageUp, true);
+  for (int i = 0; i < 20; ++i) input->press_key(Qt::Key_PageUp, PointerInput::KeyPress::repeated);
   EXPECT_EQ(hand.wish().push_n, 0);
 }
 
 TEST_F(Input, space_drills_while_it_is_held) {
-  EXPECT_TRUE(input->press_key(Qt::Key_Space, false));
+  EXPECT_TRUE(input->press_key(Qt::Key_Space));
   EXPECT_TRUE(hand.wish().cut);
   EXPECT_NEAR(hand.wish().push_n, 0.8, 1e-9);
   input->release_key(Qt::Key_Space);
@@ -133,17 +133,17 @@ TEST_F(Input, space_drills_while_it_is_held) {
 
 TEST_F(Input, arrows_slide_the_way_that_they_point_on_the_screen) {
   const QPointF before = px(hand.wish().target_mm);
-  input->press_key(Qt::Key_Right, false);
+  input->press_key(Qt::Key_Right);
   ASSERT_TRUE(QTest::qWaitFor([&] { return px(hand.wish().target_mm).x() > before.x() + 5; }, 30'000));
   input->release_key(Qt::Key_Right);
   const QPointF there = px(hand.wish().target_mm);
   EXPECT_NEAR(there.y(), before.y(), 2.0);
-  input->press_key(Qt::Key_Up, false);
+  input->press_key(Qt::Key_Up);
   ASSERT_TRUE(QTest::qWaitFor([&] { return px(hand.wish().target_mm).y() < there.y() - 5; }, 30'000));
   input->release_key(Qt::Key_Up);
 }
 
-TEST_F(Input, the_push_stays_between_its_least_and_what_the_hand_allows) {
+TEST_F(Input, the_push_stays_between_its_least_and_what_the_pointer_allows) {
   for (int i = 0; i < 100; ++i) Q_EMIT view.wheel_turned(120);
   EXPECT_NEAR(input->push_n(), PointerHand::kMaxPushN, 1e-9);
   for (int i = 0; i < 100; ++i) Q_EMIT view.wheel_turned(-120);
@@ -151,11 +151,11 @@ TEST_F(Input, the_push_stays_between_its_least_and_what_the_hand_allows) {
 }
 
 TEST_F(Input, while_it_is_switched_off_nothing_is_wished_for) {
-  input->press_key(Qt::Key_Space, false);
+  input->press_key(Qt::Key_Space);
   input->set_enabled(false);
   EXPECT_FALSE(hand.wish().cut);
   EXPECT_EQ(hand.wish().push_n, 0);
-  EXPECT_FALSE(input->press_key(Qt::Key_Space, false));
+  EXPECT_FALSE(input->press_key(Qt::Key_Space));
   Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
   EXPECT_FALSE(hand.wish().cut);
 }

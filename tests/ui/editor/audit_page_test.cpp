@@ -29,14 +29,14 @@ EditorStart draft() {
   return start;
 }
 
-ModelResult of(const Model& model, const std::vector<AuditOperator>& hands, double score) {
+ModelResult of(const Model& model, const std::vector<AuditOperator>& operators, double score) {
   ModelResult out;
   out.cost.us_a_tick = 10.0 + 4.0 * static_cast<double>(model.scenario.phenomena.size());
   out.cost.us_more = out.cost.us_a_tick - 18.0;
   out.cost.bytes = 20'000'000;
-  for (const AuditOperator& hand : hands) {
+  for (const AuditOperator& scripted : operators) {
     ModelAttempt attempt;
-    attempt.by = hand;
+    attempt.by = scripted;
     attempt.grade.score = score;
     out.attempts.push_back(attempt);
   }
@@ -107,7 +107,7 @@ TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
   EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
 }
 
-TEST(AuditPage, a_run_that_is_stopped_leaves_the_page_as_it_was) {
+TEST(AuditPage, an_audit_that_is_stopped_leaves_the_page_as_it_was) {
   EditorModel model(draft());
   std::atomic<bool> began{false}, ended{false};
   AuditPage page(model, [&](const std::string&) -> AuditRunner {

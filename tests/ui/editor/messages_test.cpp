@@ -10,10 +10,10 @@ namespace cusp::test {
 namespace {
 
 TEST(tissues_form, a_figure_that_is_not_verified_or_was_set_here_shows_it) {
-  EXPECT_EQ(figure_note(3, 3, "M", false), QStringLiteral("usual, not verified"));
-  EXPECT_EQ(figure_note(0.5, 0.5, "paper", true), QStringLiteral("usual, from the published method"));
-  EXPECT_TRUE(figure_note(2.1, 2.1, "chun-2014", true).contains(QStringLiteral("Chun 2014")));
-  EXPECT_EQ(figure_note(2.2, 2.1, "chun-2014", true), QStringLiteral("set for this exercise"));
+  EXPECT_EQ(figure_note(3, {3, "M", false}), QStringLiteral("usual, not verified"));
+  EXPECT_EQ(figure_note(0.5, {0.5, "paper", true}), QStringLiteral("usual, from the published method"));
+  EXPECT_TRUE(figure_note(2.1, {2.1, "chun-2014", true}).contains(QStringLiteral("Chun 2014")));
+  EXPECT_EQ(figure_note(2.2, {2.1, "chun-2014", true}), QStringLiteral("set for this exercise"));
 }
 
 TEST(check_messages, every_code_of_the_checks_has_a_message) {

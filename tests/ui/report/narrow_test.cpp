@@ -38,7 +38,7 @@ TEST(ReportPage, a_narrow_window_cuts_nothing_off_at_the_side) {
   data.before_when = data.when;
   data.result.grade.criteria[1].id = "overcut_leeway_side";
   const Ports ports = Ports::of_the_system();
-  ReportPage page(data, ports, true, QStringLiteral("Back"));
+  ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
   page.resize(853, 533);  // 1280x800 at 150 %
   page.show();
   QTest::qWait(0);

@@ -160,7 +160,7 @@ TEST(ReportData, the_side_of_a_tooth_follows_its_quadrant) {
 TEST(ReportData, names_the_burs_and_their_times) {
   ReportData data = sample();
   data.result.scenario.instruments = {catalogue_bur("2")->bur, catalogue_bur("8")->bur, catalogue_bur("57")->bur};
-  EXPECT_TRUE(burs_used_text(data).isEmpty()) << "of an attempt that was not kept nothing is said";
+  EXPECT_TRUE(burs_used_text(data).isEmpty()) << "an attempt that was not kept has no text";
   BurUse use;
   const auto put = [&use](std::uint16_t bur, int seconds) {
     StepInput input;
@@ -238,7 +238,7 @@ TEST(ReportData, gathers_student_attempt_and_the_best_before_from_the_records) {
 
 TEST(ReportPage, shows_the_score_the_reasons_and_what_to_do) {
   const Ports ports = Ports::of_the_system();
-  ReportPage page(sample(), ports, true, QStringLiteral("Back"));
+  ReportPage page(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
   page.resize(1280, 800);
   page.show();
   EXPECT_EQ(page.findChild<QLabel*>(QStringLiteral("score"))->text().toStdString(), "81");
@@ -246,7 +246,7 @@ TEST(ReportPage, shows_the_score_the_reasons_and_what_to_do) {
   for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
   EXPECT_TRUE(all.contains(QStringLiteral("Floor depth, deepest: 20 points lost")));
   EXPECT_TRUE(plain(all).find("2.41 mm, 0.41 mm deeper than 2 mm.") != std::string::npos) << plain(all);
-  EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth and move sideways.")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing at the required depth and move sideways.")));
   EXPECT_EQ(page.table()->chosen_row(), 1);  // the dearest loss
   QSignalSpy again(&page, &ReportPage::try_again_wanted);
   for (QPushButton* b : page.findChildren<QPushButton*>()) {
@@ -261,14 +261,14 @@ TEST(ReportPage, an_opened_pulp_is_shown_above_everything_else) {
   data.result.grade.passed = false;
   data.critical = critical_events(data.result.grade, {}, nullptr, {});
   const Ports ports = Ports::of_the_system();
-  ReportPage page(data, ports, false, QStringLiteral("Back"));
+  ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
   page.show();
   QString all;
   for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
   EXPECT_TRUE(all.contains(QStringLiteral("The pulp was opened.")));
 }
 
-TEST(ReportPage, saves_its_paper_where_the_picker_says_and_reports_a_failure) {
+TEST(ReportPage, saves_its_paper_where_the_picker_points_and_reports_a_failure) {
   QTemporaryDir folder;
   Ports ports = Ports::of_the_system();
   QString answer = folder.filePath(QStringLiteral("report.pdf"));
@@ -276,7 +276,7 @@ TEST(ReportPage, saves_its_paper_where_the_picker_says_and_reports_a_failure) {
     EXPECT_TRUE(wish.name.endsWith(QStringLiteral(".pdf")));
     then(answer);
   };
-  ReportPage page(sample(), ports, true, QStringLiteral("Back"));
+  ReportPage page(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
   page.show();
   const auto save = [&] {
     for (QPushButton* b : page.findChildren<QPushButton*>()) {

@@ -31,28 +31,28 @@ TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   SessionPlan plan = work.plan();
   plan.observers = {&counter};
   DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-  auto run = ExerciseSession::start(plan, port);
-  ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
+  auto started = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(started) << key_of(started.error().code) << ' ' << started.error().where << ' ' << started.error().detail;
   // Panels and gauges read all the while.
   ASSERT_TRUE(eventually([&] {
-    const LiveView view = (*run)->view();
+    const LiveView view = (*started)->view();
     return view.seconds > 1.2 && view.removed_mm3[index_of(Tissue::plastic)] > 0 && view.shown_tick > 0;
   }));
-  const LiveView view = (*run)->view();
+  const LiveView view = (*started)->view();
   EXPECT_EQ(view.phase, LoopPhase::running);
   EXPECT_EQ(view.recording, RecordingState::recording);
   EXPECT_FALSE(view.mismatch);
   EXPECT_GT(view.peak_push_n, 0.0);
   EXPECT_GT(view.depth_mm, 0.0);
   EXPECT_GT(view.loop.ticks, 0u);
-  const auto result = (*run)->finish();
+  const auto result = (*started)->finish();
   ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
   EXPECT_EQ(counter.firsts, 1u);
   EXPECT_EQ(counter.lasts, 1u);
   EXPECT_EQ(counter.cut_bricks, result->volume->cut_bricks().size());
   EXPECT_EQ(port.last_force_n(), 0.0);
-  EXPECT_FALSE((*run)->finish()) << "an attempt is finished once";
-  run->reset();
+  EXPECT_FALSE((*started)->finish()) << "an attempt is finished once";
+  started->reset();
 
   const auto store = work.store();
   const auto proof = prove_session(*store, result->session);
@@ -94,20 +94,20 @@ TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
 TEST(ExerciseSession, PausedItsClockStandsStill) {
   const Workplace work;
   DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-  auto run = ExerciseSession::start(work.plan(), port);
-  ASSERT_TRUE(run);
-  ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > 0.1; }));
-  (*run)->pause();
-  ASSERT_TRUE(eventually([&] { return (*run)->view().phase == LoopPhase::paused; }));
-  const double at = (*run)->view().seconds;
+  auto started = ExerciseSession::start(work.plan(), port);
+  ASSERT_TRUE(started);
+  ASSERT_TRUE(eventually([&] { return (*started)->view().seconds > 0.1; }));
+  (*started)->pause();
+  ASSERT_TRUE(eventually([&] { return (*started)->view().phase == LoopPhase::paused; }));
+  const double at = (*started)->view().seconds;
   const auto written = port.writes();
   ASSERT_TRUE(eventually([&] { return port.writes() > written + 30; }));
-  EXPECT_EQ((*run)->view().seconds, at);
+  EXPECT_EQ((*started)->view().seconds, at);
   EXPECT_EQ(port.last_force_n(), 0.0);
-  (*run)->change_bur(1);
-  (*run)->resume();
-  EXPECT_TRUE(eventually([&] { return (*run)->view().seconds > at && (*run)->view().output.bur == 1; }));
-  EXPECT_TRUE((*run)->finish());
+  (*started)->change_bur(1);
+  (*started)->resume();
+  EXPECT_TRUE(eventually([&] { return (*started)->view().seconds > at && (*started)->view().output.bur == 1; }));
+  EXPECT_TRUE((*started)->finish());
 }
 
 TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
@@ -115,14 +115,14 @@ TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   SessionId session;
   {
     DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-    auto run = ExerciseSession::start(work.plan(), port);
-    ASSERT_TRUE(run);
-    session = (*run)->session();
-    ASSERT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
+    auto started = ExerciseSession::start(work.plan(), port);
+    ASSERT_TRUE(started);
+    session = (*started)->session();
+    ASSERT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
   }
   const auto store = work.store();
   EXPECT_EQ(store->sessions.state(session), SessionState::interrupted);
-  const auto graded = grade_session(*store, session, nullptr, true);
+  const auto graded = grade_session(*store, session, nullptr, Keep::grade);
   ASSERT_TRUE(graded) << key_of(graded.error().code) << graded.error().where;
   EXPECT_TRUE(graded->interrupted);
   EXPECT_TRUE(store->traces.final_volume(session)->has_value());
@@ -137,28 +137,28 @@ TEST(ExerciseSession, AnInterruptedAttemptGoesOnWithItsToothAndItsClock) {
   double before = 0, taken = 0;
   {
     DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-    auto run = ExerciseSession::start(work.plan(), port);
-    ASSERT_TRUE(run);
-    session = (*run)->session();
-    ASSERT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
-    (*run)->abandon();
-    before = (*run)->view().seconds;
-    taken = (*run)->view().removed_mm3[index_of(Tissue::plastic)];
+    auto started = ExerciseSession::start(work.plan(), port);
+    ASSERT_TRUE(started);
+    session = (*started)->session();
+    ASSERT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
+    (*started)->abandon();
+    before = (*started)->view().seconds;
+    taken = (*started)->view().removed_mm3[index_of(Tissue::plastic)];
   }
   SessionPlan plan = work.plan();
   plan.resumes = session;
   DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-  auto run = ExerciseSession::start(plan, port);
-  ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
-  EXPECT_EQ((*run)->session(), session);
+  auto started = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(started) << key_of(started.error().code) << ' ' << started.error().where << ' ' << started.error().detail;
+  EXPECT_EQ((*started)->session(), session);
   // It waits for the operator, whose hand is elsewhere than the record ends.
-  ASSERT_TRUE(eventually([&] { return (*run)->view().phase == LoopPhase::paused; }));
-  EXPECT_EQ((*run)->view().fault, Fault::none);
-  (*run)->resume();
-  ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > before + 0.05; }));
-  EXPECT_EQ((*run)->view().fault, Fault::none);
-  EXPECT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] >= taken; }));
-  const auto result = (*run)->finish();
+  ASSERT_TRUE(eventually([&] { return (*started)->view().phase == LoopPhase::paused; }));
+  EXPECT_EQ((*started)->view().fault, Fault::none);
+  (*started)->resume();
+  ASSERT_TRUE(eventually([&] { return (*started)->view().seconds > before + 0.05; }));
+  EXPECT_EQ((*started)->view().fault, Fault::none);
+  EXPECT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] >= taken; }));
+  const auto result = (*started)->finish();
   ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
   const auto store = work.store();
   const auto proof = prove_session(*store, session);
@@ -179,10 +179,10 @@ TEST(ExerciseSession, APortThatDoesNotOpenLeavesNoSession) {
   };
   const Workplace work;
   Absent port;
-  const auto run = ExerciseSession::start(work.plan(), port);
-  ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().code, SessionError::device);
-  EXPECT_EQ(std::get<PortError>(run.error().cause), PortError::not_found);
+  const auto started = ExerciseSession::start(work.plan(), port);
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().code, SessionError::device);
+  EXPECT_EQ(std::get<PortError>(started.error().cause), PortError::not_found);
   EXPECT_TRUE(work.store()->history.list(work.demo.actor())->empty());
 }
 

@@ -44,7 +44,7 @@ TEST(Replay, JumpsByKeyStatesToTheSameStateAsTickByTick) {
     EXPECT_EQ(whole->state().hash(), jumping->state().hash()) << "tick " << tick;
   }
   // 200, 700, 1, 400 and 4999 after a key state or the start.
-  EXPECT_EQ(jumping->ticks_run(), 200u + 700u + 1u + 400u + 4999u);
+  EXPECT_EQ(jumping->ticks_computed(), 200u + 700u + 1u + 400u + 4999u);
 }
 
 TEST(Replay, AJumpWithoutACacheFillsItAndTheNextOneIsShort) {
@@ -58,13 +58,13 @@ TEST(Replay, AJumpWithoutACacheFillsItAndTheNextOneIsShort) {
   const auto opened = open_session(*store, result->session);
   auto cold = Replay::open(*store, *opened);
   ASSERT_TRUE(cold->to(15'400, kKeeping));
-  EXPECT_EQ(cold->ticks_run(), 15'400u);
+  EXPECT_EQ(cold->ticks_computed(), 15'400u);
   EXPECT_EQ(store->key_states.ticks(result->session), (std::vector<std::uint64_t>{5000, 10'000, 15'000}));
   auto warm = Replay::open(*store, *opened);
   for (const std::uint64_t tick : {15'400u, 9000u, 11'000u, 5100u}) {
-    const std::uint64_t before = warm->ticks_run();
+    const std::uint64_t before = warm->ticks_computed();
     ASSERT_TRUE(warm->to(tick));
-    EXPECT_LT(warm->ticks_run() - before, 5000u) << tick;
+    EXPECT_LT(warm->ticks_computed() - before, 5000u) << tick;
   }
   ASSERT_TRUE(cold->to(5100, kOnlyInputs));
   EXPECT_EQ(cold->state().hash(), warm->state().hash());
@@ -97,7 +97,7 @@ TEST(Replay, ALongJumpReportsHowFarItIsAndStopsWhenAsked) {
   EXPECT_LT(stands, 3000u);
   const auto on = replay->to(3000);
   ASSERT_TRUE(on && *on);
-  EXPECT_EQ(replay->ticks_run(), 3000u) << "it went on from where it stood";
+  EXPECT_EQ(replay->ticks_computed(), 3000u) << "it continued from where it stood";
   auto whole = Replay::open(*store, *open_session(*store, result->session));
   ASSERT_TRUE(whole->to(3000, kOnlyInputs));
   EXPECT_EQ(whole->state().hash(), replay->state().hash());
@@ -119,7 +119,7 @@ TEST(Replay, KeyStatesInTheDatabaseOfOlderProgramsAreUsedWhenTheirHashIsTheChain
   const auto opened = open_session(*store, result->session);
   auto replay = Replay::open(*store, *opened);
   ASSERT_TRUE(replay->to(10'200, kKeeping));
-  EXPECT_EQ(replay->ticks_run(), 5200u);
+  EXPECT_EQ(replay->ticks_computed(), 5200u);
   EXPECT_EQ(store->key_states.ticks(result->session), std::vector<std::uint64_t>{10'000}) << "only what is missing";
   auto whole = Replay::open(*store, *opened);
   ASSERT_TRUE(whole->to(10'200, kOnlyInputs));
@@ -137,7 +137,7 @@ TEST(Replay, ACacheThatCannotBeWrittenChangesNothing) {
   EXPECT_TRUE(prove_session(*store, result->session)->holds());
   auto replay = Replay::open(*store, *open_session(*store, result->session));
   ASSERT_TRUE(replay->to(5200, kKeeping));
-  EXPECT_EQ(replay->ticks_run(), 5200u);
+  EXPECT_EQ(replay->ticks_computed(), 5200u);
 }
 
 TEST(Replay, ItsObserversAreNotifiedOfEveryBrickThatAJumpChanged) {
@@ -203,7 +203,7 @@ TEST(Replay, AnotherRubricGradesTheSameToothOtherwiseAndKeepsNothingUnlessAsked)
   Rubric strict = work.plan().scenario.rubric;
   strict.pass = 100;
   strict.criteria.resize(1);
-  const auto graded = grade_session(*store, result->session, &strict, false);
+  const auto graded = grade_session(*store, result->session, &strict, Keep::nothing);
   ASSERT_TRUE(graded);
   EXPECT_EQ(graded->volume_hash, result->volume_hash);
   EXPECT_EQ(graded->grade.criteria.size(), 1u);

@@ -1,4 +1,4 @@
-/// Attempts that end with their process: from the newest key state that can be trusted they go on as if nothing had been.
+/// Attempts that end with their process: from the newest key state that can be trusted they resume as if nothing had happened.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -21,7 +21,7 @@ using test::Workplace;
 constexpr std::uint64_t kTicks = 13'400;
 constexpr std::uint64_t kKilledAtUs = 12'000'000;
 
-/// The same hand, from after `tick` on.
+/// The same operator, from after `tick` on.
 class LaterPort : public DrillingPort {
  public:
   LaterPort(std::uint64_t tick, std::uint64_t ticks) : DrillingPort(ticks) {
@@ -101,7 +101,7 @@ void expect_same_as_uninterrupted(const Workplace& work, SessionId session) {
 std::uint64_t ticks_to_resume(Store& store, SessionId session) {
   auto replay = Replay::open(store, *open_session(store, session));
   EXPECT_TRUE(replay->to(UINT64_MAX, {.from = ReplayFrom::whole_process}));
-  return replay->ticks_run();
+  return replay->ticks_computed();
 }
 
 TEST(Resume, AfterAKillItGoesOnFromTheNewestKeyStateBitForBit) {

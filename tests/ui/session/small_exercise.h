@@ -1,4 +1,4 @@
-/// A small exercise, a hand for it, and a database in a folder of its own: for tests of sessions.
+/// A small exercise, a scripted operator for it, and a database in a folder of its own: for tests of sessions.
 #pragma once
 
 #include <filesystem>
@@ -55,7 +55,7 @@ class Workplace {
     plan.specimen = Specimen::build(block_volume(), Reading::banded);
     plan.database = database();
     plan.student = demo.actor();
-    plan.hand = "test";
+    plan.operator_name = "test";
     return plan;
   }
   std::unique_ptr<Store> store() const { return std::move(Store::open(database(), quick_store()).value()); }

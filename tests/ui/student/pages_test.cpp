@@ -48,7 +48,7 @@ TEST_F(Pages, closing_gives_up_the_picture_that_is_being_drawn) {
     ThumbnailCache thumbnails(folder.path().toStdString());
     Exercise jaw;
     jaw.scenario = *load_builtin("class-1-36-jaw");
-    EXPECT_TRUE(thumbnails.picture(jaw, {}, ThumbnailCache::Use::card, false).isNull());
+    EXPECT_TRUE(thumbnails.picture(jaw, {}, ThumbnailCache::Use::card).isNull());
   }
   EXPECT_TRUE(QDir(folder.path()).isEmpty()) << "it was drawn to its end";
 }
@@ -75,7 +75,7 @@ TEST_F(Pages, the_start_page_shows_the_last_result_and_how_to_do_better) {
   const QString all = texts(page);
   EXPECT_TRUE(all.contains(QStringLiteral("78")));
   EXPECT_TRUE(all.contains(QStringLiteral("4 more than\nyour best before")));
-  EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth")));  // depth_most, too_deep
+  EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing at the required depth")));  // depth_most, too_deep
   EXPECT_TRUE(all.contains(QStringLiteral("Mouse and keys only, 2 attempts.")));
 }
 
@@ -131,7 +131,7 @@ TEST_F(Pages, an_opened_pulp_comes_first_in_what_to_do_next_time) {
   const QString all = texts(page);
   const auto pulp = all.indexOf(QStringLiteral("The pulp was opened"));
   ASSERT_GE(pulp, 0) << all.toStdString();
-  EXPECT_LT(pulp, all.indexOf(QStringLiteral("Stop pushing before the wanted depth")));
+  EXPECT_LT(pulp, all.indexOf(QStringLiteral("Stop pushing at the required depth")));
 }
 
 TEST_F(Pages, the_points_of_every_briefing_sum_to_a_hundred) {
@@ -171,7 +171,7 @@ TEST_F(Pages, the_list_opens_the_briefing_with_enter) {
   EXPECT_EQ(wanted->scenario.key, builtin_scenarios()[1]);
 }
 
-TEST_F(Pages, a_word_finds_its_exercises_and_enter_opens_the_first) {
+TEST_F(Pages, a_text_finds_its_exercises_and_enter_opens_the_first) {
   const Account lena = records.student("1", "Lena Brandt");
   ExercisesPage page(records.store(), lena.actor());
   page.show();
