@@ -106,9 +106,11 @@ TargetView::~TargetView() = default;
 
 void TargetView::set_centre(QWidget* widget) {
   if (centre_) centre_->deleteLater();
-  centre_ = widget;
-  if (centre_) {
-    centre_->setParent(this);
+  centre_ = nullptr;
+  if (widget) {
+    centre_ = make_panel(this);
+    (new QVBoxLayout(centre_))->addWidget(widget);
+    widget->show();
     centre_->show();
   }
   place_all();
@@ -239,8 +241,9 @@ void TargetView::place_all() {
   hint_->move(px(12), height() - hint_->height() - px(12));
   if (centre_) {
     centre_->adjustSize();
-    centre_->move((width() - centre_->width()) / 2, (height() - centre_->height()) / 2);
-    centre_->raise();
+    // Below a tooth with handles, else in the middle.
+    const int y = grown_ ? hint_->y() - centre_->height() - px(12) : (height() - centre_->height()) / 2;
+    centre_->move((width() - centre_->width()) / 2, y);
   }
   const Target& t = model_.scenario().target;
   handles_ = grown_ ? handles_of(t) : std::vector<TargetHandle>();
@@ -300,6 +303,7 @@ void TargetView::place_all() {
     if (tag && tag->isVisibleTo(this)) place_tag(tag, knobs_[i]->geometry().center());
   }
   for (HandleKnob* knob : knobs_) knob->raise();
+  if (centre_) centre_->raise();
 }
 
 void TargetView::place_tag(QLabel* tag, QPoint at) {

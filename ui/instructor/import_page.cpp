@@ -191,7 +191,10 @@ void ImportPage::show_files() {
   names_->setText(names.isEmpty() ? tr("Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS, OFF; several are put together), "
                                        "volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).")
                                   : names.join(QStringLiteral(", ")));
-  pick_->setText(mesh_form_ ? tr("Add a file…") : tr("Choose a file…"));
+  const QString pick = mesh_form_ ? tr("Add a file…") : tr("Choose a file…");
+  pick_->setText(u' ' + pick);  // as make_button: the style leaves no space after the sign
+  pick_->setAccessibleName(pick);
+  pick_->setShortcut(QKeySequence::Open);  // a new text takes the shortcut away
   pick_->setEnabled(idle);
   clear_->setVisible(!files_.empty());
   clear_->setEnabled(idle);
@@ -279,7 +282,7 @@ void ImportPage::show_size() {
     longest = std::max({size.x, size.y, size.z});
     ready = !mesh_form_->chosen().empty();
     text = ready ? tr("The specimen will be %1.").arg(size_text(size, u"mm"_qs))
-                 : tr("With this unit the file is %1. Say what each mesh is made of.").arg(size_text(size, u"mm"_qs));
+                 : tr("With this unit the file is %1. Choose the tissue of each mesh.").arg(size_text(size, u"mm"_qs));
     if (unit != 1.0) text += u' ' + tr("If its unit were a millimetre, it would be %1.").arg(size_text(mesh_form_->size(), u"mm"_qs));
   } else {
     ready = volume_form_->ready();

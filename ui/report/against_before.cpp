@@ -14,8 +14,8 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kRow = 23;  // px at 100 %
-constexpr double kMostForNames = 0.58;  // of the width: the longest German name fits in a window of 1280
+constexpr int kRow = 23, kNumber = 44;  // px at 100 %: height of a row, width of its number
+constexpr int kLeastLine = 36;          // px at 100 %: length of a line; the names take the rest at most
 
 QString with_sign(double points) {
   if (std::abs(points) < 0.05) return u"0"_qs;
@@ -49,7 +49,7 @@ double AgainstBefore::names_width() const {
   const QFontMetrics metrics(font_of(TextRole::body));
   int widest = 0;
   for (const Row& r : rows_) widest = std::max(widest, metrics.horizontalAdvance(r.name));
-  return std::min<double>(widest + px(9), width() * kMostForNames);
+  return std::min<double>(widest + px(9), width() - px(kLeastLine + kNumber + 14));
 }
 
 bool AgainstBefore::event(QEvent* event) {
@@ -68,7 +68,7 @@ void AgainstBefore::paintEvent(QPaintEvent*) {
   const Tokens& t = tokens();
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const double name = names_width(), number = px(44);
+  const double name = names_width(), number = px(kNumber);
   for (int i = 0; i < rows_.size(); ++i) {
     const Row& r = rows_[i];
     const double y = px(kRow) * (i + 0.5);
@@ -76,7 +76,7 @@ void AgainstBefore::paintEvent(QPaintEvent*) {
     p.setPen(t.text);
     const QFontMetrics metrics(p.font());
     p.drawText(QRectF(0, y - px(10), name - px(8), px(20)), Qt::AlignLeading | Qt::AlignVCenter,
-               metrics.elidedText(r.name, Qt::ElideRight, static_cast<int>(name) - px(8)));
+               metrics.elidedText(r.name, Qt::ElideMiddle, static_cast<int>(name) - px(8)));
     const double x0 = name + px(6), x1 = width() - number - px(8);
     p.setPen(QPen(t.line, px(2)));
     p.drawLine(QPointF(x0, y), QPointF(x1, y));

@@ -117,9 +117,11 @@ void paint_mark(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
   } else {
     const double y = plot.y(*d.mark);
     p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
+    const QRectF place(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit);
+    const int flags = Qt::AlignRight | Qt::AlignVCenter;
+    p.fillRect(p.boundingRect(place, flags, d.mark_text), t.surface);  // no line of the grid strikes it out
     p.setPen(t.text2);
-    p.drawText(QRectF(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit),
-               Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
+    p.drawText(place, flags, d.mark_text);
   }
 }
 

@@ -11,7 +11,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLeastName = 140;  // px at 100 %: about two short words
+constexpr int kLeastName = 140;  // px at 100 %: some 15 letters
 
 }  // namespace
 
@@ -69,7 +69,7 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QFontMetrics metrics(font), plain(font_of(TextRole::body));
   const int gap = second.isEmpty() ? 0 : px(4);
   const int second_width = second.isEmpty() ? 0 : plain.horizontalAdvance(second);
-  const QString shown = metrics.elidedText(text, Qt::ElideRight, std::max(0, cell.width() - second_width - gap));
+  const QString shown = metrics.elidedText(text, option.textElideMode, std::max(0, cell.width() - second_width - gap));
   const int first_width = metrics.horizontalAdvance(shown);
   const bool at_right = right != rtl;
   int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
@@ -143,10 +143,10 @@ void Table::updateGeometries() {
   if (model() && stretch_column_ >= 0 && stretch_column_ < head->count()) {
     int others = 0;
     for (int i = 0; i < head->count(); ++i) others += i == stretch_column_ ? 0 : head->sectionSize(i);
-    const bool room = viewport()->width() - others >= px(kLeastName);
-    const QHeaderView::ResizeMode mode = room ? QHeaderView::Stretch : QHeaderView::Fixed;
+    const bool fits = viewport()->width() - others >= px(kLeastName);
+    const QHeaderView::ResizeMode mode = fits ? QHeaderView::Stretch : QHeaderView::Fixed;
     if (head->sectionResizeMode(stretch_column_) != mode) head->setSectionResizeMode(stretch_column_, mode);
-    if (!room && head->sectionSize(stretch_column_) != px(kLeastName)) head->resizeSection(stretch_column_, px(kLeastName));
+    if (!fits && head->sectionSize(stretch_column_) != px(kLeastName)) head->resizeSection(stretch_column_, px(kLeastName));
   }
   QTableView::updateGeometries();
 }

@@ -58,7 +58,7 @@ struct ImportPageTest : ::testing::Test {
   }
   QPushButton* button(const QString& text) const {
     for (QPushButton* b : page->findChildren<QPushButton*>())
-      if (b->text() == text) return b;
+      if (b->text().trimmed() == text) return b;
     return nullptr;
   }
   QComboBox* box(const QString& name) const {
