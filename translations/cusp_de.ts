@@ -2,71 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en_US">
 <context>
-    <name>CliText</name>
-    <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>nicht bestanden</translation>
-    </message>
-</context>
-<context>
-    <name>PedalWords</name>
-    <message>
-        <source>space bar</source>
-        <translation>Leertaste</translation>
-    </message>
-    <message>
-        <source>Rudder</source>
-        <translation>Seitenruder</translation>
-    </message>
-    <message>
-        <source>Throttle</source>
-        <translation>Schubhebel</translation>
-    </message>
-    <message>
-        <source>Accelerator</source>
-        <translation>Gaspedal</translation>
-    </message>
-    <message>
-        <source>Brake</source>
-        <translation>Bremse</translation>
-    </message>
-    <message>
-        <source>Clutch</source>
-        <translation>Kupplung</translation>
-    </message>
-    <message>
-        <source>Axis %1</source>
-        <translation>Achse %1</translation>
-    </message>
-    <message>
-        <source>Switch %1</source>
-        <translation>Schalter %1</translation>
-    </message>
-    <message>
-        <source>Key %1</source>
-        <translation>Taste %1</translation>
-    </message>
-</context>
-<context>
-    <name>PinnedTooth</name>
-    <message>
-        <source>The tooth after this attempt</source>
-        <translation>Der Zahn nach diesem Versuch</translation>
-    </message>
-    <message>
-        <source>This place lies below the surface.</source>
-        <translation>Diese Stelle liegt unter der Oberfläche.</translation>
-    </message>
-    <message>
-        <source>The tooth hides this place. Turn it, or choose the row again.</source>
-        <translation>Der Zahn verdeckt diese Stelle. Drehen Sie ihn oder wählen Sie die Zeile noch einmal.</translation>
-    </message>
-</context>
-<context>
     <name>cusp::ui::AgainstBefore</name>
     <message>
         <source>%1 %2</source>
@@ -340,8 +275,8 @@
         <translation>Bohrer</translation>
     </message>
     <message>
-        <source>Wanted depth</source>
-        <translation>Gewünschte Tiefe</translation>
+        <source>Required depth</source>
+        <translation>Solltiefe</translation>
     </message>
     <message>
         <source>%1 at the floor, %2 at the sides</source>
@@ -414,27 +349,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ui::BurTray</name>
-    <message>
-        <source>Burs</source>
-        <translation>Bohrer</translation>
-    </message>
-    <message>
-        <source>[ and ]</source>
-        <translation>[ und ]</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <extracomment>Kind of bur and its diameter in mm, as &quot;round 1.0&quot;.</extracomment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Bur %1</source>
-        <translation>Bohrer %1</translation>
-    </message>
-</context>
-<context>
-    <name>cusp::ui::BurWords</name>
+    <name>cusp::ui::BurText</name>
     <message>
         <source>entry</source>
         <translation>Eröffnung</translation>
@@ -627,6 +542,26 @@
     <message>
         <source>carious lesion</source>
         <translation>kariöse Läsion</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::BurTray</name>
+    <message>
+        <source>Burs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ und ]</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>Kind of bur and its diameter in mm, as &quot;round 1.0&quot;.</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Bur %1</source>
+        <translation>Bohrer %1</translation>
     </message>
 </context>
 <context>
@@ -933,8 +868,8 @@
 <context>
     <name>cusp::ui::Cli</name>
     <message>
-        <source>This database has accounts: say with --as which one to act as.</source>
-        <translation>Diese Datenbank hat Konten: mit --as angeben, welches handelt.</translation>
+        <source>This database has accounts: --as names the one to act as.</source>
+        <translation>Diese Datenbank hat Konten: --as nennt dasjenige, das handelt.</translation>
     </message>
     <message>
         <source>Password: </source>
@@ -1020,8 +955,8 @@
         <translation>offen</translation>
     </message>
     <message>
-        <source>Say with -o where the volume is to be written.</source>
-        <translation>Mit -o angeben, wohin das Volumen geschrieben wird.</translation>
+        <source>-o VOLUME is missing: the file to write.</source>
+        <translation>-o VOLUMEN fehlt: die Datei, die geschrieben wird.</translation>
     </message>
     <message>
         <source>%1 is no axis: x, y, z, -x, -y or -z.</source>
@@ -1032,8 +967,8 @@
         <translation>%1 ist nicht NETZ=GEWEBE mit einem Gewebe wie enamel, dentine oder pulp.</translation>
     </message>
     <message>
-        <source>Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes.</source>
-        <translation>Mit --tissue NETZ=GEWEBE angeben, woraus jedes Netz besteht; --list nennt die Netze.</translation>
+        <source>--tissue MESH=TISSUE gives the tissue of each mesh; --list names the meshes.</source>
+        <translation>--tissue NETZ=GEWEBE gibt das Gewebe jedes Netzes an; --list nennt die Netze.</translation>
     </message>
     <message>
         <source>Volume to write (NRRD)</source>
@@ -1052,8 +987,8 @@
         <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
     </message>
     <message>
-        <source>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
-        <translation>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
+        <source>expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
+        <translation>expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
     </message>
     <message>
         <source>Of the scripted operator&apos;s tremor</source>
@@ -1170,8 +1105,8 @@
         <translation>Cusp: Kavitätenpräparation mit Bewertung. Ohne Befehl öffnet sich die Oberfläche.</translation>
     </message>
     <message>
-        <source>%1 (cusp VERB --help says more)</source>
-        <translation>%1 (mehr sagt cusp BEFEHL --help)</translation>
+        <source>%1 (see cusp VERB --help)</source>
+        <translation>%1 (siehe cusp BEFEHL --help)</translation>
     </message>
     <message>
         <source>There is not enough memory.</source>
@@ -1341,8 +1276,8 @@
         <translation>%1 × %2 × %3 Voxel zu %4 × %5 × %6 mm</translation>
     </message>
     <message>
-        <source>The file does not say how large a voxel is; --unit-mm does.</source>
-        <translation>Die Datei sagt nicht, wie groß ein Voxel ist; --unit-mm sagt es.</translation>
+        <source>The file does not give the size of a voxel; --unit-mm does.</source>
+        <translation>Die Datei enthält keine Voxelgröße; --unit-mm gibt sie an.</translation>
     </message>
     <message>
         <source>Grey values from %1 to %2</source>
@@ -1384,8 +1319,8 @@
         <translation>Woraus geschlossene Hohlräume eines Volumens bestehen</translation>
     </message>
     <message>
-        <source>Of a volume keep only the largest piece</source>
-        <translation>Von einem Volumen nur das größte Stück behalten</translation>
+        <source>Of a volume keep only the largest connected component</source>
+        <translation>Von einem Volumen nur die größte Zusammenhangskomponente behalten</translation>
     </message>
     <message>
         <source>Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes</source>
@@ -1396,8 +1331,8 @@
         <translation>Netze ausbessern und Löcher bis zu dieser Breite in Millimetern schließen</translation>
     </message>
     <message>
-        <source>Only tell what the file holds</source>
-        <translation>Nur sagen, was die Datei enthält</translation>
+        <source>Only list what the file holds</source>
+        <translation>Nur auflisten, was die Datei enthält</translation>
     </message>
     <message>
         <source>Choice</source>
@@ -1428,8 +1363,8 @@
         <translation>wie eingestellt</translation>
     </message>
     <message>
-        <source>This machine does not count instructions: times alone are told.</source>
-        <translation>Dieser Rechner zählt keine Befehle: Nur Zeiten werden genannt.</translation>
+        <source>This machine does not count instructions, so only times are shown.</source>
+        <translation>Dieser Rechner zählt keine Befehle, darum stehen hier nur Zeiten.</translation>
     </message>
     <message>
         <source>%1 is built in: --apply needs -o FILE for the copy.</source>
@@ -1655,8 +1590,8 @@
         <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Operateure spielen sie viele Male, was Minuten dauert</translation>
     </message>
     <message>
-        <source>Attempts of each scripted operator: expert, fair and novice</source>
-        <translation>Versuche jedes automatischen Operateurs: expert, fair und novice</translation>
+        <source>Attempts of each scripted operator: expert, competent and novice</source>
+        <translation>Versuche jedes automatischen Operateurs: expert, competent und novice</translation>
     </message>
     <message>
         <source>Let a scripted operator do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session&apos;s id</source>
@@ -1908,15 +1843,15 @@
     </message>
     <message>
         <source>Colours: uncut remainder, on target, over-cut; from -0.5 to +0.5 mm</source>
-        <translation>Farben: stehen gebliebener Rest, auf dem Ziel, zu viel abgetragen; von -0,5 bis +0,5 mm</translation>
+        <translation>Farben: nicht entfernt, auf dem Ziel, überpräpariert; von -0,5 bis +0,5 mm</translation>
     </message>
     <message>
         <source>Uncut remainder</source>
-        <translation>Stehen gebliebener Rest</translation>
+        <translation>Nicht entfernt</translation>
     </message>
     <message>
         <source>Over-cut</source>
-        <translation>Zu viel abgetragen</translation>
+        <translation>Überpräpariert</translation>
     </message>
 </context>
 <context>
@@ -2009,8 +1944,8 @@
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>%1, may be delayed</source>
@@ -2107,7 +2042,7 @@
         <translation>Zum Bohren die linke Maustaste auf dem Ziel halten</translation>
     </message>
     <message>
-        <source>Touch the target and hold the button to drill.</source>
+        <source>Touch the target and hold the button to drill</source>
         <translation>Das Ziel berühren und zum Bohren die Taste halten.</translation>
     </message>
     <message>
@@ -2127,11 +2062,11 @@
         <translation>Zurück in die Linie: %1 außerhalb</translation>
     </message>
     <message>
-        <source>%1 more down</source>
+        <source>%1 deeper</source>
         <translation>Noch %1 tiefer</translation>
     </message>
     <message>
-        <source>Deep enough, go sideways</source>
+        <source>Deep enough, move sideways</source>
         <translation>Tief genug, jetzt seitwärts</translation>
     </message>
     <message>
@@ -2139,8 +2074,8 @@
         <translation>Fast alles ist heraus: glätten, dann beenden</translation>
     </message>
     <message>
-        <source>Go on where the target still stands</source>
-        <translation>Dort weiter, wo das Ziel noch steht</translation>
+        <source>Continue where the target remains</source>
+        <translation>Weiterarbeiten, wo vom Ziel noch etwas übrig ist</translation>
     </message>
     <message>
         <source>Depth %1, push %2, %3 of the target removed. %4</source>
@@ -2546,8 +2481,8 @@
         <translation>Keine Übung passt</translation>
     </message>
     <message>
-        <source>No exercise has these words in its name.</source>
-        <translation>Keine Übung trägt diese Worte im Namen.</translation>
+        <source>No exercise has this text in its name.</source>
+        <translation>Keine Übung hat diesen Text im Namen.</translation>
     </message>
     <message>
         <source>Show all exercises</source>
@@ -2863,8 +2798,8 @@
         <translation>Wiegen</translation>
     </message>
     <message>
-        <source>All six ways were pushed. Tell the staff if one of them felt wrong.</source>
-        <translation>In alle sechs Richtungen wurde gedrückt. Fühlte sich eine falsch an, sagen Sie es dem Personal.</translation>
+        <source>All six ways were pushed. If one of them felt wrong, report it to the staff.</source>
+        <translation>In alle sechs Richtungen wurde gedrückt. Fühlte sich eine falsch an, melden Sie es dem Personal.</translation>
     </message>
     <message>
         <source>No weight fits what was held. Stand it upright, keep hands off, and weigh again.</source>
@@ -2971,6 +2906,7 @@
     </message>
     <message>
         <source>stalled, push less</source>
+        <extracomment>Turns of the bur in a minute.</extracomment>
         <translation>steht, weniger Druck</translation>
     </message>
     <message>
@@ -2997,8 +2933,8 @@
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points.</source>
-        <translation>1. Übung wählen und die Aufgabe lesen: Sie sagt, was abzutragen ist, wie tief, und was Punkte bringt.</translation>
+        <source>1. Choose an exercise and read its briefing: what to remove, how deep, and what earns points.</source>
+        <translation>1. Übung wählen und die Aufgabe lesen: was abzutragen ist, wie tief, und was Punkte bringt.</translation>
     </message>
     <message>
         <source>2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
@@ -3061,12 +2997,12 @@
         <translation>Ansichten des Zahns</translation>
     </message>
     <message>
-        <source>bur before, bur after</source>
-        <translation>Bohrer davor, Bohrer danach</translation>
+        <source>previous bur, next bur</source>
+        <translation>voriger Bohrer, nächster Bohrer</translation>
     </message>
     <message>
-        <source>pause and go on</source>
-        <translation>Pause und weiter</translation>
+        <source>pause and resume</source>
+        <translation>anhalten und fortsetzen</translation>
     </message>
     <message>
         <source>finish (asks)</source>
@@ -3077,8 +3013,8 @@
         <translation>Wie bewertet wird</translation>
     </message>
     <message>
-        <source>± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so.</source>
-        <translation>± sagt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so sagt es der Bericht.</translation>
+        <source>± shows how well a figure is known. If an edge of the marking is nearer than that, the report shows it.</source>
+        <translation>± zeigt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so zeigt es der Bericht.</translation>
     </message>
     <message>
         <source>Time earns no points.</source>
@@ -3101,20 +3037,44 @@
         <translation>3. Zum Abtragen die Leertaste oder die linke Maustaste halten. Die durchgezogene Linie ist das Ziel, die gestrichelte darum die Toleranzzone.</translation>
     </message>
     <message>
-        <source>4. Finish ends the attempt and grades it. The report says what was measured, how well it is known, and what to do next time.</source>
-        <translation>4. Beenden schließt den Versuch ab und bewertet ihn. Der Bericht sagt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
+        <source>4. Finish ends the attempt and grades it. The report shows what was measured, how well it is known, and what to do next time.</source>
+        <translation>4. Beenden schließt den Versuch ab und bewertet ihn. Der Bericht zeigt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
     </message>
     <message>
         <source>5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.</source>
         <translation>5. Jeder Versuch bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
     </message>
     <message>
-        <source>Target removed: how much of the required cavity is cut. Not removed: what of it still stands.</source>
-        <translation>Ziel abgetragen: wie viel der geforderten Kavität abgetragen ist. Nicht entfernt: was davon noch steht.</translation>
+        <source>Target removed: how much of the required cavity is cut. Not removed: what remains of it.</source>
+        <translation>Ziel abgetragen: wie viel der geforderten Kavität abgetragen ist. Nicht entfernt: was davon übrig ist.</translation>
     </message>
     <message>
         <source>Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much.</source>
         <translation>Überpräpariert: was außerhalb des Ziels abgetragen ist. In der Toleranzzone kostet es wenig, jenseits davon viel.</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
     </message>
 </context>
 <context>
@@ -3202,8 +3162,8 @@
         <translation>Das Präparat wird %1 groß.</translation>
     </message>
     <message>
-        <source>With this unit the file is %1. Say what each mesh is made of.</source>
-        <translation>Mit dieser Einheit ist die Datei %1 groß. Geben Sie an, woraus jedes Netz besteht.</translation>
+        <source>With this unit the file is %1. Choose the tissue of each mesh.</source>
+        <translation>Mit dieser Einheit ist die Datei %1 groß. Wählen Sie das Gewebe jedes Netzes.</translation>
     </message>
     <message>
         <source>Making the specimen</source>
@@ -3383,7 +3343,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ui::ImportWords</name>
+    <name>cusp::ui::ImportText</name>
     <message>
         <source>Its voxels of %1 were resampled to cubes of %2.</source>
         <translation>Seine Voxel zu %1 wurden in Würfel zu %2 umgerechnet.</translation>
@@ -3393,8 +3353,8 @@
         <translation>Seine Achsen standen schief; es wurde um %1° gedreht, seine Form ist unverändert.</translation>
     </message>
     <message>
-        <source>The file does not say how long a unit is; what was chosen was taken.</source>
-        <translation>Die Datei sagt nicht, wie lang eine Einheit ist; die gewählte gilt.</translation>
+        <source>The file does not name its unit; the chosen one was taken.</source>
+        <translation>Die Datei nennt keine Einheit; die gewählte gilt.</translation>
     </message>
     <message>
         <source>Nothing about the patient was read.</source>
@@ -3436,10 +3396,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n voxel(s) of loose pieces were left out.</source>
+        <source>%n voxel(s) of separate components were left out.</source>
         <translation>
-            <numerusform>%n Voxel loser Stücke wurde weggelassen.</numerusform>
-            <numerusform>%n Voxel loser Stücke wurden weggelassen.</numerusform>
+            <numerusform>%n Voxel getrennter Komponenten wurde weggelassen.</numerusform>
+            <numerusform>%n Voxel getrennter Komponenten wurden weggelassen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3558,7 +3518,7 @@
     </message>
     <message>
         <source>A scripted operator cut it, so it cannot be continued by hand.</source>
-        <translation>Ein Skript hat ihn gearbeitet; von Hand kann er nicht fortgesetzt werden.</translation>
+        <translation>Ein automatischer Operateur hat ihn gearbeitet; von Hand kann er nicht fortgesetzt werden.</translation>
     </message>
     <message>
         <source>Interrupted attempt</source>
@@ -3628,7 +3588,7 @@
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Let it go</source>
+        <source>Release it</source>
         <translation>Freigeben</translation>
     </message>
     <message>
@@ -3684,8 +3644,8 @@
         <translation>Keiner: Der Bohrer behält seine Achse</translation>
     </message>
     <message>
-        <source>Tells how it is turned</source>
-        <translation>Sagt, wie er gedreht ist</translation>
+        <source>Reports how it is turned</source>
+        <translation>Meldet, wie er gedreht ist</translation>
     </message>
     <message>
         <source>Pressed: %1</source>
@@ -3866,7 +3826,7 @@
 <context>
     <name>cusp::ui::NumberBox</name>
     <message>
-        <source>%1 does not go with the rest of the exercise. It stays at %2.</source>
+        <source>%1 does not fit the rest of the exercise. It stays at %2.</source>
         <translation>%1 passt nicht zum Rest der Übung. Es bleibt bei %2.</translation>
     </message>
 </context>
@@ -4104,6 +4064,45 @@
     <message>
         <source>%1: connected, not used</source>
         <translation>%1: verbunden, nicht benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::PedalText</name>
+    <message>
+        <source>space bar</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Rudder</source>
+        <translation>Seitenruder</translation>
+    </message>
+    <message>
+        <source>Throttle</source>
+        <translation>Schubhebel</translation>
+    </message>
+    <message>
+        <source>Accelerator</source>
+        <translation>Gaspedal</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Bremse</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Kupplung</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>Switch %1</source>
+        <translation>Schalter %1</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>Taste %1</translation>
     </message>
 </context>
 <context>
@@ -4451,6 +4450,21 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PinnedTooth</name>
+    <message>
+        <source>The tooth after this attempt</source>
+        <translation>Der Zahn nach diesem Versuch</translation>
+    </message>
+    <message>
+        <source>This place lies below the surface.</source>
+        <translation>Diese Stelle liegt unter der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The tooth hides this place. Turn it, or choose the row again.</source>
+        <translation>Der Zahn verdeckt diese Stelle. Drehen Sie ihn oder wählen Sie die Zeile noch einmal.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::PointsForm</name>
     <message>
         <source>Points</source>
@@ -4652,19 +4666,19 @@
     </message>
     <message>
         <source>uncut remainder, 0.5 mm and more</source>
-        <translation>stehen gebliebener Rest, 0,5 mm und mehr</translation>
+        <translation>nicht entfernt, 0,5 mm und mehr</translation>
     </message>
     <message>
         <source>uncut remainder, 0.3 mm</source>
-        <translation>stehen gebliebener Rest, 0,3 mm</translation>
+        <translation>nicht entfernt, 0,3 mm</translation>
     </message>
     <message>
         <source>over-cut, 0.3 mm</source>
-        <translation>zu viel abgetragen, 0,3 mm</translation>
+        <translation>überpräpariert, 0,3 mm</translation>
     </message>
     <message>
         <source>over-cut, 0.5 mm and more</source>
-        <translation>zu viel abgetragen, 0,5 mm und mehr</translation>
+        <translation>überpräpariert, 0,5 mm und mehr</translation>
     </message>
 </context>
 <context>
@@ -4906,1041 +4920,6 @@
     <message>
         <source>Section at the bur</source>
         <translation>Schnitt am Bohrer</translation>
-    </message>
-</context>
-<context>
-    <name>cusp::ui::Sentences</name>
-    <message>
-        <source>The record is not there.</source>
-        <translation>Der Eintrag ist nicht da.</translation>
-    </message>
-    <message>
-        <source>%1 was not found. Nothing was changed.</source>
-        <translation>%1 wurde nicht gefunden. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>The database’s folder is not there.</source>
-        <translation>Den Ordner der Datenbank gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1. Make it, or choose another place with --db.</source>
-        <translation>Es gibt keinen Ordner %1. Legen Sie ihn an, oder wählen Sie mit --db einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The database cannot be made there.</source>
-        <translation>Die Datenbank lässt sich dort nicht anlegen.</translation>
-    </message>
-    <message>
-        <source>No file can be made at %1. Choose another place with --db.</source>
-        <translation>Unter %1 lässt sich keine Datei anlegen. Wählen Sie mit --db einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>This file is not a Cusp database.</source>
-        <translation>Diese Datei ist keine Cusp-Datenbank.</translation>
-    </message>
-    <message>
-        <source>%1 was left as it is. Choose another file with --db.</source>
-        <translation>%1 blieb, wie sie ist. Wählen Sie mit --db eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>This database was written by a newer version of Cusp.</source>
-        <translation>Diese Datenbank stammt von einer neueren Cusp-Version.</translation>
-    </message>
-    <message>
-        <source>%1 was left as it is. Install the newer version to open it.</source>
-        <translation>%1 blieb, wie sie ist. Zum Öffnen die neuere Version installieren.</translation>
-    </message>
-    <message>
-        <source>The database lies on a network drive.</source>
-        <translation>Die Datenbank liegt auf einem Netzlaufwerk.</translation>
-    </message>
-    <message>
-        <source>%1 would not be safe there. Move it to this computer’s own disk.</source>
-        <translation>%1 wäre dort nicht sicher. Verschieben Sie sie auf den Datenträger dieses Rechners.</translation>
-    </message>
-    <message>
-        <source>The database cannot be written.</source>
-        <translation>In die Datenbank kann nicht geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>%1 or its folder is read-only. Nothing was changed.</source>
-        <translation>%1 oder ihr Ordner ist schreibgeschützt. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>The disk is full.</source>
-        <translation>Der Datenträger ist voll.</translation>
-    </message>
-    <message>
-        <source>Nothing of the last step was written to %1; all before it is kept. Free some space and try again.</source>
-        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt. Schaffen Sie Platz und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>Nothing of the last step was written to %1; all before it is kept.</source>
-        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>Another program holds the database.</source>
-        <translation>Ein anderes Programm hält die Datenbank.</translation>
-    </message>
-    <message>
-        <source>%1 stayed as it was. Close the other program and try again.</source>
-        <translation>%1 blieb, wie sie war. Schließen Sie das andere Programm und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The database is damaged.</source>
-        <translation>Die Datenbank ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read whole. Nothing was changed; restore it from a backup.</source>
-        <translation>%1 kann nicht ganz gelesen werden. Nichts wurde geändert; stellen Sie sie aus einer Sicherung wieder her.</translation>
-    </message>
-    <message>
-        <source>Number and password do not match.</source>
-        <translation>Nummer und Passwort passen nicht zusammen.</translation>
-    </message>
-    <message>
-        <source>Check both and try again.</source>
-        <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>Too many wrong tries.</source>
-        <translation>Zu viele falsche Versuche.</translation>
-    </message>
-    <message>
-        <source>Wait a little and try again.</source>
-        <translation>Warten Sie etwas und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>Signing in is open again at %1.</source>
-        <translation>Die Anmeldung ist um %1 wieder offen.</translation>
-    </message>
-    <message>
-        <source>This account is switched off.</source>
-        <translation>Dieses Konto ist ausgeschaltet.</translation>
-    </message>
-    <message>
-        <source>Ask an administrator to switch it on again.</source>
-        <translation>Bitten Sie die Verwaltung, es wieder einzuschalten.</translation>
-    </message>
-    <message>
-        <source>Your role may not do this.</source>
-        <translation>Ihre Rolle darf das nicht.</translation>
-    </message>
-    <message>
-        <source>Nothing was changed.</source>
-        <translation>Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>This password is too short.</source>
-        <translation>Dieses Passwort ist zu kurz.</translation>
-    </message>
-    <message>
-        <source>This is the last administrator.</source>
-        <translation>Das ist die letzte Person mit Verwaltungsrechten.</translation>
-    </message>
-    <message>
-        <source>Somebody has to manage people. Make another administrator first.</source>
-        <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einer anderen diese Rolle.</translation>
-    </message>
-    <message>
-        <source>This is there already.</source>
-        <translation>Das gibt es schon.</translation>
-    </message>
-    <message>
-        <source>%1 is taken. Nothing was changed.</source>
-        <translation>%1 ist vergeben. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>A value is missing or outside its range.</source>
-        <translation>Ein Wert fehlt oder liegt außerhalb seines Bereichs.</translation>
-    </message>
-    <message>
-        <source>Look at %1. Nothing was changed.</source>
-        <translation>Sehen Sie bei %1 nach. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>The recording cannot be read.</source>
-        <translation>Die Aufzeichnung kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>The database failed.</source>
-        <translation>Die Datenbank hat versagt.</translation>
-    </message>
-    <message>
-        <source>This exercise cannot be read.</source>
-        <translation>Diese Übung kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>The file %1 cannot be opened.</source>
-        <translation>Die Datei %1 lässt sich nicht öffnen.</translation>
-    </message>
-    <message>
-        <source>%1 is larger than any exercise.</source>
-        <translation>%1 ist größer als jede Übung.</translation>
-    </message>
-    <message>
-        <source>The text breaks off or is malformed at %1.</source>
-        <translation>Der Text bricht bei %1 ab oder ist dort fehlerhaft.</translation>
-    </message>
-    <message>
-        <source>%1 stands there twice.</source>
-        <translation>%1 steht zweimal da.</translation>
-    </message>
-    <message>
-        <source>%1 was written by a newer version of Cusp (format %2).</source>
-        <translation>%1 stammt von einer neueren Cusp-Version (Format %2).</translation>
-    </message>
-    <message>
-        <source>%1 is not known.</source>
-        <translation>%1 ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>%1 is missing.</source>
-        <translation>%1 fehlt.</translation>
-    </message>
-    <message>
-        <source>%1 has to be: %2.</source>
-        <translation>%1 muss sein: %2.</translation>
-    </message>
-    <message>
-        <source>%1 has to lie in %2.</source>
-        <translation>%1 muss in %2 liegen.</translation>
-    </message>
-    <message>
-        <source>%1 is not a number.</source>
-        <translation>%1 ist keine Zahl.</translation>
-    </message>
-    <message>
-        <source>%1 is not an identity.</source>
-        <translation>%1 ist keine Kennung.</translation>
-    </message>
-    <message>
-        <source>%1 names no language, or English is missing.</source>
-        <translation>%1 nennt keine Sprache, oder Englisch fehlt.</translation>
-    </message>
-    <message>
-        <source>%1 leads out of the exercise’s folder.</source>
-        <translation>%1 führt aus dem Ordner der Übung hinaus.</translation>
-    </message>
-    <message>
-        <source>%1 is named twice.</source>
-        <translation>%1 ist zweimal genannt.</translation>
-    </message>
-    <message>
-        <source>%1 names something that is not known.</source>
-        <translation>%1 nennt etwas, das nicht bekannt ist.</translation>
-    </message>
-    <message>
-        <source>%1 names something that is not known: %2.</source>
-        <translation>%1 nennt etwas, das nicht bekannt ist: %2.</translation>
-    </message>
-    <message>
-        <source>No exercise called %1 comes with the program.</source>
-        <translation>Eine Übung namens %1 liegt dem Programm nicht bei.</translation>
-    </message>
-    <message>
-        <source>This file cannot be read.</source>
-        <translation>Diese Datei kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>There is no file %1.</source>
-        <translation>Es gibt keine Datei %1.</translation>
-    </message>
-    <message>
-        <source>This file cannot be read or written.</source>
-        <translation>Diese Datei kann nicht gelesen oder geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is of a kind that is not read here.</source>
-        <translation>%1 ist von einer Art, die hier nicht gelesen wird.</translation>
-    </message>
-    <message>
-        <source>Its head is wrong at %1.</source>
-        <translation>Ihr Kopf ist bei %1 falsch.</translation>
-    </message>
-    <message>
-        <source>It uses %1, which is not read here.</source>
-        <translation>Sie verwendet %1, das hier nicht gelesen wird.</translation>
-    </message>
-    <message>
-        <source>The sizes at %1 make no volume.</source>
-        <translation>Die Größen bei %1 ergeben kein Volumen.</translation>
-    </message>
-    <message>
-        <source>The axes at %1 are oblique or not known.</source>
-        <translation>Die Achsen bei %1 sind schief oder nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>%1 names no tissue.</source>
-        <translation>%1 nennt kein Gewebe.</translation>
-    </message>
-    <message>
-        <source>%1 ends too early. Copy it again.</source>
-        <translation>%1 endet zu früh. Kopieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 is damaged. Copy it again.</source>
-        <translation>%1 ist beschädigt. Kopieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>%1 is larger than the limits allow.</source>
-        <translation>%1 ist größer, als die Grenzen erlauben.</translation>
-    </message>
-    <message>
-        <source>%1 holds nothing solid.</source>
-        <translation>%1 enthält nichts Festes.</translation>
-    </message>
-    <message>
-        <source>%1 holds no surface.</source>
-        <translation>%1 enthält keine Oberfläche.</translation>
-    </message>
-    <message>
-        <source>There is no part called %1.</source>
-        <translation>Es gibt keinen Teil namens %1.</translation>
-    </message>
-    <message>
-        <source>The part %1 encloses nothing.</source>
-        <translation>Der Teil %1 umschließt nichts.</translation>
-    </message>
-    <message>
-        <source>The part %1 cuts itself.</source>
-        <translation>Der Teil %1 schneidet sich selbst.</translation>
-    </message>
-    <message>
-        <source>An option does not fit.</source>
-        <translation>Eine Angabe passt nicht.</translation>
-    </message>
-    <message>
-        <source>Reading %1 broke off.</source>
-        <translation>Das Lesen von %1 brach ab.</translation>
-    </message>
-    <message>
-        <source>Reading %1 took longer than allowed.</source>
-        <translation>Das Lesen von %1 dauerte länger als erlaubt.</translation>
-    </message>
-    <message>
-        <source>Reading %1 wanted more memory than allowed.</source>
-        <translation>Das Lesen von %1 brauchte mehr Speicher als erlaubt.</translation>
-    </message>
-    <message>
-        <source>Reading was cancelled.</source>
-        <translation>Das Lesen wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Reading could not be started.</source>
-        <translation>Das Lesen konnte nicht begonnen werden.</translation>
-    </message>
-    <message>
-        <source>Specimens of the kind %1 are not known.</source>
-        <translation>Präparate der Art %1 sind nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>The device was not found.</source>
-        <translation>Das Gerät wurde nicht gefunden.</translation>
-    </message>
-    <message>
-        <source>%1 is not connected. Check cable and power.</source>
-        <translation>%1 ist nicht verbunden. Prüfen Sie Kabel und Strom.</translation>
-    </message>
-    <message>
-        <source>This user may not open the device.</source>
-        <translation>Dieser Benutzer darf das Gerät nicht öffnen.</translation>
-    </message>
-    <message>
-        <source>%1 refused.</source>
-        <translation>%1 lehnte ab.</translation>
-    </message>
-    <message>
-        <source>Another program holds the device.</source>
-        <translation>Ein anderes Programm hält das Gerät.</translation>
-    </message>
-    <message>
-        <source>Close it and try %1 again.</source>
-        <translation>Schließen Sie es und versuchen Sie %1 noch einmal.</translation>
-    </message>
-    <message>
-        <source>The script cannot be read.</source>
-        <translation>Das Skript kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>Look at %1.</source>
-        <translation>Sehen Sie bei %1 nach.</translation>
-    </message>
-    <message>
-        <source>The device does not answer.</source>
-        <translation>Das Gerät antwortet nicht.</translation>
-    </message>
-    <message>
-        <source>%1: check cable and power.</source>
-        <translation>%1: Kabel und Strom prüfen.</translation>
-    </message>
-    <message>
-        <source>The device failed.</source>
-        <translation>Das Gerät hat versagt.</translation>
-    </message>
-    <message>
-        <source>The tooth of this exercise cannot be made.</source>
-        <translation>Der Zahn dieser Übung kann nicht erzeugt werden.</translation>
-    </message>
-    <message>
-        <source>This exercise cannot be played.</source>
-        <translation>Diese Übung kann nicht gespielt werden.</translation>
-    </message>
-    <message>
-        <source>This exercise does not admit this device.</source>
-        <translation>Diese Übung lässt dieses Gerät nicht zu.</translation>
-    </message>
-    <message>
-        <source>It is kept up to the last second before %1 failed.</source>
-        <translation>Er ist aufbewahrt bis zur letzten Sekunde, bevor %1 versagte.</translation>
-    </message>
-    <message>
-        <source>The device jumped.</source>
-        <translation>Das Gerät ist gesprungen.</translation>
-    </message>
-    <message>
-        <source>The force is off and the clock stands still. Your work is kept.</source>
-        <translation>Die Kraft ist aus und die Uhr steht. Ihre Arbeit ist aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>The device answered too late.</source>
-        <translation>Das Gerät antwortete zu spät.</translation>
-    </message>
-    <message>
-        <source>The device went quiet.</source>
-        <translation>Das Gerät ist verstummt.</translation>
-    </message>
-    <message>
-        <source>The force is off and the clock stands still. Check the cable; your work is kept.</source>
-        <translation>Die Kraft ist aus und die Uhr steht. Prüfen Sie das Kabel; Ihre Arbeit ist aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>The device sent a position that is none.</source>
-        <translation>Das Gerät sandte eine Position, die keine ist.</translation>
-    </message>
-    <message>
-        <source>Student</source>
-        <translation>Student/in</translation>
-    </message>
-    <message>
-        <source>Administrator</source>
-        <translation>Verwaltung</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>Läuft</translation>
-    </message>
-    <message>
-        <source>Interrupted</source>
-        <translation>Unterbrochen</translation>
-    </message>
-    <message>
-        <source>Not graded</source>
-        <translation>Nicht bewertet</translation>
-    </message>
-    <message>
-        <source>Graded</source>
-        <translation>Bewertet</translation>
-    </message>
-    <message>
-        <source>Closed</source>
-        <translation>Abgeschlossen</translation>
-    </message>
-    <message>
-        <source>Practice</source>
-        <translation>Training</translation>
-    </message>
-    <message>
-        <source>Assessment</source>
-        <translation>Prüfung</translation>
-    </message>
-    <message>
-        <source>Try it</source>
-        <translation>Ausprobieren</translation>
-    </message>
-    <message>
-        <source>Try-out</source>
-        <translation>Probelauf</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nichts</translation>
-    </message>
-    <message>
-        <source>Enamel</source>
-        <translation>Schmelz</translation>
-    </message>
-    <message>
-        <source>Dentine</source>
-        <translation>Dentin</translation>
-    </message>
-    <message>
-        <source>Cementum</source>
-        <translation>Wurzelzement</translation>
-    </message>
-    <message>
-        <source>Pulp</source>
-        <translation>Pulpa</translation>
-    </message>
-    <message>
-        <source>Bone</source>
-        <translation>Knochen</translation>
-    </message>
-    <message>
-        <source>Gingiva</source>
-        <translation>Gingiva</translation>
-    </message>
-    <message>
-        <source>Ligament</source>
-        <translation>Desmodont</translation>
-    </message>
-    <message>
-        <source>Amalgam</source>
-        <translation>Amalgam</translation>
-    </message>
-    <message>
-        <source>Composite</source>
-        <translation>Komposit</translation>
-    </message>
-    <message>
-        <source>Plastic</source>
-        <translation>Kunststoff</translation>
-    </message>
-    <message>
-        <source>Material %1</source>
-        <translation>Material %1</translation>
-    </message>
-    <message>
-        <source>Neighbour enamel</source>
-        <translation>Nachbarschmelz</translation>
-    </message>
-    <message>
-        <source>Neighbour dentine</source>
-        <translation>Nachbardentin</translation>
-    </message>
-    <message>
-        <source>Target removed</source>
-        <translation>Ziel abgetragen</translation>
-    </message>
-    <message>
-        <source>Floor depth, shallowest</source>
-        <translation>Bodentiefe, flachste</translation>
-    </message>
-    <message>
-        <source>Floor depth, mean</source>
-        <translation>Bodentiefe, mittlere</translation>
-    </message>
-    <message>
-        <source>Floor depth, deepest</source>
-        <translation>Bodentiefe, größte</translation>
-    </message>
-    <message>
-        <source>Dentine over pulp</source>
-        <translation>Dentin über Pulpa</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Peak push</source>
-        <translation>Höchster Druck</translation>
-    </message>
-    <message>
-        <source>Mean push</source>
-        <translation>Mittlerer Druck</translation>
-    </message>
-    <message>
-        <source>Pulp opened</source>
-        <translation>Pulpa eröffnet</translation>
-    </message>
-    <message>
-        <source>%1 removed</source>
-        <translation>%1 abgetragen</translation>
-    </message>
-    <message>
-        <source>The pulp was opened</source>
-        <translation>Die Pulpa wurde eröffnet</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>bis %1</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>Full points</source>
-        <translation>Volle Punktzahl</translation>
-    </message>
-    <message>
-        <source>Could not be measured</source>
-        <translation>Nicht messbar</translation>
-    </message>
-    <message>
-        <source>%1, %2 deeper than %3</source>
-        <translation>%1, %2 tiefer als %3</translation>
-    </message>
-    <message>
-        <source>%1, %2 short of %3</source>
-        <translation>%1, %2 flacher als %3</translation>
-    </message>
-    <message>
-        <source>%1; full points up to %2</source>
-        <translation>%1; volle Punktzahl bis %2</translation>
-    </message>
-    <message>
-        <source>%1 removed; full points from %2</source>
-        <translation>%1 abgetragen; volle Punktzahl ab %2</translation>
-    </message>
-    <message>
-        <source>%1; full points from %2</source>
-        <translation>%1; volle Punktzahl ab %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %2 point(s) lost</source>
-        <translation>
-            <numerusform>%1: %2 Punkt verloren</numerusform>
-            <numerusform>%1: %2 Punkte verloren</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Turn the view and look for what still stands inside the target line.</source>
-        <translation>Drehen Sie die Ansicht und suchen Sie, was innerhalb der Ziellinie noch steht.</translation>
-    </message>
-    <message>
-        <source>Lift off and read the depth before you go deeper.</source>
-        <translation>Heben Sie ab und lesen Sie die Tiefe, bevor Sie tiefer gehen.</translation>
-    </message>
-    <message>
-        <source>Keep the bur’s edge inside the target line; push less near the walls.</source>
-        <translation>Halten Sie den Rand des Bohrers innerhalb der Ziellinie; drücken Sie nahe den Wänden weniger.</translation>
-    </message>
-    <message>
-        <source>Turn the view and clear the corners along the walls.</source>
-        <translation>Drehen Sie die Ansicht und räumen Sie die Ecken entlang der Wände aus.</translation>
-    </message>
-    <message>
-        <source>Stop pushing before the wanted depth and move sideways.</source>
-        <translation>Drücken Sie vor der gewünschten Tiefe nicht weiter und führen Sie den Bohrer seitwärts.</translation>
-    </message>
-    <message>
-        <source>Go on to the wanted depth over the whole floor.</source>
-        <translation>Gehen Sie am ganzen Boden bis zur gewünschten Tiefe.</translation>
-    </message>
-    <message>
-        <source>Keep away from the pulp: stay above the wanted floor.</source>
-        <translation>Bleiben Sie von der Pulpa weg: über dem gewünschten Boden.</translation>
-    </message>
-    <message>
-        <source>Push less; let the bur do the work.</source>
-        <translation>Drücken Sie weniger; lassen Sie den Bohrer arbeiten.</translation>
-    </message>
-    <message>
-        <source>Plan the way of the bur before the first cut.</source>
-        <translation>Planen Sie den Weg des Bohrers vor dem ersten Abtrag.</translation>
-    </message>
-    <message>
-        <source>Take away less of it.</source>
-        <translation>Tragen Sie weniger davon ab.</translation>
-    </message>
-    <message>
-        <source>Take away more of it.</source>
-        <translation>Tragen Sie mehr davon ab.</translation>
-    </message>
-    <message>
-        <source>The device did not open.</source>
-        <translation>Das Gerät ließ sich nicht öffnen.</translation>
-    </message>
-    <message>
-        <source>The stored exercise cannot be read.</source>
-        <translation>Die gespeicherte Übung kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>The database refused.</source>
-        <translation>Die Datenbank lehnte ab.</translation>
-    </message>
-    <message>
-        <source>It was stopped at tick %1 and is not graded; the recording is kept.</source>
-        <translation>Er wurde bei Takt %1 angehalten und ist nicht bewertet; die Aufzeichnung ist aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>This computer is too slow for this exercise.</source>
-        <translation>Dieser Rechner ist zu langsam für diese Übung.</translation>
-    </message>
-    <message>
-        <source>It opens with its stored tooth and grade, but is not computed again (engine %1).</source>
-        <translation>Er öffnet sich mit gespeichertem Zahn und gespeicherter Bewertung, wird aber nicht neu berechnet (Rechenkern %1).</translation>
-    </message>
-    <message>
-        <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
-        <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>At %1 its cells are not evenly spaced.</source>
-        <translation>Bei %1 liegen ihre Zellen nicht gleichmäßig.</translation>
-    </message>
-    <message>
-        <source>The surface is open at %1 mm. Let it be mended, or close it there.</source>
-        <translation>Die Oberfläche ist bei %1 mm offen. Lassen Sie sie ausbessern oder schließen Sie sie dort.</translation>
-    </message>
-    <message>
-        <source>The surface is turned inside out at %1 mm. Let it be mended.</source>
-        <translation>Die Oberfläche ist bei %1 mm nach innen gewendet. Lassen Sie sie ausbessern.</translation>
-    </message>
-    <message>
-        <source>Cut without coolant</source>
-        <translation>Ohne Kühlung gebohrt</translation>
-    </message>
-    <message>
-        <source>Tooth warmer by (not verified)</source>
-        <translation>Zahn wärmer um (nicht gesichert)</translation>
-    </message>
-    <message>
-        <source>Tooth overheated</source>
-        <translation>Zahn überhitzt</translation>
-    </message>
-    <message>
-        <source>The tooth was overheated by cutting dry (criterion not verified)</source>
-        <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt (Grenze nicht gesichert)</translation>
-    </message>
-    <message>
-        <source>%1 without coolant; full points up to %2</source>
-        <translation>%1 ohne Kühlung; volle Punkte bis %2</translation>
-    </message>
-    <message>
-        <source>%1 warmer; full points up to %2</source>
-        <translation>%1 wärmer; volle Punkte bis %2</translation>
-    </message>
-    <message>
-        <source>Run the coolant before the bur touches the tooth.</source>
-        <translation>Kühlung einschalten, bevor der Bohrer den Zahn berührt.</translation>
-    </message>
-    <message>
-        <source>Run the coolant, push less, and lift off now and then.</source>
-        <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
-    </message>
-    <message>
-        <source>Emulated Falcon</source>
-        <translation>Nachgebildeter Falcon</translation>
-    </message>
-    <message>
-        <source>The device goes before other programs.</source>
-        <translation>Das Gerät geht vor anderen Programmen.</translation>
-    </message>
-    <message>
-        <source>Other programs may delay the device.</source>
-        <translation>Andere Programme können das Gerät aufhalten.</translation>
-    </message>
-    <message>
-        <source>This user has no right to real-time priority. An administrator can give it (rtprio).</source>
-        <translation>Dieses Benutzerkonto hat kein Recht auf Echtzeit-Vorrang. Die Verwaltung kann es geben (rtprio).</translation>
-    </message>
-    <message>
-        <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
-        <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
-    </message>
-    <message>
-        <source>mesiobuccal</source>
-        <translation>mesiobukkal</translation>
-    </message>
-    <message>
-        <source>mesiopalatal</source>
-        <translation>mesiopalatinal</translation>
-    </message>
-    <message>
-        <source>mesiolingual</source>
-        <translation>mesiolingual</translation>
-    </message>
-    <message>
-        <source>distobuccal</source>
-        <translation>distobukkal</translation>
-    </message>
-    <message>
-        <source>distopalatal</source>
-        <translation>distopalatinal</translation>
-    </message>
-    <message>
-        <source>distolingual</source>
-        <translation>distolingual</translation>
-    </message>
-    <message>
-        <source>%1 after %2 min</source>
-        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was opened after 1:12 min&quot;.</extracomment>
-        <translation>%1 nach %2 min</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>Read the depth before each stroke, and stop above the wanted floor.</source>
-        <translation>Lesen Sie vor jedem Zug die Tiefe ab und enden Sie über dem geforderten Boden.</translation>
-    </message>
-    <message>
-        <source>mesial</source>
-        <translation>mesial</translation>
-    </message>
-    <message>
-        <source>distal</source>
-        <translation>distal</translation>
-    </message>
-    <message>
-        <source>buccal</source>
-        <translation>bukkal</translation>
-    </message>
-    <message>
-        <source>palatal</source>
-        <translation>palatinal</translation>
-    </message>
-    <message>
-        <source>lingual</source>
-        <translation>lingual</translation>
-    </message>
-    <message>
-        <source>Counts only as far as the target was cut: %1</source>
-        <translation>Zählt nur so weit, wie das Ziel abgetragen wurde: %1</translation>
-    </message>
-    <message>
-        <source>What stayed intact counts only as far as the target was cut: %1.</source>
-        <translation>Was unversehrt blieb, zählt nur so weit, wie das Ziel abgetragen wurde: %1.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>This computer has too little free memory to check a password.</source>
-        <translation>Dieser Rechner hat zu wenig freien Speicher, um ein Passwort zu prüfen.</translation>
-    </message>
-    <message>
-        <source>Nothing was changed. Close other programs and try again.</source>
-        <translation>Nichts wurde geändert. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>A file could not be read or written.</source>
-        <translation>Eine Datei konnte nicht gelesen oder geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>A PIN has exactly six digits.</source>
-        <translation>Eine PIN hat genau sechs Ziffern.</translation>
-    </message>
-    <message>
-        <source>A password has at least 8 characters. Nothing was changed.</source>
-        <translation>Ein Passwort hat mindestens 8 Zeichen. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>This account is not there.</source>
-        <translation>Dieses Konto gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>This attempt is not there.</source>
-        <translation>Diesen Versuch gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>This exercise is not there.</source>
-        <translation>Diese Übung gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>A part of the records is not there.</source>
-        <translation>Ein Teil der Aufzeichnungen fehlt.</translation>
-    </message>
-    <message>
-        <source>A number has 1 to 64 characters.</source>
-        <translation>Eine Nummer hat 1 bis 64 Zeichen.</translation>
-    </message>
-    <message>
-        <source>A name has 1 to 200 characters.</source>
-        <translation>Ein Name hat 1 bis 200 Zeichen.</translation>
-    </message>
-    <message>
-        <source>Only students have a PIN.</source>
-        <translation>Nur Studierende haben eine PIN.</translation>
-    </message>
-    <message>
-        <source>A comment has 1 to 10,000 characters.</source>
-        <translation>Ein Kommentar hat 1 bis 10.000 Zeichen.</translation>
-    </message>
-    <message>
-        <source>The due date lies before the first day.</source>
-        <translation>Der Abgabetermin liegt vor dem ersten Tag.</translation>
-    </message>
-    <message>
-        <source>%1 signs in with a PIN of six digits.</source>
-        <translation>%1 meldet sich mit einer PIN aus sechs Ziffern an.</translation>
-    </message>
-    <message>
-        <source>%1 signs in with a password.</source>
-        <translation>%1 meldet sich mit einem Passwort an.</translation>
-    </message>
-    <message>
-        <source>This number or name is taken.</source>
-        <translation>Diese Nummer oder dieser Name ist vergeben.</translation>
-    </message>
-    <message>
-        <source>This attempt is not in a state that allows it.</source>
-        <translation>Dieser Versuch ist nicht in einem Zustand, der das zulässt.</translation>
-    </message>
-    <message>
-        <source>%1 is damaged; the grade and all other attempts are kept.</source>
-        <translation>%1 ist beschädigt; die Bewertung und alle anderen Versuche sind aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>Number and PIN do not match.</source>
-        <translation>Nummer und PIN passen nicht zusammen.</translation>
-    </message>
-    <message>
-        <source>Too many wrong tries for %1.</source>
-        <translation>Zu viele falsche Eingaben für %1.</translation>
-    </message>
-    <message>
-        <source>The account %1 is switched off.</source>
-        <translation>Das Konto %1 ist abgeschaltet.</translation>
-    </message>
-    <message>
-        <source>There is no account %1.</source>
-        <translation>Es gibt kein Konto %1.</translation>
-    </message>
-    <message>
-        <source>The number %1 is taken.</source>
-        <translation>Die Nummer %1 ist vergeben.</translation>
-    </message>
-    <message>
-        <source>Nothing was changed. Choose another number.</source>
-        <translation>Nichts wurde geändert. Wählen Sie eine andere Nummer.</translation>
-    </message>
-    <message>
-        <source>The records are older than they were.</source>
-        <translation>Die Aufzeichnungen sind älter, als sie waren.</translation>
-    </message>
-    <message>
-        <source>An earlier copy was put in their place, or entries were taken out: results may be missing.</source>
-        <translation>Eine frühere Kopie steht an ihrer Stelle, oder Einträge wurden entfernt: Ergebnisse können fehlen.</translation>
-    </message>
-    <message>
-        <source>The counter beside the records’ key is missing.</source>
-        <translation>Der Zähler neben dem Schlüssel der Aufzeichnungen fehlt.</translation>
-    </message>
-    <message>
-        <source>An earlier copy of the records put in their place would not have been noticed.</source>
-        <translation>Eine frühere Kopie an ihrer Stelle wäre nicht aufgefallen.</translation>
-    </message>
-    <message>
-        <source>The counter beside the records’ key is not theirs.</source>
-        <translation>Der Zähler neben dem Schlüssel gehört nicht zu diesen Aufzeichnungen.</translation>
-    </message>
-    <message>
-        <source>It was changed or comes from other records: an earlier copy would not have been noticed.</source>
-        <translation>Er wurde geändert oder stammt von anderen Aufzeichnungen: Eine frühere Kopie wäre nicht aufgefallen.</translation>
-    </message>
-    <message>
-        <source>The records’ audit log was changed.</source>
-        <translation>Das Protokoll der Aufzeichnungen wurde geändert.</translation>
-    </message>
-    <message>
-        <source>Its last entries were changed or taken out: results or accounts may have been too.</source>
-        <translation>Seine letzten Einträge wurden geändert oder entfernt; Ergebnisse oder Konten vielleicht auch.</translation>
-    </message>
-    <message>
-        <source>Before you rely on them, look at what this command names: cusp history %1 verify</source>
-        <translation>Bevor Sie sich darauf verlassen: ansehen, was dieser Befehl nennt: cusp history %1 verify</translation>
-    </message>
-    <message>
-        <source>Results and reports can be read. Nothing can be drilled or changed until %1 can be written again.</source>
-        <translation>Ergebnisse und Berichte können gelesen werden. Gebohrt oder geändert werden kann erst wieder, wenn %1 geschrieben werden kann.</translation>
-    </message>
-    <message>
-        <source>Look at %1. No attempt was started.</source>
-        <translation>Sehen Sie bei %1 nach. Kein Versuch wurde begonnen.</translation>
-    </message>
-    <message>
-        <source>%1 refused. No attempt was started.</source>
-        <translation>%1 lehnte ab. Kein Versuch wurde begonnen.</translation>
-    </message>
-    <message>
-        <source>Connected is: %1. No attempt was started.</source>
-        <translation>Verbunden ist: %1. Kein Versuch wurde begonnen.</translation>
-    </message>
-    <message>
-        <source>%1 was not written. Earlier attempts are kept.</source>
-        <translation>%1 wurde nicht geschrieben. Versuche davor sind aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>The attempt could not be recorded any further.</source>
-        <translation>Der Versuch konnte nicht weiter aufgezeichnet werden.</translation>
-    </message>
-    <message>
-        <source>Two computations of this attempt differ.</source>
-        <translation>Zwei Berechnungen dieses Versuchs weichen voneinander ab.</translation>
-    </message>
-    <message>
-        <source>The attempt ended as interrupted. All of it is kept and can be graded as it stands.</source>
-        <translation>Der Versuch endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
-    </message>
-    <message>
-        <source>This attempt was recorded by another version of Cusp.</source>
-        <translation>Dieser Versuch wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>The tooth is not the one this attempt began with.</source>
-        <translation>Der Zahn ist nicht der, mit dem dieser Versuch begann.</translation>
-    </message>
-    <message>
-        <source>The attempt could not be played.</source>
-        <translation>Der Versuch konnte nicht gespielt werden.</translation>
-    </message>
-    <message>
-        <source>Over-cut within tolerance, floor</source>
-        <translation>Überpräpariert in der Toleranz, Boden</translation>
-    </message>
-    <message>
-        <source>Over-cut within tolerance, walls</source>
-        <translation>Überpräpariert in der Toleranz, Wände</translation>
-    </message>
-    <message>
-        <source>Over-cut, floor</source>
-        <translation>Überpräpariert, Boden</translation>
-    </message>
-    <message>
-        <source>Over-cut, walls</source>
-        <translation>Überpräpariert, Wände</translation>
-    </message>
-    <message>
-        <source>Not removed</source>
-        <translation>Nicht entfernt</translation>
-    </message>
-    <message>
-        <source>Instructor</source>
-        <translation>Lehrkraft</translation>
-    </message>
-    <message>
-        <source>Scripted operator</source>
-        <translation>Automatischer Operateur</translation>
-    </message>
-    <message>
-        <source>Carious dentine</source>
-        <translation>Kariöses Dentin</translation>
-    </message>
-    <message>
-        <source>Carious enamel</source>
-        <translation>Kariöser Schmelz</translation>
-    </message>
-    <message>
-        <source>Firm carious dentine</source>
-        <translation>Festes kariöses Dentin</translation>
     </message>
 </context>
 <context>
@@ -6564,8 +5543,8 @@ Ihr bester davor</translation>
     <message numerus="yes">
         <source>Time earns no points. %1 only, %n attempt(s).</source>
         <translation>
-            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Versuch.</numerusform>
-            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Versuche.</numerusform>
+            <numerusform>Zeit bringt keine Punkte. Gerät: %1, %n Versuch.</numerusform>
+            <numerusform>Zeit bringt keine Punkte. Gerät: %1, %n Versuche.</numerusform>
         </translation>
     </message>
     <message>
@@ -6588,32 +5567,32 @@ Ihr bester davor</translation>
         <translation>Verlassen</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Paused</source>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>The clock stands still. P goes on.</source>
-        <translation>Die Uhr steht. P macht weiter.</translation>
+        <source>The clock stands still. P resumes.</source>
+        <translation>Die Uhr steht. P setzt fort.</translation>
     </message>
     <message>
         <source>The device does not answer</source>
         <translation>Das Gerät antwortet nicht</translation>
     </message>
     <message>
-        <source>The force is off and the clock stands still. Plug it in again, then go on.</source>
-        <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
+        <source>The force is off and the clock stands still. Plug it in again, then resume.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The device answers again</source>
         <translation>Das Gerät antwortet wieder</translation>
     </message>
     <message>
-        <source>The force is off and the clock stands still. Take it in hand, then go on.</source>
-        <translation>Die Kraft ist aus und die Uhr steht. In die Hand nehmen, dann weiter.</translation>
+        <source>The force is off and the clock stands still. Take the handpiece, then resume.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Das Handstück nehmen, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The record cannot be written</source>
@@ -6624,8 +5603,8 @@ Ihr bester davor</translation>
         <translation>Dieser Rechner ist zu langsam für die Übung</translation>
     </message>
     <message>
-        <source>%1 What you drilled so far is safe while this window stays open. Put the cause right, then go on.</source>
-        <translation>%1 Was bisher abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Ursache beheben, dann weiter.</translation>
+        <source>%1 What you drilled so far is safe while this window stays open. Remove the cause, then resume.</source>
+        <translation>%1 Was bisher abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Ursache beheben, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The attempt ends here and is measured as it stands.</source>
@@ -6696,6 +5675,1041 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
+    <name>cusp::ui::Text</name>
+    <message>
+        <source>The record is not there.</source>
+        <translation>Der Eintrag ist nicht da.</translation>
+    </message>
+    <message>
+        <source>%1 was not found. Nothing was changed.</source>
+        <translation>%1 wurde nicht gefunden. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The database’s folder is not there.</source>
+        <translation>Den Ordner der Datenbank gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1. Make it, or choose another place with --db.</source>
+        <translation>Es gibt keinen Ordner %1. Legen Sie ihn an, oder wählen Sie mit --db einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The database cannot be made there.</source>
+        <translation>Die Datenbank lässt sich dort nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>No file can be made at %1. Choose another place with --db.</source>
+        <translation>Unter %1 lässt sich keine Datei anlegen. Wählen Sie mit --db einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>This file is not a Cusp database.</source>
+        <translation>Diese Datei ist keine Cusp-Datenbank.</translation>
+    </message>
+    <message>
+        <source>%1 was left as it is. Choose another file with --db.</source>
+        <translation>%1 blieb, wie sie ist. Wählen Sie mit --db eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>This database was written by a newer version of Cusp.</source>
+        <translation>Diese Datenbank stammt von einer neueren Cusp-Version.</translation>
+    </message>
+    <message>
+        <source>%1 was left as it is. Install the newer version to open it.</source>
+        <translation>%1 blieb, wie sie ist. Zum Öffnen die neuere Version installieren.</translation>
+    </message>
+    <message>
+        <source>The database lies on a network drive.</source>
+        <translation>Die Datenbank liegt auf einem Netzlaufwerk.</translation>
+    </message>
+    <message>
+        <source>%1 would not be safe there. Move it to this computer’s own disk.</source>
+        <translation>%1 wäre dort nicht sicher. Verschieben Sie sie auf den Datenträger dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The database cannot be written.</source>
+        <translation>In die Datenbank kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 or its folder is read-only. Nothing was changed.</source>
+        <translation>%1 oder ihr Ordner ist schreibgeschützt. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The disk is full.</source>
+        <translation>Der Datenträger ist voll.</translation>
+    </message>
+    <message>
+        <source>Nothing of the last step was written to %1; all before it is kept. Free some space and try again.</source>
+        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt. Schaffen Sie Platz und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Nothing of the last step was written to %1; all before it is kept.</source>
+        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Another program holds the database.</source>
+        <translation>Ein anderes Programm hält die Datenbank.</translation>
+    </message>
+    <message>
+        <source>%1 stayed as it was. Close the other program and try again.</source>
+        <translation>%1 blieb, wie sie war. Schließen Sie das andere Programm und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The database is damaged.</source>
+        <translation>Die Datenbank ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read whole. Nothing was changed; restore it from a backup.</source>
+        <translation>%1 kann nicht ganz gelesen werden. Nichts wurde geändert; stellen Sie sie aus einer Sicherung wieder her.</translation>
+    </message>
+    <message>
+        <source>Number and password do not match.</source>
+        <translation>Nummer und Passwort passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Check both and try again.</source>
+        <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries.</source>
+        <translation>Zu viele falsche Versuche.</translation>
+    </message>
+    <message>
+        <source>Wait a little and try again.</source>
+        <translation>Warten Sie etwas und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Signing in is open again at %1.</source>
+        <translation>Die Anmeldung ist um %1 wieder offen.</translation>
+    </message>
+    <message>
+        <source>This account is switched off.</source>
+        <translation>Dieses Konto ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Ask an administrator to switch it on again.</source>
+        <translation>Bitten Sie die Verwaltung, es wieder einzuschalten.</translation>
+    </message>
+    <message>
+        <source>Your role may not do this.</source>
+        <translation>Ihre Rolle darf das nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This password is too short.</source>
+        <translation>Dieses Passwort ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>This is the last administrator.</source>
+        <translation>Das ist die letzte Person mit Verwaltungsrechten.</translation>
+    </message>
+    <message>
+        <source>Somebody has to manage people. Make another administrator first.</source>
+        <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einer anderen diese Rolle.</translation>
+    </message>
+    <message>
+        <source>This is there already.</source>
+        <translation>Das gibt es schon.</translation>
+    </message>
+    <message>
+        <source>%1 is taken. Nothing was changed.</source>
+        <translation>%1 ist vergeben. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>A value is missing or outside its range.</source>
+        <translation>Ein Wert fehlt oder liegt außerhalb seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>Look at %1. Nothing was changed.</source>
+        <translation>Sehen Sie bei %1 nach. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be read.</source>
+        <translation>Die Aufzeichnung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The database failed.</source>
+        <translation>Die Datenbank hat versagt.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot be read.</source>
+        <translation>Diese Übung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be opened.</source>
+        <translation>Die Datei %1 lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than any exercise.</source>
+        <translation>%1 ist größer als jede Übung.</translation>
+    </message>
+    <message>
+        <source>The text breaks off or is malformed at %1.</source>
+        <translation>Der Text bricht bei %1 ab oder ist dort fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>%1 stands there twice.</source>
+        <translation>%1 steht zweimal da.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of Cusp (format %2).</source>
+        <translation>%1 stammt von einer neueren Cusp-Version (Format %2).</translation>
+    </message>
+    <message>
+        <source>%1 is not known.</source>
+        <translation>%1 ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 has to be: %2.</source>
+        <translation>%1 muss sein: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has to lie in %2.</source>
+        <translation>%1 muss in %2 liegen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is not an identity.</source>
+        <translation>%1 ist keine Kennung.</translation>
+    </message>
+    <message>
+        <source>%1 names no language, or English is missing.</source>
+        <translation>%1 nennt keine Sprache, oder Englisch fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 leads out of the exercise’s folder.</source>
+        <translation>%1 führt aus dem Ordner der Übung hinaus.</translation>
+    </message>
+    <message>
+        <source>%1 is named twice.</source>
+        <translation>%1 ist zweimal genannt.</translation>
+    </message>
+    <message>
+        <source>%1 names something that is not known.</source>
+        <translation>%1 nennt etwas, das nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>%1 names something that is not known: %2.</source>
+        <translation>%1 nennt etwas, das nicht bekannt ist: %2.</translation>
+    </message>
+    <message>
+        <source>No exercise called %1 comes with the program.</source>
+        <translation>Eine Übung namens %1 liegt dem Programm nicht bei.</translation>
+    </message>
+    <message>
+        <source>This file cannot be read.</source>
+        <translation>Diese Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>This file cannot be read or written.</source>
+        <translation>Diese Datei kann nicht gelesen oder geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is of a kind that is not read here.</source>
+        <translation>%1 ist von einer Art, die hier nicht gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Its head is wrong at %1.</source>
+        <translation>Ihr Kopf ist bei %1 falsch.</translation>
+    </message>
+    <message>
+        <source>It uses %1, which is not read here.</source>
+        <translation>Sie verwendet %1, das hier nicht gelesen wird.</translation>
+    </message>
+    <message>
+        <source>The sizes at %1 make no volume.</source>
+        <translation>Die Größen bei %1 ergeben kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The axes at %1 are oblique or not known.</source>
+        <translation>Die Achsen bei %1 sind schief oder nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 names no tissue.</source>
+        <translation>%1 nennt kein Gewebe.</translation>
+    </message>
+    <message>
+        <source>%1 ends too early. Copy it again.</source>
+        <translation>%1 endet zu früh. Kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged. Copy it again.</source>
+        <translation>%1 ist beschädigt. Kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than the limits allow.</source>
+        <translation>%1 ist größer, als die Grenzen erlauben.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing solid.</source>
+        <translation>%1 enthält nichts Festes.</translation>
+    </message>
+    <message>
+        <source>%1 holds no surface.</source>
+        <translation>%1 enthält keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>There is no part called %1.</source>
+        <translation>Es gibt keinen Teil namens %1.</translation>
+    </message>
+    <message>
+        <source>The part %1 encloses nothing.</source>
+        <translation>Der Teil %1 umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>The part %1 cuts itself.</source>
+        <translation>Der Teil %1 schneidet sich selbst.</translation>
+    </message>
+    <message>
+        <source>An option does not fit.</source>
+        <translation>Eine Angabe passt nicht.</translation>
+    </message>
+    <message>
+        <source>Reading %1 broke off.</source>
+        <translation>Das Lesen von %1 brach ab.</translation>
+    </message>
+    <message>
+        <source>Reading %1 took longer than allowed.</source>
+        <translation>Das Lesen von %1 dauerte länger als erlaubt.</translation>
+    </message>
+    <message>
+        <source>Reading %1 wanted more memory than allowed.</source>
+        <translation>Das Lesen von %1 brauchte mehr Speicher als erlaubt.</translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Reading could not be started.</source>
+        <translation>Das Lesen konnte nicht begonnen werden.</translation>
+    </message>
+    <message>
+        <source>Specimens of the kind %1 are not known.</source>
+        <translation>Präparate der Art %1 sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The device was not found.</source>
+        <translation>Das Gerät wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Check cable and power.</source>
+        <translation>%1 ist nicht verbunden. Prüfen Sie Kabel und Strom.</translation>
+    </message>
+    <message>
+        <source>This user may not open the device.</source>
+        <translation>Dieser Benutzer darf das Gerät nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 refused.</source>
+        <translation>%1 lehnte ab.</translation>
+    </message>
+    <message>
+        <source>Another program holds the device.</source>
+        <translation>Ein anderes Programm hält das Gerät.</translation>
+    </message>
+    <message>
+        <source>Close it and try %1 again.</source>
+        <translation>Schließen Sie es und versuchen Sie %1 noch einmal.</translation>
+    </message>
+    <message>
+        <source>The script cannot be read.</source>
+        <translation>Das Skript kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Look at %1.</source>
+        <translation>Sehen Sie bei %1 nach.</translation>
+    </message>
+    <message>
+        <source>The device does not answer.</source>
+        <translation>Das Gerät antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>%1: check cable and power.</source>
+        <translation>%1: Kabel und Strom prüfen.</translation>
+    </message>
+    <message>
+        <source>The device failed.</source>
+        <translation>Das Gerät hat versagt.</translation>
+    </message>
+    <message>
+        <source>The tooth of this exercise cannot be made.</source>
+        <translation>Der Zahn dieser Übung kann nicht erzeugt werden.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot be played.</source>
+        <translation>Diese Übung kann nicht gespielt werden.</translation>
+    </message>
+    <message>
+        <source>This exercise does not admit this device.</source>
+        <translation>Diese Übung lässt dieses Gerät nicht zu.</translation>
+    </message>
+    <message>
+        <source>It is kept up to the last second before %1 failed.</source>
+        <translation>Er ist aufbewahrt bis zur letzten Sekunde, bevor %1 versagte.</translation>
+    </message>
+    <message>
+        <source>The device jumped.</source>
+        <translation>Das Gerät ist gesprungen.</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Your work is kept.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Ihre Arbeit ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The device answered too late.</source>
+        <translation>Das Gerät antwortete zu spät.</translation>
+    </message>
+    <message>
+        <source>The device went quiet.</source>
+        <translation>Das Gerät ist verstummt.</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Check the cable; your work is kept.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Prüfen Sie das Kabel; Ihre Arbeit ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The device sent a position that is none.</source>
+        <translation>Das Gerät sandte eine Position, die keine ist.</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Student/in</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Verwaltung</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Not graded</source>
+        <translation>Nicht bewertet</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>Bewertet</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>Assessment</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Try-out</source>
+        <translation>Probelauf</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>Schmelz</translation>
+    </message>
+    <message>
+        <source>Dentine</source>
+        <translation>Dentin</translation>
+    </message>
+    <message>
+        <source>Cementum</source>
+        <translation>Wurzelzement</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>Pulpa</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Gingiva</source>
+        <translation>Gingiva</translation>
+    </message>
+    <message>
+        <source>Ligament</source>
+        <translation>Desmodont</translation>
+    </message>
+    <message>
+        <source>Amalgam</source>
+        <translation>Amalgam</translation>
+    </message>
+    <message>
+        <source>Composite</source>
+        <translation>Komposit</translation>
+    </message>
+    <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
+        <source>Material %1</source>
+        <translation>Material %1</translation>
+    </message>
+    <message>
+        <source>Neighbour enamel</source>
+        <translation>Nachbarschmelz</translation>
+    </message>
+    <message>
+        <source>Neighbour dentine</source>
+        <translation>Nachbardentin</translation>
+    </message>
+    <message>
+        <source>Target removed</source>
+        <translation>Ziel abgetragen</translation>
+    </message>
+    <message>
+        <source>Floor depth, shallowest</source>
+        <translation>Bodentiefe, flachste</translation>
+    </message>
+    <message>
+        <source>Floor depth, mean</source>
+        <translation>Bodentiefe, mittlere</translation>
+    </message>
+    <message>
+        <source>Floor depth, deepest</source>
+        <translation>Bodentiefe, größte</translation>
+    </message>
+    <message>
+        <source>Dentine over pulp</source>
+        <translation>Dentin über Pulpa</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Peak push</source>
+        <translation>Höchster Druck</translation>
+    </message>
+    <message>
+        <source>Mean push</source>
+        <translation>Mittlerer Druck</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa eröffnet</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 abgetragen</translation>
+    </message>
+    <message>
+        <source>The pulp was opened</source>
+        <translation>Die Pulpa wurde eröffnet</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Full points</source>
+        <translation>Volle Punktzahl</translation>
+    </message>
+    <message>
+        <source>Could not be measured</source>
+        <translation>Nicht messbar</translation>
+    </message>
+    <message>
+        <source>%1, %2 deeper than %3</source>
+        <translation>%1, %2 tiefer als %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 short of %3</source>
+        <translation>%1, %2 flacher als %3</translation>
+    </message>
+    <message>
+        <source>%1; full points up to %2</source>
+        <translation>%1; volle Punktzahl bis %2</translation>
+    </message>
+    <message>
+        <source>%1 removed; full points from %2</source>
+        <translation>%1 abgetragen; volle Punktzahl ab %2</translation>
+    </message>
+    <message>
+        <source>%1; full points from %2</source>
+        <translation>%1; volle Punktzahl ab %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 point(s) lost</source>
+        <translation>
+            <numerusform>%1: %2 Punkt verloren</numerusform>
+            <numerusform>%1: %2 Punkte verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn the view and look for what remains inside the target line.</source>
+        <translation>Drehen Sie die Ansicht und suchen Sie, was innerhalb der Ziellinie übrig ist.</translation>
+    </message>
+    <message>
+        <source>Lift off and read the depth before you go deeper.</source>
+        <translation>Heben Sie ab und lesen Sie die Tiefe, bevor Sie tiefer gehen.</translation>
+    </message>
+    <message>
+        <source>Keep the bur’s edge inside the target line; push less near the walls.</source>
+        <translation>Halten Sie den Rand des Bohrers innerhalb der Ziellinie; drücken Sie nahe den Wänden weniger.</translation>
+    </message>
+    <message>
+        <source>Turn the view and clear the corners along the walls.</source>
+        <translation>Drehen Sie die Ansicht und räumen Sie die Ecken entlang der Wände aus.</translation>
+    </message>
+    <message>
+        <source>Stop pushing at the required depth and move sideways.</source>
+        <translation>Drücken Sie bei der Solltiefe nicht weiter und führen Sie den Bohrer seitwärts.</translation>
+    </message>
+    <message>
+        <source>Cut to the required depth over the whole floor.</source>
+        <translation>Arbeiten Sie am ganzen Boden bis zur Solltiefe.</translation>
+    </message>
+    <message>
+        <source>Keep away from the pulp: stop at the required depth.</source>
+        <translation>Bleiben Sie von der Pulpa weg: Enden Sie bei der Solltiefe.</translation>
+    </message>
+    <message>
+        <source>Push less; let the bur do the work.</source>
+        <translation>Drücken Sie weniger; lassen Sie den Bohrer arbeiten.</translation>
+    </message>
+    <message>
+        <source>Plan the way of the bur before the first cut.</source>
+        <translation>Planen Sie den Weg des Bohrers vor dem ersten Abtrag.</translation>
+    </message>
+    <message>
+        <source>Take away less of it.</source>
+        <translation>Tragen Sie weniger davon ab.</translation>
+    </message>
+    <message>
+        <source>Take away more of it.</source>
+        <translation>Tragen Sie mehr davon ab.</translation>
+    </message>
+    <message>
+        <source>The device did not open.</source>
+        <translation>Das Gerät ließ sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>The stored exercise cannot be read.</source>
+        <translation>Die gespeicherte Übung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The database refused.</source>
+        <translation>Die Datenbank lehnte ab.</translation>
+    </message>
+    <message>
+        <source>It was stopped at tick %1 and is not graded; the recording is kept.</source>
+        <translation>Er wurde bei Takt %1 angehalten und ist nicht bewertet; die Aufzeichnung ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>This computer is too slow for this exercise.</source>
+        <translation>Dieser Rechner ist zu langsam für diese Übung.</translation>
+    </message>
+    <message>
+        <source>It opens with its stored tooth and grade, but is not computed again (engine %1).</source>
+        <translation>Er öffnet sich mit gespeichertem Zahn und gespeicherter Bewertung, wird aber nicht neu berechnet (Rechenkern %1).</translation>
+    </message>
+    <message>
+        <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
+        <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>At %1 its cells are not evenly spaced.</source>
+        <translation>Bei %1 liegen ihre Zellen nicht gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>The surface is open at %1 mm. Let it be mended, or close it there.</source>
+        <translation>Die Oberfläche ist bei %1 mm offen. Lassen Sie sie ausbessern oder schließen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>The surface is turned inside out at %1 mm. Let it be mended.</source>
+        <translation>Die Oberfläche ist bei %1 mm nach innen gewendet. Lassen Sie sie ausbessern.</translation>
+    </message>
+    <message>
+        <source>Cut without coolant</source>
+        <translation>Ohne Kühlung gebohrt</translation>
+    </message>
+    <message>
+        <source>Tooth warmer by (not verified)</source>
+        <translation>Zahn wärmer um (nicht gesichert)</translation>
+    </message>
+    <message>
+        <source>Tooth overheated</source>
+        <translation>Zahn überhitzt</translation>
+    </message>
+    <message>
+        <source>The tooth was overheated by cutting dry (criterion not verified)</source>
+        <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt (Grenze nicht gesichert)</translation>
+    </message>
+    <message>
+        <source>%1 without coolant; full points up to %2</source>
+        <translation>%1 ohne Kühlung; volle Punkte bis %2</translation>
+    </message>
+    <message>
+        <source>%1 warmer; full points up to %2</source>
+        <translation>%1 wärmer; volle Punkte bis %2</translation>
+    </message>
+    <message>
+        <source>Run the coolant before the bur touches the tooth.</source>
+        <translation>Kühlung einschalten, bevor der Bohrer den Zahn berührt.</translation>
+    </message>
+    <message>
+        <source>Run the coolant, push less, and lift off now and then.</source>
+        <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
+    </message>
+    <message>
+        <source>Emulated Falcon</source>
+        <translation>Nachgebildeter Falcon</translation>
+    </message>
+    <message>
+        <source>The device goes before other programs.</source>
+        <translation>Das Gerät geht vor anderen Programmen.</translation>
+    </message>
+    <message>
+        <source>Other programs may delay the device.</source>
+        <translation>Andere Programme können das Gerät aufhalten.</translation>
+    </message>
+    <message>
+        <source>This user has no right to real-time priority. An administrator can give it (rtprio).</source>
+        <translation>Dieses Benutzerkonto hat kein Recht auf Echtzeit-Vorrang. Die Verwaltung kann es geben (rtprio).</translation>
+    </message>
+    <message>
+        <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
+        <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation>mesiobukkal</translation>
+    </message>
+    <message>
+        <source>mesiopalatal</source>
+        <translation>mesiopalatinal</translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation>mesiolingual</translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation>distobukkal</translation>
+    </message>
+    <message>
+        <source>distopalatal</source>
+        <translation>distopalatinal</translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation>distolingual</translation>
+    </message>
+    <message>
+        <source>%1 after %2 min</source>
+        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was opened after 1:12 min&quot;.</extracomment>
+        <translation>%1 nach %2 min</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Read the depth before each stroke, and stop at the required depth.</source>
+        <translation>Lesen Sie vor jedem Zug die Tiefe ab und enden Sie bei der Solltiefe.</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>mesial</translation>
+    </message>
+    <message>
+        <source>distal</source>
+        <translation>distal</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>bukkal</translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation>palatinal</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>lingual</translation>
+    </message>
+    <message>
+        <source>Counts only as far as the target was cut: %1</source>
+        <translation>Zählt nur so weit, wie das Ziel abgetragen wurde: %1</translation>
+    </message>
+    <message>
+        <source>What stayed intact counts only as far as the target was cut: %1.</source>
+        <translation>Was unversehrt blieb, zählt nur so weit, wie das Ziel abgetragen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>This computer has too little free memory to check a password.</source>
+        <translation>Dieser Rechner hat zu wenig freien Speicher, um ein Passwort zu prüfen.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Close other programs and try again.</source>
+        <translation>Nichts wurde geändert. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>A file could not be read or written.</source>
+        <translation>Eine Datei konnte nicht gelesen oder geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>A PIN has exactly six digits.</source>
+        <translation>Eine PIN hat genau sechs Ziffern.</translation>
+    </message>
+    <message>
+        <source>A password has at least 8 characters. Nothing was changed.</source>
+        <translation>Ein Passwort hat mindestens 8 Zeichen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This account is not there.</source>
+        <translation>Dieses Konto gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This attempt is not there.</source>
+        <translation>Diesen Versuch gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This exercise is not there.</source>
+        <translation>Diese Übung gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A part of the records is not there.</source>
+        <translation>Ein Teil der Aufzeichnungen fehlt.</translation>
+    </message>
+    <message>
+        <source>A number has 1 to 64 characters.</source>
+        <translation>Eine Nummer hat 1 bis 64 Zeichen.</translation>
+    </message>
+    <message>
+        <source>A name has 1 to 200 characters.</source>
+        <translation>Ein Name hat 1 bis 200 Zeichen.</translation>
+    </message>
+    <message>
+        <source>Only students have a PIN.</source>
+        <translation>Nur Studierende haben eine PIN.</translation>
+    </message>
+    <message>
+        <source>A comment has 1 to 10,000 characters.</source>
+        <translation>Ein Kommentar hat 1 bis 10.000 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The due date lies before the first day.</source>
+        <translation>Der Abgabetermin liegt vor dem ersten Tag.</translation>
+    </message>
+    <message>
+        <source>%1 signs in with a PIN of six digits.</source>
+        <translation>%1 meldet sich mit einer PIN aus sechs Ziffern an.</translation>
+    </message>
+    <message>
+        <source>%1 signs in with a password.</source>
+        <translation>%1 meldet sich mit einem Passwort an.</translation>
+    </message>
+    <message>
+        <source>This number or name is taken.</source>
+        <translation>Diese Nummer oder dieser Name ist vergeben.</translation>
+    </message>
+    <message>
+        <source>This attempt is not in a state that allows it.</source>
+        <translation>Dieser Versuch ist nicht in einem Zustand, der das zulässt.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged; the grade and all other attempts are kept.</source>
+        <translation>%1 ist beschädigt; die Bewertung und alle anderen Versuche sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Number and PIN do not match.</source>
+        <translation>Nummer und PIN passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries for %1.</source>
+        <translation>Zu viele falsche Eingaben für %1.</translation>
+    </message>
+    <message>
+        <source>The account %1 is switched off.</source>
+        <translation>Das Konto %1 ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>There is no account %1.</source>
+        <translation>Es gibt kein Konto %1.</translation>
+    </message>
+    <message>
+        <source>The number %1 is taken.</source>
+        <translation>Die Nummer %1 ist vergeben.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Choose another number.</source>
+        <translation>Nichts wurde geändert. Wählen Sie eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>The records are older than they were.</source>
+        <translation>Die Aufzeichnungen sind älter, als sie waren.</translation>
+    </message>
+    <message>
+        <source>An earlier copy was put in their place, or entries were taken out: results may be missing.</source>
+        <translation>Eine frühere Kopie steht an ihrer Stelle, oder Einträge wurden entfernt: Ergebnisse können fehlen.</translation>
+    </message>
+    <message>
+        <source>The counter beside the records’ key is missing.</source>
+        <translation>Der Zähler neben dem Schlüssel der Aufzeichnungen fehlt.</translation>
+    </message>
+    <message>
+        <source>An earlier copy of the records put in their place would not have been noticed.</source>
+        <translation>Eine frühere Kopie an ihrer Stelle wäre nicht aufgefallen.</translation>
+    </message>
+    <message>
+        <source>The counter beside the records’ key is not theirs.</source>
+        <translation>Der Zähler neben dem Schlüssel gehört nicht zu diesen Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>It was changed or comes from other records: an earlier copy would not have been noticed.</source>
+        <translation>Er wurde geändert oder stammt von anderen Aufzeichnungen: Eine frühere Kopie wäre nicht aufgefallen.</translation>
+    </message>
+    <message>
+        <source>The records’ audit log was changed.</source>
+        <translation>Das Protokoll der Aufzeichnungen wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Its last entries were changed or taken out: results or accounts may have been too.</source>
+        <translation>Seine letzten Einträge wurden geändert oder entfernt; Ergebnisse oder Konten vielleicht auch.</translation>
+    </message>
+    <message>
+        <source>Before you rely on them, look at what this command names: cusp history %1 verify</source>
+        <translation>Bevor Sie sich darauf verlassen: ansehen, was dieser Befehl nennt: cusp history %1 verify</translation>
+    </message>
+    <message>
+        <source>Results and reports can be read. Nothing can be drilled or changed until %1 can be written again.</source>
+        <translation>Ergebnisse und Berichte können gelesen werden. Gebohrt oder geändert werden kann erst wieder, wenn %1 geschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>Look at %1. No attempt was started.</source>
+        <translation>Sehen Sie bei %1 nach. Kein Versuch wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>%1 refused. No attempt was started.</source>
+        <translation>%1 lehnte ab. Kein Versuch wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>Connected is: %1. No attempt was started.</source>
+        <translation>Verbunden ist: %1. Kein Versuch wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>%1 was not written. Earlier attempts are kept.</source>
+        <translation>%1 wurde nicht geschrieben. Versuche davor sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The attempt could not be recorded any further.</source>
+        <translation>Der Versuch konnte nicht weiter aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Two computations of this attempt differ.</source>
+        <translation>Zwei Berechnungen dieses Versuchs weichen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>The attempt ended as interrupted. All of it is kept and can be graded as it stands.</source>
+        <translation>Der Versuch endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
+    </message>
+    <message>
+        <source>This attempt was recorded by another version of Cusp.</source>
+        <translation>Dieser Versuch wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The tooth is not the one this attempt began with.</source>
+        <translation>Der Zahn ist nicht der, mit dem dieser Versuch begann.</translation>
+    </message>
+    <message>
+        <source>The attempt could not be played.</source>
+        <translation>Der Versuch konnte nicht gespielt werden.</translation>
+    </message>
+    <message>
+        <source>Over-cut within tolerance, floor</source>
+        <translation>Überpräpariert in Toleranz, Boden</translation>
+    </message>
+    <message>
+        <source>Over-cut within tolerance, walls</source>
+        <translation>Überpräpariert in Toleranz, Wände</translation>
+    </message>
+    <message>
+        <source>Over-cut, floor</source>
+        <translation>Überpräpariert, Boden</translation>
+    </message>
+    <message>
+        <source>Over-cut, walls</source>
+        <translation>Überpräpariert, Wände</translation>
+    </message>
+    <message>
+        <source>Not removed</source>
+        <translation>Nicht entfernt</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Lehrkraft</translation>
+    </message>
+    <message>
+        <source>Scripted operator</source>
+        <translation>Automatischer Operateur</translation>
+    </message>
+    <message>
+        <source>Carious dentine</source>
+        <translation>Kariöses Dentin</translation>
+    </message>
+    <message>
+        <source>Carious enamel</source>
+        <translation>Kariöser Schmelz</translation>
+    </message>
+    <message>
+        <source>Firm carious dentine</source>
+        <translation>Festes kariöses Dentin</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::TextsForm</name>
     <message>
         <source>Title, English</source>
@@ -6722,7 +6736,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>usual, not verified</source>
-        <translation>üblich, nicht gesichert</translation>
+        <translation>üblich, nicht geprüft</translation>
     </message>
     <message>
         <source>usual, from the published method</source>
@@ -7014,8 +7028,8 @@ Ihr bester davor</translation>
         <translation>Das ist ein Volumen von Cusp selbst: Es wird übernommen, wie es ist.</translation>
     </message>
     <message>
-        <source>Only the largest piece</source>
-        <translation>Nur das größte Stück</translation>
+        <source>Only the largest component</source>
+        <translation>Nur die größte Komponente</translation>
     </message>
     <message>
         <source>Closed hollows are pulp</source>

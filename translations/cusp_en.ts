@@ -104,7 +104,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ui::ImportWords</name>
+    <name>cusp::ui::ImportText</name>
     <message numerus="yes">
         <source>The folder holds %n series; the one with %1 slices was read.</source>
         <translation>
@@ -141,10 +141,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n voxel(s) of loose pieces were left out.</source>
+        <source>%n voxel(s) of separate components were left out.</source>
         <translation>
-            <numerusform>%n voxel of loose pieces was left out.</numerusform>
-            <numerusform>%n voxels of loose pieces were left out.</numerusform>
+            <numerusform>%n voxel of separate components was left out.</numerusform>
+            <numerusform>%n voxels of separate components were left out.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -231,22 +231,22 @@
     </message>
 </context>
 <context>
-    <name>cusp::ui::Sentences</name>
-    <message numerus="yes">
-        <source>%1: %2 point(s) lost</source>
-        <translation>
-            <numerusform>%1: %2 point lost</numerusform>
-            <numerusform>%1: %2 points lost</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>cusp::ui::StartPage</name>
     <message numerus="yes">
         <source>Time earns no points. %1 only, %n attempt(s).</source>
         <translation>
             <numerusform>Time earns no points. %1 only, %n attempt.</numerusform>
             <numerusform>Time earns no points. %1 only, %n attempts.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::Text</name>
+    <message numerus="yes">
+        <source>%1: %2 point(s) lost</source>
+        <translation>
+            <numerusform>%1: %2 point lost</numerusform>
+            <numerusform>%1: %2 points lost</numerusform>
         </translation>
     </message>
 </context>

@@ -17,7 +17,7 @@ void add_keys(Card* card, const QVector<std::pair<QStringList, QString>>& keys) 
   for (const auto& [caps, what] : keys) {
     auto* row = new QHBoxLayout;
     row->setSpacing(px(4));
-    for (const QString& cap : caps) row->addWidget(make_key_cap(cap));
+    for (const QString& cap : caps) row->addWidget(make_key_cap(cap), 0, Qt::AlignVCenter);
     row->addStretch();
     grid->addLayout(row, line, 0);
     QLabel* text = make_label(what, TextRole::body, Weight::regular, "text2");
@@ -45,11 +45,11 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
 
   auto* attempt = new Card(tr("An attempt, from start to report"));
   for (const QString& line :
-       {tr("1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points."),
+       {tr("1. Choose an exercise and read its briefing: what to remove, how deep, and what earns points."),
         tr("2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at "
            "the right shows the push, the bar at the left the depth."),
         tr("3. Hold Space or the left button to cut. The target is the solid line, the tolerance zone round it the dashed one."),
-        tr("4. Finish ends the attempt and grades it. The report says what was measured, how well it is known, and what to do "
+        tr("4. Finish ends the attempt and grades it. The report shows what was measured, how well it is known, and what to do "
            "next time."),
         tr("5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.")}) {
     add_line(attempt, make_label(line));
@@ -58,36 +58,37 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
 
   auto* row = new QHBoxLayout;
   row->setSpacing(px(16));
+  const QString ctrl = tr("Ctrl");
   auto* everywhere = new Card(tr("Keys everywhere"));
   add_keys(everywhere, {{{u"F1"_qs}, tr("this page")},
                         {{u"F6"_qs}, tr("next pane")},
-                        {{u"Ctrl"_qs, u"K"_qs}, tr("go to any page or exercise")},
+                        {{ctrl, u"K"_qs}, tr("go to any page or exercise")},
                         {{u"Alt"_qs, u"←"_qs}, tr("back")},
                         {{u"Esc"_qs}, tr("out of what is open")},
-                        {{u"Ctrl"_qs, u"T"_qs}, tr("a chart as its table, and back")},
-                        {{u"Enter"_qs}, tr("opens the chosen row")}});
+                        {{ctrl, u"T"_qs}, tr("a chart as its table, and back")},
+                        {{tr("Enter")}, tr("opens the chosen row")}});
   everywhere->body()->addStretch();
   row->addWidget(everywhere, 1);
   auto* drilling = new Card(tr("Keys while drilling"));
   add_keys(drilling, {{{u"←"_qs, u"→"_qs, u"↑"_qs, u"↓"_qs}, tr("slide the bur")},
-                      {{u"Page Up"_qs, u"Page Down"_qs}, tr("push less, push more")},
-                      {{u"Ctrl"_qs, u"↑"_qs}, tr("turn the handpiece, where the exercise lets it; Home: back")},
-                      {{u"Space"_qs}, tr("cut while held")},
+                      {{tr("Page Up"), tr("Page Down")}, tr("push less, push more")},
+                      {{ctrl, u"↑"_qs}, tr("turn the handpiece, where the exercise lets it; Home: back")},
+                      {{tr("Space")}, tr("cut while held")},
                       {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
-                      {{u"["_qs, u"]"_qs}, tr("bur before, bur after")},
-                      {{u"P"_qs}, tr("pause and go on")},
+                      {{u"["_qs, u"]"_qs}, tr("previous bur, next bur")},
+                      {{u"P"_qs}, tr("pause and resume")},
                       {{u"W"_qs}, tr("coolant on and off, where the exercise has it")},
                       {{u"M"_qs}, tr("drilling sound on and off, likewise")},
-                      {{u"Ctrl"_qs, u"Return"_qs}, tr("finish (asks)")}});
+                      {{ctrl, tr("Return")}, tr("finish (asks)")}});
   drilling->body()->addStretch();
   row->addWidget(drilling, 1);
   body->addLayout(row);
 
   auto* marking = new Card(tr("How it is marked"));
   for (const QString& line :
-       {tr("Target removed: how much of the required cavity is cut. Not removed: what of it still stands."),
+       {tr("Target removed: how much of the required cavity is cut. Not removed: what remains of it."),
         tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
-        tr("± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so."),
+        tr("± shows how well a figure is known. If an edge of the marking is nearer than that, the report shows it."),
         tr("Time earns no points.")}) {
     add_line(marking, make_label(line, TextRole::body, Weight::regular, "text2"));
   }

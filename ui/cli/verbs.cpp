@@ -38,7 +38,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return program.exit(asked);
   } catch (const CLI::ParseError& wrong) {
-    return wrong_usage(CliText::tr("%1 (cusp VERB --help says more)").arg(QString::fromUtf8(wrong.what())));
+    return wrong_usage(CliText::tr("%1 (see cusp VERB --help)").arg(QString::fromUtf8(wrong.what())));
   }
   try {
     return job();

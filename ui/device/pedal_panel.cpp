@@ -59,7 +59,7 @@ struct PedalPanel::Inner {
   hid::PedalFinder finder;
   Lesson lesson = Lesson::none;
   QTimer timer;
-  QString said;
+  QString announced;
 
   QCheckBox* use;
   QComboBox* device;
@@ -303,8 +303,8 @@ void PedalPanel::look() {
   in.teach_coolant->setEnabled(view.connected && in.lesson == Lesson::none);
 
   show_lesson();
-  if (const QString now = summary(); now != in.said) {
-    in.said = now;
+  if (const QString now = summary(); now != in.announced) {
+    in.announced = now;
     Q_EMIT summary_changed(now);
   }
 }

@@ -9,7 +9,7 @@ namespace cusp::ui {
 namespace {
 
 struct PedalText {
-  Q_DECLARE_TR_FUNCTIONS(PedalWords)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::PedalText)
 };
 
 /// Names that are the same in every language where keyboards have them.

@@ -48,7 +48,7 @@ struct SpaceMousePanel::Inner {
   hid::SpaceMouseSettings settings;
   hid::SpaceMouseView view;
   QTimer timer;
-  QString said;
+  QString announced;
 
   QCheckBox *use, *turns, *moves;
   Chip* state;
@@ -236,8 +236,8 @@ void SpaceMousePanel::look() {
   }
   in.rest->setEnabled(view.connected);
   in.battery->setText(view.battery_percent ? tr("Battery %1").arg(percent(*view.battery_percent / 100.0)) : QString());
-  if (const QString now = summary(); now != in.said) {
-    in.said = now;
+  if (const QString now = summary(); now != in.announced) {
+    in.announced = now;
     Q_EMIT summary_changed(now);
   }
 }

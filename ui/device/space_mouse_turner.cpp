@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTurnMs = 16;            // as often as the device speaks
 constexpr int kIdleMs = 100;           // while it is not there, or nobody sees the view
-constexpr double kLongestS = 0.1;      // after a stall the view goes on, it does not leap
+constexpr double kLongestS = 0.1;      // after a stall the view continues, it does not leap
 constexpr double kTurnRadS = std::numbers::pi / 2;
 constexpr double kMoveShareS = 0.5;    // of the view's shorter side
 constexpr double kSidePx = 1000.0;     // moves are shares: any length will do

@@ -240,15 +240,15 @@ QString DrillStage::coach_text(const CoachLine& line) const {
   switch (line.what) {
     case Coach::begin:
       return by_mouse_ ? tr("Hold the left button on the target to drill")
-                       : tr("Touch the target and hold the button to drill.");
+                       : tr("Touch the target and hold the button to drill");
     case Coach::pulp_open: return tr("The pulp is open");
     case Coach::over_pulp: return tr("Only %1 left over the pulp").arg(mm);
     case Coach::too_deep: return tr("%1 too deep here").arg(mm);
     case Coach::outside: return tr("Back inside the line: %1 outside").arg(mm);
-    case Coach::deeper: return tr("%1 more down").arg(mm);
-    case Coach::sideways: return tr("Deep enough, go sideways");
+    case Coach::deeper: return tr("%1 deeper").arg(mm);
+    case Coach::sideways: return tr("Deep enough, move sideways");
     case Coach::finish: return tr("Nearly all is out: smooth it, then finish");
-    case Coach::carry_on: return tr("Go on where the target still stands");
+    case Coach::carry_on: return tr("Continue where the target remains");
     case Coach::quiet: return {};
   }
   return {};
@@ -371,12 +371,12 @@ void DrillStage::place_coach() {
   const int gap = px(kGap), w = width(), h = height();
   coach_->setWordWrap(false);
   coach_card_->adjustSize();
-  const int room = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
+  const int most = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
   coach_->setMinimumWidth(0);
-  if (coach_card_->width() > room) {
-    coach_->setMinimumWidth(room - px(16 + 18 + 12 + 16));
+  if (coach_card_->width() > most) {
+    coach_->setMinimumWidth(most - px(16 + 18 + 12 + 16));
     coach_->setWordWrap(true);
-    coach_card_->resize(room, coach_card_->layout()->heightForWidth(room));
+    coach_card_->resize(most, coach_card_->layout()->heightForWidth(most));
   }
   coach_card_->move((w - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
 }

@@ -26,7 +26,7 @@ NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& uni
     }
     const QString wanted = isolate(textFromValue(value) + suffix());
     show_value(shown_);
-    show_message(tr("%1 does not go with the rest of the exercise. It stays at %2.")
+    show_message(tr("%1 does not fit the rest of the exercise. It stays at %2.")
             .arg(wanted, isolate(textFromValue(shown_) + suffix())));
   });
   connect(this, &QDoubleSpinBox::editingFinished, this, [&model] { model.end_gesture(); });

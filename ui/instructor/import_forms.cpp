@@ -198,7 +198,7 @@ VolumeForm::VolumeForm(const ImageInfo& info, std::shared_ptr<const ImagePreview
     return;
   }
   column->addWidget(info_.kind == ImageKind::grey ? make_ranges(*preview) : make_labels());
-  largest_ = new QCheckBox(tr("Only the largest piece"));
+  largest_ = new QCheckBox(tr("Only the largest component"));
   hollows_ = new QCheckBox(tr("Closed hollows are pulp"));
   for (QCheckBox* box : {largest_, hollows_}) {
     box->setChecked(info_.kind == ImageKind::grey && box == largest_);
@@ -259,9 +259,9 @@ QWidget* VolumeForm::make_ranges(const ImagePreview& preview) {
     from->setAccessibleName(tr("Least value of range %1").arg(i + 1));
     from->setValue(i < suggested.size() ? std::round(suggested[i]) : info_.high);
     if (i < first.size()) tissue->setCurrentIndex(tissue->findData(static_cast<int>(first[i])));
-    QLabel* word = make_label(tr("from"), TextRole::body, Weight::regular, "text2");
+    QLabel* label = make_label(tr("from"), TextRole::body, Weight::regular, "text2");
     grid->addWidget(tissue, static_cast<int>(i), 0);
-    grid->addWidget(word, static_cast<int>(i), 1);
+    grid->addWidget(label, static_cast<int>(i), 1);
     grid->addWidget(from, static_cast<int>(i), 2);
     const auto follow = [this, tissue, from] {
       from->setEnabled(tissue->currentData().toInt() != kNotUsed);

@@ -203,7 +203,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setPen(t.text2);
   const QFontMetricsF ends(bold);
   const double free = w - 2 * std::max(ends.horizontalAdvance(low), ends.horizontalAdvance(high)) - px(16);
-  // Without room between the two ends the 0 below stands alone.
+  // If the text does not fit between the two ends, the 0 below stands alone.
   if (QFontMetricsF(plain).horizontalAdvance(middle) <= free)
     p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignCenter, middle);
   const QRectF bar(x0, px(22), w, px(13));

@@ -4,7 +4,6 @@
 
 #include <QLineF>
 #include <QWidget>
-#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
 #include "ui/render/scenery_look.h"
+#include "ui/render/tooth_picture.h"
 #include "ui/report/place_view.h"
 
 class QLabel;
@@ -20,10 +20,9 @@ namespace cusp::ui {
 
 class PinLeader;
 class ToothView;
-enum class Colouring : std::uint8_t;
 
 /// The card stands at the foot of the view, beside the cavity, and a line joins it to the ring. If the tooth or its scenery hides
-/// the place, ring and line are hidden and the card says so.
+/// the place, ring and line are hidden and the card gives the cause.
 class PinnedTooth : public QWidget {
   Q_OBJECT
 

@@ -103,7 +103,7 @@ QString circumstances_text(const ReportData& data) {
 }
 
 QStringList burs_used_text(const ReportData& data) {
-  constexpr int kMostSpans = 4;  // of a line; an attempt with more changes says so
+  constexpr int kMostSpans = 4;  // of a line; with more changes the line ends in a remark
   QStringList lines;
   const std::vector<Bur>& burs = data.result.scenario.instruments;
   for (std::size_t i = 0; i < burs.size(); ++i) {

@@ -63,10 +63,10 @@ class Paper {
                Then then = Then::advance) {
     p_.setFont(font(type.size, type.weight));
     p_.setPen(type.ink);
-    const QRectF room(column.x, y_, column.width, page_.bottom() - y_);
+    const QRectF area(column.x, y_, column.width, page_.bottom() - y_);
     const int flags = static_cast<int>(align | Qt::AlignTop) | Qt::TextWordWrap;
-    const QRectF used = p_.boundingRect(room, flags, text);
-    p_.drawText(room, flags, text);
+    const QRectF used = p_.boundingRect(area, flags, text);
+    p_.drawText(area, flags, text);
     if (then == Then::advance) y_ += used.height();
     return used.height();
   }
@@ -267,10 +267,10 @@ void write_legend(Paper& paper, const Tokens& t) {
     painter.drawRect(QRectF(x, y + paper.u(3), paper.u(12), paper.u(12)));
     painter.setFont(paper.font(11));
     painter.setPen(t.text);
-    const QRectF room(x + paper.u(20), y, w - paper.u(20), paper.u(60));
+    const QRectF area(x + paper.u(20), y, w - paper.u(20), paper.u(60));
     const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-    painter.drawText(room, flags, text);
-    y += std::max(paper.u(22), painter.boundingRect(room, flags, text).height() + paper.u(6));
+    painter.drawText(area, flags, text);
+    y += std::max(paper.u(22), painter.boundingRect(area, flags, text).height() + paper.u(6));
   }
 }
 

@@ -22,7 +22,7 @@ QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<Q
 /// Places marked on the paper's tooth: those of the first entries of next_time(), in the same order.
 std::vector<Vec3> places_on_paper(const ReportData& data);
 
-/// `tooth` is of places_on_paper(). Where it failed, its place on the page says why. Written beside the name and renamed, so that no half file is left.
+/// `tooth` is of places_on_paper(). If it failed, its place on the page gives the cause. Written beside the name and renamed, so that no half file is left.
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
                                           const DrawnTooth& tooth);
 

@@ -76,7 +76,7 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) 
   table_->choose_row(std::max(course->next(), 0));
   auto* shown = new QStackedWidget;
   shown->addWidget(table_);
-  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise has these words in its name."),
+  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise has this text in its name."),
                               tr("Show all exercises"));
   shown->addWidget(none);
   card->body()->addWidget(shown);

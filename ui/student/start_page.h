@@ -1,5 +1,5 @@
 /// The student's start page: interrupted attempt, next exercise, list of exercises, last result with advice, time against score.
-/// All from the records; empty parts say why. Thread: GUI.
+/// All from the records; empty parts give the cause. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -88,9 +88,9 @@ QString leanest_sentence(const AuditReport& report) {
            means_sentence(report);
   const QString what = taken(report).join(u", "_qs);
   const bool finer = report.leanest.specimen.voxel_mm < report.scenario.specimen.voxel_mm;
-  const QString tells = finer ? AuditText::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
+  const QString finding = finer ? AuditText::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
                               : AuditText::tr("Every attempt keeps its score within %1 points: %2.");
-  QString out = tells.arg(format_points(report.tolerance_points), what);
+  QString out = finding.arg(format_points(report.tolerance_points), what);
   if (report.leanest_result) {
     const ModelCost &was = report.as_set.cost, &is = report.leanest_result->cost;
     out += u' ' + AuditText::tr("An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.")

@@ -11,7 +11,7 @@ namespace cusp::ui {
 namespace {
 
 struct BurText {
-  Q_DECLARE_TR_FUNCTIONS(cusp::ui::BurWords)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::BurText)
 };
 
 QString use_name(std::string_view use) {

@@ -1,4 +1,4 @@
-/// Text for a grade: criteria, what they want, why points went, what to do next time. Needs no window.
+/// Text for a grade: criteria, what they want, why points were lost, what to do next time. Needs no window.
 #pragma once
 
 #include <QString>
@@ -17,7 +17,7 @@ QString critical_name(const std::string& critical);
 
 /// "1.5 to 2.0", "under 0.3", "99 or more": what earns full points.
 QString wanted_text(const Criterion& criterion);
-/// Why points went: "2.41 mm, 0.41 mm deeper than 2 mm", "0.2 % removed; full points from 97 %".
+/// Why points were lost: "2.41 mm, 0.41 mm deeper than 2 mm", "0.2 % removed; full points from 97 %".
 QString reason_text(const CriterionGrade& grade);
 /// What to give tr() as %n for points that may be a fraction: only a plain "1" is singular, "1.5" and "0.5" are not.
 int point_forms(double points);

@@ -14,7 +14,7 @@ namespace cusp::ui {
 namespace {
 
 struct ImportText {
-  Q_DECLARE_TR_FUNCTIONS(cusp::ui::ImportWords)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::ImportText)
 };
 
 QString millimetres(double mm, int decimals) {
@@ -63,7 +63,7 @@ QString describe(const ImportRemark& r) {
           .arg(size_text({n(0), n(1), n(2)}, QStringLiteral("mm"), 3), millimetres(n(3), 3));
     case RemarkCode::straightened:
       return ImportText::tr("Its axes were oblique; it was turned by %1°, its shape is as it was.").arg(isolate(format_number(n(0), 1)));
-    case RemarkCode::spacing_assumed: return ImportText::tr("The file does not say how long a unit is; what was chosen was taken.");
+    case RemarkCode::spacing_assumed: return ImportText::tr("The file does not name its unit; the chosen one was taken.");
     case RemarkCode::identity_left_out: return ImportText::tr("Nothing about the patient was read.");
     case RemarkCode::one_of_series:
       return ImportText::tr("The folder holds %n series; the one with %1 slices was read.", nullptr, count).arg(static_cast<int>(n(1)));
@@ -72,7 +72,7 @@ QString describe(const ImportRemark& r) {
     case RemarkCode::triangles_turned: return ImportText::tr("In %1 %n triangle(s) were turned round.", nullptr, count).arg(mesh);
     case RemarkCode::holes_closed:
       return ImportText::tr("In %1 %n hole(s) were closed, the widest of %2.", nullptr, count).arg(mesh, millimetres(n(1), 2));
-    case RemarkCode::components_removed: return ImportText::tr("%n voxel(s) of loose pieces were left out.", nullptr, count);
+    case RemarkCode::components_removed: return ImportText::tr("%n voxel(s) of separate components were left out.", nullptr, count);
     case RemarkCode::hollows_filled: return ImportText::tr("%n voxel(s) of closed hollows were filled.", nullptr, count);
     case RemarkCode::shell_capped:
       return ImportText::tr("%1 was an open shell. Caps of %2 closed it; what lies between shell and cap is %3, unless another part lies there.")

@@ -7,9 +7,9 @@
 
 namespace cusp::ui {
 
-/// Text::tr("…") is looked up in the context Sentences.
+/// Text::tr("…") is looked up in the context cusp::ui::Text.
 struct Text {
-  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Sentences)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Text)
 };
 
 inline QString text(const std::string& s) { return QString::fromStdString(s); }
