@@ -37,8 +37,8 @@ class PressedButton final : public QAccessibleWidget {
   }
   QString text(QAccessible::Text kind) const override {
     if (kind == QAccessible::Accelerator) return button().shortcut().toString(QKeySequence::NativeText);
-    const QString said = QAccessibleWidget::text(kind);
-    return said.isEmpty() && kind == QAccessible::Name ? button().text() : said;
+    const QString name = QAccessibleWidget::text(kind);
+    return name.isEmpty() && kind == QAccessible::Name ? button().text() : name;
   }
   QStringList actionNames() const override {
     QStringList names = QAccessibleWidget::actionNames();

@@ -1,4 +1,4 @@
-/// Ctrl+C as a question: a verb that takes long asks it between two pieces of work.
+/// Ctrl+C as a question: a verb that takes long asks it between two steps.
 #pragma once
 
 namespace cusp::ui {

@@ -31,7 +31,7 @@ void add_history(CLI::App& program, Job& job);
 /// One line on stderr, "cusp: …", and kFailed.
 int failed(const Message& message);
 int failed(const QString& what);
-/// One line on stderr; the verb goes on.
+/// One line on stderr; the verb continues.
 void warn(const QString& what);
 /// One line on stderr and kWrongUsage.
 int wrong_usage(const QString& what);

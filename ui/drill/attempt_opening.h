@@ -42,7 +42,7 @@ class AttemptOpening {
 
   /// Begins at once.
   AttemptOpening(Order order, Answer answer);
-  /// Calls it off, and waits until the device is let go.
+  /// Cancels, and waits until the device is released.
   ~AttemptOpening();
   AttemptOpening(const AttemptOpening&) = delete;
   AttemptOpening& operator=(const AttemptOpening&) = delete;

@@ -6,7 +6,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kThinMm = 0.5;          // dentine over the pulp that is worth a word
+constexpr double kThinMm = 0.5;          // dentine over the pulp, below which the coach warns
 constexpr double kReachedMm = 0.1;       // this near the floor it is reached: a tenth is what the gauge shows
 constexpr double kAlmostAllPercent = 97;
 constexpr double kWritingMm = 1e-9;      // the rounding of decimal figures: 0.5 - 0.3 is 0.2 all the same

@@ -36,7 +36,7 @@ DrillFeed::Clock::time_point DrillFeed::time_of(std::uint64_t elapsed_us) {
 
 void DrillFeed::on_tick(const StepInput&, const StepState& after) {
   const Clock::time_point when = time_of(after.last().elapsed_us);
-  // A cutting tick need not change a voxel: the bur's way is carved in pieces. Only those that did count.
+  // A cutting tick need not change a voxel, for the step carves a sweep in parts. Only ticks that changed one count.
   const std::uint64_t now = revisions(after.volume());
   const std::optional<std::uint64_t> before = std::exchange(revisions_, now);
   if (before && now != *before) changes_.push_back(when);

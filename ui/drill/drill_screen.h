@@ -1,5 +1,5 @@
 /// The drilling screen: the tooth in the middle, depth and push beside it, the coach's message below, instruments in
-/// the tray, section and scores at the right. It runs one attempt at an exercise from begin() to finished() or left().
+/// the tray, section and scores at the right. It leads one attempt at an exercise from begin() to finished() or left().
 /// Thread: GUI. It decides nothing about the tooth: the step does, and what it shows comes from the mirror.
 #pragma once
 
@@ -38,7 +38,7 @@ class DrillScreen : public QWidget {
   void keep_sound_in(class Settings* settings);
 
  public Q_SLOTS:
-  /// Stops the clock and the force; the same again goes on.
+  /// Stops the clock and the force; the same again resumes.
   void toggle_pause();
   /// Asks, then ends the attempt and grades it.
   void ask_finish();

@@ -11,19 +11,19 @@ AuditJob::AuditJob(QObject* parent) : QObject(parent) {}
 AuditJob::~AuditJob() { cancel(); }
 
 void AuditJob::cancel() {
-  if (run_) run_->cancel.store(true);
-  run_.reset();
+  if (job_) job_->cancel.store(true);
+  job_.reset();
 }
 
 void AuditJob::start(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner) {
   cancel();
-  run_ = std::make_shared<Run>();
-  QThreadPool::globalInstance()->start([run = run_, scenario, settings, runner, self = QPointer<AuditJob>(this)] {
+  job_ = std::make_shared<Job>();
+  QThreadPool::globalInstance()->start([own = job_, scenario, settings, runner, self = QPointer<AuditJob>(this)] {
     const auto post = [&](auto answer) {
       QMetaObject::invokeMethod(
           qApp,
-          [self, run, answer] {
-            if (self && self->run_ == run) answer(*self);
+          [self, own, answer] {
+            if (self && self->job_ == own) answer(*self);
           },
           Qt::QueuedConnection);
     };
@@ -34,17 +34,17 @@ void AuditJob::start(const Scenario& scenario, const AuditSettings& settings, co
         reported = share;
         post([share](AuditJob& job) { Q_EMIT job.progressed(share); });
       }
-      return !run->cancel.load();
+      return !own->cancel.load();
     });
     if (!report) {
       post([failure = report.error()](AuditJob& job) {
-        job.run_.reset();
+        job.job_.reset();
         Q_EMIT job.failed(failure);
       });
       return;
     }
     post([found = std::make_shared<const AuditReport>(*report)](AuditJob& job) {
-      job.run_.reset();
+      job.job_.reset();
       Q_EMIT job.done(found);
     });
   });

@@ -22,7 +22,7 @@ class AuditJob : public QObject {
   void start(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner);
   /// No more signals come. The audit ends within a fraction of a second, or when its specimen is grown.
   void cancel();
-  bool running() const { return run_ != nullptr; }
+  bool running() const { return job_ != nullptr; }
 
  Q_SIGNALS:
   void progressed(double share);
@@ -30,10 +30,10 @@ class AuditJob : public QObject {
   void failed(const AuditFailure& failure);
 
  private:
-  struct Run {
+  struct Job {
     std::atomic<bool> cancel{false};
   };
-  std::shared_ptr<Run> run_;
+  std::shared_ptr<Job> job_;
 };
 
 }  // namespace cusp::ui

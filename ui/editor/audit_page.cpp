@@ -176,13 +176,13 @@ void AuditPage::show_report() {
   const auto line = [&](const QString& name, const QString& verdict, const char* ink, const QString& us, const QString& mb,
                         const QString& score) {
     grid->addWidget(make_rule(), at++, 0, 1, 4);
-    auto* words = new QVBoxLayout;
-    words->setSpacing(0);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(0);
     QLabel* title = make_label(name);
     title->setWordWrap(true);
-    words->addWidget(title);
-    words->addWidget(make_label(verdict, TextRole::caption, Weight::regular, ink));
-    grid->addLayout(words, at, 0);
+    texts->addWidget(title);
+    texts->addWidget(make_label(verdict, TextRole::caption, Weight::regular, ink));
+    grid->addLayout(texts, at, 0);
     grid->addWidget(figure(us, tr("%1: microseconds").arg(name)), at, 1);
     grid->addWidget(figure(mb, tr("%1: megabytes").arg(name)), at, 2);
     grid->addWidget(figure(score, tr("%1: change of the score").arg(name)), at, 3);

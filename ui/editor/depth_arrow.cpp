@@ -21,8 +21,8 @@ void DepthArrow::span(QPointF floor, QPointF top) {
   if (length <= px(10)) return;
   const QPointF u = along / length, n(-u.y(), u.x());
   const double half = px(1.5), head = px(6.0), tall = px(11.0);
-  const QRectF room = QRectF(floor, top).normalized().adjusted(-head - 2, -head - 2, head + 2, head + 2);
-  setGeometry(room.toAlignedRect());
+  const QRectF box = QRectF(floor, top).normalized().adjusted(-head - 2, -head - 2, head + 2, head + 2);
+  setGeometry(box.toAlignedRect());
   const QPointF f = floor - QPointF(pos()), t = top - QPointF(pos()), neck = t - u * tall;
   QPolygonF shape;
   shape << f + n * half << neck + n * half << neck + n * head << t << neck - n * head << neck - n * half << f - n * half;

@@ -61,8 +61,8 @@ HandleKnob::HandleKnob(TargetView& stage, int) : QWidget(&stage), stage_(stage) 
 
 void HandleKnob::fit_mask() {
   const int edge = hasFocus() ? 0 : (px(kWhole) - px(kBody)) / 2;
-  const QRect room = rect().adjusted(edge, edge, -edge, -edge);
-  setMask(handle_.kind == TargetHandle::Kind::depth ? QRegion(room, QRegion::Ellipse) : QRegion(room));
+  const QRect area = rect().adjusted(edge, edge, -edge, -edge);
+  setMask(handle_.kind == TargetHandle::Kind::depth ? QRegion(area, QRegion::Ellipse) : QRegion(area));
 }
 
 void HandleKnob::set_handle(const TargetHandle& handle, const QString& name, const QString& value) {
@@ -82,13 +82,13 @@ void HandleKnob::paintEvent(QPaintEvent*) {
   const double edge = (px(kWhole) - px(kBody)) / 2.0;
   const QRectF body = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
   const bool round = handle_.kind == TargetHandle::Kind::depth;
-  const auto fill = [&](const QRectF& room, const QColor& colour) {
+  const auto fill = [&](const QRectF& area, const QColor& colour) {
     p.setPen(Qt::NoPen);
     p.setBrush(colour);
     if (round) {
-      p.drawEllipse(room);
+      p.drawEllipse(area);
     } else {
-      p.drawRect(room);
+      p.drawRect(area);
     }
   };
   if (hasFocus()) fill(body.adjusted(-2, -2, 2, 2), Tokens::light().surface);

@@ -146,7 +146,7 @@ void ImportPreview::show_made() {
       parts << QStringLiteral("%1 %2").arg(tissue_name(static_cast<Tissue>(code)),
                                            format_value({.value = made_.mm3[code], .unit = QStringLiteral("mm³"), .decimals = 1}));
   facts_->setText(size_text(size_mm(), u"mm"_qs) + u'\n' + parts.join(QStringLiteral(" · ")));
-  // Room above for the arrow.
+  // Space above for the arrow.
   const Vec3 size = size_mm(), middle = 0.5 * (made_.low_mm + made_.high_mm) + Vec3(0, 0, kRoom * 0.25 * size.z);
   Camera camera = Camera::about(middle, (0.5 + kRoom / 4) * std::max(std::hypot(size.x, size.y), (1.0 + kRoom) * size.z));
   camera.set_angles(0.0, kPitch);

@@ -17,7 +17,7 @@ struct PackedVertex {
   std::uint8_t tissue;
   std::uint8_t cut;        // 255 where a bur left the surface, else 0
   std::uint8_t ambient;    // light that reaches the place from around, 0 to 255
-  std::uint8_t beyond;     // 255 where a bur went further than the leeway allows, else 0
+  std::uint8_t beyond;     // 255 where the cut lies beyond the leeway, else 0
   float value;             // mm from the target: above 0 over-cut, below 0 uncut remainder
 };
 static_assert(sizeof(PackedVertex) == 28);

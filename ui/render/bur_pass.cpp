@@ -17,7 +17,7 @@ struct Ring {
   float cutting;
 };
 
-/// The outline's pieces as rings; where two meet at an edge, both with their own normals.
+/// The outline's parts as rings; where two meet at an edge, both with their own normals.
 void add_head(const Profile& head, std::vector<Ring>& out) {
   constexpr int kArc = 10;
   const auto add = [&out](OnHalf at, OnHalf normal) {

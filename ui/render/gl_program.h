@@ -19,7 +19,7 @@ class GlProgram {
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;
 
-  /// `name` of "NAME.vert.glsl" and "NAME.frag.glsl"; `define`: one word that both are compiled with, or empty.
+  /// `name` of "NAME.vert.glsl" and "NAME.frag.glsl"; `define`: a macro that both are compiled with, or empty.
   /// False and the compiler's message in `why` on failure.
   bool link(std::string_view name, std::string& why, std::string_view define = {});
   void use() const { glUseProgram(program_); }

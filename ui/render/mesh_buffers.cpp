@@ -48,9 +48,9 @@ void MeshBuffers::describe() {
   glVertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(PackedVertex, value)));
 }
 
-void MeshBuffers::grow(GLenum target, GLuint& buffer, std::size_t& room, std::size_t used, std::size_t needed) {
-  if (needed <= room) return;
-  const std::size_t bigger = std::max({needed, 2 * room, std::size_t{1} << 20});
+void MeshBuffers::grow(GLenum target, GLuint& buffer, std::size_t& capacity, std::size_t used, std::size_t needed) {
+  if (needed <= capacity) return;
+  const std::size_t bigger = std::max({needed, 2 * capacity, std::size_t{1} << 20});
   GLuint fresh = 0;
   glGenBuffers(1, &fresh);
   glBindVertexArray(0);
@@ -62,7 +62,7 @@ void MeshBuffers::grow(GLenum target, GLuint& buffer, std::size_t& room, std::si
   }
   glDeleteBuffers(1, &buffer);
   buffer = fresh;
-  room = bigger;
+  capacity = bigger;
   describe();
 }
 

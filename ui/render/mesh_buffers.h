@@ -39,7 +39,7 @@ class MeshBuffers {
     float radius = 0, cone_cos = -1;
   };
   std::size_t place_for(const BakedPatch& patch);
-  void grow(GLenum target, GLuint& buffer, std::size_t& room_bytes, std::size_t used_bytes, std::size_t needed_bytes);
+  void grow(GLenum target, GLuint& buffer, std::size_t& capacity_bytes, std::size_t used_bytes, std::size_t needed_bytes);
   void describe();
 
   GLuint array_ = 0, vertices_ = 0, indices_ = 0;

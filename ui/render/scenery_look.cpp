@@ -14,8 +14,8 @@ namespace {
 
 constexpr float kPieceMm = 4.0f;  // on a side: a side of a crown, so that the far one can be skipped
 
-/// One piece of a mesh, numbered anew.
-BakedPatch piece(const SceneryMesh& mesh, const std::vector<std::size_t>& triangles, int number) {
+/// One patch of a mesh, numbered anew.
+BakedPatch patch_of(const SceneryMesh& mesh, const std::vector<std::size_t>& triangles, int number) {
   BakedPatch out;
   out.brick = number;
   std::map<std::uint32_t, std::uint16_t> place;
@@ -50,7 +50,7 @@ BakedPatch piece(const SceneryMesh& mesh, const std::vector<std::size_t>& triang
   return out;
 }
 
-/// By place, and by the way that they face: a piece that faces away as a whole is skipped.
+/// By place, and by the way that they face: a patch that faces away as a whole is skipped.
 using Key = std::array<int, 4>;
 Key key_of(const SceneryMesh& mesh, std::size_t triangle) {
   Vec3f middle(0.0f), normal(0.0f);
@@ -76,9 +76,9 @@ SceneryLook::SceneryLook(std::vector<SceneryMesh> meshes) : meshes_(std::move(me
     bounds_ = first ? box : Box{glm::min(bounds_.low, box.low), glm::max(bounds_.high, box.high)};
     first = false;
     boxes_.push_back(box);
-    std::map<Key, std::vector<std::size_t>> pieces;
-    for (std::size_t t = 0; t + 2 < mesh.seen; t += 3) pieces[key_of(mesh, t)].push_back(t);
-    for (const auto& [key, triangles] : pieces) patches_.push_back(piece(mesh, triangles, static_cast<int>(patches_.size())));
+    std::map<Key, std::vector<std::size_t>> groups;
+    for (std::size_t t = 0; t + 2 < mesh.seen; t += 3) groups[key_of(mesh, t)].push_back(t);
+    for (const auto& [key, triangles] : groups) patches_.push_back(patch_of(mesh, triangles, static_cast<int>(patches_.size())));
   }
 }
 

@@ -17,7 +17,7 @@ class SceneryLook {
  public:
   explicit SceneryLook(std::vector<SceneryMesh> meshes);
 
-  /// What lies open, in pieces of some millimetres that a frame may skip. `brick` counts them.
+  /// What lies open, in patches of some millimetres that a frame may skip. `brick` counts them.
   const std::vector<BakedPatch>& patches() const noexcept { return patches_; }
   const std::vector<SceneryMesh>& meshes() const noexcept { return meshes_; }
   /// Of the meshes, as many.

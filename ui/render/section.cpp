@@ -162,7 +162,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       const double d_px = volume.specimen().reading() == Reading::filled ? (0.5 - s) * voxel_px * 2
                                                                          : (0.5 - s) * 2 * kBandVoxels * voxel_px;
       Colour c{0, 0, 0, 0};
-      // Where the specimen has or had tissue its voxels know better; round it the scenery goes on.
+      // Where the specimen has or had tissue its voxels know better; round it the scenery continues.
       if (!scenery.empty() && volume.specimen().s(v) < kHalf) {
         const SceneryPixel& beside = scenery[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)];
         if (beside.tissue != Tissue::empty) c = colours[index_of(beside.tissue) % kTissueCodes];

@@ -36,7 +36,7 @@ struct Scene3d {
   Camera camera;
   Colour background_middle = colour_of(0xCDD4DC), background_edge = colour_of(0xAFB8C3);  // the theme's "view"
   Colouring colouring = Colouring::tissue;
-  bool show_target = true;                // tint of what is still to be removed, the lines, hatching of what went too far
+  bool show_target = true;                // tint of the uncut remainder, the lines, hatching of the over-cut
   std::optional<BurPose> bur;
   std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
   float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines

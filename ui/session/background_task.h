@@ -1,5 +1,5 @@
 /// Work that the window starts and never waits for: asking a service, closing a device that may not answer. Each background task
-/// has a thread of its own. Whoever drops a BackgroundTask goes on at once; what still runs then is waited for when the program
+/// has a thread of its own. Whoever drops a BackgroundTask continues at once; what still runs then is waited for when the program
 /// ends, or by whoever needs what it holds. Any thread but the haptic one.
 #pragma once
 

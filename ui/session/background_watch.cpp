@@ -9,7 +9,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Between the two threads; the looking one keeps it alive.
+/// Between the two threads; the watching one keeps it alive.
 struct Shared {
   std::mutex mutex;  // held for a copy, never while anything is asked
   std::condition_variable stopped;
@@ -17,7 +17,7 @@ struct Shared {
   bool answered = false, changed = false, stop = false;
 };
 
-void look(Shared& shared, const std::function<std::unique_ptr<DeviceWatch>()>& make, std::chrono::milliseconds every) {
+void watch_devices(Shared& shared, const std::function<std::unique_ptr<DeviceWatch>()>& make, std::chrono::milliseconds every) {
   const std::unique_ptr<DeviceWatch> watch = make();
   std::unique_lock lock(shared.mutex);
   while (!shared.stop) {
@@ -37,7 +37,7 @@ void look(Shared& shared, const std::function<std::unique_ptr<DeviceWatch>()>& m
 class BackgroundWatch final : public DeviceWatch {
  public:
   BackgroundWatch(std::function<std::unique_ptr<DeviceWatch>()> make, std::chrono::milliseconds every)
-      : errand_([shared = shared_, make = std::move(make), every] { look(*shared, make, every); }) {}
+      : task_([shared = shared_, make = std::move(make), every] { watch_devices(*shared, make, every); }) {}
   ~BackgroundWatch() override {
     const std::lock_guard lock(shared_->mutex);
     shared_->stop = true;
@@ -54,7 +54,7 @@ class BackgroundWatch final : public DeviceWatch {
 
  private:
   std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
-  BackgroundTask errand_;
+  BackgroundTask task_;
 };
 
 }  // namespace

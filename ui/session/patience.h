@@ -13,7 +13,7 @@ namespace cusp::ui {
 struct Patience {
   std::chrono::milliseconds pause{500};  // between two tries; a busy file has its own time-out (5 s) besides
   int tries = 20;                        // of one write that somebody waits for: ten seconds of a full disk
-  // Seconds of a session that may rest in memory alone while it goes on; then it is held, and writing is tried further.
+  // Seconds of a session that may rest in memory alone before it is held, and writing is tried further.
   std::size_t most_waiting = 30;
 };
 

@@ -21,7 +21,7 @@ SessionEnd run_script(VirtualLoop& loop, Mirror& mirror, const Recorder* recorde
   constexpr std::size_t kMostWaiting = 150;
   SessionEnd end = SessionEnd::script;
   std::uint64_t asked_at_s = 0;
-  // Between turns, not by the mirror: when a piece goes must not depend on threads.
+  // Between turns, not by the mirror: when a fragment is removed must not depend on threads.
   FragmentFinder finder(loop.hand_over());
   mirror.start();
   while (loop.run(kTurn) == kTurn) {

@@ -20,7 +20,7 @@ struct SessionSetup {
   std::unique_ptr<Store> store;          // null: nothing is kept
   SessionId session;
   std::optional<StepState> loop_start, mirror_start;
-  Process process;                       // of the part before, when a session goes on
+  Process process;                       // of the part before, when a session resumes
 };
 
 /// `plan` gets its specimen. No row is written before everything else has succeeded.

@@ -188,10 +188,10 @@ void SignIn::resizeEvent(QResizeEvent* event) {
   left->setMinimumWidth(wide ? px(kLeftWidth) : 0);
   left->setMaximumWidth(wide ? px(kLeftWidth) : QWIDGETSIZE_MAX);
   if (!wide || image_.isNull()) return;
-  const QSize room(width() - px(kLeftWidth), height());
+  const QSize area(width() - px(kLeftWidth), height());
   const qreal ratio = devicePixelRatioF();
-  QImage scaled = image_.scaled(room * ratio, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  const QSize want = room * ratio;
+  QImage scaled = image_.scaled(area * ratio, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QSize want = area * ratio;
   scaled = scaled.copy((scaled.width() - want.width()) / 2, (scaled.height() - want.height()) / 2, want.width(), want.height());
   scaled.setDevicePixelRatio(ratio);
   picture_->setPixmap(QPixmap::fromImage(scaled));

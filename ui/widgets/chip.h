@@ -1,4 +1,4 @@
-/// A chip: an icon and one to three words, so that no meaning lies in the colour alone. Thread: GUI.
+/// A chip: an icon and a short text, so that no meaning lies in the colour alone. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -51,7 +51,7 @@ QString format_uncertainty(const Measured& m, const QLocale& locale) {
   if (!m.uncertainty || !(*m.uncertainty > 0)) return {};
   const int decimals = decimals_of(m);
   const double least = 0.5 * std::pow(10.0, -decimals);
-  // An uncertainty below what is printed would read "± 0.00": one more digit says it.
+  // An uncertainty below what is printed would read "± 0.00": one more digit shows it.
   const int shown = *m.uncertainty < least ? std::min(decimals + 1, 3) : decimals;
   if (*m.uncertainty < 0.5 * std::pow(10.0, -shown)) return {};
   return isolate(QChar(0x00B1) + QString(kNoBreak) + format_number(*m.uncertainty, shown, locale));

@@ -56,7 +56,7 @@ class AccessibleGauge : public QAccessibleWidget, public QAccessibleValueInterfa
   Gauge* gauge_;
 };
 
-/// Qt's own says the bare number; this one says it with its unit.
+/// Qt's own reads the bare number; this one reads it with its unit.
 class AccessibleBar : public QAccessibleWidget, public QAccessibleValueInterface {
  public:
   explicit AccessibleBar(Bar* bar) : QAccessibleWidget(bar, QAccessible::ProgressBar), bar_(bar) {}

@@ -69,7 +69,7 @@ class Bar : public QProgressBar {
   enum class Role { accent, target, good, look, bad, enamel, dentine, carious, pulp, plain };
   explicit Bar(Role role = Role::accent, QWidget* parent = nullptr);
   void set_role(Role role);
-  /// Clamped to [0, 1]; a screen reader says `spoken` ("6.82 mm³").
+  /// Clamped to [0, 1]; a screen reader reads `spoken` ("6.82 mm³").
   void set_share(double share, const QString& spoken = {});
   double share() const;
   QSize sizeHint() const override;

@@ -23,7 +23,7 @@ class NumberField : public QDoubleSpinBox {
   /// Sets the value without a signal; another value clears the message. A value outside the range becomes the nearest in it,
   /// and the message names it.
   void show_value(double value);
-  /// Says why a value was refused, or which was taken instead.
+  /// Reason why a value was refused, or the value that was taken instead.
   void show_message(const QString& message);
   void clear_message();
 
