@@ -163,7 +163,7 @@ def disks(desk):
             check(status == 1 and out == "", f"{what}: {out}")
             one_sentence(err, what)
             check(not os.path.exists(desk.path(f"o{kilobytes}", "report.json")), f"{what}: a report of an attempt that was not kept")
-            check(subprocess.run(["mount", "-o", "remount,size=20m", full]).returncode == 0, "more room")
+            check(subprocess.run(["mount", "-o", "remount,size=20m", full]).returncode == 0, "more space")
             if os.path.exists(database) and os.path.getsize(database) > 0:
                 check(integrity(database) == "ok", f"{what}: the database is not sound")
                 status, out, err = desk.run("history", database, "list", "--json", "-")

@@ -20,7 +20,7 @@ def play(desk, database, after_s):
     errors = desk.path("progress")
     with open(errors, "w", encoding="utf-8") as err:
         process = subprocess.Popen(
-            [desk.cusp, "play", desk.path("small.json"), "--script", desk.path("hand.csv"), "--db", database, "--out",
+            [desk.cusp, "play", desk.path("small.json"), "--script", desk.path("script.csv"), "--db", database, "--out",
              desk.path("out"), "--progress"],
             stdout=subprocess.DEVNULL, stderr=err, stdin=subprocess.DEVNULL, env=desk.environment())
         if after_s is not None:

@@ -53,7 +53,7 @@ class Desk:
             json.dump(scenario, f)
         return self.path(name)
 
-    def small_script(self, seconds, name="hand.csv"):
+    def small_script(self, seconds, name="script.csv"):
         """Down onto the block and along a wave, cutting."""
         with open(self.path(name), "w", encoding="utf-8") as f:
             f.write("elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n")

@@ -83,7 +83,7 @@ def main():
 
         subprocess.run(["mount", "-o", "remount,rw", desk.path("disk")], check=True)
         os.remove(desk.path("disk", "filler"))
-        read_everything(desk, database, session, score, "with room again")
+        read_everything(desk, database, session, score, "with free space again")
         check(integrity(database) == "ok", "the file is sound")
         with contextlib.closing(sqlite3.connect(database)) as db:
             name = db.execute("SELECT name FROM people WHERE number = 'demo'").fetchone()[0]

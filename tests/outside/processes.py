@@ -107,7 +107,7 @@ class Program:
         Program.count += 1
         self.kind, self.killed = kind, False
         self.out = crowd.desk.path(f"{Program.count}.out")
-        arguments = {"play": ["play", crowd.desk.path("small.json"), "--script", crowd.desk.path("hand.csv"), "--db",
+        arguments = {"play": ["play", crowd.desk.path("small.json"), "--script", crowd.desk.path("script.csv"), "--db",
                               crowd.database, "--out", crowd.desk.path(f"{Program.count}")],
                      "list": ["history", crowd.database, "list"], "verify": ["history", crowd.database, "verify"],
                      "window": ["--db", crowd.database]}[kind]
@@ -247,7 +247,7 @@ def main():
         desk.small_exercise(change=lambda scenario: scenario["specimen"].update(voxel_mm=0.5))
         desk.small_script(10)
         start = time.monotonic()
-        status, _, err = desk.run("play", desk.path("small.json"), "--script", desk.path("hand.csv"), "--db",
+        status, _, err = desk.run("play", desk.path("small.json"), "--script", desk.path("script.csv"), "--db",
                                   desk.path("whole.db"), "--out", desk.path("whole"))
         whole_s = time.monotonic() - start
         check(status == 0, f"an undisturbed play: {err}")

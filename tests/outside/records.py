@@ -49,14 +49,14 @@ def verify_names(desk):
         (["UPDATE people SET role = 'administrator', pin = '' WHERE number = 'okafor'"], ("people", "okafor", "role")),
         (["UPDATE people SET password = '' WHERE number = 'admin'"], ("people", "admin", "password")),
     ]
-    for statements, words in cases:
+    for statements, parts in cases:
         database = tampered(desk, *statements)
         status, out, err = desk.run("history", database, "verify", "--as", STUDENT, CUSP_PASSWORD=PIN)
         check(status == 1, f"{statements[0]}: exit {status}, {out}")
-        for word in words:
-            check(word in out, f"{statements[0]}: {word} is not named: {out}{err}")
+        for part in parts:
+            check(part in out, f"{statements[0]}: {part} is not named: {out}{err}")
         status, out, _ = desk.run("history", database, "verify", "--as", STUDENT, "--json", "-", CUSP_PASSWORD=PIN)
-        check(status == 1 and words[0] in out and '"intact": false' in out, f"{statements[0]}: {out}")
+        check(status == 1 and parts[0] in out and '"intact": false' in out, f"{statements[0]}: {out}")
 
 
 def secrets(desk, database):
@@ -69,10 +69,10 @@ def secrets(desk, database):
         check(status == 1 and "admin" in err and "password" in err and "PIN" not in err and database not in err, err)
     status, _, err = desk.run(*listed, "admin", CUSP_PASSWORD="correct horse")
     check(status == 0, f"six PINs were no wrong tries: {err}")
-    for secret, word, other in (("000000", "PIN", "password"), ("a wrong one", "password", "PIN")):
+    for secret, kind, other in (("000000", "PIN", "password"), ("a wrong one", "password", "PIN")):
         status, _, err = desk.run(*listed, STUDENT, CUSP_PASSWORD=secret)
         one_sentence(err, "a wrong secret")
-        check(status == 1 and STUDENT in err and word in err and other not in err and database not in err, err)
+        check(status == 1 and STUDENT in err and kind in err and other not in err and database not in err, err)
 
 
 def session_of(database):

@@ -25,23 +25,23 @@ def short(scenario):
 with Desk(sys.argv[1]) as desk:
     for scenario in sys.argv[2:] or [desk.small_exercise(change=short)]:
         database = desk.path(os.path.basename(scenario) + ".db")
-        for hand, passes in (("expert", True), ("novice", False)):
-            out_dir = desk.path("report of " + os.path.basename(scenario), hand)
+        for operator, passes in (("expert", True), ("novice", False)):
+            out_dir = desk.path("report of " + os.path.basename(scenario), operator)
             start = time.monotonic()
-            status, out, err = desk.run("play", scenario, "--script", hand, "--db", database, "--out", out_dir)
+            status, out, err = desk.run("play", scenario, "--script", operator, "--db", database, "--out", out_dir)
             took = time.monotonic() - start
             check(status == 0 and err == "", f"play: {status} {err}")
             session = out.strip()
             with open(os.path.join(out_dir, "report.json"), encoding="utf-8") as f:
                 report = json.load(f)
             check(list(report) == FIELDS, f"fields of report.json: {list(report)}")
-            check(report["session"] == session and report["hand"] == hand and report["student"] == "demo", str(report))
-            print(f"{scenario} {hand}: {report['score']:.1f} of {report['score_max']:.0f}, {report['duration_s']:.1f} s of "
+            check(report["session"] == session and report["hand"] == operator and report["student"] == "demo", str(report))
+            print(f"{scenario} {operator}: {report['score']:.1f} of {report['score_max']:.0f}, {report['duration_s']:.1f} s of "
                   f"session in {took:.1f} s; critical {report['critical']}; "
                   + "; ".join(f"{c['id']} {c['band']} {c['points']:.1f}/{c['points_max']:.0f}" for c in report["criteria"]))
-            # In the short channel the novice has little room to fail: there the expert only has to be the better one.
+            # In the short channel the novice can hardly fail: there the expert only has to be the better one.
             if passes or sys.argv[2:]:
-                check(report["passed"] == passes, f"{scenario}: the {hand} should {'pass' if passes else 'fail'}")
+                check(report["passed"] == passes, f"{scenario}: the {operator} should {'pass' if passes else 'fail'}")
             check(passes or report["score"] < expert, f"{scenario}: the novice is as good as the expert")
             expert = report["score"]
             with open(os.path.join(out_dir, "report.pdf"), "rb") as f:
@@ -57,7 +57,7 @@ with Desk(sys.argv[1]) as desk:
         check(len(rows) == 2 and [row["go"] for row in rows] == [2, 1], f"two attempts, newest first: {rows}")
         check(desk.json("history", database, "verify")["intact"], "all chains are whole")
         check(integrity(database) == "ok", "the file is sound")
-    # The same words in another language; JSON and statuses stay.
+    # The same text in another language; JSON and statuses stay.
     english = desk.run("grade", database, session)[1]
     german = desk.run("grade", database, session, LC_ALL="de_DE.UTF-8", LC_MESSAGES="de_DE.UTF-8", LANG="de_DE.UTF-8")[1]
     check(english != german, "messages follow LC_MESSAGES")

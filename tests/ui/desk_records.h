@@ -11,7 +11,7 @@
 
 namespace cusp::test {
 
-/// 2026-11-20 09:00 UTC, where the records' clock starts; each attempt lasts as long as it says.
+/// 2026-11-20 09:00 UTC, where the records' clock starts; each attempt lasts as long as given.
 inline constexpr std::int64_t kMorning = 1'795'165'200'000'000;
 
 class DeskRecords {

@@ -25,8 +25,8 @@ def main():
         done("the first start made an administrator, an instructor and a student")
         points = student.visit(program)
         done(f"the student drilled {student.EXERCISE}: {points} points, on the report and in the history")
-        said = instructor.visit(program)
-        done(f"the instructor made a channel {instructor.DEPTH_MM} mm deep, tried it out ({', '.join(said)}) and published it")
+        shown = instructor.visit(program)
+        done(f"the instructor made a channel {instructor.DEPTH_MM} mm deep, tried it out ({', '.join(shown)}) and published it")
         program.close()
 
         program = own.start()

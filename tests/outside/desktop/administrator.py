@@ -16,7 +16,7 @@ def visit(program, points):
     school.page(program, "Performance")
     name, number, _ = school.STUDENT
     row = [cell.name for cell in school.row_of(program, "Attempts", name, student.EXERCISE)]
-    desk.check(any(cell.split(" ")[0] == points for cell in row), f"the student's report said {points}, here stands {row}")
+    desk.check(any(cell.split(" ")[0] == points for cell in row), f"the student's report shows {points}, this page {row}")
 
     program.press("Export CSV")
     path = os.path.join(program.folder, "results.csv")

@@ -1,8 +1,8 @@
-"""A desk for the tests that sit in front of the window: a display of its own, the program on it, and a hand and an eye.
+"""A desk for the tests that sit in front of the window: a display of its own and the program on it.
 
-The hand presses, types and drags as a person would (AT-SPI to find things, XTest for keys and mouse); the eye reads names
+A test presses, types and drags as a user would (AT-SPI to find things, XTest for keys and mouse), and reads names
 and values as a screen reader would. Everything waits for what the screen shows, never for a length of time: `LIMIT_S` only
-says when to give up. When a test fails, the screen, what a screen reader would see of it, and the program's own words
+sets when to give up. When a test fails, the screen, what a screen reader would see of it, and the program's own output
 go to the folder that CUSP_DESK_PICTURES names (else beside the other temporary files).
 """
 import os
@@ -60,7 +60,7 @@ def Atspi_Error():
 
 
 class Screen:
-    """An X server with a window manager; room for a window of 1280x800 and its frame."""
+    """An X server with a window manager; large enough for a window of 1280x800 and its frame."""
 
     def __init__(self, folder, width=1300, height=840):
         self.folder = folder
@@ -206,7 +206,7 @@ class Widget:
         return self
 
     def labels(self):
-        """The words that label this, for things whose name is their value."""
+        """The text that labels this, for things whose name is their value."""
         relations = self.node.get_relation_set()
         return [plain(r.get_target(i).get_name()) for r in relations
                 if r.get_relation_type() == Atspi.RelationType.LABELLED_BY for i in range(r.get_n_targets())]
@@ -254,7 +254,7 @@ class Program:
 
     def _find_root(self):
         if self.process.poll() is not None:
-            raise SystemExit(f"the program ended at its start, with {self.process.returncode}: {self.words()}")
+            raise SystemExit(f"the program ended at its start, with {self.process.returncode}: {self.output()}")
         desktop = Atspi.get_desktop(0)
         desktop.set_cache_mask(Atspi.Cache.NONE)
         for i in range(desktop.get_child_count()):
@@ -264,7 +264,7 @@ class Program:
                 return Widget(child, self)
         return None
 
-    def words(self):
+    def output(self):
         """What the program wrote to its terminal."""
         self.log.flush()
         with open(self.log.name, encoding="utf-8", errors="replace") as f:
@@ -272,7 +272,7 @@ class Program:
 
     def alive(self):
         if self.process.poll() is not None:
-            raise SystemExit(f"the program ended, with {self.process.returncode}: {self.words()}")
+            raise SystemExit(f"the program ended, with {self.process.returncode}: {self.output()}")
 
     def all(self, role=None, name=None, within=None):
         """Everything shown of a role, whose name is (str) or matches (compiled pattern)."""
@@ -291,7 +291,7 @@ class Program:
         return until(f"{role or 'anything'} {getattr(name, 'pattern', name)!r}", lambda: self.here(role, name, within), limit_s)
 
     def labelled(self, role, label):
-        """A folding list or a number, by the words over it."""
+        """A folding list or a number, by the text over it."""
         return until(f"{role} under {label!r}", lambda: next((w for w in self.all(role) if label in w.labels()), None))
 
     def gone(self, role, name):
@@ -307,7 +307,7 @@ class Program:
         return len(found.stdout.split())
 
     def menu(self, button, *keys):
-        """Opens a button's menu and goes through it by `keys`: Qt does not show an open menu to a screen reader's search,
+        """Opens a button's menu and walks through it by `keys`: Qt does not show an open menu to a screen reader's search,
         and waits in it for the answer, so that it is opened by the mouse."""
         before = self.windows()
         self.find("push button", button).click()
@@ -320,7 +320,7 @@ class Program:
             self.screen.x("key", "--clearmodifiers", name)
 
     def texts(self):
-        """All words on the screen, in order."""
+        """All text on the screen, in order."""
         return [w.name for w in self.all() if w.name]
 
     def tree(self):
@@ -356,7 +356,7 @@ class Program:
         except subprocess.TimeoutExpired:
             raise Missing("the program did not end when its window was closed") from None
         if self.process.returncode != 0:
-            raise Missing(f"the program ended with {self.process.returncode}: {self.words()}")
+            raise Missing(f"the program ended with {self.process.returncode}: {self.output()}")
 
     def kill(self):
         """As a power cut does."""
@@ -366,7 +366,7 @@ class Program:
 
 
 class Desk:
-    """A folder, a screen, and the programs started on it; everything goes when it is left."""
+    """A folder, a screen, and the programs started on it; everything is removed when it is left."""
 
     def __init__(self, binary, width=1300, height=840):
         self.binary = os.path.abspath(binary)
@@ -398,12 +398,12 @@ class Desk:
         self.screen.picture(base + ".png")
         if self.program:
             with open(base + ".txt", "w", encoding="utf-8") as f:
-                f.write("".join(traceback.format_exception(problem)) + "\n" + self.program.words() + "\n\n")
+                f.write("".join(traceback.format_exception(problem)) + "\n" + self.program.output() + "\n\n")
                 try:
                     f.write(self.program.tree())
                 except Exception as error:  # whatever broke the test may break this too
                     f.write(f"(the screen cannot be read: {error})")
-        print(f"FAILED: {problem}\nthe screen is in {base}.png, its words in {base}.txt", file=sys.stderr)
+        print(f"FAILED: {problem}\nthe screen is in {base}.png, its text in {base}.txt", file=sys.stderr)
 
 
 def check(holds, what):

@@ -26,11 +26,11 @@ def station(own, theme="light", language="en"):
         f.write(f"[device]\nkind=falcon\nname=FT000001\n[look]\ntheme={theme}\nlanguage={language}\n")
 
 
-def going(program, what, look):
-    """As desk.until(), for a machine with other work: a mock that answers too late stops the attempt, and it is told to go on."""
+def reached(program, what, look):
+    """As desk.until(), for a machine with other work: a mock that answers too late stops the attempt, and it is resumed."""
     def asked():
         if program.here("label", re.compile("^The device answered too late")):
-            press_if(program, "Go on")
+            press_if(program, "Resume")
         return look()
     return desk.until(what, asked)
 
@@ -42,7 +42,7 @@ def press_if(program, name):
 
 
 def speed(program):
-    """Of the bur, as the handpiece's panel says it."""
+    """Of the bur, as the handpiece's panel shows it."""
     for label in program.all("label", re.compile(r"rpm$")):
         return int(re.sub(r"\D", "", label.name))
     return None
@@ -82,18 +82,18 @@ def start(program, hand):
 def with_the_pedal(program, hand):
     hand("falcon", "sway", *DOWN)
     desk.check(speed(program) == 0, f"the bur turns before anybody asks for it: {speed(program)}")
-    going(program, "the pedal to be found and to start the handpiece", lambda: (hand("pedal", "down"), speed(program))[1])
-    going(program, "the pedal to cut", lambda: school.removed_mm3(program) > 0.05)
+    reached(program, "the pedal to be found and to start the handpiece", lambda: (hand("pedal", "down"), speed(program))[1])
+    reached(program, "the pedal to cut", lambda: school.removed_mm3(program) > 0.05)
     turning = speed(program)
     hand("pedal", "unplug")
-    going(program, "the handpiece to stop", lambda: speed(program) == 0)
+    reached(program, "the handpiece to stop", lambda: speed(program) == 0)
     gone = school.removed_mm3(program)
     hand("pedal", "plug")
     time.sleep(1.0)  # long enough for ten pictures of the panel: nothing may come of it
     desk.check(speed(program) == 0 and school.removed_mm3(program) == gone, "a pedal that was plugged in again drills by itself")
-    going(program, "the pedal to drill again", lambda: (hand("pedal", "down"), school.removed_mm3(program) > gone)[1])
+    reached(program, "the pedal to drill again", lambda: (hand("pedal", "down"), school.removed_mm3(program) > gone)[1])
     hand("pedal", "up")
-    going(program, "the handpiece to stop", lambda: speed(program) == 0)
+    reached(program, "the handpiece to stop", lambda: speed(program) == 0)
     return f"{turning} rpm by foot, none once its plug was out, and again by foot"
 
 
@@ -107,13 +107,13 @@ def with_the_space_mouse(own, program, hand):
     desk.check(turned != before, "the view sprang back")
     hand("mouse", "plug")
     mirror = program.find(re.compile("check box|push button|toggle button"), "Mirror")
-    going(program, "the right button to put the mirror in", lambda: (hand("mouse", "buttons", 0), hand("mouse", "buttons", 2),
+    reached(program, "the right button to put the mirror in", lambda: (hand("mouse", "buttons", 0), hand("mouse", "buttons", 2),
                                                                  time.sleep(0.1), mirror.has("CHECKED"))[3])
     hand("mouse", "buttons", 0)
     mirrored = still(own, program)
     desk.check(mirrored != turned, "the mirror shows the same")
     hand("mouse", "buttons", 1)
-    going(program, "the left button to bring the view back", lambda: view(own, program) != mirrored)
+    reached(program, "the left button to bring the view back", lambda: view(own, program) != mirrored)
     hand("mouse", "buttons", 0)
     return "the view turned, stood still once its plug was out, and went into the mirror and back"
 
@@ -122,7 +122,7 @@ def with_the_falcon(own, program, hand, picture=lambda name: None):
     gone = school.removed_mm3(program)
     hand("falcon", "buttons", 4)
     hand("falcon", "sway", *DOWN)
-    going(program, "the Falcon's button to drill", lambda: school.removed_mm3(program) > gone + 0.02)
+    reached(program, "the Falcon's button to drill", lambda: school.removed_mm3(program) > gone + 0.02)
     hand("falcon", "unplug")
     program.find("label", "The device does not answer")
     gone = school.removed_mm3(program)
@@ -135,10 +135,10 @@ def with_the_falcon(own, program, hand, picture=lambda name: None):
     hand("falcon", "home")
     desk.until("it to answer again", lambda: program.here("label", "The device does not answer") is None)
     picture("back")
-    desk.until("it to go on", lambda: (press_if(program, "Go on"), program.here("push button", "Pause"))[1])
+    desk.until("it to resume", lambda: (press_if(program, "Resume"), program.here("push button", "Pause"))[1])
     hand("falcon", "buttons", 4)
     hand("falcon", "sway", *DOWN)
-    going(program, "it to drill again", lambda: school.removed_mm3(program) > gone)
+    reached(program, "it to drill again", lambda: school.removed_mm3(program) > gone)
     hand("falcon", "buttons", 0)
     return "the attempt stood still while its plug was out, and went on where it was"
 

@@ -1,6 +1,6 @@
 """Figures of the drilling screen while the molar is cut with the mouse: frames a second, and how long from the tick that
 changed the tooth to the end of the frame that shows it. Prints them with the machine's load; fails only where no frame of
-a changing tooth was drawn, for a busy machine says nothing about the program.
+a changing tooth was drawn, for a busy machine proves nothing about the program.
 
     /usr/bin/python3 tests/outside/desktop/frames.py build/release/cusp [seconds of drilling]
 """
@@ -28,7 +28,7 @@ def main():
         x, y = program.find(None, "Tooth").middle()
         load = os.getloadavg()[0]
         program.screen.x("mousemove", x, y, "mousedown", 1)
-        # Along the fissure, over and again, a little further each time: one hand for it all, which costs next to nothing.
+        # Along the fissure, over and again, a little further each time: one movement for it all, which costs next to nothing.
         path = []
         for i in range(round(seconds / STEP_S)):
             t = i * STEP_S

@@ -34,7 +34,7 @@ def visit(program):
     desk.check(not publish.has("ENABLED"), "nothing was changed, and still it could be published")
 
     depth = program.find("spin button", "Depth", within=editor)
-    desk.check(depth.value == 2.0, f"the channel ships 2.0 mm deep, the editor says {depth.value}")
+    desk.check(depth.value == 2.0, f"the channel ships 2.0 mm deep, the editor shows {depth.value}")
     depth.click()
     program.keys("ctrl+a")
     program.screen.x("type", "--delay", 8, DEPTH_MM)
@@ -62,7 +62,7 @@ def visit(program):
     program.find("label", re.compile(r"^Version 3 is published\."))
     program.keys("alt+Left")
     row = [cell.name for cell in school.row_of(program, "Exercises", EXERCISE)]
-    desk.check("3" in row and "Published" in row, f"the library says {row}")
+    desk.check("3" in row and "Published" in row, f"the library shows {row}")
     school.sign_out(program)
     return depth_row
 
@@ -72,7 +72,7 @@ def main():
     with desk.Desk(sys.argv[1]) as own:
         program = own.start()
         school.first_start(program)
-        print(f"tried out and published; the try-out said {visit(program)}")
+        print(f"tried out and published; the try-out showed {visit(program)}")
         program.close()
 
 

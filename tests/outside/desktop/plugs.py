@@ -14,13 +14,13 @@ class Plugs:
         # As umockdev-wrapper does it.
         self.environment = {"UMOCKDEV_DIR": self.folder, "LD_PRELOAD": "libumockdev-preload.so.0"}
 
-    def __call__(self, *words):
+    def __call__(self, *order):
         """Leads a device: plugs("falcon", "plug")."""
-        self.child.stdin.write(" ".join(str(w) for w in words) + "\n")
+        self.child.stdin.write(" ".join(str(w) for w in order) + "\n")
         self.child.stdin.flush()
         answer = self.child.stdout.readline().strip()
         if answer in ("", "?"):
-            raise Missing(f"the devices do not know {words}")
+            raise Missing(f"the devices do not know {order}")
         return answer
 
     def __enter__(self):

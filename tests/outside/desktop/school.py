@@ -72,8 +72,8 @@ def home(program):
     until("the pages", back)
 
 
-def row_of(program, table, *words):
-    """The cells of the first row that shows all `words`."""
+def row_of(program, table, *parts):
+    """The cells of the first row that shows all `parts`."""
     def look():
         found = program.here("table", table)
         if found is None:
@@ -83,10 +83,10 @@ def row_of(program, table, *words):
             cells.setdefault(cell.box()[1], []).append(cell)
         for row in cells.values():
             names = [cell.name for cell in row]
-            if all(any(word in name for name in names) for word in words):
+            if all(any(part in name for name in names) for part in parts):
                 return row
         return None
-    return until(f"a row with {', '.join(words)} in {table!r}", look)
+    return until(f"a row with {', '.join(parts)} in {table!r}", look)
 
 
 def begin(program, exercise):
@@ -99,13 +99,13 @@ def begin(program, exercise):
 
 
 def removed_mm3(program):
-    """What is gone so far, as the panel says it."""
+    """What is gone so far, as the panel shows it."""
     tissues = ("Enamel", "Dentine", "Plastic", "Cementum", "Pulp", "Bone")
     return sum(bar.value for bar in program.all("progress bar") if bar.name in tissues)
 
 
 def drill(program, least_mm3):
-    """Holds the left button on the middle of the target and moves about until the panel says that `least_mm3` are gone."""
+    """Holds the left button on the middle of the target and moves about until the panel shows that `least_mm3` are gone."""
     x, y = program.find(None, "Tooth").middle()
     program.screen.x("mousemove", x, y, "mousedown", 1)
     sway = [0, 6, 12, 18, 24, 18, 12, 6, 0, -6, -12, -18, -24, -18, -12, -6]
@@ -119,7 +119,7 @@ def drill(program, least_mm3):
 
 
 def finish(program):
-    """Finishes the attempt and says yes."""
+    """Finishes the attempt and confirms."""
     program.press("Finish")
     question = program.find("alert")
     program.find("label", "Finish and see the result?", within=question)

@@ -33,7 +33,7 @@ def visit(program):
     school.drill(program, least_mm3=0.2)
     school.finish(program)
     points, verdict = school.points_on_report(program)
-    desk.check(verdict == "Not passed", f"0.2 mm3 of a cavity should not pass, the report says {verdict}")
+    desk.check(verdict == "Not passed", f"0.2 mm3 of a cavity should not pass, the report shows {verdict}")
     criteria = school.row_of(program, "Criteria", "Target removed")
     desk.check(any("%" in cell.name for cell in criteria), f"the share has no unit: {[c.name for c in criteria]}")
     save_pdf(program)
@@ -41,7 +41,7 @@ def visit(program):
     school.home(program)
     school.page(program, "My results")
     row = [cell.name for cell in school.row_of(program, "My results", EXERCISE)]
-    desk.check(any(name.split(" ")[0] == points for name in row), f"the report said {points}, the history says {row}")
+    desk.check(any(name.split(" ")[0] == points for name in row), f"the report shows {points}, the history shows {row}")
     school.sign_out(program)
     return points
 
@@ -51,7 +51,7 @@ def main():
     with desk.Desk(sys.argv[1]) as own:
         program = own.start()
         school.first_start(program)
-        print(f"the report and the history say {visit(program)} points")
+        print(f"the report and the history show {visit(program)} points")
         program.close()
 
 

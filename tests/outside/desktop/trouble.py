@@ -18,24 +18,24 @@ def no_place_for_records(own):
     kept, own.database = own.database, "/sys/cusp.db"
     program = own.start()
     program.find("push button", "Try again")
-    said = [w for w in program.texts() if "/sys" in w or "cusp.db" in w]
-    desk.check(said, f"nothing names the place: {program.texts()}")
+    shown = [w for w in program.texts() if "/sys" in w or "cusp.db" in w]
+    desk.check(shown, f"nothing names the place: {program.texts()}")
     program.close()
     own.database = kept
-    return " / ".join(said)
+    return " / ".join(shown)
 
 
 def wrong_secrets(program):
     school.sign_in_student(program, pin="999999")
     program.find("label", re.compile("^Number and PIN do not match"))
     school.sign_in_staff(program, school.INSTRUCTOR[1], "tin lamp 123")
-    said = program.find("label", re.compile("(?i)password.*(match|wrong|not|fit)")).name
+    shown = program.find("label", re.compile("(?i)password.*(match|wrong|not|fit)")).name
     desk.check(program.here(None, "Pages") is None, "a wrong password led inside")
-    return said
+    return shown
 
 
 def broken_off(own, program):
-    """Killed while drilling; after the next start the start page tells of it, it can be graded, and the card is gone."""
+    """Killed while drilling; after the next start the start page shows it, it can be graded, and the card is gone."""
     school.sign_in_student(program)
     school.begin(program, EXERCISE)
     x, y = program.find(None, "Tooth").middle()
@@ -66,8 +66,8 @@ def broken_off(own, program):
                               input=school.INSTRUCTOR[2] + "\n")
         desk.check(done.returncode == 0, f"{arguments}: {done.stderr}")
         return json.loads(done.stdout)
-    goes = verb("history", own.database, "list", "--as", school.INSTRUCTOR[1], "--json", "-")
-    rows = goes if isinstance(goes, list) else next(v for v in goes.values() if isinstance(v, list))
+    attempts = verb("history", own.database, "list", "--as", school.INSTRUCTOR[1], "--json", "-")
+    rows = attempts if isinstance(attempts, list) else next(v for v in attempts.values() if isinstance(v, list))
     session = rows[0].get("session", rows[0].get("id"))
     graded = verb("grade", own.database, session, "--as", school.INSTRUCTOR[1], "--json", "-")
     return f"shown as {row}, graded with {graded.get('score')} points"

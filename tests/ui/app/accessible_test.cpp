@@ -57,7 +57,7 @@ struct Accessible : ::testing::Test {
     desktop->show();
     desktop->sign_in(account);
   }
-  bool says(const QString& part) const {
+  bool shows(const QString& part) const {
     for (const QLabel* label : desktop->findChildren<QLabel*>())
       if (label->isVisible() && label->text().contains(part)) return true;
     return false;
@@ -96,7 +96,7 @@ TEST_F(Accessible, a_bur_is_taken_from_the_tray_without_a_mouse) {
   ASSERT_TRUE(chosen.count() == 1 || chosen.wait(kPatienceMs));
   EXPECT_EQ(chosen[0][0].toInt(), 1);
   EXPECT_EQ(tray.chosen(), 1);
-  tray.choose(0);  // what the attempt says it has in hand is no choice
+  tray.choose(0);  // the bur that the attempt reports is no choice
   EXPECT_EQ(chosen.count(), 1);
   buttons[1]->setChecked(true);  // as Qt's own accessibility does it
   EXPECT_EQ(chosen.count(), 2);
@@ -120,16 +120,16 @@ TEST_F(Accessible, every_button_on_every_page_can_be_acted_on) {
 
 TEST_F(Accessible, a_device_that_is_chosen_stands_in_the_sidebar_at_once) {
   open(records.administrator());
-  EXPECT_TRUE(says(QStringLiteral("Mouse and keys")));
+  EXPECT_TRUE(shows(QStringLiteral("Mouse and keys")));
   desktop->shell()->show_page(QStringLiteral("device"));
   QRadioButton* emulated = nullptr;
   for (QRadioButton* one : desktop->findChildren<QRadioButton*>())
     if (one->text().contains(QStringLiteral("Emulated"))) emulated = one;
   ASSERT_NE(emulated, nullptr);
   act_on(emulated);
-  const auto sidebar = [&] { return says(QStringLiteral("Emulated Falcon, driven by mouse")); };
+  const auto sidebar = [&] { return shows(QStringLiteral("Emulated Falcon, driven by mouse")); };
   EXPECT_TRUE(QTest::qWaitFor(sidebar, kPatienceMs));
-  EXPECT_FALSE(says(QStringLiteral("Mouse and keys")));
+  EXPECT_FALSE(shows(QStringLiteral("Mouse and keys")));
 }
 
 TEST_F(Accessible, a_try_out_is_drilled_on_the_station_s_device) {
@@ -149,7 +149,7 @@ TEST_F(Accessible, a_try_out_is_drilled_on_the_station_s_device) {
   auto* screen = qobject_cast<DrillScreen*>(desktop->page());
   ASSERT_NE(screen, nullptr);
   ASSERT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kPatienceMs));
-  EXPECT_TRUE(says(QStringLiteral("Emulated Falcon")));
+  EXPECT_TRUE(shows(QStringLiteral("Emulated Falcon")));
   screen->ask_leave();
 }
 

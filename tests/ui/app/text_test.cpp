@@ -1,4 +1,4 @@
-// Codes put into words, and what the desktop remembers.
+// Text of codes, and what the desktop remembers.
 
 #include <gtest/gtest.h>
 
@@ -67,8 +67,8 @@ TEST(Sentences, a_newer_database_is_refused_by_name_and_stays_as_it_is) {
 TEST(Sentences, nobody_is_shouted_at_or_blamed) {
   for (int i = 0; i <= static_cast<int>(StorageError::bad_trace); ++i) {
     const QString line = describe(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
-    for (const char* word : {"!", "please", "invalid", "error", "oops", "sorry"}) {
-      EXPECT_FALSE(line.contains(QLatin1String(word))) << line.toStdString();
+    for (const char* term : {"!", "please", "invalid", "error", "oops", "sorry"}) {
+      EXPECT_FALSE(line.contains(QLatin1String(term))) << line.toStdString();
     }
   }
 }
@@ -132,10 +132,10 @@ TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_ta
 TEST(Sentences, one_point_is_singular_and_fractions_are_not) {
   CriterionGrade g;
   g.id = "time";
-  for (const auto& [lost, said] : {std::pair{1.0, "Time: 1 point lost"}, std::pair{1.5, "Time: 1.5 points lost"},
+  for (const auto& [lost, text] : {std::pair{1.0, "Time: 1 point lost"}, std::pair{1.5, "Time: 1.5 points lost"},
                                    std::pair{0.5, "Time: 0.5 points lost"}, std::pair{0.98, "Time: 1 point lost"},
                                    std::pair{6.0, "Time: 6 points lost"}}) {
-    EXPECT_EQ(lost_text(g, lost).toStdString(), said);
+    EXPECT_EQ(lost_text(g, lost).toStdString(), text);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
       EXPECT_EQ(line(code, file.c_str(), asked).find("school.db"), std::string::npos) << static_cast<int>(code);
     }
   }
-  // Without a person in hand the file is not what is taken either.
+  // Without an account the file is not named either.
   EXPECT_EQ(bare(describe(StorageFailure{StorageError::duplicate, file, "UNIQUE constraint failed"}).line()),
             "This number or name is taken. Nothing was changed.");
 }
@@ -178,7 +178,7 @@ TEST(Sentences, a_pin_is_called_a_pin_and_a_password_a_password) {
     EXPECT_TRUE(line(code, "sign_in", Secret::password).contains(QStringLiteral("assword")));
     EXPECT_FALSE(line(code, "sign_in", Secret::password).contains(QStringLiteral("PIN")));
   }
-  // Storage says which of the two was too weak, whatever was asked.
+  // Storage reports which of the two was too weak, whatever was asked.
   EXPECT_EQ(describe(StorageFailure{StorageError::weak_password, "pin"}).what.toStdString(), "A PIN has exactly six digits.");
 }
 

@@ -25,9 +25,9 @@ const char* program = nullptr;
 
 struct Child {
   GPid pid = 0;
-  explicit Child(std::vector<std::string> words) {
+  explicit Child(std::vector<std::string> arguments) {
     std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
+    for (std::string& one : arguments) argv.push_back(one.data());
     argv.push_back(nullptr);
     GError* error = nullptr;
     EXPECT_TRUE(g_spawn_async(nullptr, argv.data(), nullptr, G_SPAWN_DO_NOT_REAP_CHILD, nullptr, nullptr, &pid, &error))
@@ -47,11 +47,11 @@ struct Child {
   }
 };
 
-TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_goes_on_and_keeps_the_session_whole) {
+TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_resumes_and_keeps_the_session_whole) {
   const fs::path folder = fs::temp_directory_path() / ("falcon-play-" + std::to_string(getpid()));
   fs::create_directories(folder);
   MockBus bus;
-  // Two of them: the program takes the one that it was told.
+  // Two of them: the program takes the one that was named.
   MockFalcon other(bus, 2, "1-1", "FT000001", {.firmware_running = true, .at_once = true});
   MockFalcon device(bus, 3, "1-2", "FT000002", {.firmware_running = true, .at_once = true});
   other.plug();

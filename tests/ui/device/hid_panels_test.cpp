@@ -30,7 +30,7 @@ using test::eventually;
 
 class Panels : public ::testing::Test {
  protected:
-  /// A visible button by its words.
+  /// A visible button by its text.
   static QPushButton* button(QWidget& panel, const QString& name) {
     for (QPushButton* b : panel.findChildren<QPushButton*>()) {
       if ((b->text().trimmed() == name || b->accessibleName() == name) && b->isVisibleTo(&panel)) return b;

@@ -1,6 +1,6 @@
 // Devices that a test plugs into a running program: a Falcon, a foot pedal and a SpaceMouse on a umockdev testbed, led by
 // lines on standard input, each answered by one line. Has to run under umockdev-wrapper; the program that is to see the
-// devices gets UMOCKDEV_DIR as the first line tells it, and the same preload.
+// devices gets UMOCKDEV_DIR from the first line, and the same preload.
 //
 //   falcon plug | unplug | forget | home | hold X Y Z | sway X Y Z | buttons BITS | frames | homed
 //   pedal plug | unplug | down | up
@@ -58,13 +58,13 @@ class Hands {
 
  private:
   static constexpr double kStepM = 0.00002;  // a millisecond's way: 20 mm/s
-  static constexpr std::uint64_t kSaysEvery = 16;
+  static constexpr std::uint64_t kReportsEvery = 16;
 
   void run() {
     for (std::uint64_t i = 0; !stop_; ++i) {
       {
         const std::lock_guard lock(mutex_);
-        if (deflected_ && i % kSaysEvery == 0 && mouse_.waiting() < 4) mouse_.send(report_);
+        if (deflected_ && i % kReportsEvery == 0 && mouse_.waiting() < 4) mouse_.send(report_);
         falcon_.with([&](Emulator& falcon) { lead(falcon, i); });
       }
       g_usleep(1000);
@@ -105,7 +105,7 @@ struct Desk {
   MockHid mouse{hid, 4, 0x256f, 0xc635, "SpaceMouse Compact", test::space_mouse_descriptor()};
   Hands hands{falcon, mouse};
 
-  std::string lead_falcon(const std::string& act, std::istringstream& words) {
+  std::string lead_falcon(const std::string& act, std::istringstream& arguments) {
     Vec3 at{0.0};
     unsigned bits = 0;
     if (act == "plug") {
@@ -116,9 +116,9 @@ struct Desk {
       falcon.with([](Emulator& f) { f.lose_homing(); });
     } else if (act == "home") {
       hands.grip(Hands::Way::home, {});
-    } else if ((act == "hold" || act == "sway") && words >> at.x >> at.y >> at.z) {
+    } else if ((act == "hold" || act == "sway") && arguments >> at.x >> at.y >> at.z) {
       hands.grip(act == "hold" ? Hands::Way::hold : Hands::Way::sway, at);
-    } else if (act == "buttons" && words >> bits) {
+    } else if (act == "buttons" && arguments >> bits) {
       falcon.with([bits](Emulator& f) { f.set_buttons(static_cast<std::uint8_t>(bits)); });
     } else if (act == "frames") {
       return std::to_string(falcon.with([](Emulator& f) { return f.frames(); }));
@@ -143,7 +143,7 @@ struct Desk {
     }
     return "ok";
   }
-  std::string lead_mouse(const std::string& act, std::istringstream& words) {
+  std::string lead_mouse(const std::string& act, std::istringstream& arguments) {
     int x = 0, y = 0, z = 0;
     unsigned bits = 0;
     if (act == "plug") {
@@ -151,9 +151,9 @@ struct Desk {
     } else if (act == "unplug") {
       hands.cap_plugged(false);
       mouse.unplug();
-    } else if ((act == "move" || act == "turn") && words >> x >> y >> z) {
+    } else if ((act == "move" || act == "turn") && arguments >> x >> y >> z) {
       hands.cap(test::words(act == "move" ? 1 : 2, {x, y, z}), x != 0 || y != 0 || z != 0);
-    } else if (act == "buttons" && words >> bits) {
+    } else if (act == "buttons" && arguments >> bits) {
       mouse.send({3, static_cast<std::uint8_t>(bits), 0});
     } else {
       return "?";
@@ -169,12 +169,12 @@ int main() {
   cusp::test::Desk desk;
   std::cout << g_getenv("UMOCKDEV_DIR") << std::endl;
   for (std::string line; std::getline(std::cin, line);) {
-    std::istringstream words(line);
+    std::istringstream arguments(line);
     std::string who, act;
-    words >> who >> act;
-    std::cout << (who == "falcon"  ? desk.lead_falcon(act, words)
+    arguments >> who >> act;
+    std::cout << (who == "falcon"  ? desk.lead_falcon(act, arguments)
                   : who == "pedal" ? desk.lead_pedal(act)
-                  : who == "mouse" ? desk.lead_mouse(act, words)
+                  : who == "mouse" ? desk.lead_mouse(act, arguments)
                                    : "?")
               << std::endl;
   }

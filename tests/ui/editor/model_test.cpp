@@ -346,7 +346,7 @@ TEST(editor_model, a_handpiece_brings_what_needs_one_and_takes_it_along_and_cool
   EXPECT_EQ(model.scenario().phenomena, (std::vector<std::string>{"spindle-turbine", "vibration", "heat"}));
   EXPECT_TRUE(model.set_handpiece("spindle-slow"));
   EXPECT_EQ(model.scenario().phenomena, (std::vector<std::string>{"spindle-slow", "vibration", "heat"}));
-  EXPECT_FALSE(model.set_handpiece("spindle-pedalled")) << "no word of the format";
+  EXPECT_FALSE(model.set_handpiece("spindle-pedalled")) << "no key of the format";
   EXPECT_FALSE(model.set_phenomenon("magic", true));
   EXPECT_TRUE(model.set_handpiece(""));
   EXPECT_EQ(model.scenario().phenomena, std::vector<std::string>{"heat"});

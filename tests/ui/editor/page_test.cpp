@@ -20,14 +20,14 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
-#include "ui/view/tooth_view.h"
 #include "ui/editor/editor_page.h"
-#include "ui/editor/handle_knob.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/handle_knob.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 
@@ -311,8 +311,8 @@ TEST_F(EditorPages, no_form_is_wider_than_its_panel) {
     if (!area->widget() || area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
     ++forms;
     // 248 px at the left, 304 at the right, each less its line.
-    const int room = qobject_cast<SpecimenForm*>(area->widget()) ? 248 : 304;
-    EXPECT_LT(area->widget()->minimumSizeHint().width(), room) << area->widget()->metaObject()->className();
+    const int width = qobject_cast<SpecimenForm*>(area->widget()) ? 248 : 304;
+    EXPECT_LT(area->widget()->minimumSizeHint().width(), width) << area->widget()->metaObject()->className();
   }
   EXPECT_EQ(forms, 7);
 }

@@ -116,7 +116,7 @@ TEST_F(TwoWindows, theirs_is_seen_and_undo_brings_mine_back) {
   second->model().stack().undo();
   EXPECT_DOUBLE_EQ(second->model().scenario().target.width_mm, 1.9);
   EXPECT_DOUBLE_EQ(second->model().scenario().target.depth_mm, 2.0);
-  // Who goes on from there has seen what is replaced; and now the first window is the second to save.
+  // Who continues from there has seen what is replaced; and now the first window is the second to save.
   EXPECT_TRUE(save(*second));
   first->model().set_depth_mm(2.6);
   EXPECT_FALSE(save(*first));

@@ -188,14 +188,14 @@ TEST_F(ImportPageTest, files_can_be_dropped) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
   EXPECT_NE(page->meshes(), nullptr);
   QMimeData text;
-  text.setText(QStringLiteral("words"));
-  QDragEnterEvent words(QPoint(5, 5), Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
-  words.ignore();
-  QApplication::sendEvent(page.get(), &words);
-  EXPECT_FALSE(words.isAccepted());
+  text.setText(QStringLiteral("text"));
+  QDragEnterEvent refused(QPoint(5, 5), Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+  refused.ignore();
+  QApplication::sendEvent(page.get(), &refused);
+  EXPECT_FALSE(refused.isAccepted());
 }
 
-TEST_F(ImportPageTest, it_has_room_for_german_in_light_and_dark) {
+TEST_F(ImportPageTest, german_fits_in_light_and_dark) {
   Mesh open_ball = sphere("Schmelzkappe", {10, 0, 0}, 4.0, 3);
   open_ball.triangles.erase(open_ball.triangles.begin() + 5);
   Mesh twisted = sphere("Wurzelzement und Desmodont der distobukkalen Wurzel", {10, 0, 0}, 2.0, 3);
@@ -211,7 +211,7 @@ TEST_F(ImportPageTest, it_has_room_for_german_in_light_and_dark) {
     picture(dark ? "empty-dark" : "empty-light");
     open({file("m.obj")});
     picture(dark ? "mesh-de-dark" : "mesh-de-light");
-    // A word may break; nothing may lie beyond the window.
+    // A line may break; nothing may lie beyond the window.
     for (const QLabel* label : page->findChildren<QLabel*>()) {
       if (!label->isVisible()) continue;
       EXPECT_LE(label->mapTo(page.get(), QPoint(label->width(), 0)).x(), page->width()) << label->text().toStdString();

@@ -10,7 +10,7 @@ namespace cusp::test {
 namespace {
 
 TEST_F(ImportPageTest, a_label_map_of_a_wrong_unit_is_questioned_once_it_is_made) {
-  // 16 voxels that say 10 mm each: a tooth of 120 mm.
+  // 16 voxels of 10 mm each: a tooth of 120 mm.
   std::string data(16 * 16 * 16, '\0');
   for (int z = 2; z < 14; ++z)
     for (int y = 5; y < 11; ++y)

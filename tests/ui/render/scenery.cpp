@@ -41,7 +41,7 @@ SceneryMesh ball_mesh(Vec3 centre, double radius, int rings = 24, int turns = 48
   return out;
 }
 
-TEST(Scenery, every_triangle_that_lies_open_is_in_one_piece_and_no_other) {
+TEST(Scenery, every_triangle_that_lies_open_is_in_one_patch_and_no_other) {
   SceneryMesh mesh = ball_mesh({5, 0, 0}, 3.0);
   mesh.seen = mesh.triangles.size() / 6 * 3;
   const std::size_t wanted = mesh.seen / 3;
@@ -121,7 +121,7 @@ TEST(Scenery, a_body_within_another_has_no_line) {
   EXPECT_GT(edge(1.0), 0.3f) << "the first's own right end";
 }
 
-TEST(Scenery, in_a_section_scenery_goes_on_where_the_specimen_never_was_and_not_in_its_cuts) {
+TEST(Scenery, in_a_section_scenery_continues_where_the_specimen_never_was_and_not_in_its_cuts) {
   Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
   SectionSettings settings;
   settings.plane = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};

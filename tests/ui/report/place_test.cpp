@@ -1,4 +1,4 @@
-// A pinned place on the tooth: the ring shows it, or the card says what hides it.
+// A pinned place on the tooth: the ring shows it, or the card names what hides it.
 
 #include <gtest/gtest.h>
 

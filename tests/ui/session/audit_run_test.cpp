@@ -31,12 +31,12 @@ Scenario small() {
 }
 
 TEST(AuditRun, TheSameModelGradesTheSameAndFeelsTheSame) {
-  AuditRun run;
-  run.home = small();
-  run.models = {{small()}, {small()}};
-  run.operators = {{"expert", 1}};
+  AuditRun wish;
+  wish.home = small();
+  wish.models = {{small()}, {small()}};
+  wish.operators = {{"expert", 1}};
   double last = 0;
-  const auto results = audit_runner({})(run, [&](double share) {
+  const auto results = audit_runner({})(wish, [&](double share) {
     EXPECT_GE(share, last);
     last = share;
     return true;
@@ -61,24 +61,24 @@ TEST(AuditRun, TheSameModelGradesTheSameAndFeelsTheSame) {
 TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
   Scenario rough = small();
   rough.phenomena = {"friction"};
-  AuditRun run;
-  run.home = rough;
-  run.models = {{rough}, with({rough}, {Aspect::friction, {}, 1, 0})};
-  run.operators = {{"expert", 1}};
-  const auto results = audit_runner({})(run, {});
+  AuditRun wish;
+  wish.home = rough;
+  wish.models = {{rough}, with({rough}, {Aspect::friction, {}, 1, 0})};
+  wish.operators = {{"expert", 1}};
+  const auto results = audit_runner({})(wish, {});
   ASSERT_TRUE(results);
   EXPECT_GT((*results)[1]->force_rms_n, 0.01);
   EXPECT_GE((*results)[1]->force_most_n, (*results)[1]->force_rms_n);
 }
 
 TEST(AuditRun, StopsInTheMiddleOfAnAttempt) {
-  AuditRun run;
-  run.home = small();
-  run.models = {{small()}};
-  run.operators = {{"expert", 1}};
-  run.costs = false;
+  AuditRun wish;
+  wish.home = small();
+  wish.models = {{small()}};
+  wish.operators = {{"expert", 1}};
+  wish.costs = false;
   int asked = 0;
-  const auto results = audit_runner({})(run, [&](double) { return ++asked < 10; });
+  const auto results = audit_runner({})(wish, [&](double) { return ++asked < 10; });
   ASSERT_FALSE(results);
   EXPECT_EQ(results.error().code, AuditError::cancelled);
   EXPECT_EQ(asked, 10);
@@ -87,12 +87,12 @@ TEST(AuditRun, StopsInTheMiddleOfAnAttempt) {
 TEST(AuditRun, StopsWhileAToothGrows) {
   Scenario tooth = *load_builtin("class-1-36");
   tooth.specimen.voxel_mm = 0.4;
-  AuditRun run;
-  run.home = tooth;
-  run.models = {{tooth}};
-  run.operators = {{"expert", 1}};
+  AuditRun wish;
+  wish.home = tooth;
+  wish.models = {{tooth}};
+  wish.operators = {{"expert", 1}};
   double last = 0;
-  const auto results = audit_runner({})(run, [&](double share) {
+  const auto results = audit_runner({})(wish, [&](double share) {
     last = share;
     return share == 0.0;  // until it begins
   });
@@ -104,11 +104,11 @@ TEST(AuditRun, StopsWhileAToothGrows) {
 
 /// The CPU time of a start is never the same twice: what has the same was not made again.
 TEST(AuditRun, WhatTheRunBeforeHasMadeIsNotMadeAgain) {
-  AuditRun run;
-  run.home = small();
-  run.models = {{small()}, with({small()}, {Aspect::region, {}, 1, 0})};
+  AuditRun wish;
+  wish.home = small();
+  wish.models = {{small()}, with({small()}, {Aspect::region, {}, 1, 0})};
   const AuditRunner runner = audit_runner({});
-  const auto first = runner(run, {}), second = runner(run, {});
+  const auto first = runner(wish, {}), second = runner(wish, {});
   ASSERT_TRUE(first && second);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ((*first)[i]->cost.start_s, (*second)[i]->cost.start_s) << i;
   EXPECT_NE((*first)[0]->cost.start_s, (*first)[1]->cost.start_s) << "another model";
@@ -117,11 +117,11 @@ TEST(AuditRun, WhatTheRunBeforeHasMadeIsNotMadeAgain) {
 TEST(AuditRun, AnExerciseThatCannotBePlayedIsRefused) {
   Scenario s = small();
   s.instruments.clear();
-  AuditRun run;
-  run.home = s;
-  run.models = {{s}};
-  run.operators = {{"expert", 1}};
-  const auto results = audit_runner({})(run, {});
+  AuditRun wish;
+  wish.home = s;
+  wish.models = {{s}};
+  wish.operators = {{"expert", 1}};
+  const auto results = audit_runner({})(wish, {});
   ASSERT_FALSE(results);
   EXPECT_EQ(results.error().code, AuditError::unplayable);
 }
@@ -137,11 +137,11 @@ TEST(CpuMeter, CountsWhatTheThreadAndTheHeapTake) {
     EXPECT_GT(*counter.read(), *first);
   }
   const std::uint64_t heap = heap_bytes();
-  const std::vector<char> room(10'000'000, 'x');
+  const std::vector<char> block(10'000'000, 'x');
   if (kHeapIsCounted) {
     EXPECT_GE(heap_bytes(), heap + 10'000'000);
   }
-  EXPECT_EQ(room.back(), 'x');
+  EXPECT_EQ(block.back(), 'x');
 }
 
 }  // namespace

@@ -40,24 +40,24 @@ TEST(EmulatedFalconSession, a_device_that_falls_silent_holds_the_attempt_and_the
   device = std::move(*made);
   auto started = ExerciseSession::start(place.plan(), *device.port);
   ASSERT_TRUE(started) << started.error().where;
-  ExerciseSession& run = **started;
-  // Somebody goes on whenever the device is there again.
-  const auto until = [&run](auto reached) {
-    while (!reached(run.view())) {
-      const LiveView view = run.view();
-      if (view.phase == LoopPhase::held && view.device == Sample::Status::fresh) run.resume();
+  ExerciseSession& session = **started;
+  // Somebody resumes whenever the device is there again.
+  const auto until = [&session](auto reached) {
+    while (!reached(session.view())) {
+      const LiveView view = session.view();
+      if (view.phase == LoopPhase::held && view.device == Sample::Status::fresh) session.resume();
       std::this_thread::sleep_for(1ms);
     }
   };
   until([](const LiveView& view) { return view.output.tick > 600; });
   mute.store(true);
   until([](const LiveView& view) { return view.phase == LoopPhase::held && view.device == Sample::Status::gone; });
-  EXPECT_EQ(run.view().fault, Fault::gone);
-  const std::uint64_t held_at = run.view().output.tick;
+  EXPECT_EQ(session.view().fault, Fault::gone);
+  const std::uint64_t held_at = session.view().output.tick;
   mute.store(false);
   until([held_at](const LiveView& view) { return view.output.tick > held_at + 900; });
 
-  const auto result = run.finish();
+  const auto result = session.finish();
   ASSERT_TRUE(result) << result.error().where;
   EXPECT_FALSE(result->interrupted);
   EXPECT_EQ(result->device.device_class, "emulated-falcon");

@@ -1,4 +1,4 @@
-/// Holds a thread until the test lets it through. After half a minute it lets it through by itself and says so: then
+/// Holds a thread until the test lets it through. After half a minute it lets it through by itself and reports that: then
 /// somebody has waited for what was to be waited for by nobody.
 #pragma once
 

@@ -46,18 +46,18 @@ TEST(Pedal, DrivesTheHandpieceAndUnpluggedItLetsGo) {
   SessionPlan plan = work.plan();
   plan.pedal = pedal;
   PressingPort port;
-  auto run = ExerciseSession::start(plan, port);
-  ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where;
-  ASSERT_TRUE(eventually([&] { return (*run)->view().output.contact; }));
-  const auto removed = [&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)]; };
+  auto started = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(started) << key_of(started.error().code) << ' ' << started.error().where;
+  ASSERT_TRUE(eventually([&] { return (*started)->view().output.contact; }));
+  const auto removed = [&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)]; };
   EXPECT_EQ(removed(), 0.0);  // pressed, but nobody stands on the pedal
   desk.send(plugged, {0x01, 0x00});
-  ASSERT_TRUE(eventually([&] { return (*run)->view().output.cutting && removed() > 0.0; }));
+  ASSERT_TRUE(eventually([&] { return (*started)->view().output.cutting && removed() > 0.0; }));
   desk.unplug(plugged);
-  EXPECT_TRUE(eventually([&] { return !(*run)->view().output.cutting; }));
-  const auto result = (*run)->finish();
+  EXPECT_TRUE(eventually([&] { return !(*started)->view().output.cutting; }));
+  const auto result = (*started)->finish();
   ASSERT_TRUE(result) << key_of(result.error().code);
-  run->reset();
+  started->reset();
   // The record has the pedal: the replay drills the same.
   const auto store = work.store();
   const auto proof = prove_session(*store, result->session);

@@ -51,7 +51,7 @@ TEST(PlayThrough, WithSpindleVibrationAndHeatItsReplayIsTheSameBitForBitAndTheGr
   const auto proof = prove_session(*store, result->session);
   ASSERT_TRUE(proof) << key_of(proof.error().code);
   EXPECT_TRUE(proof->holds());
-  EXPECT_TRUE(proof->has_grade && proof->grade_equal) << "what is told of coolant comes from the inputs again";
+  EXPECT_TRUE(proof->has_grade && proof->grade_equal) << "the coolant comes from the inputs again";
 }
 
 TEST(PlayThrough, PlayedTwiceComesToTheSameTooth) {

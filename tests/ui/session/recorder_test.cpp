@@ -122,7 +122,7 @@ TEST(Recorder, AFullDiskGivesTheCacheBackFirstAndIsTriedAgain) {
   EXPECT_EQ(recorder.state(), RecordingState::failed);
   EXPECT_EQ(recorder.failure()->code, StorageError::disk_full);
   EXPECT_TRUE(cache.ticks(graded).empty());
-  EXPECT_EQ(cache.ticks(begun.session), std::vector<std::uint64_t>{5000}) << "needed to go on after a crash";
+  EXPECT_EQ(cache.ticks(begun.session), std::vector<std::uint64_t>{5000}) << "needed to resume after a crash";
   recorder.add(second_number(2));
   fail_from(Failing::nothing, 0);
   recorder.retry();

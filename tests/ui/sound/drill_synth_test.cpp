@@ -59,7 +59,7 @@ TEST(DrillSynth, the_whine_has_the_spindles_true_pitch) {
 }
 
 TEST(DrillSynth, a_pitch_beyond_what_the_rate_holds_does_not_fold_to_a_false_one) {
-  // 350,000 a minute are 5833 Hz, more than 8 kHz samples can say: it stays at the highest note that they can.
+  // 350,000 a minute are 5833 Hz, more than samples at 8 kHz can hold: it stays at their highest note.
   EXPECT_GT(at_pitch(heard(spinning(350e3), 0.5, 8000.0), 3600.0, 8000.0), 0.9);
   EXPECT_LT(at_pitch(heard(spinning(350e3), 0.5, 8000.0), 8000.0 - 5833.3, 8000.0), 0.01);
 }
