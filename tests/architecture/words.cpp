@@ -62,7 +62,6 @@ constexpr Allowed kAllowed[] = {
     {"tests/scenarios/blocks/block_exercises_test.cpp", "burr", "text of published exercises"},
     {"tests/scenarios/blocks/block_exercises_test.cpp", "cut too far", "text of published exercises"},
     {"translations/README.md", "", "its table lists words that are not used"},
-    {"engine/lab/", "decays", "a vibration that decays"},
     {"engine/contact/", "", "not renamed yet"},
     {"engine/removal/", "", "not renamed yet"},
     {"tests/bench/", "", "not renamed yet"},

@@ -204,7 +204,7 @@ TEST(Parts, switched_off_faults_are_none_but_a_lost_device_and_no_number_always_
   EXPECT_EQ(state.fault, Fault::not_finite);
 }
 
-TEST(VelocityBound, lets_go_of_a_device_that_the_force_throws_and_holds_one_that_pushes) {
+TEST(VelocityBound, releases_a_device_that_the_force_throws_and_holds_one_that_pushes) {
   GuardSettings only = unguarded().with(GuardPart::speed);
   const Vec3 force(0.0, 0.0, 2.0);
   const auto given = [&](double mm_s) {

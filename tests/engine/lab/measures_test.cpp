@@ -135,7 +135,7 @@ TEST(StuckWatch, asks_nothing_where_the_exact_proxy_stays) {
   EXPECT_FALSE(w.stuck());
 }
 
-TEST(Rise, is_the_push_in_a_change_and_not_the_letting_go) {
+TEST(Rise, is_the_push_in_a_change_and_not_the_release) {
   const Vec3 f(0.0, 0.0, 1.0);
   EXPECT_NEAR(rise_n(f, Vec3(0, 0, 1.2)), 0.2, 1e-15);
   EXPECT_NEAR(rise_n(f, Vec3(0, 0, 0.2)), 0.0, 1e-15);

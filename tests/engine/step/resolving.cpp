@@ -53,7 +53,7 @@ StepInput resting() {
   return out;
 }
 
-TEST(Resolving, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has_time_for) {
+TEST(Resolving, releasing_the_button_finds_no_more_edges_a_tick_than_it_has_time_for) {
   StepState state = scratched(block());
   ASSERT_GT(state.volume().cut_bricks().size(), 8u);
   std::uint64_t before = resolved(state), most = 0, all = 0;
