@@ -177,7 +177,7 @@ TEST_F(ImportPageTest, a_file_that_cannot_be_read_is_reported_and_leaves_the_pag
 }
 
 TEST_F(ImportPageTest, files_can_be_dropped) {
-  write_text(folder / "a.ply", ply_file(sphere("a", {0, 0, 0}, 5.0, 2), true));
+  write_text(folder / "a.ply", ply_file(sphere("a", {0, 0, 0}, 5.0, 2), PlyData::binary));
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(file("a.ply"))});
   QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
