@@ -2766,7 +2766,7 @@
         <translation>Den Griff locker halten</translation>
     </message>
     <message>
-        <source>It pushes six ways, one after the other, up to %1. Letting go switches it off.</source>
+        <source>It pushes six ways, one after the other, up to %1. Releasing the grip switches it off.</source>
         <translation>Er drückt nacheinander in sechs Richtungen, bis zu %1. Loslassen schaltet ab.</translation>
     </message>
     <message>
@@ -2774,7 +2774,7 @@
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Let go of the grip</source>
+        <source>Release the grip</source>
         <translation>Den Griff loslassen</translation>
     </message>
     <message>
@@ -2786,7 +2786,7 @@
         <translation>Messen</translation>
     </message>
     <message>
-        <source>Stand it upright and let go of the grip</source>
+        <source>Stand it upright and release the grip</source>
         <translation>Aufrecht hinstellen und den Griff loslassen</translation>
     </message>
     <message>
@@ -3998,7 +3998,7 @@
         <translation>Übernehmen</translation>
     </message>
     <message>
-        <source>Press the pedal once, let go of it, and take the foot off.</source>
+        <source>Press the pedal once, release it, and take the foot off.</source>
         <translation>Treten Sie das Pedal einmal, lassen Sie es los und nehmen Sie den Fuß weg.</translation>
     </message>
     <message>

@@ -279,7 +279,7 @@ void FalconPanel::look() {
 }
 
 void FalconPanel::start_force_test() {
-  const Question question{tr("Hold the grip loosely"), tr("It pushes six ways, one after the other, up to %1. Letting go switches it off.").arg(format({kFeelN, {}, QStringLiteral("N"), 1})), tr("Push")};
+  const Question question{tr("Hold the grip loosely"), tr("It pushes six ways, one after the other, up to %1. Releasing the grip switches it off.").arg(format({kFeelN, {}, QStringLiteral("N"), 1})), tr("Push")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes || !self->inner_->bench) return;
     if (self->inner_->bench->start(std::make_unique<falcon::ForceTest>(kFeelN))) self->inner_->running = Inner::Running::force;
@@ -287,7 +287,7 @@ void FalconPanel::start_force_test() {
 }
 
 void FalconPanel::start_self_test() {
-  const Question question{tr("Let go of the grip"), tr("For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way."), tr("Measure")};
+  const Question question{tr("Release the grip"), tr("For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way."), tr("Measure")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes || !self->inner_->bench) return;
     if (self->inner_->bench->start(std::make_unique<falcon::SelfTest>())) self->inner_->running = Inner::Running::self_test;
@@ -295,7 +295,7 @@ void FalconPanel::start_self_test() {
 }
 
 void FalconPanel::start_weighing() {
-  const Question question{tr("Stand it upright and let go of the grip"), tr("It holds the grip at nine places, for half a minute. From then on it carries its own weight."), tr("Weigh")};
+  const Question question{tr("Stand it upright and release the grip"), tr("It holds the grip at nine places, for half a minute. From then on it carries its own weight."), tr("Weigh")};
   inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes || !self->inner_->bench) return;
     const FalconSettings driver = settings_for(self->inner_->settings.profile(self->inner_->name));

@@ -261,7 +261,7 @@ void PedalPanel::learn(Lesson lesson) {
   in.teach_coolant->setEnabled(lesson == Lesson::none);
   switch (lesson) {
     case Lesson::none: break;
-    case Lesson::rest: in.task->setText(tr("Press the pedal once, let go of it, and take the foot off.")); break;
+    case Lesson::rest: in.task->setText(tr("Press the pedal once, release it, and take the foot off.")); break;
     case Lesson::press: in.task->setText(tr("Press the pedal all the way down.")); break;
     case Lesson::coolant: in.task->setText(tr("Press the switch that runs the coolant.")); break;
   }
