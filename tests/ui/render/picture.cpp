@@ -116,7 +116,7 @@ TEST_F(Drawn, a_place_is_given_where_it_is_seen_and_not_where_the_tooth_hides_it
   EXPECT_FALSE(picture->places_px[2]) << "inside";
 }
 
-TEST_F(Drawn, over_cut_is_orange_and_uncut_remainder_is_violet_in_the_difference_map) {
+TEST_F(Drawn, over_cut_is_orange_and_the_uncut_remainder_is_violet_in_the_difference_map) {
   Volume volume = ball_volume();
   test::carve(volume, {0, 0, 1.5}, 0.5);
   PictureRequest request = small();

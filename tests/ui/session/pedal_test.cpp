@@ -37,7 +37,7 @@ class PressingPort final : public HapticPort {
   std::uint64_t ticks_ = 0;
 };
 
-TEST(Pedal, DrivesTheHandpieceAndReleasesItUnplugged) {
+TEST(Pedal, DrivesTheHandpieceAndUnpluggedItIsUp) {
   Desk desk;
   auto plugged = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   auto pedal = std::make_shared<hid::PedalReader>(test::bus_of(desk));
