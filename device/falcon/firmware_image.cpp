@@ -9,7 +9,7 @@ namespace cusp::device::falcon {
 
 namespace {
 
-constexpr std::uint32_t kKey = 0x08AA;
+constexpr std::uint32_t kImageKey = 0x08AA;
 constexpr std::size_t kReservedWords = 8;
 constexpr std::uint32_t kMemoryWords = 0x400000;  // 22 address lines: 0x000000 to 0x3FFFFF
 
@@ -79,7 +79,7 @@ Result<FirmwareImage, ImageFailure> FirmwareImage::from_bytes(std::vector<std::u
   if (bytes.size() % 2 != 0) return refuse(ImageError::odd_size, 0);
   FirmwareImage image;
   WordReader words(bytes);
-  if (words.word() != kKey) return refuse(ImageError::not_a_boot_image, 0);
+  if (words.word() != kImageKey) return refuse(ImageError::not_a_boot_image, 0);
   for (std::size_t i = 0; i < kReservedWords; ++i) {
     if (words.word() != 0) return refuse(ImageError::not_a_boot_image, words.index() - 1);
   }

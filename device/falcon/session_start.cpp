@@ -9,8 +9,6 @@ namespace cusp::device::falcon {
 
 namespace {
 
-constexpr LinkTime kNever = LinkTime::max();
-constexpr std::array<std::int16_t, 3> kNoTorque{};
 constexpr std::uint8_t kHello[] = {0x0A, 0x43, 0x0D};
 constexpr std::array<std::uint8_t, 4> kHelloAnswer = {0x0A, 0x44, 0x2C, 0x0D};
 constexpr std::uint8_t kLock = 0x41;  // 'A': the loader measures its bits
@@ -47,7 +45,7 @@ std::span<const FtdiRequest> script_of(Phase phase, const SessionSettings& setti
 void Session::ask_open() noexcept {
   enter(Phase::opening);
   ask({.kind = LinkAsk::Kind::open});
-  due_ = kNever;  // the link always answers
+  due_ = LinkTime::max();  // the link always answers
 }
 
 void Session::not_opened(Trouble trouble, LinkTime now) noexcept {
@@ -130,7 +128,7 @@ void Session::script_done(LinkTime now) noexcept {
 void Session::probe(LinkTime now) noexcept {
   if (tries_ == settings_.times.probes) return probe_failed(now);
   ++tries_;
-  send_frame(kNoTorque, control::kRed, now);
+  send_frame({}, control::kRed, now);
   due_ = now + settings_.times.probe;
 }
 

@@ -7,7 +7,7 @@ namespace cusp::device::falcon {
 namespace {
 
 // Soft, and far from ringing on what the laboratory knows [M]. It sags by the weight over the spring: some 7 mm for 2 N.
-constexpr double kSpringNPerM = 300.0, kDamperNsPerM = 8.0;
+constexpr double kHoldNPerM = 300.0, kHoldNsPerM = 8.0;
 constexpr double kDrawS = 1.3, kSettleS = 1.0, kMeanS = 0.5;
 constexpr double kAsideM = 0.016;
 
@@ -56,7 +56,7 @@ Vec3 Weighing::wanted(const TrialReading& reading, double dt_s) noexcept {
       return Vec3(0.0);
     }
   }
-  return (target - reading.grip_m) * kSpringNPerM - speed() * kDamperNsPerM;
+  return (target - reading.grip_m) * kHoldNPerM - speed() * kHoldNsPerM;
 }
 
 std::optional<GravityCalibration> Weighing::result() const noexcept {

@@ -7,14 +7,14 @@ namespace cusp::device::falcon {
 namespace {
 constexpr double kMmPerM = 1000.0;
 
-bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool all_finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 }  // namespace
 
 Workspace::Workspace(const WorkspaceSettings& settings) noexcept
     : settings_(settings), cosine_(std::cos(settings.yaw_rad)), sine_(std::sin(settings.yaw_rad)) {}
 
 std::optional<Workspace> Workspace::from(const WorkspaceSettings& settings) noexcept {
-  if (!finite(settings.centre_m) || !finite(settings.origin_mm) || !std::isfinite(settings.yaw_rad))
+  if (!all_finite(settings.centre_m) || !all_finite(settings.origin_mm) || !std::isfinite(settings.yaw_rad))
     return std::nullopt;
   if (!(settings.scale >= kMinScale && settings.scale <= kMaxScale)) return std::nullopt;
   return Workspace(settings);

@@ -18,7 +18,7 @@ Vec3 shortened(Vec3 v, double most) noexcept {
   return length > most ? v * (most / length) : v;
 }
 
-bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool all_finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Largest steps of one tick.
 struct Steps {
@@ -34,8 +34,8 @@ double towards(double from, double to, Steps most) noexcept {
 
 Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, double dt_s) noexcept {
   const double dt = dt_s > 0.0 ? std::min(dt_s, kMostDtS) : 0.0;
-  const Vec3 proxy = finite(feedback.proxy_mm) ? feedback.proxy_mm : device_mm_;
-  const bool touches = feedback.in_contact && finite(feedback.proxy_mm);
+  const Vec3 proxy = all_finite(feedback.proxy_mm) ? feedback.proxy_mm : device_mm_;
+  const bool touches = feedback.in_contact && all_finite(feedback.proxy_mm);
   const double stiffness =
       feedback.stiffness_n_per_mm > kLeastStiffness ? feedback.stiffness_n_per_mm : kLeastStiffness;
   const bool pushing = wish.push_n > 0.0 && !feedback.faulted;
@@ -86,7 +86,7 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   }
 
   const Vec3 moved = device_mm_ + shortened(next - device_mm_, tuning_.max_step_mm);
-  if (finite(moved)) device_mm_ = moved;
+  if (all_finite(moved)) device_mm_ = moved;
   return device_mm_;
 }
 

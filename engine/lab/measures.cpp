@@ -6,7 +6,7 @@
 namespace cusp::engine::lab {
 
 namespace {
-double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
+double norm_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
 }  // namespace
 
 void ContactEnergy::add(const Share& share) noexcept {
@@ -96,7 +96,7 @@ void StuckWatch::add(Vec3 exact_mm, Vec3 method_mm) noexcept {
   const auto place = static_cast<std::size_t>(count_ % kWindowMs);
   bool now = false;
   if (count_ >= kWindowMs) {
-    const double wanted = length_of(exact_mm - exact_[place]), went = length_of(method_mm - method_[place]);
+    const double wanted = norm_of(exact_mm - exact_[place]), went = norm_of(method_mm - method_[place]);
     now = wanted > kMovedMm && !(went >= kShare * wanted);
   }
   running_ = now ? std::max(running_, kWindowMs - 1) + 1 : 0;
@@ -108,11 +108,11 @@ void StuckWatch::add(Vec3 exact_mm, Vec3 method_mm) noexcept {
 
 double rise_n(Vec3 before_n, Vec3 now_n) noexcept {
   const Vec3 change = now_n - before_n;
-  const double before = length_of(before_n);
-  if (before == 0.0) return length_of(change);
+  const double before = norm_of(before_n);
+  if (before == 0.0) return norm_of(change);
   const double along = glm::dot(change, before_n) / before;
   const double fall = std::min(std::max(0.0, -along), before);
-  return length_of(change + before_n * (fall / before));
+  return norm_of(change + before_n * (fall / before));
 }
 
 std::optional<double> ForceSteps::add(const Tick& tick) noexcept {

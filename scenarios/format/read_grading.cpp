@@ -6,17 +6,17 @@
 namespace cusp::scenarios::format_reader {
 namespace {
 
-constexpr Range kBand{-1e6, 1e6};
+constexpr Range kBandRange{-1e6, 1e6};
 
 Bands read_bands(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   Bands out;
-  out.fail_lo = object.need("fail_lo").number(kBand);
-  out.acc_lo = object.need("acc_lo").number(kBand);
-  out.ideal_lo = object.need("ideal_lo").number(kBand);
-  out.ideal_hi = object.need("ideal_hi").number(kBand);
-  out.acc_hi = object.need("acc_hi").number(kBand);
-  out.fail_hi = object.need("fail_hi").number(kBand);
+  out.fail_lo = object.need("fail_lo").number(kBandRange);
+  out.acc_lo = object.need("acc_lo").number(kBandRange);
+  out.ideal_lo = object.need("ideal_lo").number(kBandRange);
+  out.ideal_hi = object.need("ideal_hi").number(kBandRange);
+  out.acc_hi = object.need("acc_hi").number(kBandRange);
+  out.fail_hi = object.need("fail_hi").number(kBandRange);
   object.nothing_else();
   return out;
 }

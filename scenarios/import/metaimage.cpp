@@ -14,7 +14,7 @@
 namespace cusp::scenarios {
 namespace {
 
-constexpr std::size_t kMaxHeaderBytes = 65536;  // of a scanner's with notes: a few KiB
+constexpr std::size_t kMaxMetaHeaderBytes = 65536;  // of a scanner's with notes: a few KiB
 constexpr int kMaxFiles = 4096;
 std::string too_many_files(std::size_t files) {
   return text_of({LimitKind::file_count, static_cast<double>(files), kMaxFiles});
@@ -27,7 +27,7 @@ struct ElementType {
   bool is_float = false;
 };
 // Sizes as MetaIO has them: a MET_LONG is four bytes on every machine.
-constexpr ElementType kTypes[] = {
+constexpr ElementType kElementTypes[] = {
     {"MET_CHAR", 1, true},       {"MET_UCHAR", 1, false}, {"MET_SHORT", 2, true},      {"MET_USHORT", 2, false},
     {"MET_INT", 4, true},        {"MET_UINT", 4, false},  {"MET_LONG", 4, true},       {"MET_ULONG", 4, false},
     {"MET_LONG_LONG", 8, true},  {"MET_ULONG_LONG", 8, false}, {"MET_FLOAT", 4, true, true}, {"MET_DOUBLE", 8, true, true}};
@@ -44,7 +44,7 @@ Result<Header, ImportFailure> read_header(std::istream& in, const std::string& n
     std::string line;
     bool ended = false;
     for (char c; !ended && in.get(c); ended = c == '\n') {
-      if (++bytes > kMaxHeaderBytes) return fail(ImportError::bad_header, name);
+      if (++bytes > kMaxMetaHeaderBytes) return fail(ImportError::bad_header, name);
       if (c == '\0') return fail(at == 1 ? ImportError::unknown_format : ImportError::bad_header, name + ":" + std::to_string(at));
       if (c != '\n' && c != '\r') line += c;
     }
@@ -143,8 +143,8 @@ class Reader {
     packing_ = is_true({"CompressedData"}) ? Packing::deflate : Packing::raw;
     const std::string* type = field({"ElementType"});
     if (!type) return refuse(ImportError::bad_header, "ElementType");
-    const auto known = std::ranges::find(kTypes, std::string_view(*type), &ElementType::name);
-    if (known == std::end(kTypes)) return refuse(ImportError::unsupported, "ElementType");
+    const auto known = std::ranges::find(kElementTypes, std::string_view(*type), &ElementType::name);
+    if (known == std::end(kElementTypes)) return refuse(ImportError::unsupported, "ElementType");
     format_ = {known->bytes, known->is_signed, known->is_float,
                is_true({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"})};
     if (const std::string* n = field({"ElementNumberOfChannels"}); n && *n != "1") {

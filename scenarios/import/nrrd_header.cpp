@@ -34,7 +34,7 @@ struct TypeName {
   bool is_signed;
   bool is_float = false;
 };
-constexpr TypeName kTypes[] = {
+constexpr TypeName kTypeNames[] = {
     {"signed char", 1, true},   {"int8", 1, true},          {"int8_t", 1, true},
     {"uchar", 1, false},        {"unsigned char", 1, false}, {"uint8", 1, false},
     {"uint8_t", 1, false},      {"short", 2, true},         {"short int", 2, true},
@@ -165,8 +165,8 @@ class Parser {
   Result<void, ImportFailure> type_and_encoding() {
     const std::string* type = field("type");
     if (!type) return refuse(ImportError::bad_header, "type");
-    const auto known = std::ranges::find(kTypes, std::string_view(lower(*type)), &TypeName::name);
-    if (known == std::end(kTypes) || (known->is_float && !image_)) return refuse(ImportError::unsupported, "type", *type);
+    const auto known = std::ranges::find(kTypeNames, std::string_view(lower(*type)), &TypeName::name);
+    if (known == std::end(kTypeNames) || (known->is_float && !image_)) return refuse(ImportError::unsupported, "type", *type);
     out_.sample_bytes = known->bytes;
     out_.sample_signed = known->is_signed;
     out_.sample_float = known->is_float;

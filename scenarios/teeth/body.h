@@ -7,6 +7,11 @@
 
 namespace cusp::scenarios {
 
+/// Slope that no field of a body exceeds away from fissures.
+inline constexpr double kSlopeMost = 1.5;
+/// Distance (mm) by which a field may be too large within a fissure.
+inline constexpr double kFissureMm = 0.35;
+
 class Body {
  public:
   Body() = default;

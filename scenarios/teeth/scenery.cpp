@@ -9,9 +9,7 @@
 namespace cusp::scenarios {
 namespace {
 
-constexpr int kSkip = 4;           // cells on a side of what is passed over when the surface is far
-constexpr double kSlopeMost = 1.5; // of the fields, away from fissures
-constexpr double kFissureMm = 0.35;
+constexpr int kSkip = 4;  // cells on a side of what is passed over when the surface is far
 
 Vec3 slope_of(const Body& body, Vec3 p, double step) {
   const auto d = [&](Vec3 o) { return body.outside(p + o) - body.outside(p - o); };

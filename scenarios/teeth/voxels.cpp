@@ -14,9 +14,7 @@ namespace {
 constexpr int kBlock = 4;             // voxels on a side of the blocks that are skipped or sampled whole
 constexpr int kPad = 4;               // empty voxels on every side (voxel_volume.h)
 constexpr double kTapVoxels = 4.5;    // how far from the surface samples are read: band 2.75 and two taps, less a bit
-constexpr double kSlopeMost = 1.5;    // of the fields, away from fissures
 constexpr std::size_t kCrumbVoxels = 8;
-constexpr double kFissureMm = 0.35;   // within a fissure the field may promise that much too much distance
 
 /// Samples of the outside field on the grid, with a cubic reading between them.
 struct Field {

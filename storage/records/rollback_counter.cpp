@@ -9,7 +9,7 @@
 namespace cusp::storage {
 namespace {
 
-constexpr std::string_view kFormat = "cusp-counter-1";
+constexpr std::string_view kCounterFormat = "cusp-counter-1";
 
 Hash256 message_of(const Uuid& station, const ChainHead& log) {
   return Blake2b{}.add_text("cusp counter 1").add_uuid(station).add_u64(log.links).add_hash(log.link).finish();
@@ -22,7 +22,7 @@ std::optional<RollbackCounter> counter_from(const std::string& text) {
   const auto id = Uuid::parse(station);
   const auto of_key = hash_from_hex(key), of_link = hash_from_hex(link);
   const auto first = hash_from_hex(low), second = hash_from_hex(high);
-  if (!in || format != kFormat || !id || !of_key || !of_link || !first || !second) return std::nullopt;
+  if (!in || format != kCounterFormat || !id || !of_key || !of_link || !first || !second) return std::nullopt;
   RollbackCounter counter{*id, *of_key, {0, *of_link}, {}};
   const auto [end, error] = std::from_chars(entries.data(), entries.data() + entries.size(), counter.log.links);
   if (error != std::errc{} || end != entries.data() + entries.size()) return std::nullopt;
@@ -62,7 +62,7 @@ Stored<std::optional<RollbackCounter>> read_counter(const std::filesystem::path&
 Stored<void> write_counter(const std::filesystem::path& file, const StationKey& key, const Uuid& station,
                            const ChainHead& log) {
   const Signature signature = key.sign(message_of(station, log));
-  std::string text(kFormat);
+  std::string text(kCounterFormat);
   for (const std::string& line : {station.text(), hex(key.id()), std::to_string(log.links), hex(log.link),
                                   hex_half(signature, 0), hex_half(signature, 32)}) {
     text += '\n' + line;

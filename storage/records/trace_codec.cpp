@@ -13,20 +13,20 @@
 namespace cusp::storage {
 namespace {
 
-constexpr std::size_t kSeal = 16;  // bytes of BLAKE2b in front
-constexpr std::byte kFormat{1};    // after the seal
+constexpr std::size_t kTraceSeal = 16;  // bytes of BLAKE2b in front
+constexpr std::byte kTraceFormat{1};    // after the seal
 constexpr int kFields = 12;
 constexpr int kLevel = 9;                // compresses 1 s of inputs in under a millisecond
 constexpr std::size_t kMostVarint = 10;  // bytes of 64 bits in groups of 7
 
-using Columns = std::array<std::int64_t, kFields>;
+using InputColumns = std::array<std::int64_t, kFields>;
 
-Columns columns_of(const StepInput& in) noexcept {
+InputColumns columns_of(const StepInput& in) noexcept {
   return {in.x, in.y, in.z, in.qx, in.qy, in.qz, in.qw, in.buttons, in.pedal, in.bur, in.fragment, in.elapsed_us};
 }
 
 /// False when a value does not fit its field.
-bool input_of(const Columns& c, StepInput& out) noexcept {
+bool input_of(const InputColumns& c, StepInput& out) noexcept {
   const auto put = [](std::int64_t value, auto& field) {
     field = static_cast<std::remove_reference_t<decltype(field)>>(value);
     return static_cast<std::int64_t>(field) == value;
@@ -71,9 +71,9 @@ constexpr std::int64_t unzigzag(std::uint64_t value) noexcept {
   return static_cast<std::int64_t>(value >> 1 ^ (~(value & 1) + 1));
 }
 
-std::array<std::byte, kSeal> seal_of(std::span<const std::byte> bytes) {
+std::array<std::byte, kTraceSeal> seal_of(std::span<const std::byte> bytes) {
   ready_sodium();
-  std::array<std::byte, kSeal> seal{};
+  std::array<std::byte, kTraceSeal> seal{};
   crypto_generichash(reinterpret_cast<unsigned char*>(seal.data()), seal.size(),
                      reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), nullptr, 0);
   return seal;
@@ -121,27 +121,27 @@ std::vector<std::byte> encode_trace(std::span<const StepInput> inputs) {
     }
   }
   const std::vector<std::byte> packed = pack(plain);
-  std::vector<std::byte> out(kSeal + 1 + packed.size(), kFormat);
-  std::ranges::copy(packed, out.begin() + kSeal + 1);
-  const auto seal = seal_of(std::span{out}.subspan(kSeal));
+  std::vector<std::byte> out(kTraceSeal + 1 + packed.size(), kTraceFormat);
+  std::ranges::copy(packed, out.begin() + kTraceSeal + 1);
+  const auto seal = seal_of(std::span{out}.subspan(kTraceSeal));
   std::ranges::copy(seal, out.begin());
   return out;
 }
 
 Stored<std::vector<StepInput>> decode_trace(std::span<const std::byte> bytes) {
-  if (bytes.size() <= kSeal) return bad("length");
-  const auto body = bytes.subspan(kSeal);
-  if (!std::ranges::equal(seal_of(body), bytes.first(kSeal))) return bad("seal");
-  if (body.front() != kFormat) return bad("format");
+  if (bytes.size() <= kTraceSeal) return bad("length");
+  const auto body = bytes.subspan(kTraceSeal);
+  if (!std::ranges::equal(seal_of(body), bytes.first(kTraceSeal))) return bad("seal");
+  if (body.front() != kTraceFormat) return bad("format");
   const auto plain = unpack(body.subspan(1));
   if (!plain) return std::unexpected(plain.error());
   Cursor cursor{*plain};
   const std::uint64_t count = cursor.varint();
   if (!cursor.good || count > kMostInputsPerChunk || count * kFields > cursor.bytes.size()) return bad("count");
-  std::vector<Columns> rows(count);
+  std::vector<InputColumns> rows(count);
   for (int field = 0; field < kFields; ++field) {
     std::int64_t last = 0, slope = 0;
-    for (Columns& row : rows) {
+    for (InputColumns& row : rows) {
       // Unsigned: a forged difference cannot overflow.
       const auto value =
           static_cast<std::int64_t>(static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(slope) +

@@ -9,7 +9,7 @@
 namespace cusp::storage {
 namespace {
 
-constexpr const char* kColumns =
+constexpr const char* kAccountColumns =
     "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at FROM people ";
 
 Account account_of(Row row) {
@@ -63,7 +63,7 @@ std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserI
       id, a.number, a.name, key_of(a.role), secret(transaction, a.password, c.cost), secret(transaction, a.pin, c.cost),
       c.clock());
   log_account(c, transaction, actor, "account_created", id);
-  return transaction.first(std::string(kColumns) + "WHERE id = ?1", account_of, id);
+  return transaction.first(std::string(kAccountColumns) + "WHERE id = ?1", account_of, id);
 }
 
 Stored<Account> committed(StorageContext& c, Transaction& transaction, std::optional<Account> account) {
@@ -272,14 +272,14 @@ Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view g
 }
 
 Stored<Account> Accounts::find(UserId user) {
-  const auto found = c_.db.first(std::string(kColumns) + "WHERE id = ?1", account_of, user);
+  const auto found = c_.db.first(std::string(kAccountColumns) + "WHERE id = ?1", account_of, user);
   if (!found) return std::unexpected(found.error());
   if (!*found) return fail(StorageError::not_found, "people", user.text());
   return **found;
 }
 
 Stored<Account> Accounts::find_number(std::string_view number) {
-  const auto found = c_.db.first(std::string(kColumns) + "WHERE number = ?1 AND guest = 0", account_of, number);
+  const auto found = c_.db.first(std::string(kAccountColumns) + "WHERE number = ?1 AND guest = 0", account_of, number);
   if (!found) return std::unexpected(found.error());
   if (!*found) return fail(StorageError::not_found, "people", std::string(number));
   return **found;
@@ -289,7 +289,7 @@ Stored<std::vector<Account>> Accounts::list(const Actor& actor) {
   if (!may(actor.role, Action::manage_accounts) && !may(actor.role, Action::manage_cohorts)) {
     if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
   }
-  return c_.db.all(std::string(kColumns) + "WHERE guest = 0 ORDER BY name, number", account_of);
+  return c_.db.all(std::string(kAccountColumns) + "WHERE guest = 0 ORDER BY name, number", account_of);
 }
 
 }  // namespace cusp::storage

@@ -8,7 +8,7 @@
 namespace cusp::storage {
 namespace {
 
-constexpr const char* kColumns =
+constexpr const char* kVersionColumns =
     "SELECT id, scenario, number, key, title, json, content_hash, author, published_at FROM scenario_versions ";
 
 ScenarioVersion version_of(Row row) {
@@ -101,7 +101,7 @@ Stored<ScenarioVersion> Scenarios::publish(const Actor& actor, const Scenario& s
 }
 
 Stored<ScenarioVersion> Scenarios::version(VersionId id) {
-  auto found = c_.db.first(std::string(kColumns) + "WHERE id = ?1", version_of, id);
+  auto found = c_.db.first(std::string(kVersionColumns) + "WHERE id = ?1", version_of, id);
   if (!found) return std::unexpected(found.error());
   if (!*found) return fail(StorageError::not_found, "scenario_versions", id.text());
   if (auto done = add_files(c_.db, **found); !done) return std::unexpected(done.error());
@@ -110,12 +110,12 @@ Stored<ScenarioVersion> Scenarios::version(VersionId id) {
 
 Stored<std::vector<ScenarioVersion>> Scenarios::versions(ScenarioId scenario) {
   return with_files(c_.db,
-                    c_.db.all(std::string(kColumns) + "WHERE scenario = ?1 ORDER BY number", version_of, scenario));
+                    c_.db.all(std::string(kVersionColumns) + "WHERE scenario = ?1 ORDER BY number", version_of, scenario));
 }
 
 Stored<std::vector<ScenarioVersion>> Scenarios::library() {
   return with_files(c_.db,
-                    c_.db.all(std::string(kColumns) + "AS v WHERE number = (SELECT max(number) FROM scenario_versions "
+                    c_.db.all(std::string(kVersionColumns) + "AS v WHERE number = (SELECT max(number) FROM scenario_versions "
                                                       "WHERE scenario = v.scenario) ORDER BY scenario",
                               version_of));
 }

@@ -7,7 +7,7 @@
 namespace cusp::storage {
 namespace {
 
-constexpr std::size_t kHeader = 32, kFrameHeader = 24;
+constexpr std::size_t kLogHeader = 32, kFrameHeader = 24;
 constexpr std::uint32_t kMagic = 0x377F0682, kVersion = 3'007'000;  // the magic's last bit: checksums are big-endian
 
 std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
@@ -40,7 +40,7 @@ struct Sums {
 
 CommittedLog read_log(std::span<const std::byte> log) {
   CommittedLog out;
-  if (log.size() < kHeader) return out;
+  if (log.size() < kLogHeader) return out;
   const std::uint32_t magic = big_endian(log, 0), page_size = big_endian(log, 8);
   if ((magic & ~1u) != kMagic || big_endian(log, 4) != kVersion) return out;
   if (!std::has_single_bit(page_size) || page_size < 512 || page_size > 65536) return out;
@@ -49,7 +49,7 @@ CommittedLog read_log(std::span<const std::byte> log) {
   if (!sums.equal(log, 24)) return out;
 
   std::map<std::uint32_t, std::size_t> pending;  // since the last commit
-  for (std::size_t at = kHeader; at + kFrameHeader + page_size <= log.size(); at += kFrameHeader + page_size) {
+  for (std::size_t at = kLogHeader; at + kFrameHeader + page_size <= log.size(); at += kFrameHeader + page_size) {
     const auto frame = log.subspan(at, kFrameHeader + page_size);
     const bool same_log = std::ranges::equal(frame.subspan(8, 8), log.subspan(16, 8));  // the salts
     const std::uint32_t page = big_endian(frame, 0), pages = big_endian(frame, 4);

@@ -25,7 +25,7 @@ namespace {
 constexpr std::uint64_t kBlockTicks = 500;
 constexpr std::size_t kBlocks = 24;
 // As play_through: searched for fragments this often.
-constexpr std::uint64_t kTurn = 25;
+constexpr std::uint64_t kAuditTurn = 25;
 constexpr double kSwayS = 4.0;  // [M] period of the handpiece turning from side to side, where the exercise lets it turn
 
 /// A model as the engine takes it.
@@ -139,7 +139,7 @@ std::optional<AuditAttempt> play(const Table& table, HapticPort& port, const std
     const StepOutput& o = loop.state().last();
     process.add(o);
     out.lost += (o.infeasible || o.overflow) ? 1 : 0;
-    if (tick % kTurn == 0) {
+    if (tick % kAuditTurn == 0) {
       finder.search(loop.state());
       if (!go_on()) return std::nullopt;
     }
