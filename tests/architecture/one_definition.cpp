@@ -13,15 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/architecture/file_text.h"
+
 namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return (std::ostringstream() << in.rdbuf()).str();
-}
 
 /// Without comments, preprocessor lines and what stands in quotes.
 std::string bare(const std::string& text) {
@@ -97,7 +94,7 @@ TEST(OneDefinition, no_two_files_of_the_program_define_a_type_of_the_same_name) 
       const std::string file = fs::relative(entry.path(), CUSP_SOURCE_DIR).string();
       // Of these two only one is ever built.
       if (file == "ui/sound/drill_sound_silent.cpp") continue;
-      for (const std::string& type : types_of(read(entry.path()))) {
+      for (const std::string& type : types_of(text_of(entry.path()))) {
         ++types;
         const auto [before, fresh] = where.emplace(type, file);
         EXPECT_TRUE(fresh) << type << " in " << before->second << " and in " << file;

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/architecture/file_text.h"
 #include "tests/architecture/rules.h"
 
 namespace cusp::test {
@@ -16,13 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = CUSP_SOURCE_DIR;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
 
 std::vector<fs::path> sources(const std::vector<std::string>& modules) {
   std::vector<fs::path> out;
@@ -42,7 +36,7 @@ TEST(Includes, no_file_points_upward) {
   int files = 0;
   for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui"})) {
     ++files;
-    for (const std::string& what : forbidden_includes(fs::relative(path, kRoot).string(), read(path)))
+    for (const std::string& what : forbidden_includes(fs::relative(path, kRoot).string(), text_of(path)))
       ADD_FAILURE() << what;
   }
   EXPECT_GT(files, 50);
@@ -64,7 +58,7 @@ TEST(Openings, nothing_but_sqlite_opens_or_copies_a_database) {
   int files = 0;
   for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui"})) {
     ++files;
-    for (const std::string& what : forbidden_openings(fs::relative(path, kRoot).string(), read(path))) ADD_FAILURE() << what;
+    for (const std::string& what : forbidden_openings(fs::relative(path, kRoot).string(), text_of(path))) ADD_FAILURE() << what;
   }
   EXPECT_GT(files, 500);
 }
@@ -109,13 +103,13 @@ TEST(Tree, EveryModuleSaysWhatLivesInIt) {
     if (entry.is_regular_file()) {
       EXPECT_TRUE(name == "README.md" || name == "CMakeLists.txt" || name == "modules.h") << name << " lies directly in ui";
     } else if (entry.is_directory()) {
-      EXPECT_NE(read(kRoot / "ui/README.md").find(name), std::string::npos) << "ui/README.md does not name " << name;
+      EXPECT_NE(text_of(kRoot / "ui/README.md").find(name), std::string::npos) << "ui/README.md does not name " << name;
     }
   }
 }
 
 TEST(Tree, IsLicensedUnderGpl3OrLater) {
-  const std::string text = read(kRoot / "LICENSE");
+  const std::string text = text_of(kRoot / "LICENSE");
   EXPECT_NE(text.find("GNU GENERAL PUBLIC LICENSE"), std::string::npos);
   EXPECT_NE(text.find("Version 3, 29 June 2007"), std::string::npos);
   EXPECT_GT(text.size(), 30000u);
@@ -124,7 +118,7 @@ TEST(Tree, IsLicensedUnderGpl3OrLater) {
 TEST(Tree, LeavesNothingUnfinishedInTheCode) {
   const std::string words[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X"};
   for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui", "tests"})) {
-    const std::string text = read(path);
+    const std::string text = text_of(path);
     for (const std::string& word : words) {
       std::size_t at = text.find(word);
       while (at != std::string::npos && (letter(text, at - 1) || letter(text, at + word.size()))) at = text.find(word, at + 1);
@@ -134,7 +128,7 @@ TEST(Tree, LeavesNothingUnfinishedInTheCode) {
 }
 
 TEST(Determinism, everything_the_step_reaches_is_built_without_contraction_and_fast_math) {
-  const nlohmann::json commands = nlohmann::json::parse(read(fs::path(CUSP_BINARY_DIR) / "compile_commands.json"));
+  const nlohmann::json commands = nlohmann::json::parse(text_of(fs::path(CUSP_BINARY_DIR) / "compile_commands.json"));
   int seen = 0;
   for (const auto& entry : commands) {
     const std::string file = fs::relative(entry["file"].get<std::string>(), kRoot).string();
@@ -157,7 +151,7 @@ TEST(Determinism, the_step_calls_nothing_of_libm_but_what_is_exact) {
     for (const fs::path& path : sources({folder})) {
       const std::string name = path.filename().string();
       if (name.starts_with("cut_volume")) continue;  // metrics: not reached by the step
-      const std::string text = read(path);
+      const std::string text = text_of(path);
       for (const char* call : {"std::sin(", "std::cos(", "std::tan(", "std::exp(", "std::pow(", "std::log(", "std::acos(",
                                "std::asin(", "std::atan2(", "std::hypot(", "std::fma(", "glm::inversesqrt(",
                                "glm::normalize(", "unordered_map", "std::chrono"})

@@ -13,7 +13,7 @@
 namespace cusp::test {
 namespace {
 
-constexpr double kTick = 0.001;
+constexpr double kSweepTickS = 0.001;
 
 /// A strip of tissue along x, cut by a ball: each column gives way by the force on it. No friction; walls hold.
 struct Strip {
@@ -55,7 +55,7 @@ struct Strip {
     const double force = glm::length(felt.force_n);
     if (force < 1e-9) return;
     const Vec3 into = -felt.force_n / force;
-    const Vec3 at = proxy + into * (kSpeed * force * kTick);
+    const Vec3 at = proxy + into * (kSpeed * force * kSweepTickS);
     for (std::size_t i = 0; i < top.size(); ++i) {
       const double off = x_of(i) - at.x;
       if (std::abs(off) < kRadius) top[i] = std::min(top[i], at.z - std::sqrt(kRadius * kRadius - off * off));
@@ -72,8 +72,8 @@ struct Strip {
   }
 };
 
-struct Bench {
-  explicit Bench(Vec3 start) : hand(start), motion(start), felt(strip.feel(start)) {}
+struct SweepBench {
+  explicit SweepBench(Vec3 start) : hand(start), motion(start), felt(strip.feel(start)) {}
   Strip strip;
   PointerHand hand;
   PointerMotion motion;
@@ -81,7 +81,7 @@ struct Bench {
   double most_step_mm = 0;
   void tick() {
     const Vec3 before = motion.device_mm();
-    const Vec3 device = motion.advance(hand.latest(), felt, kTick);
+    const Vec3 device = motion.advance(hand.latest(), felt, kSweepTickS);
     most_step_mm = std::max(most_step_mm, glm::length(device - before));
     felt = strip.feel(device);
     strip.cut(felt);
@@ -90,15 +90,15 @@ struct Bench {
 
 TEST(PointerMotion, SweepsCutABroadShallowLayerAndHoldingStillSinks) {
   for (const double push : {0.5, 1.0}) {
-    Bench still(Vec3(0, 0, 1));
+    SweepBench still(Vec3(0, 0, 1));
     still.hand.set_push(push);
     for (int i = 0; i < 8000; ++i) still.tick();
     for (const double speed : {4.0, 8.0, 16.0}) {
-      Bench bench(Vec3(0, 0, 1));
+      SweepBench bench(Vec3(0, 0, 1));
       bench.hand.set_push(push);
       double x = 0, way = 1;
       for (int i = 0; i < 8000; ++i) {
-        x += way * speed * kTick;
+        x += way * speed * kSweepTickS;
         if (std::abs(x) > 2.0) way = -way;
         bench.hand.move_to(Vec3(x, 0, 0));
         bench.tick();
@@ -115,7 +115,7 @@ TEST(PointerMotion, SweepsCutABroadShallowLayerAndHoldingStillSinks) {
 }
 
 TEST(PointerMotion, AReleaseTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsAt) {
-  Bench bench(Vec3(0, 0, 1));
+  SweepBench bench(Vec3(0, 0, 1));
   bench.hand.set_push(1.5);
   while (bench.strip.depth() < 5.0) bench.tick();
   bench.hand.move_to(Vec3(3, 0, -5));  // the pointer shows the floor of the hole, and lies to the side

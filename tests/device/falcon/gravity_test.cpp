@@ -8,13 +8,13 @@
 namespace cusp::device::falcon {
 namespace {
 
-const Geometry kFalcon;
+const Geometry kGeometry;
 constexpr GravityCalibration kHeavy{0.25, 0.004};
 
 Pose pose_of(Vec3 grip_m) {
-  const auto legs = inverse(kFalcon, grip_m);
+  const auto legs = inverse(kGeometry, grip_m);
   EXPECT_TRUE(legs);
-  return {grip_m, *legs, *jacobian(kFalcon, *legs)};
+  return {grip_m, *legs, *jacobian(kGeometry, *legs)};
 }
 
 /// Height of every mass times its weight, from the drawing: y of the grip; an arm's middle lies l (cos theta) out along
@@ -23,7 +23,7 @@ double potential_j(const Pose& pose) {
   double energy = kHeavy.grip_kg * 9.80665 * pose.grip_m.y;
   for (int i = 0; i < 3; ++i) {
     energy += kHeavy.arm_kg_m * 9.80665 * std::cos(pose.legs.arm_rad[i]) *
-              std::sin(kFalcon.leg_rad[static_cast<std::size_t>(i)]);
+              std::sin(kGeometry.leg_rad[static_cast<std::size_t>(i)]);
   }
   return energy;
 }
@@ -39,7 +39,7 @@ std::vector<Vec3> places() {
 TEST(FalconGravity, does_the_work_that_lifting_takes) {
   for (const Vec3 place : places()) {
     const Pose here = pose_of(place);
-    const Vec3 torque = gravity_torque_nm(kFalcon, here, kHeavy);
+    const Vec3 torque = gravity_torque_nm(kGeometry, here, kHeavy);
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 step(0.0);
       step[axis] = 1e-5;
@@ -52,12 +52,12 @@ TEST(FalconGravity, does_the_work_that_lifting_takes) {
 }
 
 TEST(FalconGravity, carries_nothing_until_it_is_measured) {
-  EXPECT_EQ(gravity_torque_nm(kFalcon, pose_of(kMiddleM), {}), Vec3(0.0));
+  EXPECT_EQ(gravity_torque_nm(kGeometry, pose_of(kMiddleM), {}), Vec3(0.0));
 }
 
 TEST(FalconGravity, lifts_the_grip_upward) {
   const Pose pose = pose_of(kMiddleM);
-  const Vec3 lift = force_n(pose.rows, gravity_torque_nm(kFalcon, pose, {0.2, 0.0}));
+  const Vec3 lift = force_n(pose.rows, gravity_torque_nm(kGeometry, pose, {0.2, 0.0}));
   EXPECT_NEAR(lift.y, 0.2 * 9.80665, 1e-12);
   EXPECT_NEAR(lift.x, 0, 1e-12);
   EXPECT_NEAR(lift.z, 0, 1e-12);
@@ -70,25 +70,25 @@ TEST(FalconGravity, is_found_again_from_places_that_were_held) {
     const Pose pose = pose_of(place);
     // A millinewton metre of friction, its sign by turns: what averaging leaves.
     const double friction = (++i % 2 == 0 ? 1e-3 : -1e-3);
-    held.push_back({pose, gravity_torque_nm(kFalcon, pose, kHeavy) + Vec3(friction, -friction, friction)});
+    held.push_back({pose, gravity_torque_nm(kGeometry, pose, kHeavy) + Vec3(friction, -friction, friction)});
   }
-  const auto fit = fit_gravity(kFalcon, held);
+  const auto fit = fit_gravity(kGeometry, held);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->grip_kg, kHeavy.grip_kg, 0.01);
   EXPECT_NEAR(fit->arm_kg_m, kHeavy.arm_kg_m, 5e-4);
 }
 
 TEST(FalconGravity, refuses_poses_that_do_not_determine_both) {
-  EXPECT_FALSE(fit_gravity(kFalcon, {}));
+  EXPECT_FALSE(fit_gravity(kGeometry, {}));
   const Pose pose = pose_of(kMiddleM);
-  std::vector<HeldPose> two(2, HeldPose{pose, gravity_torque_nm(kFalcon, pose, kHeavy)});
-  EXPECT_FALSE(fit_gravity(kFalcon, two));
+  std::vector<HeldPose> two(2, HeldPose{pose, gravity_torque_nm(kGeometry, pose, kHeavy)});
+  EXPECT_FALSE(fit_gravity(kGeometry, two));
   std::vector<HeldPose> falling;
   for (const Vec3 place : places()) {
     const Pose at = pose_of(place);
-    falling.push_back({at, -gravity_torque_nm(kFalcon, at, kHeavy)});
+    falling.push_back({at, -gravity_torque_nm(kGeometry, at, kHeavy)});
   }
-  EXPECT_FALSE(fit_gravity(kFalcon, falling));  // a negative mass: the sign of the torques is wrong
+  EXPECT_FALSE(fit_gravity(kGeometry, falling));  // a negative mass: the sign of the torques is wrong
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace cusp::test {
 namespace {
 
-double length(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
+double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
 
 /// By trying every three planes: of the places where three meet and none is violated, the nearest to q.
 Vec3 nearest_corner(Vec3 q, std::span<const Plane> planes, double tolerance_mm) {
@@ -23,7 +23,7 @@ Vec3 nearest_corner(Vec3 q, std::span<const Plane> planes, double tolerance_mm) 
         const Vec3 at = (bc * a.c + ca * b.c + ab * c.c) / glm::dot(a.n, bc);
         bool admissible = true;
         for (const Plane& p : planes) admissible = admissible && glm::dot(p.n, at) - p.c > -tolerance_mm;
-        if (admissible && length(at - q) < length(best - q)) best = at;
+        if (admissible && length_of(at - q) < length_of(best - q)) best = at;
       }
   return best;
 }
@@ -43,7 +43,7 @@ TEST(PlaneSearch, holds_a_bur_in_its_own_hole_however_far_the_device_pushes_on) 
     EXPECT_TRUE(found.feasible);
     EXPECT_GT(found.active, 0);
     for (const Plane& p : planes) EXPECT_GT(glm::dot(p.n, found.y) - p.c, -2e-7) << p.from;
-    EXPECT_LE(length(found.y - nearest_corner(device, planes, 1e-7)), 1e-5);  // a tolerance of 1e-7 across walls so steep
+    EXPECT_LE(length_of(found.y - nearest_corner(device, planes, 1e-7)), 1e-5);  // a tolerance of 1e-7 across walls so steep
   }
 }
 

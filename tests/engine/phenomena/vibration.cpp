@@ -11,13 +11,13 @@
 namespace cusp::test {
 namespace {
 
-constexpr double kTickS = 0.001;
-constexpr SpindleSettings kTurbine = settings_of(Handpiece::turbine);
+constexpr double kWaveTickS = 0.001;
+constexpr SpindleSettings kWaveTurbine = settings_of(Handpiece::turbine);
 
-std::vector<double> wave(double rpm, double push_n, double hardness, int ticks, double dt_s = kTickS) {
+std::vector<double> wave(double rpm, double push_n, double hardness, int ticks, double dt_s = kWaveTickS) {
   VibrationState state;
   std::vector<double> out;
-  for (int k = 0; k < ticks; ++k) out.push_back(vibration_n(state, kTurbine, rpm, push_n, hardness, dt_s));
+  for (int k = 0; k < ticks; ++k) out.push_back(vibration_n(state, kWaveTurbine, rpm, push_n, hardness, dt_s));
   return out;
 }
 double most_of(const std::vector<double>& values) {
@@ -44,7 +44,7 @@ TEST(Vibration, the_polynomial_is_a_sine_within_four_millionths_and_never_above_
 }
 
 TEST(Vibration, felt_turns_are_so_rare_that_four_samples_make_a_wave) {
-  EXPECT_EQ(subharmonic_of(kTurbine), 24);                          // 5833 Hz / 24 = 243 Hz
+  EXPECT_EQ(subharmonic_of(kWaveTurbine), 24);                          // 5833 Hz / 24 = 243 Hz
   EXPECT_EQ(subharmonic_of(settings_of(Handpiece::electric)), 14);  // 3333 Hz / 14 = 238 Hz
   EXPECT_EQ(subharmonic_of(settings_of(Handpiece::slow)), 3);       // 667 Hz / 3 = 222 Hz
   EXPECT_EQ(subharmonic_of(settings_of(Handpiece::none)), 1);
@@ -61,7 +61,7 @@ TEST(Vibration, sampled_as_it_is_the_true_pitch_would_have_come_out_as_another_o
   int turns = 0;
   double before = -1.0;
   for (int k = 0; k < 4000; ++k) {
-    const double now = std::sin(6.283185307179586 * (3500.3 * kTickS * k));
+    const double now = std::sin(6.283185307179586 * (3500.3 * kWaveTickS * k));
     turns += before < 0.0 && now >= 0.0 ? 1 : 0;
     before = now;
   }

@@ -10,11 +10,6 @@
 namespace cusp::test {
 namespace {
 
-
-double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
-
-constexpr double kVoxel = 10.0 / 128;  // the paper's
-
 struct Residual {
   double angle_deg = 0.0;
   double depth_um = 0.0;
@@ -44,7 +39,7 @@ Residual slide(const VoxelVolume& volume, double radius, const std::function<Vec
 TEST(SurfaceProxy, slides_over_a_tilted_face_with_the_exact_normal) {
   const Vec3 n = Vec3(0.1, 0.2, 1.0) / length(Vec3(0.1, 0.2, 1.0));
   const auto face = [n](Vec3 p) { return glm::dot(p, n); };
-  const VoxelVolume volume = from_distance(10.0, kVoxel, face);
+  const VoxelVolume volume = from_distance(10.0, kPaperVoxelMm, face);
   const auto circle = [n](double s) {
     const Vec3 p(2.0 * std::cos(s / 2.0), 2.0 * std::sin(s / 2.0), 0.0);
     return p - n * glm::dot(p, n);
@@ -57,7 +52,7 @@ TEST(SurfaceProxy, slides_over_a_tilted_face_with_the_exact_normal) {
 
 TEST(SurfaceProxy, slides_over_a_sphere_far_below_the_voxel_size) {
   const auto sphere = [](Vec3 p) { return length(p) - 4.0; };
-  const VoxelVolume volume = from_distance(10.0, kVoxel, sphere);
+  const VoxelVolume volume = from_distance(10.0, kPaperVoxelMm, sphere);
   const auto path = [](double s) {
     const Vec3 u(0.75 * std::cos(s / 3.0), 0.75 * std::sin(s / 3.0), 0.66 + 0.1 * std::sin(s));
     return 4.0 * u / length(u);
@@ -98,7 +93,7 @@ TEST(SurfaceProxy, beside_an_outer_edge_it_feels_the_face_alone) {
   const Vec3 x = Vec3(0.95, 0.2, 0.24) / length(Vec3(0.95, 0.2, 0.24));
   const Vec3 y = glm::cross(Vec3(0.0, 0.0, 1.0), x) / length(glm::cross(Vec3(0.0, 0.0, 1.0), x));
   const Vec3 z = glm::cross(x, y);
-  const auto scene = scene_of(from_distance(3.0, kVoxel, [&](Vec3 p) {
+  const auto scene = scene_of(from_distance(3.0, kPaperVoxelMm, [&](Vec3 p) {
                                 return box_distance(Vec3(glm::dot(p, x), glm::dot(p, y), glm::dot(p, z)), Vec3(1.0));
                               }), Method::surface, 0.5);
   double worst = 0.0;

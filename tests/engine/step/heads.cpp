@@ -12,8 +12,6 @@
 namespace cusp::test {
 namespace {
 
-
-constexpr double kVoxel = 10.0 / 128;
 const Vec3 kAxis = Vec3(0.15, -0.1, 1.0) / length(Vec3(0.15, -0.1, 1.0));
 const Vec3 kSide = across(kAxis);
 constexpr double kBall = 3.0;
@@ -52,7 +50,7 @@ class EveryHead : public testing::TestWithParam<Head> {
     auto found = std::ranges::find(built, n, [](const auto& b) { return b.first; });
     if (found == built.end()) {
       const auto distance = [n](Vec3 p) { return n == Vec3(0.0) ? length(p) - kBall : glm::dot(p, n); };
-      built.emplace_back(n, Specimen::build(from_distance(11.0, kVoxel, distance), Reading::banded));
+      built.emplace_back(n, Specimen::build(from_distance(11.0, kPaperVoxelMm, distance), Reading::banded));
       found = built.end() - 1;
     }
     auto out = scene_of(from_distance(1.0, 0.25, [](Vec3 p) { return length(p); }), Method::surface, GetParam().radius);

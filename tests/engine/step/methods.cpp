@@ -10,10 +10,6 @@
 namespace cusp::test {
 namespace {
 
-
-double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
-
-constexpr double kVoxel = 10.0 / 128;  // the paper's
 constexpr Method kAll[] = {Method::occupancy, Method::occupancy_pivot, Method::ray,
                            Method::penalty,   Method::gradient,        Method::surface};
 constexpr Method kThree[] = {Method::ray, Method::penalty, Method::gradient};
@@ -29,10 +25,6 @@ void without_shank(Scene& scene) {
   Bur& bur = scene.burs[0];
   bur.neck_radius_mm = bur.shank_radius_mm = 0.05;
   bur.neck_length_mm = bur.shank_length_mm = 0.1;
-}
-
-VoxelVolume block(double voxel = 0.1) {
-  return from_distance(4.0, voxel, [](Vec3 p) { return box_distance(p, Vec3(2.0)); });
 }
 
 class EveryContactMethod : public testing::TestWithParam<Method> {};
@@ -60,7 +52,7 @@ TEST_P(EveryContactMethod, begins_where_the_device_is_when_that_is_free) {
 }
 
 TEST_P(EveryContactMethod, gives_finite_forces_to_a_violent_hand) {
-  auto scene = scene_of(block(0.15), GetParam(), 0.4, 5.0);
+  auto scene = scene_of(block_of(0.15), GetParam(), 0.4, 5.0);
   scene->friction = true;
   scene->guard = GuardSettings{};
   StepState state(scene);
@@ -85,7 +77,7 @@ TEST_P(EveryContactMethod, gives_finite_forces_to_a_violent_hand) {
 }
 
 TEST_P(EveryContactMethod, removes_and_never_adds) {
-  StepState state(scene_of(block(), GetParam(), 0.3, 3.0));
+  StepState state(scene_of(block_of(0.1), GetParam(), 0.3, 3.0));
   approach(state, {0, 0, 3.0}, {0, 0, 2.1});
   VoxelVolume before = state.volume().dense();
   const VoxelVolume whole = before;
@@ -100,14 +92,14 @@ TEST_P(EveryContactMethod, removes_and_never_adds) {
 }
 
 TEST_P(EveryContactMethod, leaves_tissue_that_cannot_be_cut) {
-  StepState state(scene_of(block(), GetParam(), 0.25, 0.0));
+  StepState state(scene_of(block_of(0.1), GetParam(), 0.25, 0.0));
   approach(state, {0, 0, 3.0}, {0, 0, 2.0});
   for (int k = 0; k < 200; ++k) ASSERT_FALSE(step(state, input_at({0, 0, 2.0}, CutButton::pressed)).cutting);
   EXPECT_TRUE(state.volume().cut_bricks().empty());
 }
 
 TEST_P(EveryContactMethod, knows_a_cut_along_a_known_path) {
-  auto scene = scene_of(block(), GetParam(), 0.5);
+  auto scene = scene_of(block_of(0.1), GetParam(), 0.5);
   StepState state(scene);
   approach(state, {0, 0, 3.5}, {0, 0, 2.6});
   ASSERT_TRUE(cut_along(state, 0, {0, 0, 2.6}, {0, 0, 1.0}));
@@ -130,7 +122,7 @@ struct Sliding {
 };
 Sliding slide_on_face(Method method, double radius) {
   const Vec3 n = Vec3(0.1, 0.2, 1.0) / length(Vec3(0.1, 0.2, 1.0));
-  auto scene = scene_of(from_distance(6.0, kVoxel, [n](Vec3 p) { return glm::dot(p, n); }), method, radius);
+  auto scene = scene_of(from_distance(6.0, kPaperVoxelMm, [n](Vec3 p) { return glm::dot(p, n); }), method, radius);
   scene->tissues[index_of(Tissue::dentine)].stiffness_n_per_mm = 2.0;
   StepState state(scene);
   const auto place = [n](double s) {
@@ -176,7 +168,7 @@ TEST(RayProxy, pushes_back_along_a_face_within_a_voxel_of_its_depth) {
     const Sliding s = slide_on_face(Method::ray, radius);
     EXPECT_LE(s.angle_deg, bound(4.0)) << radius;           // measured 3.1
     EXPECT_NEAR(s.force_n, 0.6, bound(0.04)) << radius;     // measured 0.016
-    EXPECT_LE(s.off_um, bound(1000.0 * kVoxel)) << radius;  // measured 58
+    EXPECT_LE(s.off_um, bound(1000.0 * kPaperVoxelMm)) << radius;  // measured 58
   }
 }
 
@@ -201,7 +193,7 @@ TEST(RayProxy, never_overlaps_tissue_with_the_tool) {
 }
 
 TEST(GradientProxy, stands_on_a_sphere_as_exactly_as_the_plain_field_is) {
-  StepState state(scene_of(from_distance(10.0, kVoxel, [](Vec3 p) { return length(p) - 4.0; }), Method::gradient, 0.5));
+  StepState state(scene_of(from_distance(10.0, kPaperVoxelMm, [](Vec3 p) { return length(p) - 4.0; }), Method::gradient, 0.5));
   approach(state, {0, 0, 5.0}, {0, 0, 4.2});
   double off = 0.0;
   for (int k = 0; k < 600; ++k) {
@@ -216,7 +208,7 @@ TEST(GradientProxy, stands_on_a_sphere_as_exactly_as_the_plain_field_is) {
 
 // A wall of 0.2 mm that the device point crosses at 300 mm/s; where the proxy is at the end.
 double behind_a_thin_wall(Method method) {
-  auto scene = scene_of(from_distance(4.0, kVoxel, [](Vec3 p) { return std::fabs(p.x) - 0.1; }), method, 0.25);
+  auto scene = scene_of(from_distance(4.0, kPaperVoxelMm, [](Vec3 p) { return std::fabs(p.x) - 0.1; }), method, 0.25);
   without_shank(*scene);
   StepState state(scene);
   approach(state, {1.5, 0.02, 0.01}, {0.5, 0.02, 0.01});
@@ -231,7 +223,7 @@ TEST(Penalty, falls_through_a_thin_wall_at_speed) {
 }
 
 TEST(RayProxy, stays_before_a_thin_wall_at_speed) {
-  EXPECT_NEAR(behind_a_thin_wall(Method::ray), 0.35, bound(kVoxel));  // measured 0.037
+  EXPECT_NEAR(behind_a_thin_wall(Method::ray), 0.35, bound(kPaperVoxelMm));  // measured 0.037
 }
 
 TEST(GradientProxy, stays_before_a_thin_wall_at_speed) {
@@ -245,7 +237,7 @@ double off_an_inner_angle(Method method, double radius, double tilt) {
   const auto turned = [c, tilt](Vec3 p) { return Vec3(c * p.x + tilt * p.y, -tilt * p.x + c * p.y, p.z); };
   const auto back = [c, tilt](Vec3 p) { return Vec3(c * p.x - tilt * p.y, tilt * p.x + c * p.y, p.z); };
   auto scene =
-      scene_of(from_distance(4.0, kVoxel, [&](Vec3 p) { return std::min(turned(p).x, turned(p).y); }), method, radius);
+      scene_of(from_distance(4.0, kPaperVoxelMm, [&](Vec3 p) { return std::min(turned(p).x, turned(p).y); }), method, radius);
   without_shank(*scene);
   StepState state(scene);
   approach(state, back({radius + 0.4, radius + 0.5, 0}), back({radius - 0.3, radius - 0.3, 0}));
@@ -266,7 +258,7 @@ TEST(GradientProxy, enters_one_wall_of_an_inner_corner) {
 }
 
 TEST(RayProxy, rests_in_an_inner_corner_within_a_voxel) {
-  EXPECT_LT(off_an_inner_angle(Method::ray, 0.25, 0.2), bound(kVoxel));  // measured 0.042
+  EXPECT_LT(off_an_inner_angle(Method::ray, 0.25, 0.2), bound(kPaperVoxelMm));  // measured 0.042
 }
 
 TEST(GradientProxy, sinks_into_a_groove_of_sixty_degrees) {
@@ -278,7 +270,7 @@ TEST(GradientProxy, sinks_into_a_groove_of_sixty_degrees) {
   double depth[2];
   int i = 0;
   for (const Method method : {Method::gradient, Method::surface}) {
-    auto scene = scene_of(from_distance(4.0, kVoxel, groove), method, radius);
+    auto scene = scene_of(from_distance(4.0, kPaperVoxelMm, groove), method, radius);
     without_shank(*scene);
     StepState state(scene);
     approach(state, {0.02, 0, 1.5}, {0.02, 0, 2 * radius - 0.3});
@@ -294,14 +286,14 @@ TEST(Penalty, is_too_soft_in_a_right_angle_and_too_stiff_in_its_own_hole) {
   // By the law: two walls give 2^(1/4) d where K d along both would be 2^(1/2) d ...
   const double radius = 0.5, depth = 0.1;
   auto corner =
-      scene_of(from_distance(4.0, kVoxel, [](Vec3 p) { return std::min(p.x, p.y); }), Method::penalty, radius);
+      scene_of(from_distance(4.0, kPaperVoxelMm, [](Vec3 p) { return std::min(p.x, p.y); }), Method::penalty, radius);
   without_shank(*corner);
   StepState in_corner(corner);
   const StepOutput pressed = step(in_corner, input_at({radius - depth, radius - depth, 0.0}));
   EXPECT_NEAR(length(pressed.force_raw_n), std::sqrt(std::sqrt(2.0)) * depth, bound(0.005));  // measured 0.0008
   // ... and a hole as wide as the bur, whose push is d / 6 over the sphere, the depth D of a plane that gives
   // (D^2 / 2 - D^3 / 6 r) / 2 r = d / 6: 0.1956 mm.
-  auto hole = scene_of(block(kVoxel), Method::penalty, radius);
+  auto hole = scene_of(block_of(kPaperVoxelMm), Method::penalty, radius);
   without_shank(*hole);
   StepState in_hole(hole);
   ASSERT_TRUE(cut_along(in_hole, 0, {0, 0, 3.0}, {0, 0, 0.0}));
@@ -311,7 +303,7 @@ TEST(Penalty, is_too_soft_in_a_right_angle_and_too_stiff_in_its_own_hole) {
 
 /// Drills straight down at full wear; mm/s between half of the stroke and its end.
 double drilling_speed(Method method, double radius, double tick_us) {
-  StepState state(scene_of(block(kVoxel), method, radius));
+  StepState state(scene_of(block_of(kPaperVoxelMm), method, radius));
   approach(state, {0.013, 0.027, 2.5 + radius}, {0.013, 0.027, 1.65 + radius});
   const int ticks = static_cast<int>(1.0e6 / tick_us);
   double from = 0.0, to = 0.0;

@@ -10,9 +10,6 @@
 namespace cusp::test {
 namespace {
 
-
-constexpr double kPaperVoxel = 10.0 / 128;
-
 /// Drills straight down at full wear for `seconds`; the speed between a tenth of the stroke and its end, mm/s.
 double drilling_speed(std::shared_ptr<const Scene> scene, Vec3 top, Vec3 direction, double seconds,
                       std::uint32_t tick_us, double push_mm = 0.35, double expected = 1.0) {
@@ -29,12 +26,8 @@ double drilling_speed(std::shared_ptr<const Scene> scene, Vec3 top, Vec3 directi
   return glm::dot(to - from, direction) / ((ticks - 1 - ticks / 10) * tick_us * 1e-6);
 }
 
-VoxelVolume block(double voxel) {
-  return from_distance(4.0, voxel, [](Vec3 p) { return box_distance(p, Vec3(2.0)); });
-}
-
 TEST(SurfaceRemoval, drills_at_the_tissues_speed_at_any_tick_length) {
-  const auto scene = scene_of(block(0.1), Method::surface, 0.25);
+  const auto scene = scene_of(block_of(0.1), Method::surface, 0.25);
   for (const std::uint32_t tick_us : {250u, 1000u, 4000u}) {
     const double speed = drilling_speed(scene, {0.013, 0.027, 2.25}, {0, 0, -1}, 0.5, tick_us);
     EXPECT_NEAR(speed, 1.0, 0.005) << tick_us;  // measured within 0.001
@@ -42,13 +35,13 @@ TEST(SurfaceRemoval, drills_at_the_tissues_speed_at_any_tick_length) {
 }
 
 TEST(SurfaceRemoval, half_the_push_drills_half_as_fast) {
-  auto scene = scene_of(block(0.1), Method::surface, 0.25);
+  auto scene = scene_of(block_of(0.1), Method::surface, 0.25);
   scene->full_force_n = 0.7;  // at 1 N/mm and 0.35 mm: alpha = 1/2
   EXPECT_NEAR(drilling_speed(scene, {0, 0, 2.25}, {0, 0, -1}, 0.6, 1000, 0.35, 0.5), 0.5, 0.005);
 }
 
 TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
-  const auto scene = scene_of(block(0.1), Method::surface, 0.5, 4.0);
+  const auto scene = scene_of(block_of(0.1), Method::surface, 0.5, 4.0);
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.15});
   StepOutput out;
@@ -76,7 +69,7 @@ TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
 }
 
 TEST(SurfaceRemoval, the_bur_comes_out_of_its_own_hole_without_a_tug) {
-  const auto scene = scene_of(block(0.1), Method::surface, 0.5, 4.0);
+  const auto scene = scene_of(block_of(0.1), Method::surface, 0.5, 4.0);
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.15});
   for (int k = 0; k < 300; ++k) step(state, input_at({0, 0, 2.15 - 0.004 * k}, CutButton::pressed));
@@ -99,7 +92,7 @@ TEST(SurfaceRemoval, over_two_tissues_the_speed_is_the_harmonic_mean) {
 }
 
 TEST(SurfaceRemoval, tissue_that_cannot_be_cut_stays) {
-  const auto scene = scene_of(block(0.1), Method::surface, 0.25, 0.0);
+  const auto scene = scene_of(block_of(0.1), Method::surface, 0.25, 0.0);
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.0});
   for (int k = 0; k < 200; ++k) {
@@ -110,7 +103,7 @@ TEST(SurfaceRemoval, tissue_that_cannot_be_cut_stays) {
 }
 
 TEST(SurfaceRemoval, never_adds_tissue) {
-  const auto scene = scene_of(block(0.1), Method::surface, 0.3, 3.0);
+  const auto scene = scene_of(block_of(0.1), Method::surface, 0.3, 3.0);
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.1});
   VoxelVolume before = state.volume().dense();
@@ -166,7 +159,7 @@ TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_enters_in_few_ticks_and_in_full
 }
 
 TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_goes_on_from_a_key_state_with_the_same_bits) {
-  const auto scene = scene_of(block(0.1), Method::surface, 0.5, 0.01);
+  const auto scene = scene_of(block_of(0.1), Method::surface, 0.5, 0.01);
   const auto at = [](int k) { return Vec3(0.6 * std::sin(0.03 * k), 0.0005 * k, 2.18); };
   StepState state(scene);
   approach(state, at(0) + Vec3(0.0, 0.0, 0.6), at(0));
@@ -195,14 +188,14 @@ TEST(SurfaceRemoval, wear_of_a_sliding_ball_above_the_step_enters_in_each_tick) 
 TEST(OccupancyRemoval, drills_at_the_papers_speeds_along_an_axis) {
   // 1.2, 0.8 and 0.5 mm/s (paper, section 4); a voxel's stroke is the resolution, 1.4 mm is 18 voxels.
   for (const double speed : {1.2, 0.8, 0.5}) {
-    const auto scene = scene_of(block(kPaperVoxel), Method::occupancy, 0.25, speed);
+    const auto scene = scene_of(block_of(kPaperVoxelMm), Method::occupancy, 0.25, speed);
     const double measured = drilling_speed(scene, {0.0, 0.0, 2.25}, {0, 0, -1}, 1.4 / speed, 1000, 0.35, speed);
     EXPECT_NEAR(measured / speed, 1.0, 0.06) << speed;
   }
 }
 
 TEST(OccupancyRemoval, loses_no_wear_to_rounding_at_a_slow_advance) {
-  const auto scene = scene_of(block(0.2), Method::occupancy, 0.3, 0.01);  // 3.3 quanta a tick
+  const auto scene = scene_of(block_of(0.2), Method::occupancy, 0.3, 0.01);  // 3.3 quanta a tick
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 1.8});
   std::uint16_t least = kSolid;
@@ -215,9 +208,9 @@ TEST(OccupancyRemoval, loses_no_wear_to_rounding_at_a_slow_advance) {
 }
 
 TEST(Wear, densities_of_equation_six_are_the_papers) {
-  EXPECT_NEAR(density_for(1.2, kPaperVoxel), 2.604, 0.001);
-  EXPECT_NEAR(density_for(0.8, kPaperVoxel), 3.906, 0.001);
-  EXPECT_NEAR(density_for(0.5, kPaperVoxel), 6.25, 0.001);
+  EXPECT_NEAR(density_for(1.2, kPaperVoxelMm), 2.604, 0.001);
+  EXPECT_NEAR(density_for(0.8, kPaperVoxelMm), 3.906, 0.001);
+  EXPECT_NEAR(density_for(0.5, kPaperVoxelMm), 6.25, 0.001);
 }
 
 TEST(Wear, the_coefficient_grows_with_the_push_and_stops_at_one) {
@@ -228,7 +221,7 @@ TEST(Wear, the_coefficient_grows_with_the_push_and_stops_at_one) {
 }
 
 TEST(Carve, a_ball_far_from_tissue_takes_no_memory) {
-  Volume volume(Specimen::build(block(0.1), Reading::banded));
+  Volume volume(Specimen::build(block_of(0.1), Reading::banded));
   EXPECT_FALSE(carve_sweep(volume, Vec3(9.0), Vec3(9.1), 0.5).any);
   EXPECT_TRUE(volume.cut_bricks().empty());
 }

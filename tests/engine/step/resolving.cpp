@@ -13,10 +13,10 @@ namespace cusp::test {
 namespace {
 
 
-constexpr double kRadius = 0.4;
+constexpr double kResolvingRadiusMm = 0.4;
 
-std::shared_ptr<const Scene> block() {
-  auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.5, 1.5, 1.2)); }), Method::surface, kRadius, 6.0);
+std::shared_ptr<const Scene> resolving_scene() {
+  auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.5, 1.5, 1.2)); }), Method::surface, kResolvingRadiusMm, 6.0);
   return scene;
 }
 
@@ -25,7 +25,7 @@ StepInput scratching(int k) {
   const int line = k / 200;
   const double along = k % 200 / 200.0;
   return input_at({-0.5 + (line % 2 == 0 ? along : 1.0 - along), -0.5 + 0.17 * line,
-                   1.2 + kRadius - 0.35 + 0.12 * std::sin(0.11 * k)},
+                   1.2 + kResolvingRadiusMm - 0.35 + 0.12 * std::sin(0.11 * k)},
                   CutButton::pressed);
 }
 constexpr int kScratching = 7 * 200 - 100;
@@ -54,7 +54,7 @@ StepInput resting() {
 }
 
 TEST(Resolving, releasing_the_button_finds_no_more_edges_a_tick_than_it_has_time_for) {
-  StepState state = scratched(block());
+  StepState state = scratched(resolving_scene());
   ASSERT_GT(state.volume().cut_bricks().size(), 8u);
   std::uint64_t before = resolved(state), most = 0, all = 0;
   int unresolved = unresolved_parts(state), most_parts = 0, busy = 0;
@@ -79,7 +79,7 @@ TEST(Resolving, releasing_the_button_finds_no_more_edges_a_tick_than_it_has_time
 }
 
 TEST(Resolving, all_about_the_bur_is_resolved_soon_after) {
-  StepState state = scratched(block());
+  StepState state = scratched(resolving_scene());
   ASSERT_GT(unresolved_parts(state), 0);
   int ticks = 0, left = unresolved_parts(state), last = -1;
   for (; left != last || ticks < 5; ++ticks) {
@@ -96,7 +96,7 @@ TEST(Resolving, all_about_the_bur_is_resolved_soon_after) {
 }
 
 TEST(Resolving, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
-  const auto scene = block();
+  const auto scene = resolving_scene();
   StepState whole = scratched(scene);
   for (int k = 0; k < 4; ++k) step(whole, resting());
   const int unresolved = unresolved_parts(whole);
@@ -121,7 +121,7 @@ TEST(Resolving, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
 }
 
 TEST(Resolving, what_is_resolved_is_in_the_hash) {
-  StepState a = scratched(block());
+  StepState a = scratched(resolving_scene());
   step(a, resting());
   step(a, resting());
   auto b = StepState::restore(a.inner().scene, a.save());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 
@@ -11,6 +12,11 @@
 #include "tests/modules.h"
 
 namespace cusp::test {
+
+inline constexpr double kPaperVoxelMm = 10.0 / 128;  // the paper's
+
+/// `value`; 0 under CUSP_TOLERANCE_ZERO=1, which prints the residuals by failing every bound.
+inline double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
 
 /// A cube of voxels about the origin, `edge_mm` wide with 4 voxels of padding, filled from a signed distance (mm).
 inline VoxelVolume from_distance(double edge_mm, double voxel_mm, const std::function<double(Vec3)>& distance_mm,
@@ -36,6 +42,11 @@ inline double box_distance(Vec3 p, Vec3 half) {
   const Vec3 q = glm::abs(p) - half;
   const Vec3 m = glm::max(q, Vec3(0.0));
   return length(m) + std::min(std::max(q.x, std::max(q.y, q.z)), 0.0);
+}
+
+/// A cube 4 mm wide.
+inline VoxelVolume block_of(double voxel_mm) {
+  return from_distance(4.0, voxel_mm, [](Vec3 p) { return box_distance(p, Vec3(2.0)); });
 }
 
 /// A scene with one ball bur, every tissue at the same stiffness (1 N/mm) and speed, and a guard that

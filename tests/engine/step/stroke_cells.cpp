@@ -12,7 +12,7 @@ namespace {
 struct Stroke {
   Vec3 a, b;
 };
-constexpr double kRadius = 0.4, kVoxel = 10.0 / 128;
+constexpr double kStrokeRadiusMm = 0.4;
 /// Two scratches that cross under a right angle at one depth: ridges between them, and four corners where these come out.
 const Stroke kOne{Vec3(-1.3, 0.11, 0.21), Vec3(1.3, 0.05, 0.19)}, kOther{Vec3(0.07, -1.3, 0.2), Vec3(-0.02, 1.3, 0.22)};
 
@@ -20,17 +20,17 @@ const Stroke kOne{Vec3(-1.3, 0.11, 0.21), Vec3(1.3, 0.05, 0.19)}, kOther{Vec3(0.
 double depth(const Stroke& s, Vec3 p) {
   const Vec3 along = s.b - s.a;
   const double t = std::clamp(glm::dot(p - s.a, along) / glm::dot(along, along), 0.0, 1.0);
-  return kRadius - length(p - s.a - t * along);
+  return kStrokeRadiusMm - length(p - s.a - t * along);
 }
 
 class Scratched : public testing::Test {
  protected:
   Scratched() {
-    auto scene = scene_of(from_distance(3.0, kVoxel, [](Vec3 p) { return p.z; }), Method::surface, kRadius);
+    auto scene = scene_of(from_distance(3.0, kPaperVoxelMm, [](Vec3 p) { return p.z; }), Method::surface, kStrokeRadiusMm);
     state = std::make_unique<StepState>(scene);
     for (const Stroke& s : {kOne, kOther}) {
       cut_along(*state, 0, s.a, s.b);
-      memory.add(s.a, s.b, {kRadius});
+      memory.add(s.a, s.b, {kStrokeRadiusMm});
       memory.break_path();
     }
   }
@@ -52,7 +52,7 @@ class Scratched : public testing::Test {
     }
   }
   Vec3 place(IVec3 cell, Vec3 at) const {
-    return state->volume().grid().origin_mm + kVoxel * (Vec3(cell) + at);
+    return state->volume().grid().origin_mm + kPaperVoxelMm * (Vec3(cell) + at);
   }
   std::unique_ptr<StepState> state;
   CutMemory memory;
@@ -86,7 +86,7 @@ TEST_F(Scratched, a_point_knows_the_surfaces_that_end_its_plane) {
       const Vec3 p = place(cell, f.at);
       for (int k = 0; k < f.besides; ++k) {
         double nearest = 1e300;
-        for (const double d : {p.z, depth(kOne, p), depth(kOther, p)}) nearest = std::min(nearest, std::fabs(d - f.beside[k].d * kVoxel));
+        for (const double d : {p.z, depth(kOne, p), depth(kOther, p)}) nearest = std::min(nearest, std::fabs(d - f.beside[k].d * kPaperVoxelMm));
         EXPECT_LT(nearest, 1e-4);
       }
       both += f.besides == 2;
@@ -98,7 +98,7 @@ TEST_F(Scratched, a_point_knows_the_surfaces_that_end_its_plane) {
 TEST_F(Scratched, what_another_ball_has_cut_is_not_explained) {
   CutMemory wider;
   for (const Stroke& s : {kOne, kOther}) {
-    wider.add(s.a, s.b, {kRadius + 0.01});
+    wider.add(s.a, s.b, {kStrokeRadiusMm + 0.01});
     wider.break_path();
   }
   std::swap(memory, wider);

@@ -13,7 +13,7 @@ namespace cusp::test {
 namespace {
 
 
-constexpr double kRadius = 0.5;
+constexpr double kWorkRadiusMm = 0.5;
 
 /// What was counted, as microseconds of an EPYC at 2.6 GHz: measured over a session of ten minutes there.
 struct Work {
@@ -29,8 +29,8 @@ Work work_of(StepState& state) {
 }
 Work operator-(const Work& a, const Work& b) { return {a.visited - b.visited, a.made - b.made, a.resolved - b.resolved}; }
 
-std::shared_ptr<const Scene> block() {
-  return scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }), Method::surface, kRadius, 4.0);
+std::shared_ptr<const Scene> work_scene() {
+  return scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }), Method::surface, kWorkRadiusMm, 4.0);
 }
 
 /// Back and forth over a box of 1.6 by 1.2 mm, deeper and deeper, shaking; the button is up for 12 ticks of every 90,
@@ -38,17 +38,17 @@ std::shared_ptr<const Scene> block() {
 StepInput digging(int k) {
   const double a = 0.0131 * k, b = 0.00217 * k;
   const double shake = 0.03 * std::sin(2.3 * k);
-  Vec3 at(0.8 * std::sin(a) + shake, 0.6 * std::sin(b), 1.4 + kRadius - 0.1 - 0.00003 * k + 0.15 * std::sin(0.07 * k));
+  Vec3 at(0.8 * std::sin(a) + shake, 0.6 * std::sin(b), 1.4 + kWorkRadiusMm - 0.1 - 0.00003 * k + 0.15 * std::sin(0.07 * k));
   if (k % 700 > 690) at.x = -at.x;
   return input_at(at, k % 90 < 78 ? CutButton::pressed : CutButton::up);
 }
 constexpr int kDigging = 36000;
 
 TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_its_budget) {
-  StepState state(block());
+  StepState state(work_scene());
   // Nearly full of strokes elsewhere.
   const Vec3 away(0.0, 0.0, 50.0);
-  state.inner().memory.load(std::vector<CutMemory::Segment>(CutMemory::kSegments - 3000, {away, away, {kRadius, CutMemory::Sweeper::kBall, Vec3(0.0)}}), false);
+  state.inner().memory.load(std::vector<CutMemory::Segment>(CutMemory::kSegments - 3000, {away, away, {kWorkRadiusMm, CutMemory::Sweeper::kBall, Vec3(0.0)}}), false);
   step(state, input_at({0.0, 0.0, 2.6}));
   approach(state, {0.0, 0.0, 2.6}, {0.0, 0.0, 2.1});
   Work most, before = work_of(state);

@@ -13,10 +13,10 @@ namespace cusp::test {
 namespace {
 
 
-constexpr double kVoxel = 10.0 / 128;
+constexpr double kCarveVoxelMm = 10.0 / 128;
 
 /// Solid tissue all over.
-Volume solid_block(double edge_mm, double voxel = kVoxel) {
+Volume solid_block(double edge_mm, double voxel = kCarveVoxelMm) {
   return Volume(Specimen::build(from_distance(edge_mm, voxel, [](Vec3) { return -1.0; }), Reading::banded));
 }
 

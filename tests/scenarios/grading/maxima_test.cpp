@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 
 const Bands kAll{0, 0, 0, 100, 100, 100};
-const Bands kRemoved{80, 90, 97, 100, 100, 100};
+const Bands kMostRemoved{80, 90, 97, 100, 100, 100};
 
 Scenario weighted(const std::vector<double>& weights) {
   Scenario s;
@@ -145,7 +145,7 @@ TEST(ScaledPoints, OfABrokenGradeAreNone) {
 
 TEST(Grade, PointsOfAnyWeightsAreOfAHundred) {
   Scenario s;
-  s.rubric.criteria = {{"target_removed", 80, kRemoved}, {"undercut", 30, kAll}};
+  s.rubric.criteria = {{"target_removed", 80, kMostRemoved}, {"undercut", 30, kAll}};
   const Grade g = grade(s, {{"target_removed", true, 90, 0, "%", {}}, {"undercut", true, 1, 0, "mm3", {}}});
   EXPECT_DOUBLE_EQ(g.criteria[0].points_max + g.criteria[1].points_max, 100.0);
   EXPECT_DOUBLE_EQ(g.criteria[0].points + g.criteria[1].points, g.score);
@@ -154,7 +154,7 @@ TEST(Grade, PointsOfAnyWeightsAreOfAHundred) {
 
 TEST(Grade, MarksWhatCountsOnlyAsFarAsTheTargetWasCut) {
   Scenario s;
-  s.rubric.criteria = {{"target_removed", 50, kRemoved}, {"overcut_beyond_side", 30, {0, 0, 0, 1, 2, 3}},
+  s.rubric.criteria = {{"target_removed", 50, kMostRemoved}, {"overcut_beyond_side", 30, {0, 0, 0, 1, 2, 3}},
                        {"depth_mean", 20, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
   const auto marks = [](const Grade& g) {
     std::vector<bool> out;

@@ -22,7 +22,7 @@ TriangleMesh triangles_of(const Mesh& mesh) {
   return out;
 }
 
-std::size_t count(const VoxelVolume& volume, Tissue tissue) {
+std::size_t voxels_of(const VoxelVolume& volume, Tissue tissue) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < volume.s.size(); ++i) n += volume.s[i] >= kHalf && volume.tissue[i] == tissue;
   return n;
@@ -74,8 +74,8 @@ TEST(MeshFiles, NestedFilesGiveTheSameSpecimenInEveryOrder) {
     if (!first) first = *v;
     EXPECT_TRUE(v->s == first->s && v->tissue == first->tissue && v->grid == first->grid);
   } while (std::ranges::next_permutation(names).found);
-  EXPECT_GT(count(*first, Tissue::pulp), 400u);
-  EXPECT_GT(count(*first, Tissue::dentine), 2 * count(*first, Tissue::pulp));
+  EXPECT_GT(voxels_of(*first, Tissue::pulp), 400u);
+  EXPECT_GT(voxels_of(*first, Tissue::dentine), 2 * voxels_of(*first, Tissue::pulp));
 }
 
 TEST(MeshFiles, AnObjOpensNothingButItself) {
@@ -174,7 +174,7 @@ TEST(Repair, AnImportMendsOnRequestAndReportsIt) {
   ASSERT_EQ(remarks.size(), 1u);
   EXPECT_EQ(remarks[0].code, RemarkCode::holes_closed);
   EXPECT_EQ(remarks[0].subject, "ball");
-  EXPECT_NEAR(static_cast<double>(count(*mended, Tissue::enamel)) * 1e-3, 33.5, 1.0);
+  EXPECT_NEAR(static_cast<double>(voxels_of(*mended, Tissue::enamel)) * 1e-3, 33.5, 1.0);
   what.mend_holes_mm = -1.0;
   EXPECT_EQ(import_mesh(what).error().code, ImportError::bad_option);
 }
