@@ -105,7 +105,7 @@ Stored<std::vector<StepInput>> Traces::inputs(SessionId session, std::uint64_t c
       [chunk](Row row) { return decoded(row.bytes(0), chunk); }, session, chunk);
   if (!part) return std::unexpected(part.error());
   if (!*part) return fail(StorageError::not_found, "trace_chunks", std::to_string(chunk));
-  return std::move(**part);
+  return **part;
 }
 
 Stored<std::vector<std::uint64_t>> Traces::key_state_ticks(SessionId session) {
