@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sodium.h>
 
 #include <limits>
 #include <random>
@@ -115,6 +116,33 @@ TEST(TraceCodec, random_bytes_are_refused) {
     EXPECT_FALSE(decode_trace(bytes)) << round;
     EXPECT_FALSE(unpack(bytes)) << round;
   }
+}
+
+/// Content under a seal that is right, as only a forger makes it: the seal is BLAKE2b of 16 bytes, the format 1.
+std::vector<std::byte> sealed(const std::vector<std::byte>& content) {
+  std::vector<std::byte> body = pack(content), out(16);
+  body.insert(body.begin(), std::byte{1});
+  crypto_generichash(reinterpret_cast<unsigned char*>(out.data()), out.size(), reinterpret_cast<const unsigned char*>(body.data()),
+                     body.size(), nullptr, 0);
+  out.insert(out.end(), body.begin(), body.end());
+  return out;
+}
+
+TEST(TraceCodec, forged_content_under_a_right_seal_is_refused) {
+  const std::byte zero{0}, goes_on{0x80};
+  std::vector<std::byte> one(13, zero);  // an input of twelve fields
+  one[0] = std::byte{1};
+  EXPECT_EQ(must(decode_trace(sealed(one))).size(), 1u);
+  std::vector<std::byte> endless = one;
+  endless.back() = goes_on;
+  EXPECT_EQ(code_of(decode_trace(sealed(endless))), StorageError::bad_trace);
+  EXPECT_EQ(code_of(decode_trace(sealed(std::vector<std::byte>(3, goes_on)))), StorageError::bad_trace);
+  EXPECT_EQ(code_of(decode_trace(sealed({}))), StorageError::bad_trace);
+  std::vector<std::byte> huge(9, std::byte{0xFF});  // x is the least of 64 bits
+  huge.insert(huge.begin(), std::byte{1});
+  huge.resize(huge.size() + 12);
+  huge[10] = std::byte{1};
+  EXPECT_EQ(code_of(decode_trace(sealed(huge))), StorageError::bad_trace);
 }
 
 TEST(Packing, bytes_come_back_and_a_changed_content_is_refused) {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "storage/sqlite/log_replay.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
@@ -104,6 +105,27 @@ TEST_F(ReadingTest, while_another_writes_on_a_full_disk_its_log_is_read_in_place
   const auto reader = open(folder / "a.db", options);
   complete_session(*writer, student, keep(*writer));  // a copy in memory would not see it
   EXPECT_EQ(must(reader->history.list(student.actor())).size(), 1u);
+}
+
+TEST(LogReplay, reads_no_byte_beyond_a_log_that_is_cut_anywhere) {
+  const Folder folder;
+  const std::string log = content_of(Crashed(folder / "a.db").file.string() + "-wal");
+  constexpr std::size_t kHeader = 32, kFrame = 24 + 8192;
+  ASSERT_GT(log.size(), kHeader + 2 * kFrame);
+  for (const std::size_t frames : {0, 1, 2})
+    for (std::size_t over = 0; over < 40; ++over) {
+      const std::size_t end = frames == 0 ? over : kHeader + frames * kFrame - over;
+      // In memory of exactly its size.
+      const std::vector<char> cut(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(end));
+      for (const auto& [page, place] : read_log(std::as_bytes(std::span(cut))).places) EXPECT_LE(place + 8192, end) << page;
+    }
+}
+
+TEST(LogReplay, leaves_out_pages_beyond_a_file_that_has_become_smaller) {
+  const std::vector<std::byte> bytes(512, std::byte{7});
+  std::vector<std::byte> image(512);
+  lay_over({.page_size = 512, .pages = 1, .places = {{1, 0}, {2, 0}}}, bytes, image);
+  EXPECT_EQ(image, bytes);
 }
 
 TEST_F(ReadingTest, a_log_that_was_torn_or_damaged_is_read_as_sqlite_reads_it) {

@@ -126,6 +126,8 @@ TEST(MetaImage, DetachedListedAndNumberedDataAreReadWithoutZerosInFront) {
     ASSERT_TRUE(image) << name << key_of(image.error().code) << image.error().where;
     EXPECT_EQ(image->value, expected->value) << name;
   }
+  write_text(folder / "two.mhd", whole + "LIST\ns8.raw\ns9.raw\n");
+  EXPECT_EQ(read_metaimage(folder / "two.mhd").error().code, ImportError::bad_sizes);  // of four slices
   std::filesystem::remove(folder / "s10.raw");
   EXPECT_EQ(read_metaimage(folder / "numbered.mhd").error().code, ImportError::missing_file);
   EXPECT_EQ(read_metaimage(folder / "numbered.mhd").error().where, "s10.raw");

@@ -63,6 +63,8 @@ const Broken kBroken[] = {
     {"(0.1,0,0) (0,0.1,0)", "(inf,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
     {"(0.1,0,0) (0,0.1,0)", "(0.1,0) (0,0.1,0)", bad_header, "v.nrrd:7 space directions"},
     {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0", bad_header, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0)", bad_header, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0) (0,0,0.1)", "(0.1,0,0)", bad_header, "v.nrrd:7 space directions"},
     {"(0.1,0,0) (0,0.1,0)", "none (0,0.1,0)", bad_header, "v.nrrd:7 space directions"},
     {"(0.1,0,0) (0,0.1,0) (0,0,0.1)", "(9,0,0) (0,9,0) (0,0,9)", bad_spacing, "v.nrrd:7 space directions"},
     {"space directions: none (0.1,0,0) (0,0.1,0) (0,0,0.1)", "spacings: nan 0.1 nan 0.1", bad_spacing,
