@@ -27,9 +27,9 @@ constexpr int kRidgeRestTicks = 100;
 constexpr int kSkip = 3;              // the exact excess is computed every kSkip ticks
 
 /// The swept ball of all cutting ticks so far.
-class SweptPath {
+class SlidPath {
  public:
-  SweptPath(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
+  SlidPath(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
   void add(Vec3 a, Vec3 b) { segments_.push_back({a, b}); }
   /// Selects the segments within reach of y.
   void gather(Vec3 y) {
@@ -63,7 +63,7 @@ class SweptPath {
 };
 
 /// Recession of the surface for a ball at y: the largest depth of a point of the ball's surface.
-double recession(SweptPath& way, Vec3 y, double radius, Vec3 up) {
+double recession(SlidPath& way, Vec3 y, double radius, Vec3 up) {
   way.gather(y);
   const Frame f = Frame::of(up, {1.0, 0.51, 0.0}, Vec3(0.0));
   double best = 0.0;
@@ -123,7 +123,7 @@ SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, const Feeding& 
   };
   lead(state, step, place(0) + f.z * 0.4, 0.05);
   lead(state, step, place(0), 0.02);
-  SweptPath way(radius, 0.0, f.z);
+  SlidPath way(radius, 0.0, f.z);
   const auto ticks = static_cast<std::int64_t>(kSlideS / dt_s + 0.5);
   std::vector<double> excess;
   SlideExcess out;
