@@ -12,7 +12,7 @@ namespace cusp::test {
 
 namespace {
 
-std::string hex(const Bytes& bytes) {
+std::string upper_hex(const Bytes& bytes) {
   std::string out;
   for (const std::uint8_t byte : bytes) {
     constexpr char kDigits[] = "0123456789ABCDEF";  // umockdev reads upper case alone
@@ -67,7 +67,7 @@ void MockHid::plug() {
   text += "P: " + interface_path + "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nA: bInterfaceNumber=00\\n\n\n";
   text += "P: " + interface_path + "/" + hid + "\nE: SUBSYSTEM=hid\nE: HID_ID=0003:0000" + vendor + ":0000" + product +
           "\nE: HID_NAME=" + name_ + "\nE: HID_PHYS=usb-" + socket + "\nE: HID_UNIQ=S" + std::to_string(number_) +
-          "\nH: report_descriptor=" + hex(descriptor_) + "\n\n";
+          "\nH: report_descriptor=" + upper_hex(descriptor_) + "\n\n";
   text += "P: " + interface_path + "/" + hid + "/hidraw/" + node_ + "\nN: " + node_ + "=00\nE: SUBSYSTEM=hidraw\nE: DEVNAME=/dev/" +
           node_ + "\nA: dev=240:" + std::to_string(minor) + "\\n\nL: device=../../../" + hid + "\n\n";
   GError* error = nullptr;
