@@ -17,7 +17,7 @@ constexpr double kFootMm = 0.015;    // a foot that remains has a surfel of its 
 constexpr double kSurfelUnderMm = 1e-6;  // a surfel lies this far below the feet, so that it turns no normal
 constexpr double kSubStepMm = 0.002;
 constexpr double kTurnsShare = 0.8;  // of the way to the centre of an edge's curvature: beyond, its points stand for it
-constexpr double kFreeMm = 1e-9;
+constexpr double kMilledFreeMm = 1e-9;
 constexpr double kJumpMm = 0.05;     // more than a sub-step moves along a surface
 constexpr int kPasses = 200;
 
@@ -92,7 +92,7 @@ Exact CavityTruth::follow(Vec3 device) {
 Exact CavityTruth::move_to(Vec3 device, double precision_mm) {
   const Vec3 before = y_;
   y_ = settle(device, precision_mm);
-  return {y_, length(y_ - device) > kFreeMm, length(y_ - before) > kJumpMm + length(device - device_)};
+  return {y_, length(y_ - device) > kMilledFreeMm, length(y_ - before) > kJumpMm + length(device - device_)};
 }
 
 bool CavityTruth::add_point(Vec3 at, double radius_mm, Vec3 y, Normal normal) {

@@ -11,7 +11,7 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kHeadSphereMm = 4.0;
 constexpr double kSphereConeDeg = 45.0;
 constexpr double kInsideMm = 0.6;      // of a ray's start, below each face of an edge or a corner
@@ -29,7 +29,7 @@ constexpr double kSlotMarginMm = 0.3;  // of the head from the slot's ends
 constexpr double kSlotTiltDeg = 12.0;  // of the milling axis, at most
 
 Vec3 in_cone(Random& random, double half_angle_deg) {
-  const double z = random.between(std::cos(half_angle_deg * kRadians), 1.0),
+  const double z = random.between(std::cos(half_angle_deg * kRadPerDeg), 1.0),
                phi = random.between(0.0, 2.0 * std::numbers::pi);
   const double rho = std::sqrt(1.0 - z * z);
   return {rho * std::cos(phi), rho * std::sin(phi), z};
@@ -198,7 +198,7 @@ class SlotCourse : public HeadCourse {
       : bur_(bur),
         random_(seed),
         slot_(slot_of(bur, unit(unit(oblique_frame().direction(in_cone(random_, kSlotTiltDeg)))))),
-        steepest_(std::min(SlotTruth(slot_, bur, 0.0).least_steepness() - 5.0 * kRadians, 70.0 * kRadians)),
+        steepest_(std::min(SlotTruth(slot_, bur, 0.0).least_steepness() - 5.0 * kRadPerDeg, 70.0 * kRadPerDeg)),
         low_(slot_.from_mm + 2.0 * bur.radius_mm + kSlotMarginMm),
         high_(slot_.to_mm - kSlotMarginMm),
         from_(any()),
@@ -260,7 +260,7 @@ AxisMotion::AxisMotion(std::string_view kind, const Frame& rest, Span span, std:
 }
 
 Vec3 AxisMotion::tilted(double angle_deg) const {
-  return rest_.z * std::cos(angle_deg * kRadians) + side_ * std::sin(angle_deg * kRadians);
+  return rest_.z * std::cos(angle_deg * kRadPerDeg) + side_ * std::sin(angle_deg * kRadPerDeg);
 }
 
 Vec3 AxisMotion::next() {
