@@ -132,7 +132,7 @@ FAULTS = [
     fault("database opened past SQLite", "release", "architecture_tests", r"goes past SQLite to a database's file",
           ("storage/export/csv.cpp", "namespace cusp::storage {\n",
            "namespace cusp::storage {\nvoid planted(const char* db) { std::ifstream in(db); }\n")),
-    fault("private word", "release", "architecture_tests", r'"burr"; write bur',
+    fault("private word", "release", "architecture_tests", r'"bur+"; write bur',
           ("engine/removal/spindle.cpp", "namespace cusp::engine {\n", "namespace cusp::engine {\n// A bur" + "r.\n")),
     fault("library function in the step", "release", "architecture_tests", r"std::hypot",
           ("engine/step/guard.cpp", "std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)", "std::hypot(v.x, v.y, v.z)")),
