@@ -20,7 +20,7 @@ import time
 from faults import FAULTS
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-TIMEOUT_S = 1800
+TIMEOUT_S = 7200  # of a build with sanitizers on a busy machine
 
 
 class Copy:
