@@ -197,5 +197,19 @@ TEST(Input, a_tenth_of_a_micrometre_survives) {
   EXPECT_EQ(input.z, 100000);
 }
 
+/// A prefix lies on the heap in exactly its size: ASan reports a read beyond it. All lengths up to 32 (the head takes 17),
+/// then about 64 more: each restore() reserves a whole state.
+TEST_P(EveryMethod, reads_no_byte_beyond_a_key_state_that_is_cut_anywhere) {
+  const auto scene = two_tissue_scene(GetParam());
+  StepState state(scene);
+  for (int k = 0; k < 300; ++k) step(state, wander(k));
+  const std::vector<std::byte> bytes = state.save();
+  const std::size_t stride = bytes.size() / 64 + 1;
+  for (std::size_t keep = 0; keep < bytes.size(); keep += keep < 32 ? 1 : stride) {
+    const std::vector<std::byte> cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(keep));
+    EXPECT_FALSE(StepState::restore(scene, cut)) << keep << " of " << bytes.size();
+  }
+}
+
 }  // namespace
 }  // namespace cusp::test
