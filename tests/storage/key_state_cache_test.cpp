@@ -92,6 +92,18 @@ TEST_F(KeyStatesTest, a_file_with_any_byte_changed_or_cut_off_is_ignored_and_rem
   }
 }
 
+TEST_F(KeyStatesTest, a_file_shorter_than_its_header_and_seal_is_ignored_and_removed) {
+  must(cache.keep_live(session, state_at(5000)));
+  const fs::path file = file_of(session, 5000);
+  std::string bytes(80, '\0');  // header 40, seal 32: some lengths are shorter than the seal, than both, and longer
+  ASSERT_TRUE(std::ifstream(file, std::ios::binary).read(bytes.data(), 80));
+  for (std::size_t keep = 0; keep <= bytes.size(); ++keep) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes.substr(0, keep);
+    EXPECT_FALSE(cache.read(session, 5000)) << keep;
+    EXPECT_FALSE(fs::exists(file)) << keep;
+  }
+}
+
 TEST_F(KeyStatesTest, one_of_another_session_tick_or_station_is_not_believed) {
   must(cache.keep_live(other, state_at(5000)));
   const std::string digits = "-000000005000.live";
