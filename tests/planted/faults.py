@@ -37,7 +37,7 @@ FAULTS = [
           (TICK, STEPS, "  static std::mutex planted;\n  const std::lock_guard hold(planted);\n" + STEPS)),
     fault("contact's normal turned round", "release", "step_tests", r": Failure$",
           ("engine/contact/surface_gather.cpp", "  out.normal = Vec3(feature->normal);\n", "  out.normal = -Vec3(feature->normal);\n")),
-    fault("contact's normal off by three degrees", "release", "step_tests", r"worst\.angle_deg",
+    fault("contact's normal off by three degrees", "release", "step_tests", r"angle / kTicks",
           ("engine/contact/surface_gather.cpp", "  out.normal = Vec3(feature->normal);\n",
            "  out.normal = Vec3(feature->normal);\n  out.normal += 0.05 * glm::cross(out.normal, Vec3(0.36, 0.48, 0.8));\n")),
     fault("force capped half too high", "release", "step_tests", r"Guard\.force_rises_no_faster_than_the_slew",
@@ -110,7 +110,8 @@ FAULTS = [
           ("device/hid/report_descriptor.cpp", "  if (begin + field.bits > payload.size() * 8) return std::nullopt;\n", "")),
     fault("SpaceMouse: a short report", "asan", "hid_tests", MEMORY,
           ("device/hid/space_mouse.cpp", "    case kTurnReport:\n      if (report.size() < 7) return false;\n", "    case kTurnReport:\n")),
-    fault("Inverse3: a list without a handle", "asan", "inverse_tests", MEMORY,
+    fault("Inverse3: a list without a handle", "asan", "inverse_tests",
+          MEMORY + r"|Assertion `m_it\.array_iterator != ",  # of nlohmann::json, before ASan sees the read
           ("device/inverse/frames.cpp", "  if (*handles != nullptr && !(*handles)->empty()) {\n", "  if (*handles != nullptr) {\n")),
     fault("script: a row of twelve cells", "asan", "device_tests", MEMORY,
           ("device/scripted/csv_trace.cpp", "    if (out.count == kMostColumns) {\n      ++out.count;\n      return out;\n    }\n", "")),
@@ -118,7 +119,8 @@ FAULTS = [
     # Storage.
     fault("landed migration changed", "asan", "test_storage_opening", r"Migrations\.one_that_has_landed_is_never_edited",
           ("storage/sqlite/migrations/0001.sql", "  wrong_tries INTEGER NOT NULL DEFAULT 0,\n", "  wrong_tries INTEGER NOT NULL DEFAULT 1,\n")),
-    fault("log deleted at opening", "asan", "test_storage_processes", r"the log was deleted",
+    fault("log deleted at opening", "asan", "test_storage_processes",
+          r"FAILED  \] Locks\.another_program_that_opens_and_closes_leaves_the_log_of_this_one",
           ("storage/sqlite/open.cpp", "  // SQLite waits for a lock, but not if two connections",
            '  std::error_code planted;\n  fs::remove(file.string() + "-wal", planted);\n  // SQLite waits for a lock, but not if two connections')),
 
