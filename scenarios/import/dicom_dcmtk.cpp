@@ -32,6 +32,16 @@ bool unpackable(E_TransferSyntax syntax) {
   return syntax == EXS_RLELossless || syntax == EXS_JPEGProcess14 || syntax == EXS_JPEGProcess14SV1;
 }
 
+/// DCMTK 3.6.9 deprecates isEncapsulated(); 3.6.7 has nothing else. A template leaves out the call that is missing.
+template <class Syntax>
+bool encapsulated(const Syntax& syntax) {
+  if constexpr (requires { syntax.usesEncapsulatedFormat(); }) {
+    return syntax.usesEncapsulatedFormat();
+  } else {
+    return syntax.isEncapsulated();
+  }
+}
+
 struct Slice {
   std::filesystem::path file;
   std::string series;
@@ -92,7 +102,7 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
   if (set.findAndGetOFString(DCM_PhotometricInterpretation, text).good() && text != "MONOCHROME2")
     return fail(ImportError::unsupported, name + " PhotometricInterpretation");
   if (real(set, DCM_NumberOfFrames).value_or(1.0) > 1.0) return fail(ImportError::unsupported, name + " NumberOfFrames");
-  out.packed = DcmXfer(set.getOriginalXfer()).isEncapsulated();
+  out.packed = encapsulated(DcmXfer(set.getOriginalXfer()));
   if (out.packed && !unpackable(set.getOriginalXfer())) return fail(ImportError::unsupported, name + " TransferSyntaxUID");
   const auto down = real(set, DCM_PixelSpacing, 0), across = real(set, DCM_PixelSpacing, 1);
   out.spacing_known = down && across && *down > 0.0 && *across > 0.0;
