@@ -117,7 +117,9 @@ class Widget:
 
     @property
     def role(self):
-        return self.node.get_role_name()
+        """By the names of AT-SPI 2.46 and Qt 6.4: newer ones say button, and push button menu of one that has a menu."""
+        role = self.node.get_role_name()
+        return "push button" if role in ("button", "push button menu", "button menu") else role
 
     @property
     def description(self):
