@@ -117,9 +117,9 @@ class Widget:
 
     @property
     def role(self):
-        """By the names of AT-SPI 2.46 and Qt 6.4: newer ones say button, and push button menu of one that has a menu."""
+        """In Debian 12's words: Debian 13 reports a button, or a push button menu if it has a menu."""
         role = self.node.get_role_name()
-        return "push button" if role in ("button", "push button menu", "button menu") else role
+        return "push button" if role in ("button", "push button menu") else role
 
     @property
     def description(self):
