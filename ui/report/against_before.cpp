@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kRow = 23, kNumber = 44;  // px at 100 %: height of a row, width of its number
 constexpr int kLeastLine = 36;          // px at 100 %: length of a line; the names take the rest at most
+constexpr int kGaps = 14;               // px at 100 %: about a line
 
 QString with_sign(double points) {
   if (std::abs(points) < 0.05) return u"0"_qs;
@@ -45,12 +46,16 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, QWidget* par
 
 QSize AgainstBefore::sizeHint() const { return {px(250), px(kRow) * std::max<int>(1, static_cast<int>(rows_.size()))}; }
 
-double AgainstBefore::names_width() const {
+int AgainstBefore::longest_name() const {
   const QFontMetrics metrics(font_of(TextRole::body));
   int widest = 0;
   for (const Row& r : rows_) widest = std::max(widest, metrics.horizontalAdvance(r.name));
-  return std::min<double>(widest + px(9), width() - px(kLeastLine + kNumber + 14));
+  return widest + px(9);
 }
+
+double AgainstBefore::names_width() const { return std::min<double>(longest_name(), width() - px(kLeastLine + kNumber + kGaps)); }
+
+int AgainstBefore::whole_width() const { return longest_name() + px(kLeastLine + kNumber + kGaps); }
 
 bool AgainstBefore::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {

@@ -21,6 +21,8 @@ class AgainstBefore : public QWidget {
     double points = 0;           // gained
   };
   const QVector<Row>& rows() const { return rows_; }
+  /// The least width at which no name is cut, px.
+  int whole_width() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -29,7 +31,9 @@ class AgainstBefore : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  /// Width of the longest name, limited to a share of the widget.
+  /// Width of the longest name with its gap, px.
+  int longest_name() const;
+  /// The same, limited to a share of the widget.
   double names_width() const;
 
   QVector<Row> rows_;

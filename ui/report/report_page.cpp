@@ -26,6 +26,8 @@ constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
 constexpr int kPictureSide = 1200;   // of the tooth on paper: 140 dots a cm
 constexpr int kReasonsShown = 3;
 constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
+constexpr int kLeastTextPercent = 55, kMostTextPercent = 64;  // of the page; the rest shows the tooth
+constexpr int kTableSide = 8, kCardSide = 16, kBorder = 1, kGap = 12;  // px at 100 %
 
 }  // namespace
 
@@ -40,17 +42,17 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
   column->addWidget(make_bar(again, back_name));
   halves_ = new QHBoxLayout;
   halves_->setSpacing(0);
-  halves_->addWidget(make_tooth(), 45);
+  halves_->addWidget(make_tooth(), 100 - kLeastTextPercent);
   QVBoxLayout* body = nullptr;
-  halves_->addWidget(make_scroll_page(&body), 55);
+  halves_->addWidget(make_scroll_page(&body), kLeastTextPercent);
   body_ = body;
-  body->setSpacing(px(12));
+  body->setSpacing(px(kGap));
   band_ = new Band;
   body->addWidget(band_);
   body->addWidget(make_score());
   body->addWidget(make_criteria());
   below_ = new QHBoxLayout;
-  below_->setSpacing(px(12));
+  below_->setSpacing(px(kGap));
   below_->addWidget(make_next_time(), 1);
   below_->addWidget(make_against(), 1);
   body->addLayout(below_);
@@ -84,13 +86,19 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   const bool narrow = width() < px(kNarrow);
   const int side = px(narrow ? 12 : 20);
   body_->setContentsMargins(side, px(16), side, px(16));
-  halves_->setStretch(0, narrow ? 36 : 45);
-  halves_->setStretch(1, narrow ? 64 : 55);
   model_->set_detail(narrow ? CriteriaModel::Detail::narrow : CriteriaModel::Detail::whole);
   // Buttons lose their text to the date and the attempt number, and keep name and tooltip.
   for (const auto& [button, text] : saves_) button->setText(narrow ? QString() : text);
   table_->setColumnHidden(CriteriaModel::kPlace, narrow);
-  below_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  // The text is as wide as the names of its criteria need, within limits; beyond them the names take two lines.
+  const int around = 2 * (side + px(kTableSide + kBorder)) + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int most = width() * kMostTextPercent / 100;
+  const int text = narrow ? most : std::clamp(table_->whole_width() + around, width() * kLeastTextPercent / 100, most);
+  halves_->setStretch(0, width() - text);
+  halves_->setStretch(1, text);
+  const int column = (text - 2 * side - px(kGap) - style()->pixelMetric(QStyle::PM_ScrollBarExtent)) / 2 - 2 * px(kCardSide + kBorder);
+  const bool stacked = narrow || (against_ && against_->whole_width() > column);
+  below_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   QWidget::resizeEvent(event);
 }
 
@@ -216,13 +224,14 @@ QWidget* ReportPage::make_score() {
 QWidget* ReportPage::make_criteria() {
   auto* card = new Card;
   card->setAccessibleName(tr("Criteria"));
-  card->body()->setContentsMargins(px(8), px(6), px(8), px(6));
+  card->body()->setContentsMargins(px(kTableSide), px(6), px(kTableSide), px(6));
   model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, this);
   table_ = new Table;
   table_->setAccessibleName(tr("Criteria"));
   table_->setModel(model_);
   table_->set_stretch_column(CriteriaModel::kName);
   table_->setTextElideMode(Qt::ElideMiddle);  // names differ at their end: floor or walls
+  table_->setWordWrap(true);
   table_->set_rows_shown(14);
   card->body()->addWidget(table_);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { choose(table_->chosen_row()); });
@@ -305,7 +314,8 @@ QWidget* ReportPage::make_against() {
   dot(u"dot"_qs, Ink::accent, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
   legend->addStretch();
   card->body()->addLayout(legend);
-  card->body()->addWidget(new AgainstBefore(data_.result.grade, *data_.before));
+  against_ = new AgainstBefore(data_.result.grade, *data_.before);
+  card->body()->addWidget(against_);
   card->body()->addStretch();
   return card;
 }

@@ -17,6 +17,7 @@ namespace cusp::ui {
 
 class Band;
 class CriteriaModel;
+class AgainstBefore;
 class DeviationLegend;
 class PinnedTooth;
 class Segments;
@@ -57,6 +58,7 @@ class ReportPage : public QWidget {
   CriteriaModel* model_ = nullptr;
   Table* table_ = nullptr;
   PinnedTooth* tooth_ = nullptr;
+  AgainstBefore* against_ = nullptr;  // if an attempt came before
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;
   std::vector<std::pair<QPushButton*, QString>> saves_;  // print and PDF, with their texts

@@ -12,8 +12,17 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kLeastName = 140;  // px at 100 %: some 15 letters
+constexpr int kLine = 16;        // px at 100 %: of two in a cell
 
 }  // namespace
+
+QStringList cell_lines(const QString& text, const QFontMetrics& metrics, int width, Qt::TextElideMode elide) {
+  if (metrics.horizontalAdvance(text) <= width) return {text};
+  qsizetype end = -1;
+  for (qsizetype at = text.indexOf(u' '); at >= 0 && metrics.horizontalAdvance(text.left(at)) <= width; at = text.indexOf(u' ', at + 1)) end = at;
+  if (end <= 0) return {metrics.elidedText(text, elide, width)};
+  return {text.left(end), metrics.elidedText(text.mid(end + 1), elide, width)};
+}
 
 void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const Tokens& t = tokens();
@@ -69,7 +78,20 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QFontMetrics metrics(font), plain(font_of(TextRole::body));
   const int gap = second.isEmpty() ? 0 : px(4);
   const int second_width = second.isEmpty() ? 0 : plain.horizontalAdvance(second);
-  const QString shown = metrics.elidedText(text, option.textElideMode, std::max(0, cell.width() - second_width - gap));
+  const int room = std::max(0, cell.width() - second_width - gap);
+  if (view && view->wordWrap() && second.isEmpty() && metrics.horizontalAdvance(text) > room) {
+    painter->setFont(font);
+    painter->setPen(ink);
+    const QStringList two = cell_lines(text, metrics, room, option.textElideMode);
+    int top = cell.center().y() + 1 - px(kLine) * static_cast<int>(two.size()) / 2;
+    for (const QString& line : two) {
+      painter->drawText(QRect(cell.left(), top, cell.width(), px(kLine)), static_cast<int>(alignment | Qt::TextDontClip), line);
+      top += px(kLine);
+    }
+    painter->restore();
+    return;
+  }
+  const QString shown = metrics.elidedText(text, option.textElideMode, room);
   const int first_width = metrics.horizontalAdvance(shown);
   const bool at_right = right != rtl;
   int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
@@ -168,6 +190,14 @@ void Table::set_rows_shown(int rows) {
   rows_shown_ = rows;
   setSizePolicy(QSizePolicy::Expanding, rows > 0 ? QSizePolicy::Fixed : QSizePolicy::Expanding);
   updateGeometry();
+}
+
+int Table::whole_width() const {
+  int out = 2 * frameWidth();
+  for (int i = 0; model() && i < model()->columnCount(); ++i) {
+    if (!isColumnHidden(i)) out += std::max(sizeHintForColumn(i), horizontalHeader()->sectionSizeHint(i));
+  }
+  return out;
 }
 
 QSize Table::sizeHint() const {

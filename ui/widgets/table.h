@@ -1,4 +1,5 @@
-/// Tables: rows of 36 px, numbers at the right, ± in text2. Enter or a double click opens a row. Thread: GUI.
+/// Tables: rows of 36 px, numbers at the right, ± in text2. With wordWrap() a text takes two lines where one does not hold
+/// it. Enter or a double click opens a row. Thread: GUI.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -21,6 +22,10 @@ enum TableRole {
   IconInkRole,                  // int(Ink)
 };
 
+/// The lines of a cell `width` px wide: one if the text fits or has no blank to break at, else two. What fits in no line is
+/// elided.
+QStringList cell_lines(const QString& text, const QFontMetrics& metrics, int width, Qt::TextElideMode elide);
+
 class TableDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -42,6 +47,8 @@ class Table : public QTableView {
   int chosen_row() const;
   /// The height follows the rows up to `rows`; more of them scroll.
   void set_rows_shown(int rows);
+  /// The least width at which no cell is cut, px.
+  int whole_width() const;
   void setModel(QAbstractItemModel* model) override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;

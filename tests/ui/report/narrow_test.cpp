@@ -1,4 +1,4 @@
-// The report in a narrow window.
+// The report in a narrow window. With CUSP_PICTURES=FOLDER it leaves pictures of itself there.
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,13 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/language.h"
 #include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -58,6 +62,88 @@ TEST(ReportPage, a_narrow_window_cuts_nothing_off_at_the_side) {
   page.resize(1280, 800);
   QTest::qWait(0);
   for (const QPushButton* b : page.findChildren<QPushButton*>()) EXPECT_FALSE(b->text().isEmpty()) << b->accessibleName().toStdString();
+}
+
+/// A report of a built-in exercise with every criterion measured, one attempt before it.
+ReportData whole_report(std::string_view key) {
+  ReportData data;
+  data.result.scenario = *load_builtin(key);
+  for (const Criterion& asked : data.result.scenario.rubric.criteria) {
+    CriterionGrade c;
+    c.id = asked.metric;
+    c.measure = {asked.metric, true, 12.34, 0.05, metric_unit(asked.metric).toStdString(), Vec3(0.0)};
+    c.points = 6.5;
+    c.points_max = 10;
+    c.reason_code = "too_much";
+    c.reason_args = {{"value", 12.34}, {"limit", 0.5}};
+    data.result.grade.criteria.push_back(c);
+  }
+  data.title = QStringLiteral("A");
+  data.when = data.before_when = QDateTime(QDate(2026, 11, 20), QTime(10, 14));
+  data.before = data.result.grade;
+  return data;
+}
+
+/// Texts of the criteria that are cut in the page.
+QStringList cut_names(const ReportPage& page) {
+  QStringList out;
+  const Table* table = page.table();
+  const QFontMetrics metrics(font_of(TextRole::body));
+  for (int row = 0; row < table->model()->rowCount(); ++row) {
+    const QString name = table->model()->index(row, CriteriaModel::kName).data().toString();
+    const int width = table->columnWidth(CriteriaModel::kName) - px(16);
+    if (cell_lines(name, metrics, width, Qt::ElideMiddle).join(u' ') != name) out += name;
+  }
+  for (const AgainstBefore* against : page.findChildren<AgainstBefore*>()) {
+    if (against->width() < against->whole_width()) out += against->accessibleName();
+  }
+  return out;
+}
+
+/// Into the folder CUSP_PICTURES, if it is set.
+void leave_picture(ReportPage& page, const std::string& name) {
+  const QByteArray to = qgetenv("CUSP_PICTURES");
+  if (to.isEmpty()) return;
+  EXPECT_TRUE(page.grab().save(QString::fromUtf8(to) + u'/' + QString::fromStdString(name) + QStringLiteral(".png")));
+}
+
+TEST(ReportPage, ShowsEveryCriterionsNameWholeInEachLanguage) {
+  const Ports ports = Ports::of_the_system();
+  for (const std::string language : {"de", "en"}) {
+    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
+      install_language(*qApp, QString::fromStdString(language));
+      apply_theme(*qApp, scheme, 100);
+      for (const char* key : {"channel-1", "class-1-36-wet"}) {  // criteria of a block and of a tooth
+        const std::string name = std::string(key) + "-" + language + "-" + look;
+        SCOPED_TRACE(name);
+        ReportPage page(whole_report(key), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+        page.resize(1280, 800);
+        page.show();
+        QTest::qWait(0);
+        EXPECT_EQ(cut_names(page).join(u"; ").toStdString(), "");
+        EXPECT_GE(page.table()->viewport()->width(), page.table()->whole_width());  // each in one line
+        leave_picture(page, name + "-1280");
+        page.resize(853, 533);  // 1280x800 at 150 %
+        QTest::qWait(0);
+        EXPECT_EQ(cut_names(page).join(u"; ").toStdString(), "");
+        leave_picture(page, name + "-853");
+      }
+    }
+  }
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST(CellLines, BreakAtABlankAndElideWhatFitsInNoLine) {
+  const QFontMetrics metrics(font_of(TextRole::body));
+  const auto lines = [&metrics](const char* text, const char* as_wide_as) {
+    return cell_lines(QString::fromUtf8(text), metrics, metrics.horizontalAdvance(QString::fromUtf8(as_wide_as)) + 2, Qt::ElideRight).join(u'|').toStdString();
+  };
+  EXPECT_EQ(lines("over-cut, floor", "over-cut, floor"), "over-cut, floor");
+  EXPECT_EQ(lines("over-cut, floor", "over-cut, floo"), "over-cut,|floor");
+  EXPECT_EQ(lines("a b c d", "a b c"), "a b c|d");
+  EXPECT_EQ(lines("overcut", "over…"), "over…");
+  EXPECT_EQ(lines("ab overcut", "over…"), "ab|over…");
 }
 
 }  // namespace
