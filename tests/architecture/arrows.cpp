@@ -12,8 +12,6 @@ namespace cusp::test {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The folder below `module` that `path` ("engine/step/step.h") lies in; "." for the module's own.
 std::string folder_of(std::string_view module, std::string_view path) {
   const std::string_view rest = path.substr(module.size() + 1);
@@ -33,19 +31,6 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
      {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "student", "report", "editor",
       "instructor", "admin", "signin", "cli", "app"}},
 };
-
-std::vector<SourceText> sources_of(const std::string& module) {
-  std::vector<SourceText> out;
-  const fs::path root = CUSP_SOURCE_DIR;
-  for (const auto& entry : fs::recursive_directory_iterator(root / module)) {
-    const std::string kind = entry.path().extension().string();
-    if (!entry.is_regular_file() || (kind != ".h" && kind != ".cpp")) continue;
-    std::ostringstream text;
-    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-    out.push_back({fs::relative(entry.path(), root).string(), text.str()});
-  }
-  return out;
-}
 
 TEST(Arrows, OfEachModuleFollowItsOrder) {
   for (const auto& [module, order] : kOrders) {
@@ -72,6 +57,19 @@ TEST(Arrows, AFolderThatNoOrderNamesIsFound) {
 }
 
 }  // namespace
+
+std::vector<SourceText> sources_of(const std::string& module) {
+  std::vector<SourceText> out;
+  const std::filesystem::path root = CUSP_SOURCE_DIR;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / module)) {
+    const std::string kind = entry.path().extension().string();
+    if (!entry.is_regular_file() || (kind != ".h" && kind != ".cpp")) continue;
+    std::ostringstream text;
+    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    out.push_back({std::filesystem::relative(entry.path(), root).string(), text.str()});
+  }
+  return out;
+}
 
 Arrows arrows_of(std::string_view module, const std::vector<SourceText>& files) {
   Arrows out;

@@ -17,6 +17,9 @@ struct SourceText {
   std::string text;
 };
 
+/// Headers and sources of a module of this tree.
+std::vector<SourceText> sources_of(const std::string& module);
+
 /// The arrows of `module` ("engine") in `files`; `modules.h` is left out, for it includes nothing.
 Arrows arrows_of(std::string_view module, const std::vector<SourceText>& files);
 
