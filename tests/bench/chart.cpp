@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr const char* kStabilityFull = "stability-full.csv";
 constexpr const char* kRemovalFull = "removal-full.csv";
 
-/// Rows of one report go to their kinds, each with the report's commit and machine.
+/// Rows of one report go to their kinds, each with the report's source.
 void sort_in(Evidence& to, const Report& report) {
   for (const Row& row : report.rows) {
     const bool full = row.sweep == kFullSweep;
@@ -36,8 +36,7 @@ void sort_in(Evidence& to, const Report& report) {
                    : row.volume_voxels >= 0 ? to.scale
                    : !row.task.empty()      ? to.rate
                                             : to.accuracy;
-    kind.commit = report.commit;
-    kind.machine = report.machine;
+    kind.source = report.source;
     kind.rows.push_back(row);
   }
 }
@@ -80,7 +79,7 @@ Evidence measure_all(const Options& options) {
   const Report here = empty_report();
   out.accuracy = out.cavity = out.rate = out.scale = out.stability = out.removal = out.heads = here;
   for (const auto rows_of : {accuracy_rows, cavity_rows, rate_rows, scale_rows, stability_rows, removal_rows, heads_rows})
-    sort_in(out, {here.commit, here.machine, rows_of(options)});
+    sort_in(out, {here.source, rows_of(options)});
   return out;
 }
 
@@ -141,7 +140,7 @@ int run_chart(const Options& options) {
     if (!file) return failed({ChartError::cannot_write, path.string(), ""});
   }
   if (!options.json.empty()) {
-    Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
+    Report all{evidence.rate.source, evidence.accuracy.rows};
     for (const Report* more : {&evidence.cavity, &evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.heads, &evidence.stability_full,
                                &evidence.removal_full})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());

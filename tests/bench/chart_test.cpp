@@ -70,9 +70,9 @@ void add_stability(Report& report) {
 /// Made up, complete, and of second order above a floor of 0.001 degrees.
 Evidence made_up() {
   Evidence out;
-  out.accuracy = out.cavity = out.rate = out.scale = out.stability = {"0123456789abcdef", "A CPU", {}};
-  out.pace = {"0123456789abcdef", "A CPU", {}};
-  out.motion = {"0123456789abcdef", "A CPU", {}};
+  out.accuracy = out.cavity = out.rate = out.scale = out.stability = {{"0123456789abcdef", 9, "A CPU"}, {}};
+  out.pace = {{"0123456789abcdef", 9, "A CPU"}, {}};
+  out.motion = {{"0123456789abcdef", 9, "A CPU"}, {}};
   double rate = 100e3;
   for (const std::string_view method : kMethodNames) {
     rate *= 1.7;
@@ -175,7 +175,7 @@ TEST(Chart, TheCommittedStabilityRowsNameWhatTheirFiguresBreak) {
 
 /// Rows of --full: every place in two cells, one of them settled by five sets, and one that has no exact proxy to compare with.
 Report full_stability() {
-  Report out{"fedcba9876543210", "A CPU", {}};
+  Report out{{"fedcba9876543210", 9, "A CPU"}, {}};
   for (std::string_view place : kPressCases)
     for (const double exact : {0.5, 2.0, 0.0}) {
       Row& row = out.rows.emplace_back();

@@ -39,7 +39,7 @@ struct LatencyRow {
 
 /// One row in real time, `seconds` long. ticks is 0 if no OpenGL context can be made for Load::on.
 LatencyRow measure_latency(const std::string& port, Load load, double seconds);
-/// {"commit", "machine", "rows": [...]}
+/// {"commit", "engine", "machine", "rows": [...]}
 std::string latency_json(const std::vector<LatencyRow>& rows);
 int run_latency(const Options& options);
 

@@ -1,6 +1,7 @@
 #include "tests/bench/rows.h"
 
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -8,6 +9,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "engine/scene/scene.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/program.h"
 
@@ -71,7 +73,26 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-Report empty_report() { return {commit_of_tree(), cpu_name(), {}}; }
+Source this_source() { return {commit_of_tree(), engine::kEngineVersion, cpu_name()}; }
+
+std::string source_line(const Source& source) {
+  return "# commit " + source.commit + ", engine " + std::to_string(source.engine_version) + ", machine " + source.machine + '\n';
+}
+
+std::optional<Source> source_from_line(const std::string& line) {
+  constexpr std::string_view kCommit = "# commit ", kEngine = ", engine ", kMachine = ", machine ";
+  const std::size_t engine = line.find(kEngine), machine = line.find(kMachine);
+  if (!line.starts_with(kCommit) || engine == std::string::npos || machine == std::string::npos || machine < engine) return std::nullopt;
+  Source out;
+  out.commit = line.substr(kCommit.size(), engine - kCommit.size());
+  const std::size_t at = engine + kEngine.size();
+  const auto [end, error] = std::from_chars(line.data() + at, line.data() + machine, out.engine_version);
+  if (error != std::errc{} || end != line.data() + machine) return std::nullopt;
+  out.machine = line.substr(machine + kMachine.size());
+  return out;
+}
+
+Report empty_report() { return {this_source(), {}}; }
 
 std::string to_json(const Report& report) {
   Json rows = Json::array();
@@ -87,7 +108,7 @@ std::string to_json(const Report& report) {
     });
     rows.push_back(std::move(one));
   }
-  const Json whole = {{"commit", report.commit}, {"machine", report.machine}, {"rows", std::move(rows)}};
+  const Json whole = {{"commit", report.source.commit}, {"engine", report.source.engine_version}, {"machine", report.source.machine}, {"rows", std::move(rows)}};
   return whole.dump(1) + '\n';
 }
 
@@ -97,8 +118,7 @@ Result<Report, RowsFailure> from_json(const std::string& text) {
     return fail(RowsError::not_json, "rows");
   Report out;
   try {
-    out.commit = whole.value("commit", "unknown");
-    out.machine = whole.value("machine", "unknown");
+    out.source = {whole.value("commit", "unknown"), whole.value("engine", 0), whole.value("machine", "unknown")};
     for (const Json& one : whole["rows"]) {
       Row row;
       for_each_field(row, [&one](const char* name, auto& value) {
@@ -133,7 +153,7 @@ Result<Report, RowsFailure> read_json(const std::string& path) {
 }
 
 std::string to_csv(const Report& report) {
-  std::string out = "# commit " + report.commit + ", machine " + report.machine + '\n';
+  std::string out = source_line(report.source);
   std::vector<bool> held;
   for (const Row& row : report.rows) {
     std::size_t i = 0;
@@ -169,10 +189,9 @@ Result<Report, RowsFailure> from_csv(const std::string& text) {
   std::vector<std::string> names;
   while (std::getline(in, line)) {
     if (line.starts_with("# commit ")) {
-      const std::size_t comma = line.find(", machine ");
-      if (comma == std::string::npos) return fail(RowsError::wrong_type, "first line");
-      out.commit = line.substr(9, comma - 9);
-      out.machine = line.substr(comma + 10);
+      const auto source = source_from_line(line);
+      if (!source) return fail(RowsError::wrong_type, "first line");
+      out.source = *source;
       continue;
     }
     if (line.empty() || line[0] == '#') continue;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -273,9 +274,21 @@ void for_each_field(R& row, Visit&& visit) {
   visit_cost(row, visit);
 }
 
+/// What measured the rows of a report.
+struct Source {
+  std::string commit;      // of the tree; "unknown" outside a repository
+  int engine_version = 0;  // kEngineVersion; 0 if unknown
+  std::string machine;     // the CPU's name
+  friend bool operator==(const Source&, const Source&) = default;
+};
+/// Of this program on this machine.
+Source this_source();
+/// "# commit …, engine …, machine …", the first line of a table; nullopt for any other line.
+std::string source_line(const Source& source);
+std::optional<Source> source_from_line(const std::string& line);
+
 struct Report {
-  std::string commit;   // of the tree; "unknown" outside a repository
-  std::string machine;  // the CPU's name
+  Source source;
   std::vector<Row> rows;
 };
 
@@ -291,7 +304,7 @@ Result<Report, RowsFailure> from_json(const std::string& text);
 Result<void, RowsFailure> print_json(const Report& report, const std::string& path);
 Result<Report, RowsFailure> read_json(const std::string& path);
 
-/// First line "# commit …, machine …", then the names of all fields that any row holds, then a line for each row.
+/// source_line(), then the names of all fields that any row holds, then a line for each row.
 std::string to_csv(const Report& report);
 Result<Report, RowsFailure> from_csv(const std::string& text);
 

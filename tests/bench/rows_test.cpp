@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/scene/scene.h"
 #include "tests/bench/program.h"
 #include "tests/bench/tick_times.h"
 
@@ -12,7 +13,7 @@ namespace cusp::bench {
 namespace {
 
 Report some() {
-  Report report{"0123456789abcdef", "A CPU (R) @ 2 GHz", {}};
+  Report report{{"0123456789abcdef", 9, "A CPU (R) @ 2 GHz"}, {}};
   Row row;
   row.method = "surface";
   row.shape = "channel";
@@ -32,8 +33,7 @@ Report some() {
 }
 
 void expect_equal(const Report& a, const Report& b) {
-  EXPECT_EQ(a.commit, b.commit);
-  EXPECT_EQ(a.machine, b.machine);
+  EXPECT_EQ(a.source, b.source);
   ASSERT_EQ(a.rows.size(), b.rows.size());
   for (std::size_t i = 0; i < a.rows.size(); ++i) {
     std::vector<std::string> left, right;
@@ -50,6 +50,17 @@ void expect_equal(const Report& a, const Report& b) {
     for_each_field(b.rows[i], text(right));
     EXPECT_EQ(left, right);
   }
+}
+
+TEST(Rows, NameCommitEngineVersionAndMachine) {
+  const Source source{"0123456789abcdef", 9, "A CPU, machine 2"};
+  EXPECT_EQ(source_line(source), "# commit 0123456789abcdef, engine 9, machine A CPU, machine 2\n");
+  EXPECT_EQ(source_from_line("# commit 0123456789abcdef, engine 9, machine A CPU, machine 2"), source);
+  for (const char* other : {"", "method,shape", "# commit 0123, machine A CPU", "# commit 0123, engine , machine A CPU",
+                            "# commit 0123, engine 9a, machine A CPU", "# commit 0123, machine A CPU, engine 9"}) {
+    EXPECT_EQ(source_from_line(other), std::nullopt) << other;
+  }
+  EXPECT_EQ(this_source().engine_version, engine::kEngineVersion);
 }
 
 TEST(Rows, ComeBackFromJsonAndFromCsv) {

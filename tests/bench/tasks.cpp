@@ -82,21 +82,16 @@ std::string number(double v) {
 constexpr std::string_view kPaceNames = "method,task,time_s,updates_per_s";
 constexpr std::string_view kMotionNames = "method,task,time_s,x_mm,y_mm,z_mm,fx_n,fy_n,fz_n";
 
-std::string header_line(const std::string& commit, const std::string& machine) {
-  return "# commit " + commit + ", machine " + machine + '\n';
-}
-
 /// Calls take(method, task, numbers) for each line after the names.
 template <class Take>
 Result<void, RowsFailure> read_lines(const std::string& text, std::string_view names, std::size_t numbers,
-                                     std::string& commit, std::string& machine, Take&& take) {
+                                     Source& source, Take&& take) {
   std::istringstream in(text);
   std::string line;
-  if (!std::getline(in, line) || !line.starts_with("# commit ")) return fail(RowsError::wrong_type, "first line");
-  const std::size_t comma = line.find(", machine ");
-  if (comma == std::string::npos) return fail(RowsError::wrong_type, "first line");
-  commit = line.substr(9, comma - 9);
-  machine = line.substr(comma + 10);
+  if (!std::getline(in, line)) return fail(RowsError::wrong_type, "first line");
+  const auto found = source_from_line(line);
+  if (!found) return fail(RowsError::wrong_type, "first line");
+  source = *found;
   if (!std::getline(in, line) || line != names) return fail(RowsError::wrong_type, "second line");
   while (std::getline(in, line)) {
     std::istringstream cells(line);
@@ -149,8 +144,7 @@ std::shared_ptr<Scene> task_scene(Method method) {
 }
 
 PaceReport record_pace() {
-  const Report here = empty_report();
-  PaceReport out{here.commit, here.machine, {}};
+  PaceReport out{this_source(), {}};
   const std::unique_ptr<Shape> face = make_shape("face", kPaperBurMm);
   for (const std::string_view task : {"displacement", "exploration", "perforation"}) {
     std::vector<TaskRunner> runs;
@@ -171,8 +165,7 @@ PaceReport record_pace() {
 }
 
 MotionReport record_motion() {
-  const Report here = empty_report();
-  MotionReport out{here.commit, here.machine, {}};
+  MotionReport out{this_source(), {}};
   const double top = solid_block_half_mm(128, kRateVoxelMm);
   for (const Method method : kShown) {
     StepState state(task_scene(method));
@@ -193,14 +186,14 @@ MotionReport record_motion() {
 }
 
 std::string to_csv(const PaceReport& report) {
-  std::string out = header_line(report.commit, report.machine) + std::string(kPaceNames) + '\n';
+  std::string out = source_line(report.source) + std::string(kPaceNames) + '\n';
   for (const PaceSample& s : report.samples)
     out += s.method + ',' + s.task + ',' + number(s.time_s) + ',' + number(s.updates_per_s) + '\n';
   return out;
 }
 
 std::string to_csv(const MotionReport& report) {
-  std::string out = header_line(report.commit, report.machine) + std::string(kMotionNames) + '\n';
+  std::string out = source_line(report.source) + std::string(kMotionNames) + '\n';
   for (const MotionSample& s : report.samples) {
     out += s.method + ',' + s.task + ',' + number(s.time_s);
     for (int i = 0; i < 3; ++i) out += ',' + number(s.displacement_mm[i]);
@@ -213,7 +206,7 @@ std::string to_csv(const MotionReport& report) {
 Result<PaceReport, RowsFailure> pace_from_csv(const std::string& text) {
   PaceReport out;
   const auto read =
-      read_lines(text, kPaceNames, 2, out.commit, out.machine,
+      read_lines(text, kPaceNames, 2, out.source,
                  [&out](const std::string& method, const std::string& task, const std::vector<double>& v) {
                    out.samples.push_back({method, task, v[0], v[1]});
                  });
@@ -224,7 +217,7 @@ Result<PaceReport, RowsFailure> pace_from_csv(const std::string& text) {
 Result<MotionReport, RowsFailure> motion_from_csv(const std::string& text) {
   MotionReport out;
   const auto read =
-      read_lines(text, kMotionNames, 7, out.commit, out.machine,
+      read_lines(text, kMotionNames, 7, out.source,
                  [&out](const std::string& method, const std::string& task, const std::vector<double>& v) {
                    out.samples.push_back({method, task, v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
                  });

@@ -21,7 +21,7 @@ struct PaceSample {
   double updates_per_s = 0.0;
 };
 struct PaceReport {
-  std::string commit, machine;
+  Source source;
   std::vector<PaceSample> samples;
 };
 
@@ -33,7 +33,7 @@ struct MotionSample {
   Vec3 force_n{0.0};
 };
 struct MotionReport {
-  std::string commit, machine;
+  Source source;
   std::vector<MotionSample> samples;
 };
 

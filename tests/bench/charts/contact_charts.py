@@ -66,12 +66,12 @@ def speed_against_accuracy(accuracy, rate, radius, cavity=None):
         raise Missing(f"accuracy and rate: no slides at 50 mm/s on face and sphere with a bur of {radius} mm")
     several = len({voxel for _, voxel, *_ in shown}) > 1
     milled = explored(cavity, radius) if cavity else None
-    of_cavity = f", {cavity.commit[:10]} (cavity)" if cavity else ""
+    of_cavity = f"; cavity {cavity.version}" if cavity else ""
     sizes = "voxel size in mm beside the marks" if several else "voxels of 10/128 mm"
     fig = style.figure(
         860, 620, f"Speed against accuracy, ball bur of {radius} mm radius",
         "Clean path: slides at 50 mm/s, 0.3 mm below the offset surface; mean of face and sphere. Right is faster, down is more exact.",
-        f"Filled: {accuracy.machine}, commits {accuracy.commit[:10]} (angles) and {rate.commit[:10]} (rates){of_cavity}, {sizes}. "
+        f"Filled: {accuracy.machine}, angles {accuracy.version}; rates {rate.version}{of_cavity}; {sizes}. "
         "Dashed: Pareto front.\nHollow: other programs, measured elsewhere on a 2-vCPU EPYC VM, 10/128 mm. "
         "(pressed): angle of presses, not of a slide.")
     axes = style.panel(fig, 76, 72, 836, 528)
@@ -184,9 +184,9 @@ def error_against_voxel(accuracy):
 
 def cost_against_size(rate, scale):
     fig = style.figure(
-        860, 430, "Cost of a tick and memory of a scene",
+        860, 446, "Cost of a tick and memory of a scene",
         "Left: face, sphere and cylinder at 50 mm/s, voxels of 10/128 mm. Middle and right: a solid block, bur of 0.5 mm radius.",
-        f"{rate.machine}, commits {rate.commit[:10]} (rates) and {scale.commit[:10]} (volumes). Circles: surface proxy. Squares: occupancy proxy. "
+        f"{rate.machine}, rates {rate.version}; volumes {scale.version}.\nCircles: surface proxy. Squares: occupancy proxy. "
         "Middle: median over alternating blocks.")
     by_radius, by_edge, by_memory = (style.panel(fig, left, 76, left + 200, 350) for left in (70, 352, 632))
     lines = {}

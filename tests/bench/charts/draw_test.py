@@ -13,6 +13,7 @@ import markdown_tables
 import removal_charts
 import stability_charts
 import style
+import task_charts
 from tables import Missing, Row, Table, read, read_all
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -21,7 +22,7 @@ README = HERE.parent / "README.md"
 
 
 def table(name, rows):
-    return Table(name, "0123456789abcdef", "A CPU", [Row(r) for r in rows])
+    return Table(name, "0123456789abcdef", 9, "A CPU", [Row(r) for r in rows])
 
 
 def texts(figure):
@@ -31,7 +32,7 @@ def texts(figure):
 
 def without(tables, name, is_dropped):
     kept = [r for r in tables[name].rows if not is_dropped(r)]
-    return {**tables, name: Table(name, tables[name].commit, tables[name].machine, kept)}
+    return {**tables, name: Table(name, tables[name].commit, tables[name].engine, tables[name].machine, kept)}
 
 
 class Committed(unittest.TestCase):
@@ -52,9 +53,20 @@ class Committed(unittest.TestCase):
             other.write_text("other")
             self.assertEqual(draw.differing({same: "text", other: "text", gone: "text"}), [str(other), str(gone)])
 
-    def test_every_figure_names_machine_and_commit(self):
+    def test_every_figure_names_machine_engine_version_and_commit(self):
         for figure in (contact_charts.error_against_voxel(self.tables["accuracy"]), removal_charts.depth_over_time(self.tables["removal"])):
-            self.assertTrue(any("AMD EPYC" in t and "commit" in t for t in texts(figure)))
+            self.assertTrue(any("AMD EPYC, engine " in t and "commit" in t for t in texts(figure)))
+
+    def test_no_title_or_footing_leaves_its_figure(self):
+        t = self.tables
+        for figure in (contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.25), contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.5),
+                       contact_charts.error_against_voxel(t["accuracy"]), contact_charts.cost_against_size(t["rate"], t["scale"]),
+                       task_charts.rates_by_task(t["pace"]), task_charts.displacement_and_force(t["motion"]), stability_charts.stability_map(t["stability"]),
+                       stability_charts.stiffness_against_damping(t["stability"]), stability_charts.stiffness_by_cell(t["stability-full"]),
+                       removal_charts.depth_over_time(t["removal"]), removal_charts.speed_error(t["removal"])):
+            for text in figure.texts:
+                with self.subTest(text.get_text()):
+                    self.assertLessEqual(text.get_window_extent().x1, figure.bbox.x1)
 
     def test_every_voxel_size_that_was_measured_is_named(self):
         shown = texts(contact_charts.speed_against_accuracy(self.tables["accuracy"], self.tables["rate"], 0.5))
@@ -157,7 +169,7 @@ class Files(unittest.TestCase):
     def test_a_file_that_is_no_table_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "rate.csv"
-            for text in ("", "not,a,table\n1,2,3\n", "# commit c, machine m\na,b\n1\n", "# commit c, machine m\na,b\n1,2,3\n"):
+            for text in ("", "not,a,table\n1,2,3\n", "# commit c, machine m\na,b\n1,2\n", "# commit c, engine 9, machine m\na,b\n1\n", "# commit c, engine 9, machine m\na,b\n1,2,3\n"):
                 path.write_text(text)
                 with self.subTest(text), self.assertRaises(Missing):
                     read(path)

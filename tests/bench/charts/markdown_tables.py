@@ -1,4 +1,4 @@
-"""The tables of the READMEs, each with the machine and commit that measured it."""
+"""The tables of the READMEs, each with the machine, engine version and commit that measured it."""
 import math
 
 from contact_charts import CAVITY_MINUTES, CAVITY_TREMOR_MM, SPEED_MM_S, USUAL_VOXEL_MM, explored, in_cavity
@@ -68,7 +68,7 @@ def methods(accuracy, rate, cavity=None):
     head = ["clean path, ball bur r 0.25 · 0.5 mm", "exploring, updates/s", "over occupancy", "mean angle error, degrees",
             "mean depth error, µm", "drilling, updates/s"]
     return lines(head, rows) + (
-        f"\n{accuracy.machine}, one core, commits {accuracy.commit[:10]} (accuracy) and {rate.commit[:10]} (rate): voxels of 10/128 mm, "
+        f"\n{accuracy.machine}, one core; accuracy {accuracy.version}; rate {rate.version}: voxels of 10/128 mm, "
         "0.3 mm below the offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and sphere; "
         "drilling at 1 mm/s, all updates of the volume included.\n") + (in_a_cavity(cavity) if cavity else "")
 
@@ -155,7 +155,7 @@ def removal(table, full=None):
             continue
         rows.append([what, goal, reads(needed(value, "removal: " + what)), other])
     head = ["worst of", "goal", "surface proxy (Cusp)", "occupancy proxy (the paper)"]
-    of_full = f" (--full: {full.commit[:10]})" if full and full.commit != table.commit else ""
+    of_full = f" (--full: {full.version})" if full and full.commit != table.commit else ""
     return lines(head, rows) + (f"\n{table.source}{of_full}: solid blocks, round burs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 "
                                 f"to 0.2 mm; burs under three voxels of radius are left out. Shapes and volumes of strokes: {len(shaped)} burs.\n")
 
@@ -194,5 +194,5 @@ def figures(tables):
             ("`removal`: drilling speed error, %, worst", lambda m: small(worst(resolved(cut, "speed", m), "error_percent"))),
             ("`removal`: cutting tick, largest bur, p99, µs", lambda m: small(worst(resolved(cut, "tick", m), "tick_us_p99")))):
         rows.append([what, cell("surface"), cell("occupancy")])
-    source = ", ".join(f"{name} {tables[name].commit[:10]}" for name in ("accuracy", "rate", "scale", "stability", "removal"))
-    return lines(["ball bur r 0.5 mm, voxels of 10/128 mm", LABELS["surface"], LABELS["occupancy"]], rows) + f"\n{rate.machine}; commits: {source}.\n"
+    source = ", ".join(f"{name} {tables[name].engine} ({tables[name].commit[:10]})" for name in ("accuracy", "rate", "scale", "stability", "removal"))
+    return lines(["ball bur r 0.5 mm, voxels of 10/128 mm", LABELS["surface"], LABELS["occupancy"]], rows) + f"\n{rate.machine}; engine (commit): {source}.\n"

@@ -76,7 +76,7 @@ def speed_error(removal):
     fig = style.figure(
         860, 520, "Error of the drilling speed against voxel size, tick and direction",
         "Every pair of voxel, tick, direction, tissue, push and bur; one mark per run, read from the remaining surface.",
-        f"{removal.source}. Circles: surface proxy, goal 1 %. Squares: occupancy proxy, goal 5 % along an axis. Hollow: radius under "
+        f"{removal.source}.\nCircles: surface proxy, goal 1 %. Squares: occupancy proxy, goal 5 % along an axis. Hollow: radius under "
         "3 voxels.")
     panels = (("voxel, mm", lambda r: f"{r.number('voxel_mm'):.2g}"), ("tick, ms", lambda r: f"{r.number('tick_ms'):g}"),
               ("direction: number of axes", lambda r: str(axes_along(r.text("direction")))))

@@ -142,7 +142,7 @@ def stability_map(stability):
     fig = style.figure(
         wide, high, "Failures of each method by case",
         "Colour and number: largest stable stiffness relative to the exact proxy with the same device and hand. Signs: failures.",
-        f"{stability.source}. 0.1 kg, 2 N s/m, loop delay 1 ms; grips none, soft, firm, and scripted motion. +: stable up to 10.3 N/mm, "
+        f"{stability.source}.\n0.1 kg, 2 N s/m, loop delay 1 ms; grips none, soft, firm, and scripted motion. +: stable up to 10.3 N/mm, "
         "where the search ends.")
     axes = fig.add_axes([0, 0, 1, 1])
     axes.set_axis_off()
@@ -196,7 +196,7 @@ def stiffness_against_damping(stability):
     fig = style.figure(
         860, 500, "Largest stable stiffness against the device's damping",
         "Surface proxy on a face, guard off, no delay, 0.1 kg. Dashed and dotted: published passivity bounds; Colgate's has no encoder.",
-        f"{stability.source}. Encoder step {ENCODER_STEP_MM:.3g} mm, 1 kHz. Squares: firm grip. Circles: soft. Triangles: no "
+        f"{stability.source}.\nEncoder step {ENCODER_STEP_MM:.3g} mm, 1 kHz. Squares: firm grip. Circles: soft. Triangles: no "
         f"grip. The exact proxy is within {100 * apart:.0f} %.")
     low, high, floor, roof = 0.3, 24.0, 0.5, 20.0
     damping = [low * (high / low) ** (i / 60) for i in range(61)]

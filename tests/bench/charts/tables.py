@@ -1,7 +1,8 @@
-"""Tables of tests/bench/results: rows as dictionaries, numbers as floats, and the commit and machine that measured them."""
+"""Tables of tests/bench/results: rows as dictionaries, numbers as floats, and the commit, engine version and machine that measured them."""
 import csv
 import math
 import pathlib
+import re
 
 KINDS = ("accuracy", "cavity", "rate", "scale", "stability", "removal", "pace", "motion", "stability-full", "removal-full")
 OPTIONAL = ("cavity", "stability-full", "removal-full")
@@ -29,28 +30,33 @@ class Row(dict):
 
 
 class Table:
-    def __init__(self, name, commit, machine, rows):
-        self.name, self.commit, self.machine, self.rows = name, commit, machine, rows
+    def __init__(self, name, commit, engine, machine, rows):
+        self.name, self.commit, self.engine, self.machine, self.rows = name, commit, engine, machine, rows
 
     def where(self, **texts):
         return [row for row in self.rows if all(row.text(k) == v for k, v in texts.items())]
 
     @property
     def source(self):
-        return f"{self.machine}, commit {self.commit[:10]}"
+        return f"{self.machine}, {self.version}"
+
+    @property
+    def version(self):
+        return f"engine {self.engine}, commit {self.commit[:10]}"
 
 
 def read(path):
-    """Reads a table with the first line "# commit …, machine …". Raises Missing for any other file."""
+    """Reads a table with the first line "# commit …, engine …, machine …". Raises Missing for any other file."""
     with open(path, newline="", encoding="utf-8") as file:
         head = file.readline().strip()
-        if not head.startswith("# commit ") or ", machine " not in head:
-            raise Missing(f"{path}: no line of commit and machine")
-        commit, machine = head.removeprefix("# commit ").split(", machine ", 1)
+        source = re.fullmatch(r"# commit (.+?), engine (\d+), machine (.+)", head)
+        if source is None:
+            raise Missing(f"{path}: no line of commit, engine version and machine")
+        commit, engine, machine = source.groups()
         rows = [Row(row) for row in csv.DictReader(file)]
     if any(None in row or None in row.values() for row in rows):
         raise Missing(f"{path}: a line of another length")
-    return Table(pathlib.Path(path).stem, commit, machine, rows)
+    return Table(pathlib.Path(path).stem, commit, int(engine), machine, rows)
 
 
 def read_all(folder):
