@@ -127,6 +127,8 @@ FAULTS = [
     # Structure.
     fault("cycle of two folders", "release", "architecture_tests", r"engine: volume includes step",
           ("engine/volume/volume.cpp", '#include "engine/volume/volume.h"\n', '#include "engine/volume/volume.h"\n#include "engine/step/step.h"\n')),
+    fault("drawing against the includes", "release", "architecture_tests", r"ui/README\.md: view includes render",
+          ("ui/README.md", "    view ──► render", "    view ◄── render")),
     fault("engine includes scenarios", "release", "architecture_tests", r"an arrow that points the wrong way",
           ("engine/step/step.cpp", '#include "engine/step/step.h"\n', '#include "engine/step/step.h"\n#include "scenarios/format/scenario.h"\n')),
     fault("Qt outside ui", "release", "architecture_tests", r"Qt lives in ui alone",
