@@ -6708,6 +6708,66 @@ Ihr bester davor</translation>
         <source>Firm carious dentine</source>
         <translation>Festes kariöses Dentin</translation>
     </message>
+    <message>
+        <source>Mesial wall, divergence</source>
+        <translation>Mesiale Wand, Divergenz</translation>
+    </message>
+    <message>
+        <source>Distal wall, divergence</source>
+        <translation>Distale Wand, Divergenz</translation>
+    </message>
+    <message>
+        <source>Buccal wall, divergence</source>
+        <translation>Bukkale Wand, Divergenz</translation>
+    </message>
+    <message>
+        <source>Lingual wall, divergence</source>
+        <translation>Linguale Wand, Divergenz</translation>
+    </message>
+    <message>
+        <source>Convergence, mesial to distal wall</source>
+        <translation>Konvergenz von mesialer und distaler Wand</translation>
+    </message>
+    <message>
+        <source>Convergence, buccal to lingual wall</source>
+        <translation>Konvergenz von bukkaler und lingualer Wand</translation>
+    </message>
+    <message>
+        <source>Floor, deviation from flat</source>
+        <translation>Boden, Abweichung von der Ebene</translation>
+    </message>
+    <message>
+        <source>Floor, tilt</source>
+        <translation>Boden, Neigung</translation>
+    </message>
+    <message>
+        <source>Isthmus, least width</source>
+        <translation>Isthmus, geringste Breite</translation>
+    </message>
+    <message>
+        <source>Mesial marginal ridge</source>
+        <translation>Mesiale Randleiste</translation>
+    </message>
+    <message>
+        <source>Distal marginal ridge</source>
+        <translation>Distale Randleiste</translation>
+    </message>
+    <message>
+        <source>Hold the bur along the axis of the preparation and draw it along the wall without leaning.</source>
+        <translation>Halten Sie den Bohrer in der Achse der Präparation und führen Sie ihn ohne Neigung an der Wand entlang.</translation>
+    </message>
+    <message>
+        <source>Go over the whole floor once more at one depth.</source>
+        <translation>Gehen Sie noch einmal in gleicher Tiefe über den ganzen Boden.</translation>
+    </message>
+    <message>
+        <source>Compare the width with the bur before you widen the outline.</source>
+        <translation>Vergleichen Sie die Breite mit dem Bohrer, bevor Sie den Umriss erweitern.</translation>
+    </message>
+    <message>
+        <source>Stop short of the marginal ridge; read its thickness from above.</source>
+        <translation>Bleiben Sie vor der Randleiste stehen; beurteilen Sie ihre Dicke von oben.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>

@@ -17,7 +17,7 @@ namespace cusp::scenarios {
 /// A quantity that a rubric may ask for. Besides these, "removed_<tissue>" (mm3) for every tissue key but "empty".
 struct MetricKey {
   std::string_view key;
-  std::string_view unit;  // "%", "mm3", "mm", "s", "N"
+  std::string_view unit;  // "%", "mm3", "mm", "deg", "s", "N"
   double least = 0;       // values below or above cannot be measured; used to see whether points can be reached
   double most = 1e9;
 };
@@ -32,6 +32,17 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"depth_least", "mm"},                // of the floor, from the target's top_mm
     MetricKey{"depth_mean", "mm"},
     MetricKey{"depth_most", "mm"},
+    MetricKey{"wall_angle_mesial", "deg", -45, 45},  // to the axis; positive: diverges occlusally
+    MetricKey{"wall_angle_distal", "deg", -45, 45},
+    MetricKey{"wall_angle_buccal", "deg", -45, 45},
+    MetricKey{"wall_angle_lingual", "deg", -45, 45},
+    MetricKey{"convergence_mesiodistal", "deg", -90, 90},  // of opposite walls, occlusally
+    MetricKey{"convergence_buccolingual", "deg", -90, 90},
+    MetricKey{"floor_flatness", "mm"},             // RMS about the floor's best plane
+    MetricKey{"floor_tilt", "deg", 0, 45},         // of that plane
+    MetricKey{"isthmus_width", "mm"},              // least width between facing walls
+    MetricKey{"ridge_mesial", "mm"},               // marginal ridge: wall to greatest proximal contour
+    MetricKey{"ridge_distal", "mm"},
     MetricKey{"remaining_over_pulp", "mm"},        // least wall between the cavity and the pulp
     MetricKey{"time", "s"},
     MetricKey{"force_peak", "N"},

@@ -220,6 +220,8 @@ class Checks {
     if (metric == "target_removed") return 100.0;
     if (metric == "undercut" || metric.starts_with("overcut_")) return 0.0;
     if (metric.starts_with("depth_")) return s_.target.depth_mm;
+    // Formats up to 1 sweep the outline straight down to a level floor.
+    if (metric.starts_with("wall_angle_") || metric.starts_with("convergence_") || metric.starts_with("floor_")) return 0.0;
     return std::nullopt;
   }
 

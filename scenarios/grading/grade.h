@@ -17,7 +17,7 @@ struct Measure {
   bool measured = true;            // false: could not be measured; never zero
   double value = 0;
   double uncertainty = 0;          // same unit, one-sided
-  std::string unit;                // "%", "mm3", "mm", "s", "N"
+  std::string unit;                // "%", "mm3", "mm", "deg", "s", "N"
   std::optional<Vec3> where_mm;    // place of the worst, for the pin on the tooth
 };
 

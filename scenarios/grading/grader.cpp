@@ -19,7 +19,8 @@ const Measure* find(const std::vector<Measure>& measures, std::string_view metri
 /// Of an untouched tooth depth, excess, push and time are 0, and the dentine over the pulp is whole.
 bool earned_by_doing_nothing(const Criterion& criterion) {
   const std::string_view metric = criterion.metric;
-  if (metric == "remaining_over_pulp") return true;
+  if (metric == "remaining_over_pulp" || metric.starts_with("ridge_")) return true;
+  if (metric == "isthmus_width") return true;  // a hole that one plunge of the bur made has its width
   if (metric == "target_removed" || metric == "undercut") return false;
   return share_of_points(criterion.bands, 0.0) > 0.0;
 }

@@ -5,6 +5,7 @@
 
 #include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/depth.h"
+#include "scenarios/metrics/form.h"
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/modules.h"
 
@@ -151,6 +152,7 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
   std::vector<Measure> out;
   add_target(reference, volume, sum, out);
   add_depth(reference, volume, out);
+  add_form(reference, volume, out);
   for (const Tissue tissue : reference.tissues()) {
     const std::size_t i = index_of(tissue);
     if (!reference.has(tissue)) {

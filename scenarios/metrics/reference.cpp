@@ -6,6 +6,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/metrics/region_classifier.h"
+#include "scenarios/teeth/landmarks.h"
 
 namespace cusp::scenarios {
 
@@ -123,7 +124,8 @@ double PulpIndex::distance_mm(Vec3 p, double at_most_mm) const noexcept {
 
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
     : specimen_(std::move(specimen)), shape_(scenario.target), leeway_(scenario.leeway), pulp_(*specimen_),
-      heat_(has_phenomenon(scenario.phenomena, "heat")) {
+      heat_(has_phenomenon(scenario.phenomena, "heat")),
+      mesial_x_(scenario.specimen.generator == "tooth" ? scenarios::mesial_x(scenario.specimen.fdi) : 0) {
   for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
   const Grid& grid = specimen_->grid();
   const IVec3 bricks = specimen_->brick_count();

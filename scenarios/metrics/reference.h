@@ -53,6 +53,8 @@ class Reference {
   const TargetShape& shape() const noexcept { return shape_; }
   const Leeway& leeway() const noexcept { return leeway_; }
   const PulpIndex& pulp() const noexcept { return pulp_; }
+  /// 1 if mesial lies along +x, -1 if along -x, 0 if the specimen is no tooth of a known number.
+  int mesial_x() const noexcept { return mesial_x_; }
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
@@ -70,6 +72,7 @@ class Reference {
   std::array<bool, kTissueCodes> present_{};
   double target_mm3_ = 0;
   bool heat_ = false;
+  int mesial_x_ = 0;
 };
 
 }  // namespace cusp::scenarios

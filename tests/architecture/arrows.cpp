@@ -24,7 +24,7 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
     {"engine", {"base", "volume", "tool", "scene", "contact", "removal", "step", "loop", "mirror", "lab"}},
     {"device", {"pointer", "scripted", "falcon", "hid", "inverse", "."}},
     {"scenarios",
-     {"tissues", "burs", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "teeth", "specimens", "library",
+     {"tissues", "burs", "teeth", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",
       "checks", "audit"}},
     {"storage", {"base", "sqlite", "records", "repositories", "cache", "summary", "export", "."}},
     {"ui",

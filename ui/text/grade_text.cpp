@@ -19,6 +19,17 @@ QString metric_name(const std::string& m) {
   if (m == "depth_least") return Text::tr("Floor depth, shallowest");
   if (m == "depth_mean") return Text::tr("Floor depth, mean");
   if (m == "depth_most") return Text::tr("Floor depth, deepest");
+  if (m == "wall_angle_mesial") return Text::tr("Mesial wall, divergence");
+  if (m == "wall_angle_distal") return Text::tr("Distal wall, divergence");
+  if (m == "wall_angle_buccal") return Text::tr("Buccal wall, divergence");
+  if (m == "wall_angle_lingual") return Text::tr("Lingual wall, divergence");
+  if (m == "convergence_mesiodistal") return Text::tr("Convergence, mesial to distal wall");
+  if (m == "convergence_buccolingual") return Text::tr("Convergence, buccal to lingual wall");
+  if (m == "floor_flatness") return Text::tr("Floor, deviation from flat");
+  if (m == "floor_tilt") return Text::tr("Floor, tilt");
+  if (m == "isthmus_width") return Text::tr("Isthmus, least width");
+  if (m == "ridge_mesial") return Text::tr("Mesial marginal ridge");
+  if (m == "ridge_distal") return Text::tr("Distal marginal ridge");
   if (m == "remaining_over_pulp") return Text::tr("Dentine over pulp");
   if (m == "time") return Text::tr("Time");
   if (m == "force_peak") return Text::tr("Peak push");
@@ -41,6 +52,8 @@ QString metric_unit(const std::string& m) {
   if (m == "target_removed") return u"%"_qs;
   if (m.starts_with("overcut_") || m == "undercut" || m.starts_with("removed_")) return u"mm3"_qs;
   if (m.starts_with("depth_") || m == "remaining_over_pulp") return u"mm"_qs;
+  if (m == "floor_flatness" || m == "isthmus_width" || m.starts_with("ridge_")) return u"mm"_qs;
+  if (m == "floor_tilt" || m.starts_with("wall_angle_") || m.starts_with("convergence_")) return u"deg"_qs;
   if (m == "time" || m == "dry_cutting_time") return u"s"_qs;
   if (m == "temperature_rise_peak") return u"K"_qs;
   if (m.starts_with("force_")) return u"N"_qs;
@@ -154,6 +167,11 @@ QString advice_text(const CriterionGrade& g) {
     return Text::tr("Cut to the required depth over the whole floor.");
   }
   if (m == "remaining_over_pulp") return Text::tr("Keep away from the pulp: stop at the required depth.");
+  if (m.starts_with("wall_angle_") || m.starts_with("convergence_"))
+    return Text::tr("Hold the bur along the axis of the preparation and draw it along the wall without leaning.");
+  if (m == "floor_flatness" || m == "floor_tilt") return Text::tr("Go over the whole floor once more at one depth.");
+  if (m == "isthmus_width") return Text::tr("Compare the width with the bur before you widen the outline.");
+  if (m.starts_with("ridge_")) return Text::tr("Stop short of the marginal ridge; read its thickness from above.");
   if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");
   if (m == "time") return Text::tr("Plan the way of the bur before the first cut.");
   if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");

@@ -240,6 +240,18 @@ TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleStudent) {
   EXPECT_DOUBLE_EQ(half.criteria[5].points, 10.0 * 100 / 30);
 }
 
+TEST(Grade, FormAndRidgesOfASmallHoleAreNoMerit) {
+  Scenario s;
+  s.rubric.criteria = {{"target_removed", 10, kRemoved},
+                       {"wall_angle_buccal", 10, {-12, -8, -3, 3, 8, 12}},
+                       {"floor_flatness", 10, {0, 0, 0, 0.12, 0.25, 0.4}},
+                       {"isthmus_width", 10, {0.6, 0.8, 0.9, 1.3, 1.6, 2}},
+                       {"ridge_mesial", 10, {1, 1.2, 1.6, 100, 100, 100}}};
+  const Grade hole = grade(s, {value("target_removed", 4.85), value("wall_angle_buccal", 0), value("floor_flatness", 0),
+                               value("isthmus_width", 1), value("ridge_mesial", 2)});
+  EXPECT_DOUBLE_EQ(hole.score, 100.0 * 4 * 0.05 / 5);  // 5 % of each but the target's own, which earns none below 80 %
+}
+
 TEST(Grade, PointsRiseWithTheShareAndNeverJump) {
   double last = 15.0;
   for (double percent = 0.5; percent <= 100; percent += 0.5) {

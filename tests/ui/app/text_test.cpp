@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <set>
 
+#include "scenarios/format/keys.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/text/failure_text.h"
@@ -217,6 +218,10 @@ TEST(Sentences, every_metric_and_tissue_has_a_name) {
                              "removed_enamel", "removed_carious_dentine", "removed_16", "remaining_over_pulp", "time",
                              "force_peak", "force_mean", "pulp_exposure"}) {
     EXPECT_NE(metric_name(metric).toStdString(), metric);
+  }
+  for (const MetricKey& metric : kMetricKeys) {
+    EXPECT_NE(metric_name(std::string(metric.key)).toStdString(), metric.key);
+    EXPECT_EQ(metric_unit(std::string(metric.key)).toStdString(), metric.unit);
   }
   for (std::size_t i = 0; i < kTissueKeys.size(); ++i) EXPECT_FALSE(tissue_name(static_cast<Tissue>(i)).isEmpty());
 }

@@ -1,0 +1,46 @@
+/// The cut surface as triangles, sorted into floor and walls by their normals: what the measurements of form look at.
+/// Frame: specimen. Millimetres. Not for the haptic thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/volume/volume.h"
+#include "scenarios/metrics/reference.h"
+#include "scenarios/modules.h"
+
+namespace cusp::scenarios {
+
+/// Names of a preparation's faces. A wall belongs to the side of the tooth that it stands on.
+enum class FaceName : std::uint8_t { pulpal_floor, mesial_wall, distal_wall, buccal_wall, lingual_wall };
+inline constexpr std::size_t kFaceNames = 5;
+
+/// A triangle of the surface that the bur left.
+struct CutFace {
+  Vec3 middle_mm{0.0};
+  Vec3 area_mm2{0.0};  // vector: along the normal into the void, as long as the triangle's area
+};
+
+/// Faces of one volume. The floor leans less than 45 degrees (dental.md 2.2) and lies where the target's floor is flat;
+/// a wall leans less than 45 degrees from the axis and lies above the rounded line angle, at most kWallReachMm off the
+/// target's outline. A wall faces away from the side that names it, by the nearer of the two directions.
+class CutFaces {
+ public:
+  /// Tens of milliseconds. A filled reading has steps for faces: it stays empty.
+  CutFaces(const Reference& reference, const Volume& volume);
+
+  const std::vector<CutFace>& of(FaceName name) const noexcept { return faces_[static_cast<std::size_t>(name)]; }
+  /// Without a tooth's number nobody knows where mesial is: the walls are then in of(), mirrored or not, but unnamed.
+  bool sides_known() const noexcept { return sides_known_; }
+
+ private:
+  std::array<std::vector<CutFace>, kFaceNames> faces_;
+  bool sides_known_ = false;
+};
+
+/// Further off the outline a cut is damage and no wall, mm [M].
+inline constexpr double kWallReachMm = 1.0;
+
+}  // namespace cusp::scenarios

@@ -1,0 +1,24 @@
+/// What is left of the tooth beside a preparation. Source: dental.md 2.2, row set A and class I ("marginal ridge").
+///
+/// ridge_mesial, ridge_distal (mm): least mesiodistal distance from the wall to the tooth's greatest proximal contour at
+/// the same buccolingual place, as a calliper held across the marginal ridge measures it.
+/// Needs: a tooth whose sides are known, a banded volume, the wall of that side.
+#pragma once
+
+#include <optional>
+
+#include "scenarios/metrics/cut_faces.h"
+
+namespace cusp::scenarios {
+
+struct RidgeThickness {
+  double mm = 0;
+  double uncertainty_mm = 0;  // 95 %: two places; half a voxel where a neighbour touches, for its border is known so
+  Vec3 wall_at_mm{0.0}, contour_at_mm{0.0};
+};
+
+/// Pre: `wall` is mesial_wall or distal_wall. nullopt where that wall was not cut.
+[[nodiscard]] std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference,
+                                                            const Volume& volume, FaceName wall);
+
+}  // namespace cusp::scenarios
