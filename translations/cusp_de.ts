@@ -896,10 +896,6 @@
         <translation>nicht bestanden</translation>
     </message>
     <message>
-        <source>Run a stored session again and grade it as it stands; an interrupted one keeps that grade</source>
-        <translation>Einen gespeicherten Versuch erneut rechnen und bewerten, wie er ist; ein unterbrochener behält diese Bewertung</translation>
-    </message>
-    <message>
         <source>Database</source>
         <translation>Datenbank</translation>
     </message>
@@ -1616,6 +1612,38 @@
     <message>
         <source>an attempt that meets the target loses points</source>
         <translation>ein Versuch, der das Ziel trifft, verliert Punkte</translation>
+    </message>
+    <message>
+        <source>Give a database and a session, or a scenario and --volume.</source>
+        <translation>Geben Sie eine Datenbank und einen Versuch an, oder eine Übung und --volume.</translation>
+    </message>
+    <message>
+        <source>Run a stored session again and grade it as it stands, or grade a volume; an interrupted session keeps its grade</source>
+        <translation>Einen gespeicherten Versuch erneut rechnen und bewerten, wie er ist, oder ein Volumen bewerten; ein unterbrochener Versuch behält seine Bewertung</translation>
+    </message>
+    <message>
+        <source>Database; with --volume a scenario.json, its folder, or a built-in one</source>
+        <translation>Datenbank; mit --volume eine scenario.json, ihr Ordner oder eine eingebaute</translation>
+    </message>
+    <message>
+        <source>Grade this prepared volume of the scenario&apos;s specimen (NRRD). Shown, not stored</source>
+        <translation>Dieses präparierte Volumen des Präparats der Übung bewerten (NRRD). Wird gezeigt, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 has voxels of %2 mm, the exercise’s specimen of %3 mm.</source>
+        <translation>%1 hat Voxel von %2 mm, das Präparat der Übung von %3 mm.</translation>
+    </message>
+    <message>
+        <source>The voxels of %1 lie between those of the exercise’s specimen: it is in another frame.</source>
+        <translation>Die Voxel von %1 liegen zwischen denen des Präparats der Übung: Das Koordinatensystem ist ein anderes.</translation>
+    </message>
+    <message>
+        <source>%1 is of another specimen: %2 mm³ of it stand where this exercise’s specimen has no tissue.</source>
+        <translation>%1 gehört zu einem anderen Präparat: %2 mm³ davon stehen, wo das Präparat dieser Übung kein Gewebe hat.</translation>
+    </message>
+    <message>
+        <source>In %1 more is cut than a volume of this exercise can keep.</source>
+        <translation>In %1 ist mehr abgetragen, als ein Volumen dieser Übung aufnehmen kann.</translation>
     </message>
 </context>
 <context>

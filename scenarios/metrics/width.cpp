@@ -14,6 +14,7 @@ constexpr double kWidestMm = 15.0;
 /// Distance from a wall level into the void to the next tissue, at most `at_most`; nullopt beyond.
 std::optional<double> across(SurfaceSearch& search, const Grid& grid, Vec3 from, Vec3 into, double at_most) {
   const double step = 0.5 * grid.voxel_mm;
+  if (!search.inside(from - grid.voxel_mm * into)) return std::nullopt;  // no tissue behind it: no wall
   // The first voxel and a half belong to the wall itself.
   for (double mm = 1.5 * grid.voxel_mm; mm <= at_most + step; mm += step) {
     const Vec3 p = from + mm * into;

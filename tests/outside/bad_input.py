@@ -118,6 +118,12 @@ def databases(desk):
         check(f.read() == before, "a newer database was touched")
     refused(desk, "unknown account", "history", desk.path("good.db"), "list", "--as", "nobody", CUSP_PASSWORD="wrong-password")
     refused(desk, "broken rubric", "grade", desk.path("good.db"), session, "--rubric", desk.path("text.db"), names=("text.db",))
+    check(desk.run("specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("coarse.nrrd"))[0] == 0, "a coarse block is grown")
+    refused(desk, "volume of other voxels", "grade", scenario, "--volume", desk.path("coarse.nrrd"), names=("0.500", "0.250"))
+    check(desk.run("specimen", "paper-block", "-o", desk.path("paper.nrrd"))[0] == 0, "the paper's block is made")
+    refused(desk, "volume of finer voxels", "grade", "channel-1", "--volume", desk.path("paper.nrrd"), names=("paper.nrrd",))
+    refused(desk, "no volume", "grade", scenario, "--volume", desk.path("text.db"))
+    refused(desk, "missing prepared volume", "grade", scenario, "--volume", desk.path("none.nrrd"), names=("none.nrrd",))
     refused(desk, "folder that is a file", "play", scenario, "--script", script, "--out", desk.path("text.db"), names=("text.db",))
     refused(desk, "volume into no folder", "specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("none", "b.nrrd"))
     refused(desk, "missing mesh", "import", desk.path("none.obj"), "--tissue", "a=dentine", "-o", desk.path("v.nrrd"),
@@ -128,7 +134,8 @@ def databases(desk):
 def usage(desk):
     for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
                       ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
-                      ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0")):
+                      ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0"),
+                      ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd")):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))

@@ -57,6 +57,21 @@ with Desk(sys.argv[1]) as desk:
         check(len(rows) == 2 and [row["go"] for row in rows] == [2, 1], f"two attempts, newest first: {rows}")
         check(desk.json("history", database, "verify")["intact"], "all chains are whole")
         check(integrity(database) == "ok", "the file is sound")
+    # The same tooth from a file: the same grade but for what only a session knows.
+    tooth = desk.path("tooth.nrrd")
+    check(desk.run("replay", database, session, "--volume", tooth)[0] == 0, "the tooth is written")
+    of_file = desk.json("grade", scenario, "--volume", tooth)
+    check(list(of_file) == FIELDS and of_file["scenario"]["hash"] == report["scenario"]["hash"], str(of_file))
+    for mine, theirs in zip(of_file["criteria"], report["criteria"], strict=True):
+        check(mine["id"] == theirs["id"], f"{mine['id']} stands where {theirs['id']} should")
+        if mine["measured"]:
+            check(abs(mine["value"] - theirs["value"]) <= max(theirs["uncertainty"], 1e-6), f"{mine} is not {theirs}")
+        else:
+            check(mine["id"] in ("time", "force_peak", "force_mean") or not theirs["measured"], str(mine))
+    status, out, err = desk.run("grade", scenario, "--volume", tooth, "--out", desk.path("of file"))
+    check(status == 0 and "points" in out and err == "", f"grade --volume: {status} {out} {err}")
+    with open(desk.path("of file", "report.json"), encoding="utf-8") as f:
+        check(json.load(f) == of_file, "report.json is what --json prints")
     # The same text in another language; JSON and statuses stay.
     english = desk.run("grade", database, session)[1]
     german = desk.run("grade", database, session, LC_ALL="de_DE.UTF-8", LC_MESSAGES="de_DE.UTF-8", LANG="de_DE.UTF-8")[1]

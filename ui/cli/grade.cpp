@@ -1,12 +1,10 @@
-// cusp grade DB SESSION [--rubric FILE]
+// cusp grade DB SESSION [--rubric FILE], cusp grade SCENARIO --volume FILE [--rubric FILE]
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "scenarios/format/read.h"
-#include "scenarios/format/write.h"
 #include "ui/cli/account.h"
+#include "ui/cli/grade_volume.h"
+#include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
@@ -20,39 +18,15 @@ namespace cusp::ui {
 namespace {
 
 struct GradeOptions {
-  std::string db, session, rubric, out;
+  std::string db, session, rubric, volume, out;
   AccountOption account;
   JsonOption json;
 };
 
-/// A scenario.json, or its "rubric" alone. That is checked as a part of the session's own scenario.
-Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& scenario) {
-  if (auto whole = read_scenario_file(file)) return whole->rubric;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (auto canonical = canonical_json(text); !canonical) {
-    FormatFailure failure = canonical.error();
-    failure.where = file + ':' + failure.where;
-    return std::unexpected(describe(failure));
-  }
-  const auto rubric = nlohmann::json::parse(text, nullptr, false);
-  if (rubric.is_object() && rubric.contains("format")) {
-    const auto whole = read_scenario_file(file);
-    return std::unexpected(describe(whole.error()));
-  }
-  auto with = nlohmann::json::parse(canonical_json(scenario));
-  with["rubric"] = rubric;
-  auto read = read_scenario(with.dump());
-  if (!read) {
-    FormatFailure failure = read.error();
-    failure.where = file + '#' + failure.where;
-    return std::unexpected(describe(failure));
-  }
-  return read->rubric;
-}
-
 int grade_verb(const GradeOptions& o) {
+  if (!o.volume.empty() && o.session.empty()) return grade_volume({o.db, o.volume, o.rubric, o.out}, o.json);
+  if (!o.volume.empty() || o.session.empty())
+    return wrong_usage(CliText::tr("Give a database and a session, or a scenario and --volume."));
   const auto id = SessionId::parse(o.session);
   if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   std::vector<std::filesystem::path> outputs;
@@ -91,13 +65,7 @@ int grade_verb(const GradeOptions& o) {
   }
   if (!o.json.write(nlohmann::ordered_json::parse(report_text(*result, store, *student)))) return kFailed;
   if (o.json.on_stdout()) return kDone;
-  const Grade& g = result->grade;
-  print_line(plain(CliText::tr("%1 of %2 points: %3")
-                .arg(g.score, 0, 'f', 1)
-                .arg(g.score_max, 0, 'f', 0)
-                .arg(g.passed ? CliText::tr("passed") : CliText::tr("not passed"))));
-  for (const std::string& critical : g.critical) print_line("! " + plain(critical_name(critical)));
-  print_criteria(g, {});
+  print_grade(result->grade);
   return kDone;
 }
 
@@ -106,9 +74,13 @@ int grade_verb(const GradeOptions& o) {
 void add_grade(CLI::App& program, Job& job) {
   auto o = std::make_shared<GradeOptions>();
   CLI::App* verb = program.add_subcommand(
-      "grade", help(CliText::tr("Run a stored session again and grade it as it stands; an interrupted one keeps that grade")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
-  verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
+      "grade", help(CliText::tr("Run a stored session again and grade it as it stands, or grade a volume; an interrupted session "
+                                "keeps its grade")));
+  verb->add_option("DB", o->db, help(CliText::tr("Database; with --volume a scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")));
+  verb->add_option("--volume", o->volume,
+                   help(CliText::tr("Grade this prepared volume of the scenario's specimen (NRRD). Shown, not stored")))
+      ->type_name("FILE");
   verb->add_option("--rubric", o->rubric,
                    help(CliText::tr("Another rubric: a scenario.json or its rubric alone. Shown, not stored")))
       ->type_name("FILE");

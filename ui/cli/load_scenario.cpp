@@ -1,7 +1,13 @@
 #include "ui/cli/load_scenario.h"
 
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
+#include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
@@ -23,6 +29,32 @@ Result<LoadedScenario, Message> load_scenario(const std::string& what) {
     out.folder = std::filesystem::is_directory(path) ? path : path.parent_path();
   }
   return out;
+}
+
+Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& scenario) {
+  if (auto whole = read_scenario_file(file)) return whole->rubric;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (auto canonical = canonical_json(text); !canonical) {
+    FormatFailure failure = canonical.error();
+    failure.where = file + ':' + failure.where;
+    return std::unexpected(describe(failure));
+  }
+  const auto rubric = nlohmann::json::parse(text, nullptr, false);
+  if (rubric.is_object() && rubric.contains("format")) {
+    const auto whole = read_scenario_file(file);
+    return std::unexpected(describe(whole.error()));
+  }
+  auto with = nlohmann::json::parse(canonical_json(scenario));
+  with["rubric"] = rubric;
+  auto read = read_scenario(with.dump());
+  if (!read) {
+    FormatFailure failure = read.error();
+    failure.where = file + '#' + failure.where;
+    return std::unexpected(describe(failure));
+  }
+  return read->rubric;
 }
 
 }  // namespace cusp::ui

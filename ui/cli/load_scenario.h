@@ -20,4 +20,7 @@ struct LoadedScenario {
 /// `cusp validate`.
 Result<LoadedScenario, Message> load_scenario(const std::string& what);
 
+/// --rubric FILE: a scenario.json, or its "rubric" alone. That is checked as a part of `scenario`.
+Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& scenario);
+
 }  // namespace cusp::ui

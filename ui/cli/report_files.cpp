@@ -62,6 +62,15 @@ void print_criteria(const Grade& grade, const std::string& indent) {
   }
 }
 
+void print_grade(const Grade& g) {
+  print_line(plain(CliText::tr("%1 of %2 points: %3")
+                .arg(g.score, 0, 'f', 1)
+                .arg(g.score_max, 0, 'f', 0)
+                .arg(g.passed ? CliText::tr("passed") : CliText::tr("not passed"))));
+  for (const std::string& critical : g.critical) print_line("! " + plain(critical_name(critical)));
+  print_criteria(g, {});
+}
+
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder) {
   return {folder / "report.json", folder / "report.pdf", folder / "tooth.png"};
 }

@@ -19,6 +19,9 @@ std::string report_text(const SessionResult& result, Store& store, const Account
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
 void print_criteria(const Grade& grade, const std::string& indent);
 
+/// Points and result on one line of stdout, then critical events and criteria.
+void print_grade(const Grade& grade);
+
 /// The names of those files.
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder);
 
