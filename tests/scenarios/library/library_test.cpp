@@ -151,9 +151,9 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
   // A change of any value is a new version: raise `version` in the file or in block_exercises.cpp, take the new hash from here.
   const std::pair<std::string_view, std::string_view> hashes[] = {
       {"channel-1", "52f195d13b730414064a9905a9734633fd0ac7326b65ee41b3e1875b0193f65d"},
-      {"class-1-36", "b102b495d4390c0615b90f5372ddf2e1b3033ba3c5d4060c9d4e99ec4a10e886"},
-      {"class-1-36-wet", "290b816cc18d02601d0cbfa02187b28455160ccbfbc23374537feb76d0c7f6c1"},
-      {"class-1-36-jaw", "8377af5fdd5c8ee3991b97fbc449f830148111e57e9da26577bd08f84fa35536"},
+      {"class-1-36", "56d220166baaac98dfc2c7a8641e9b2d1c3c3979d23ecd965b8de08c513c6aa5"},
+      {"class-1-36-wet", "48fe35df2775cdeabd10dd7b107112102021fedc756a8a34fff7e91d26f4c748"},
+      {"class-1-36-jaw", "62d5275594af5fcea37172622bd597f3b3a03281220856b8514687ba4429ae32"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
       {"channel-2", "be02e9086351af9c6700ff3e3317484c0a5e60692f6cc157434c8eb5144b96ae"},
       {"channel-3", "84f71a9fa5df073e7b6f91b172fc44e9d823937eb6f239afe1b538f9efc7e4ab"},
