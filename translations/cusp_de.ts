@@ -4515,10 +4515,6 @@
         <translation>Bestehensgrenze, von 100</translation>
     </message>
     <message>
-        <source>Bands of depth move with the target’s depth.</source>
-        <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels.</translation>
-    </message>
-    <message>
         <source>Bands of %1</source>
         <translation>Stufen von %1</translation>
     </message>
@@ -4577,6 +4573,10 @@
     <message>
         <source>Overheating the tooth fails the attempt</source>
         <translation>Zahn überhitzt: nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Bands of depth move with the target’s depth. Those offered for walls, floor, isthmus and ridges are not all verified.</source>
+        <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels. Die für Wände, Boden, Isthmus und Randleisten vorgeschlagenen sind nicht alle geprüft.</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/grading/default_bands.h"
 #include "scenarios/library/library.h"
 #include "ui/editor/form_parts.h"
 #include "ui/modules.h"
@@ -33,7 +34,8 @@ bool has_tissue(const Scenario& s, Tissue tissue) {
 
 }  // namespace
 
-Bands first_bands(const std::string& metric, const Target& target) {
+Bands first_bands(const std::string& metric, const Target& target, int fdi) {
+  if (const auto offered = default_bands(metric, fdi)) return offered->bands;
   for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
     const auto known = load_builtin(key);
     if (!known) continue;
@@ -77,7 +79,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   column->addLayout(adding);
   connect(add_, &QPushButton::clicked, this, [this] {
     const std::string metric = metric_->currentData().toString().toStdString();
-    if (!metric.empty()) model_.add_criterion(metric, first_bands(metric, model_.scenario().target));
+    if (!metric.empty()) model_.add_criterion(metric, first_bands(metric, model_.scenario().target, model_.scenario().specimen.fdi));
   });
   column->addSpacing(px(8));
   column->addWidget(make_rule());
@@ -90,7 +92,9 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
   connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", on); });
-  QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, Weight::regular, "text2");
+  QLabel* note = make_label(tr("Bands of depth move with the target’s depth. Those offered for walls, floor, isthmus and ridges "
+                               "are not all verified."),
+                             TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
   column->addStretch();

@@ -1,0 +1,159 @@
+// Single faults of a class I preparation, carved by analysis, against a rubric of the offered bands: each lowers its own
+// criterion, the more the larger it is. The preparation that meets the target has full points.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "scenarios/grading/default_bands.h"
+#include "scenarios/grading/grader.h"
+#include "scenarios/metrics/measure.h"
+#include "scenarios/shapes/distance.h"
+#include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr double kDepth = 1.8, kLength = 2.8, kWidth = 1.0;
+
+Target class_one_box() {
+  Target t;
+  t.shape = "box";
+  t.paths = {{Vec3(0, 0, -kDepth)}};
+  t.box_size_mm = {kLength, kWidth, 0};
+  t.depth_mm = kDepth;
+  t.corner_radius_mm = 0.3;
+  return t;
+}
+
+Scenario class_one_on_36() {
+  Scenario s;
+  s.specimen.generator = "tooth";
+  s.specimen.fdi = 36;
+  s.tissues = {{Tissue::enamel, 3, 0.5}};
+  s.instruments = {{}};
+  s.target = class_one_box();
+  s.rubric.criteria = {{"target_removed", 10, {80, 90, 97, 100, 100, 100}}, {"depth_mean", 10, {1.2, 1.5, 1.65, 1.95, 2.1, 2.6}}};
+  for (const char* metric : {"wall_angle_mesial", "wall_angle_distal", "wall_angle_buccal", "wall_angle_lingual",
+                             "convergence_mesiodistal", "convergence_buccolingual", "floor_flatness", "floor_tilt",
+                             "isthmus_width", "ridge_mesial", "ridge_distal"})
+    s.rubric.criteria.push_back({metric, 10, default_bands(metric, 36).value().bands});
+  return s;
+}
+
+using Shape = std::function<double(Vec3)>;
+
+double points_of(const Grade& grade, std::string_view metric) {
+  for (const CriterionGrade& c : grade.criteria)
+    if (c.id == metric) return c.measure.measured ? c.points : -1.0;
+  return -1.0;
+}
+
+class Faults : public testing::Test {
+ protected:
+  Grade grade_of(const Shape& shape) const {
+    Volume volume(specimen_);
+    carved::carve(volume, shape);
+    return grade(scenario_, measure(Reference(scenario_, specimen_), volume, {}));
+  }
+  /// Three sizes of one fault: its own criterion has fewer points each time.
+  void lowers(std::string_view metric, const std::array<Shape, 3>& shapes) const {
+    const Grade reference = grade_of([](Vec3 p) { return TargetShape(class_one_box()).distance_mm(p); });
+    EXPECT_NEAR(reference.score, 100.0, 1e-9);
+    double last = points_of(reference, metric);
+    for (const Shape& shape : shapes) {
+      const double points = points_of(grade_of(shape), metric);
+      EXPECT_GE(points, 0.0) << metric << " was not measured";
+      EXPECT_LT(points, last) << metric;
+      last = points;
+    }
+  }
+  static Shape of(const std::function<void(Target&)>& change) {
+    Target t = class_one_box();
+    change(t);
+    return [shape = TargetShape(t)](Vec3 p) { return shape.distance_mm(p); };
+  }
+
+ private:
+  static std::shared_ptr<const Specimen> block() {
+    Grid grid;
+    grid.size = IVec3(82, 58, 48);
+    grid.origin_mm = Vec3(-4.02, -2.83, -4.17);
+    return carved::specimen(
+        grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -1.9), Vec3(3.5, 2.3, 1.9)); },
+        [](Vec3) { return Tissue::enamel; });
+  }
+  Scenario scenario_ = class_one_on_36();
+  std::shared_ptr<const Specimen> specimen_ = block();
+};
+
+TEST_F(Faults, ATooDeepFloorLowersTheDepth) {
+  const auto deeper = [](double mm) { return of([mm](Target& t) { t.depth_mm += mm; }); };
+  lowers("depth_mean", {deeper(0.25), deeper(0.45), deeper(0.7)});
+}
+
+TEST_F(Faults, ATooShallowFloorLowersTheDepthAndTheTarget) {
+  const auto shallower = [](double mm) { return of([mm](Target& t) { t.depth_mm -= mm; }); };
+  lowers("depth_mean", {shallower(0.25), shallower(0.35), shallower(0.5)});
+  lowers("target_removed", {shallower(0.25), shallower(0.3), shallower(0.34)});
+}
+
+TEST_F(Faults, ATooWideCavityLowersTheIsthmus) {
+  const auto wider = [](double mm) { return of([mm](Target& t) { t.box_size_mm.y += mm; }); };
+  lowers("isthmus_width", {wider(0.35), wider(0.6), wider(0.9)});
+}
+
+TEST_F(Faults, ATiltedBuccalWallLowersItsAngle) {
+  const auto tilted = [](double deg) -> Shape {
+    const Shape wide = of([](Target& t) {
+      t.box_size_mm.y += 2.0;
+      t.paths[0][0].y += 1.0;
+    });
+    const double rise = std::sin(deg * std::numbers::pi / 180), run = std::cos(deg * std::numbers::pi / 180);
+    return [=](Vec3 p) { return std::max(wide(p), (p.y - 0.5 * kWidth) * run - (p.z + kDepth) * rise); };
+  };
+  lowers("wall_angle_buccal", {tilted(4), tilted(5.5), tilted(7)});
+}
+
+TEST_F(Faults, ARoughFloorLowersItsFlatness) {
+  const auto rough = [](double mm) -> Shape {
+    const Shape whole = of([](Target& t) { t.depth_mm += 0.6; });
+    // A wave of 1.8 mm: at 0.27 mm it leans 43 degrees, so that all of it is floor.
+    return [=](Vec3 p) {
+      return std::max(whole(p), (-kDepth + mm * std::cos(2 * std::numbers::pi * p.x / 1.8) - p.z) / 1.38);
+    };
+  };
+  lowers("floor_flatness", {rough(0.19), rough(0.23), rough(0.27)});
+}
+
+TEST_F(Faults, AThinMesialRidgeLowersItsThickness) {
+  const auto longer = [](double mm) {
+    return of([mm](Target& t) {
+      t.box_size_mm.x += mm;
+      t.paths[0][0].x += 0.5 * mm;
+    });
+  };
+  lowers("ridge_mesial", {longer(0.25), longer(0.45), longer(0.7)});
+}
+
+TEST_F(Faults, AnUntouchedToothHasNoPoints) {
+  EXPECT_EQ(grade_of([](Vec3) { return 1.0; }).score, 0.0);
+}
+
+TEST_F(Faults, AShaftOfATwentiethOfTheTargetEarnsATwentiethOfTheForm) {
+  const Shape shaft = of([](Target& t) {
+    t.box_size_mm.x = 0.05 * kLength * kWidth / 0.4;
+    t.box_size_mm.y = 0.4;
+    t.corner_radius_mm = 0.1;
+  });
+  const Grade g = grade_of(shaft);
+  EXPECT_FALSE(g.passed);
+  // Depth counts whole, however little was cut: the rule of evaluator 3.
+  EXPECT_LE(g.score - points_of(g, "depth_mean"), 5.0);
+}
+
+}  // namespace
+}  // namespace cusp::test
