@@ -28,9 +28,10 @@ class FaceSink final : public SolidSink {
     const Vec3 cross = 0.5 * glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double area = std::sqrt(glm::dot(cross, cross));
     if (!(area > 0.0)) return;
-    CutFace out{(corners[0] + corners[1] + corners[2]) / 3.0, cross * (mm2 / area)};
+    CutFace out{(corners[0] + corners[1] + corners[2]) / 3.0, cross * (mm2 / area), Vec3(0.0)};
     const FieldPoint cut = cells_.at(volume_, Field::cut, out.middle_mm);
     if (!cut.known) return;
+    out.normal = cut.normal;
     if (glm::dot(cut.normal, out.area_mm2) < 0.0) out.area_mm2 = -out.area_mm2;
     if (const auto name = name_of(out, mm2)) faces_[static_cast<std::size_t>(*name)].push_back(out);
   }

@@ -21,6 +21,7 @@ inline constexpr std::size_t kFaceNames = 5;
 struct CutFace {
   Vec3 middle_mm{0.0};
   Vec3 area_mm2{0.0};  // vector: along the normal into the void, as long as the triangle's area
+  Vec3 normal{0.0};    // of the cut field there: a sliver of a triangle has none of its own
 };
 
 /// Faces of one volume. The floor leans less than 45 degrees (dental.md 2.2) and lies where the target's floor is flat;

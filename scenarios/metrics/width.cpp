@@ -36,8 +36,10 @@ std::optional<Isthmus> isthmus(const CutFaces& faces, const Volume& volume, doub
   for (const FaceName wall :
        {FaceName::mesial_wall, FaceName::distal_wall, FaceName::buccal_wall, FaceName::lingual_wall})
     for (const CutFace& face : faces.of(wall)) {
-      const Vec3 level(face.area_mm2.x, face.area_mm2.y, 0.0);
-      const Vec3 into = level / std::sqrt(glm::dot(level, level));
+      const Vec3 level(face.normal.x, face.normal.y, 0.0);
+      const double length = std::sqrt(glm::dot(level, level));
+      if (!(length > 0.0)) continue;
+      const Vec3 into = level / length;
       const auto mm = across(search, volume.grid(), face.middle_mm, into, least);
       if (!mm || *mm >= least) continue;
       least = *mm;
