@@ -41,7 +41,7 @@ class CutField {
         }
   }
 
-  int foreign_voxels() const noexcept { return foreign_; }
+  std::size_t foreign_voxels() const noexcept { return foreign_; }
 
   /// Continues the field by one layer into voxels where base and file are the same, and the cut therefore no deeper.
   void continue_outwards() {
@@ -125,8 +125,19 @@ class CutField {
   std::vector<double> distance_;
   std::vector<std::uint8_t> known_;
   std::vector<IVec3> cut_;
-  int foreign_ = 0;
+  std::size_t foreign_ = 0;
 };
+
+/// Tissue of the file where the specimen's grid has no voxels.
+std::size_t voxels_outside(const Grid& grid, const VoxelVolume& prepared, IVec3 shift) {
+  std::size_t count = 0, i = 0;
+  IVec3 v;
+  for (v.z = 0; v.z < prepared.grid.size.z; ++v.z)
+    for (v.y = 0; v.y < prepared.grid.size.y; ++v.y)
+      for (v.x = 0; v.x < prepared.grid.size.x; ++v.x, ++i)
+        if (prepared.s[i] >= kHalf && !grid.contains(v - shift)) ++count;
+  return count;
+}
 
 }  // namespace
 
@@ -137,10 +148,14 @@ Result<Volume, Failure<RecoverError>> recover_cut(std::shared_ptr<const Specimen
   const Vec3 off = (grid.origin_mm - prepared.grid.origin_mm) / grid.voxel_mm;
   const Vec3 whole = glm::round(off);
   constexpr double kRoundingVoxels = 0.01;  // a file's decimals
-  if (glm::any(glm::greaterThan(glm::abs(off - whole), Vec3(kRoundingVoxels)))) return fail(RecoverError::other_frame, {});
-  CutField field(*specimen, prepared, IVec3(whole));
-  if (field.foreign_voxels() > kForeignVoxels) {
-    const double mm3 = field.foreign_voxels() * grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
+  if (!glm::all(glm::lessThanEqual(glm::abs(off - whole), Vec3(kRoundingVoxels)))) return fail(RecoverError::other_frame, {});
+  // Beyond this the grids have no voxel in common, and the number may be too large for an integer.
+  const Vec3 apart(grid.size + prepared.grid.size);
+  const IVec3 shift(glm::clamp(whole, -apart, apart));
+  CutField field(*specimen, prepared, shift);
+  const std::size_t foreign = field.foreign_voxels() + voxels_outside(grid, prepared, shift);
+  if (foreign > kForeignVoxels) {
+    const double mm3 = static_cast<double>(foreign) * grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
     return fail(RecoverError::other_tissue, {}, std::to_string(mm3));
   }
   if (specimen->reading() == Reading::banded)

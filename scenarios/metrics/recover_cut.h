@@ -1,6 +1,7 @@
 /// A prepared specimen from a volume file: which cuts left it. Not for the haptic thread; a second for a molar at 0.1 mm.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -19,7 +20,7 @@ enum class RecoverError : std::uint8_t {
 };
 
 /// Tissue beyond the specimen up to this is rounding of another program: a cube of three voxels.
-inline constexpr int kForeignVoxels = 27;
+inline constexpr std::size_t kForeignVoxels = 27;
 
 /// F = min(B, C) of the file gives the cut field C wherever it lies below the base B. Beside the mouth of a cut C is
 /// continued by four voxels along its own slope, which is exact for a plane; there the surface is not F's. Voxels

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenarios/metrics/measure.h"
@@ -99,6 +100,21 @@ TEST(RecoverCut, RefusesWhatIsNotOfTheSpecimen) {
   other = own;
   other.grid.origin_mm.x += 0.5;  // the block stands half a millimetre out of the specimen
   EXPECT_EQ(recover_cut(specimen, other).error().code, RecoverError::other_tissue);
+}
+
+TEST(RecoverCut, RefusesTissueOutsideTheSpecimensGrid) {
+  const auto specimen = bevelled_block();
+  const VoxelVolume own = Volume(specimen).dense();
+  const double own_mm3 = static_cast<double>(std::ranges::count_if(own.s, [](std::uint16_t s) { return s >= kHalf; })) * 1e-3;
+  // A metre beside it, and so far that the voxels between cannot be counted: all of the file's tissue is foreign.
+  for (const double off_mm : {-1e3, 1e3, 1e9, 1e300}) {
+    VoxelVolume other = own;
+    other.grid.origin_mm.x += off_mm;
+    const auto refused = recover_cut(specimen, other);
+    ASSERT_FALSE(refused) << off_mm;
+    EXPECT_EQ(refused.error().code, RecoverError::other_tissue) << off_mm;
+    EXPECT_NEAR(std::stod(refused.error().detail), own_mm3, 1e-6) << off_mm;  // six printed decimals
+  }
 }
 
 }  // namespace
