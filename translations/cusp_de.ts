@@ -1642,6 +1642,10 @@
         <translation>%1 gehört zu einem anderen Präparat: %2 mm³ davon stehen, wo das Präparat dieser Übung kein Gewebe hat.</translation>
     </message>
     <message>
+        <source>The surface of %1 is not that of the exercise’s specimen. A volume of labels knows it to half a voxel only: give one with distances, as cusp replay --volume writes it.</source>
+        <translation>Die Oberfläche von %1 ist nicht die des Präparats der Übung. Ein Volumen mit Kennwerten gibt sie nur auf ein halbes Voxel genau an: Geben Sie eines mit Abständen an, wie cusp replay --volume es schreibt.</translation>
+    </message>
+    <message>
         <source>In %1 more is cut than a volume of this exercise can keep.</source>
         <translation>In %1 ist mehr abgetragen, als ein Volumen dieser Übung aufnehmen kann.</translation>
     </message>

@@ -15,6 +15,9 @@ namespace {
 /// The band is 2.75 voxels wide: after four layers every voxel that a surface cell reads has its value.
 constexpr int kLayers = 4;
 
+/// No cut raises the surface. More than a place's uncertainty (README.md), and the file's surface is another one.
+constexpr double kSameSurfaceVoxels = 0.1;
+
 /// Beside a place deep in the void all is void, but only if no line that the surface is seen on says better.
 constexpr double kDeepBend = 0.5;
 
@@ -32,7 +35,9 @@ class CutField {
           const std::uint16_t now =
               prepared.grid.contains(there) ? prepared.s[prepared.grid.index(there)] : std::uint16_t{0};
           const std::uint16_t was = specimen.s(v);
-          if (now >= kHalf && was < kHalf && distance_from_solid(was) - distance_from_solid(now) > 0.5) ++foreign_;
+          const double raised = distance_from_solid(was) - distance_from_solid(now);
+          if (now >= kHalf && was < kHalf && raised > 0.5) ++foreign_;
+          if (!filled && raised > kSameSurfaceVoxels) ++raised_;
           if (now >= was) continue;
           const std::size_t i = grid_.index(v);
           known_[i] = 1;
@@ -42,6 +47,7 @@ class CutField {
   }
 
   std::size_t foreign_voxels() const noexcept { return foreign_; }
+  std::size_t raised_voxels() const noexcept { return raised_; }
 
   /// Continues the field by one layer into voxels where base and file are the same, and the cut therefore no deeper.
   void continue_outwards() {
@@ -125,7 +131,7 @@ class CutField {
   std::vector<double> distance_;
   std::vector<std::uint8_t> known_;
   std::vector<IVec3> cut_;
-  std::size_t foreign_ = 0;
+  std::size_t foreign_ = 0, raised_ = 0;
 };
 
 /// Tissue of the file where the specimen's grid has no voxels.
@@ -158,6 +164,7 @@ Result<Volume, Failure<RecoverError>> recover_cut(std::shared_ptr<const Specimen
     const double mm3 = static_cast<double>(foreign) * grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
     return fail(RecoverError::other_tissue, {}, std::to_string(mm3));
   }
+  if (field.raised_voxels() > kForeignVoxels) return fail(RecoverError::other_surface, {});
   if (specimen->reading() == Reading::banded)
     for (int layer = 0; layer < kLayers; ++layer) field.continue_outwards();
   Volume volume(std::move(specimen));

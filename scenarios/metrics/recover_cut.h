@@ -16,6 +16,7 @@ enum class RecoverError : std::uint8_t {
   other_voxel,    // edge of the voxels; detail: the file's, mm
   other_frame,    // voxels between those of the specimen
   other_tissue,   // tissue where the specimen has none; detail: mm3 of it
+  other_surface,  // the same tissue, but a surface that no cut explains: a label volume knows it to half a voxel
   too_much_cut,   // more bricks than a volume keeps
 };
 

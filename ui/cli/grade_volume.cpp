@@ -41,6 +41,11 @@ Message describe_mismatch(const Failure<RecoverError>& failure, const QString& f
       return {CliText::tr("%1 is of another specimen: %2 mm³ of it stand where this exercise’s specimen has no tissue.")
                   .arg(file, format_number(detail.toDouble(), 2)),
               {}};
+    case RecoverError::other_surface:
+      return {CliText::tr("The surface of %1 is not that of the exercise’s specimen. A volume of labels knows it to half a voxel only: "
+                          "give one with distances, as cusp replay --volume writes it.")
+                  .arg(file),
+              {}};
     case RecoverError::too_much_cut: break;
   }
   return {CliText::tr("In %1 more is cut than a volume of this exercise can keep.").arg(file), {}};

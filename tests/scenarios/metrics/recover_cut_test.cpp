@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/import/label_map.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
@@ -100,6 +101,18 @@ TEST(RecoverCut, RefusesWhatIsNotOfTheSpecimen) {
   other = own;
   other.grid.origin_mm.x += 0.5;  // the block stands half a millimetre out of the specimen
   EXPECT_EQ(recover_cut(specimen, other).error().code, RecoverError::other_tissue);
+}
+
+TEST(RecoverCut, RefusesASurfaceThatIsKnownToAVoxelOnly) {
+  const auto specimen = bevelled_block();
+  const VoxelVolume own = Volume(specimen).dense();
+  std::vector<Tissue> codes(own.s.size(), Tissue::empty);
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    if (own.s[i] >= kHalf) codes[i] = own.tissue[i];
+  const VoxelVolume labels = volume_of_labels(own.grid, codes);
+  EXPECT_EQ(recover_cut(specimen, labels).error().code, RecoverError::other_surface);
+  // A filled specimen has no finer surface.
+  EXPECT_TRUE(recover_cut(bevelled_block(Reading::filled), labels));
 }
 
 TEST(RecoverCut, RefusesTissueOutsideTheSpecimensGrid) {
