@@ -52,18 +52,39 @@ double points_of(const Grade& grade, std::string_view metric) {
   return -1.0;
 }
 
+/// The exercise and its block, made once for all faults.
+struct Exercise {
+  Scenario scenario = class_one_on_36();
+  std::shared_ptr<const Specimen> specimen = block();
+  Reference reference{scenario, specimen};
+  Grade ideal = grade_of([shape = TargetShape(class_one_box())](Vec3 p) { return shape.distance_mm(p); });
+
+  Grade grade_of(const Shape& shape) const {
+    Volume volume(specimen);
+    carved::carve(volume, shape);
+    return grade(scenario, measure(reference, volume, {}));
+  }
+  static std::shared_ptr<const Specimen> block() {
+    Grid grid;
+    grid.size = IVec3(82, 58, 48);
+    grid.origin_mm = Vec3(-4.02, -2.83, -4.17);
+    return carved::specimen(
+        grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -1.9), Vec3(3.5, 2.3, 1.9)); },
+        [](Vec3) { return Tissue::enamel; });
+  }
+};
+
 class Faults : public testing::Test {
  protected:
-  Grade grade_of(const Shape& shape) const {
-    Volume volume(specimen_);
-    carved::carve(volume, shape);
-    return grade(scenario_, measure(Reference(scenario_, specimen_), volume, {}));
+  static const Exercise& exercise() {
+    static const Exercise once;
+    return once;
   }
+  static Grade grade_of(const Shape& shape) { return exercise().grade_of(shape); }
   /// Three sizes of one fault: its own criterion has fewer points each time.
-  void lowers(std::string_view metric, const std::array<Shape, 3>& shapes) const {
-    const Grade reference = grade_of([](Vec3 p) { return TargetShape(class_one_box()).distance_mm(p); });
-    EXPECT_NEAR(reference.score, 100.0, 1e-9);
-    double last = points_of(reference, metric);
+  static void lowers(std::string_view metric, const std::array<Shape, 3>& shapes) {
+    EXPECT_NEAR(exercise().ideal.score, 100.0, 1e-9);
+    double last = points_of(exercise().ideal, metric);
     for (const Shape& shape : shapes) {
       const double points = points_of(grade_of(shape), metric);
       EXPECT_GE(points, 0.0) << metric << " was not measured";
@@ -76,18 +97,6 @@ class Faults : public testing::Test {
     change(t);
     return [shape = TargetShape(t)](Vec3 p) { return shape.distance_mm(p); };
   }
-
- private:
-  static std::shared_ptr<const Specimen> block() {
-    Grid grid;
-    grid.size = IVec3(82, 58, 48);
-    grid.origin_mm = Vec3(-4.02, -2.83, -4.17);
-    return carved::specimen(
-        grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -1.9), Vec3(3.5, 2.3, 1.9)); },
-        [](Vec3) { return Tissue::enamel; });
-  }
-  Scenario scenario_ = class_one_on_36();
-  std::shared_ptr<const Specimen> specimen_ = block();
 };
 
 TEST_F(Faults, ATooDeepFloorLowersTheDepth) {
