@@ -149,7 +149,9 @@ std::size_t voxels_outside(const Grid& grid, const VoxelVolume& prepared, IVec3 
 
 Result<Volume, Failure<RecoverError>> recover_cut(std::shared_ptr<const Specimen> specimen, const VoxelVolume& prepared) {
   const Grid& grid = specimen->grid();
-  if (std::fabs(prepared.grid.voxel_mm - grid.voxel_mm) > 1e-6)
+  // Over the 2048 voxels that a file may have along an edge this adds up to a fiftieth of one.
+  constexpr double kAlikeShare = 1e-5;
+  if (std::fabs(prepared.grid.voxel_mm - grid.voxel_mm) > kAlikeShare * grid.voxel_mm)
     return fail(RecoverError::other_voxel, {}, std::to_string(prepared.grid.voxel_mm));
   const Vec3 off = (grid.origin_mm - prepared.grid.origin_mm) / grid.voxel_mm;
   const Vec3 whole = glm::round(off);
