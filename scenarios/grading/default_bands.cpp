@@ -34,10 +34,10 @@ constexpr Bands kPremolarRidge{0.8, 1.2, 1.6, kNoEdgeMm, kNoEdgeMm, kNoEdgeMm};
 
 }  // namespace
 
-std::optional<DefaultBands> default_bands(std::string_view metric, int fdi) noexcept {
-  if (metric.starts_with("ridge_")) return DefaultBands{fdi % 10 >= 6 ? kMolarRidge : kPremolarRidge, false};
+std::optional<Bands> default_bands(std::string_view metric, int fdi) noexcept {
+  if (metric.starts_with("ridge_")) return fdi % 10 >= 6 ? kMolarRidge : kPremolarRidge;
   for (const DefaultRow& row : kRows)
-    if (row.metric == metric) return DefaultBands{row.bands, false};
+    if (row.metric == metric) return row.bands;
   return std::nullopt;
 }
 

@@ -8,13 +8,9 @@
 
 namespace cusp::scenarios {
 
-struct DefaultBands {
-  Bands bands;
-  bool verified = false;  // false: an edge is general knowledge, [M]; authors see that
-};
-
 /// For walls, floor, isthmus and ridges (scenarios/metrics/form.h); nullopt for any other metric. `fdi`: the tooth, 0 for
-/// none; a molar's ridge is wider than a premolar's. Sources: dental.md 2.2, row sets A and B.
-[[nodiscard]] std::optional<DefaultBands> default_bands(std::string_view metric, int fdi) noexcept;
+/// none; a molar's ridge is wider than a premolar's. Sources: dental.md 2.2, row sets A and B; each has an edge that is
+/// general knowledge, [M], and the editor says so.
+[[nodiscard]] std::optional<Bands> default_bands(std::string_view metric, int fdi) noexcept;
 
 }  // namespace cusp::scenarios

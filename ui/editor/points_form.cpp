@@ -35,7 +35,7 @@ bool has_tissue(const Scenario& s, Tissue tissue) {
 }  // namespace
 
 Bands first_bands(const std::string& metric, const Target& target, int fdi) {
-  if (const auto offered = default_bands(metric, fdi)) return offered->bands;
+  if (const auto offered = default_bands(metric, fdi)) return *offered;
   for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
     const auto known = load_builtin(key);
     if (!known) continue;

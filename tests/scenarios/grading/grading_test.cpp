@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/grading/bands.h"
+#include "scenarios/grading/default_bands.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/grading/report_json.h"
 #include "tests/modules.h"
@@ -250,6 +252,23 @@ TEST(Grade, FormAndRidgesOfASmallHoleAreNoMerit) {
   const Grade hole = grade(s, {value("target_removed", 4.85), value("wall_angle_buccal", 0), value("floor_flatness", 0),
                                value("isthmus_width", 1), value("ridge_mesial", 2)});
   EXPECT_DOUBLE_EQ(hole.score, 100.0 * 4 * 0.05 / 5);  // 5 % of each but the target's own, which earns none below 80 %
+}
+
+TEST(DefaultBands, AreOfferedForEachMeasurementOfFormAndRise) {
+  for (const char* metric : {"wall_angle_mesial", "wall_angle_distal", "wall_angle_buccal", "wall_angle_lingual",
+                             "convergence_mesiodistal", "convergence_buccolingual", "floor_flatness", "floor_tilt",
+                             "isthmus_width", "ridge_mesial", "ridge_distal"})
+    for (const int fdi : {0, 34, 36}) {
+      const std::optional<Bands> b = default_bands(metric, fdi);
+      ASSERT_TRUE(b) << metric;
+      const std::array edges = {b->fail_lo, b->acc_lo, b->ideal_lo, b->ideal_hi, b->acc_hi, b->fail_hi};
+      EXPECT_TRUE(std::ranges::is_sorted(edges)) << metric;
+    }
+  EXPECT_FALSE(default_bands("target_removed", 36));
+  EXPECT_FALSE(default_bands("", 0));
+  // dental.md 2.2, class I: at least 2.0 mm on a molar, 1.6 on a premolar.
+  EXPECT_EQ(default_bands("ridge_mesial", 36)->ideal_lo, 2.0);
+  EXPECT_EQ(default_bands("ridge_mesial", 34)->ideal_lo, 1.6);
 }
 
 TEST(Grade, PointsRiseWithTheShareAndNeverJump) {

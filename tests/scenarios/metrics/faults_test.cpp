@@ -40,7 +40,7 @@ Scenario class_one_on_36() {
   for (const char* metric : {"wall_angle_mesial", "wall_angle_distal", "wall_angle_buccal", "wall_angle_lingual",
                              "convergence_mesiodistal", "convergence_buccolingual", "floor_flatness", "floor_tilt",
                              "isthmus_width", "ridge_mesial", "ridge_distal"})
-    s.rubric.criteria.push_back({metric, 10, default_bands(metric, 36).value().bands});
+    s.rubric.criteria.push_back({metric, 10, default_bands(metric, 36).value()});
   return s;
 }
 
