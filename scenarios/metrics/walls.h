@@ -18,9 +18,10 @@ struct WallAngle {
   Vec3 at_mm{0.0};             // on the wall, nearest to its middle
 };
 
-/// The angle is that of the summed area vectors, which depends on the wall's edges alone and not on its roughness. The
-/// uncertainty is that of two places, one at either edge: sqrt(2) * point_sigma / height. nullopt where that is above
-/// kLeastCertainDeg, or no such wall was cut.
+/// The angle's rise is the sum of the area vectors' parts along the axis, in which a wall's roughness cancels; its run is
+/// the sum of their level lengths, so that a wall that bends round a corner counts whole. The uncertainty is that of two
+/// places, one at either edge: sqrt(2) * point_sigma / height. nullopt where that is above kLeastCertainDeg, or no such
+/// wall was cut.
 [[nodiscard]] std::optional<WallAngle> wall_angle(const CutFaces& faces, FaceName wall, double point_sigma_mm);
 
 /// An angle that is known no better is not measurable.
