@@ -1,6 +1,7 @@
 #include "scenarios/grading/grader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -15,12 +16,17 @@ const Measure* find(const std::vector<Measure>& measures, std::string_view metri
   return it == measures.end() ? nullptr : &*it;
 }
 
-/// Whether a tooth that nobody touched earns points here: the bur went nowhere it should not, because it went nowhere.
+/// Form is the bur's own after one plunge: its width, its taper, its level end (scenarios/metrics/form.h).
+bool is_of_form(std::string_view metric) {
+  constexpr std::array<std::string_view, 5> kForms = {"wall_angle_", "convergence_", "floor_", "isthmus_width", "ridge_"};
+  return std::ranges::any_of(kForms, [metric](std::string_view form) { return metric.starts_with(form); });
+}
+
+/// Whether a tooth that nobody touched, or touched once, earns points here: the bur went nowhere it should not, because it went nowhere.
 /// Of an untouched tooth depth, excess, push and time are 0, and the dentine over the pulp is whole.
 bool earned_by_doing_nothing(const Criterion& criterion) {
   const std::string_view metric = criterion.metric;
-  if (metric == "remaining_over_pulp" || metric.starts_with("ridge_")) return true;
-  if (metric == "isthmus_width") return true;  // a hole that one plunge of the bur made has its width
+  if (metric == "remaining_over_pulp" || is_of_form(metric)) return true;
   if (metric == "target_removed" || metric == "undercut") return false;
   return share_of_points(criterion.bands, 0.0) > 0.0;
 }

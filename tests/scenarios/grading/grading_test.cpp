@@ -246,12 +246,13 @@ TEST(Grade, FormAndRidgesOfASmallHoleAreNoMerit) {
   Scenario s;
   s.rubric.criteria = {{"target_removed", 10, kRemoved},
                        {"wall_angle_buccal", 10, {-12, -8, -3, 3, 8, 12}},
+                       {"wall_angle_lingual", 10, {1, 2, 3, 6, 8, 12}},  // no points at 0: a tapered bur's own
                        {"floor_flatness", 10, {0, 0, 0, 0.12, 0.25, 0.4}},
                        {"isthmus_width", 10, {0.6, 0.8, 0.9, 1.3, 1.6, 2}},
                        {"ridge_mesial", 10, {1, 1.2, 1.6, 100, 100, 100}}};
-  const Grade hole = grade(s, {value("target_removed", 4.85), value("wall_angle_buccal", 0), value("floor_flatness", 0),
-                               value("isthmus_width", 1), value("ridge_mesial", 2)});
-  EXPECT_DOUBLE_EQ(hole.score, 100.0 * 4 * 0.05 / 5);  // 5 % of each but the target's own, which earns none below 80 %
+  const Grade hole = grade(s, {value("target_removed", 4.85), value("wall_angle_buccal", 0), value("wall_angle_lingual", 4),
+                               value("floor_flatness", 0), value("isthmus_width", 1), value("ridge_mesial", 2)});
+  EXPECT_DOUBLE_EQ(hole.score, 100.0 * 5 * 0.05 / 6);  // 5 % of each but the target's own, which earns none below 80 %
 }
 
 TEST(DefaultBands, AreOfferedForEachMeasurementOfFormAndRise) {
