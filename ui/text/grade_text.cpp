@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/format/keys.h"
 #include "ui/text/names.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
@@ -49,15 +50,8 @@ QString metric_name(const std::string& m) {
 }
 
 QString metric_unit(const std::string& m) {
-  if (m == "target_removed") return u"%"_qs;
-  if (m.starts_with("overcut_") || m == "undercut" || m.starts_with("removed_")) return u"mm3"_qs;
-  if (m.starts_with("depth_") || m == "remaining_over_pulp") return u"mm"_qs;
-  if (m == "floor_flatness" || m == "isthmus_width" || m.starts_with("ridge_")) return u"mm"_qs;
-  if (m == "floor_tilt" || m.starts_with("wall_angle_") || m.starts_with("convergence_")) return u"deg"_qs;
-  if (m == "time" || m == "dry_cutting_time") return u"s"_qs;
-  if (m == "temperature_rise_peak") return u"K"_qs;
-  if (m.starts_with("force_")) return u"N"_qs;
-  return {};
+  const auto metric = scenarios::metric_from_key(m);
+  return metric ? QString::fromUtf8(metric->unit.data(), static_cast<qsizetype>(metric->unit.size())) : QString();
 }
 
 QString critical_name(const std::string& critical) {
