@@ -13,29 +13,15 @@
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
+#include "tests/scenarios/metrics/box_exercise.h"
 
 namespace cusp::test {
 namespace {
 
 constexpr double kDepth = 1.8, kLength = 2.8, kWidth = 1.0;
 
-Target class_one_box() {
-  Target t;
-  t.shape = "box";
-  t.paths = {{Vec3(0, 0, -kDepth)}};
-  t.box_size_mm = {kLength, kWidth, 0};
-  t.depth_mm = kDepth;
-  t.corner_radius_mm = 0.3;
-  return t;
-}
-
 Scenario class_one_on_36() {
-  Scenario s;
-  s.specimen.generator = "tooth";
-  s.specimen.fdi = 36;
-  s.tissues = {{Tissue::enamel, 3, 0.5}};
-  s.instruments = {{}};
-  s.target = class_one_box();
+  Scenario s = box_exercise_on_36({kLength, kWidth, kDepth}, {Tissue::enamel, 3, 0.5});
   s.rubric.criteria = {{"target_removed", 10, {80, 90, 97, 100, 100, 100}}, {"depth_mean", 10, {1.2, 1.5, 1.65, 1.95, 2.1, 2.6}}};
   for (const char* metric : {"wall_angle_mesial", "wall_angle_distal", "wall_angle_buccal", "wall_angle_lingual",
                              "convergence_mesiodistal", "convergence_buccolingual", "floor_flatness", "floor_tilt",
@@ -57,7 +43,7 @@ struct Exercise {
   Scenario scenario = class_one_on_36();
   std::shared_ptr<const Specimen> specimen = block();
   Reference reference{scenario, specimen};
-  Grade ideal = grade_of([shape = TargetShape(class_one_box())](Vec3 p) { return shape.distance_mm(p); });
+  Grade ideal = grade_of([shape = TargetShape(class_one_on_36().target)](Vec3 p) { return shape.distance_mm(p); });
 
   Grade grade_of(const Shape& shape) const {
     Volume volume(specimen);
@@ -93,7 +79,7 @@ class Faults : public testing::Test {
     }
   }
   static Shape of(const std::function<void(Target&)>& change) {
-    Target t = class_one_box();
+    Target t = class_one_on_36().target;
     change(t);
     return [shape = TargetShape(t)](Vec3 p) { return shape.distance_mm(p); };
   }

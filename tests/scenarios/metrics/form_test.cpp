@@ -20,6 +20,7 @@
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
+#include "tests/scenarios/metrics/box_exercise.h"
 
 namespace cusp::test {
 namespace {
@@ -113,19 +114,7 @@ Preparation random_preparation(Kind kind, std::mt19937_64& random) {
   return p;
 }
 
-Scenario exercise_on_36() {
-  Scenario s;
-  s.specimen.generator = "tooth";
-  s.specimen.fdi = 36;
-  s.tissues = {{Tissue::dentine, 2, 1.6}};
-  s.instruments = {{}};
-  s.target.shape = "box";
-  s.target.paths = {{Vec3(0, 0, -1.8)}};
-  s.target.box_size_mm = {2.2, 1.6, 0};
-  s.target.depth_mm = 1.8;
-  s.target.corner_radius_mm = kCorner;
-  return s;
-}
+Scenario exercise_on_36() { return box_exercise_on_36({2.2, 1.6, 1.8}, {Tissue::dentine, 2, 1.6}); }
 
 /// What each measurement has to come to. `low`: where the walls begin.
 std::map<std::string, double> truth_of(const Preparation& p, double low) {

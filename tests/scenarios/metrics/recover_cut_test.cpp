@@ -10,6 +10,7 @@
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
+#include "tests/scenarios/metrics/box_exercise.h"
 
 namespace cusp::test {
 namespace {
@@ -28,19 +29,7 @@ std::shared_ptr<const Specimen> bevelled_block(Reading reading = Reading::banded
   return carved::specimen(grid, reading, bevelled, [](Vec3) { return Tissue::dentine; });
 }
 
-Scenario exercise_on_block() {
-  Scenario s;
-  s.specimen.generator = "tooth";
-  s.specimen.fdi = 36;
-  s.tissues = {{Tissue::dentine, 2, 1.6}};
-  s.instruments = {{}};
-  s.target.shape = "box";
-  s.target.paths = {{Vec3(0, 0, -1.8)}};
-  s.target.box_size_mm = {3, 1.6, 0};
-  s.target.depth_mm = 1.8;
-  s.target.corner_radius_mm = 0.3;
-  return s;
-}
+Scenario exercise_on_block() { return box_exercise_on_36({3, 1.6, 1.8}, {Tissue::dentine, 2, 1.6}); }
 
 TEST(RecoverCut, GivesTheMeasuresOfTheVolumeThatTheFileHolds) {
   const Scenario scenario = exercise_on_block();

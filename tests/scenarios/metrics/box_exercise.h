@@ -1,0 +1,24 @@
+/// An exercise whose target is a box below z = 0 on tooth 36, for preparations carved by analysis.
+#pragma once
+
+#include "scenarios/format/scenario.h"
+#include "tests/modules.h"
+
+namespace cusp::test {
+
+/// size_mm: along x, along y, depth.
+inline Scenario box_exercise_on_36(Vec3 size_mm, ScenarioTissue tissue) {
+  Scenario s;
+  s.specimen.generator = "tooth";
+  s.specimen.fdi = 36;
+  s.tissues = {tissue};
+  s.instruments = {{}};
+  s.target.shape = "box";
+  s.target.paths = {{Vec3(0, 0, -size_mm.z)}};
+  s.target.box_size_mm = {size_mm.x, size_mm.y, 0};
+  s.target.depth_mm = size_mm.z;
+  s.target.corner_radius_mm = 0.3;
+  return s;
+}
+
+}  // namespace cusp::test
