@@ -24,6 +24,55 @@ QStringList cell_lines(const QString& text, const QFontMetrics& metrics, int wid
   return {text.left(end), metrics.elidedText(text.mid(end + 1), elide, width)};
 }
 
+namespace {
+
+/// The text of a cell, and the second one beside it.
+void draw_text(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, const QRect& cell) {
+  const Tokens& t = tokens();
+  const auto* view = qobject_cast<const QTableView*>(option.widget);
+  const bool rtl = option.direction == Qt::RightToLeft;
+  const QString text = index.data(Qt::DisplayRole).toString();
+  Qt::Alignment alignment(index.data(Qt::TextAlignmentRole).toInt());
+  if (!(alignment & Qt::AlignHorizontal_Mask)) alignment |= Qt::AlignLeading;
+  const bool right = alignment & Qt::AlignRight || alignment & Qt::AlignTrailing;
+  const Weight weight = index.data(BoldRole).toBool() ? Weight::bold : Weight::regular;
+  const QFont font = font_of(TextRole::body, weight);
+  const QColor ink = index.data(QuietRole).toBool() ? t.text3 : t.text;
+  const QString second = index.data(SecondRole).toString();
+  const QFontMetrics metrics(font), plain(font_of(TextRole::body));
+  const int gap = second.isEmpty() ? 0 : px(4);
+  const int second_width = second.isEmpty() ? 0 : plain.horizontalAdvance(second);
+  const int room = std::max(0, cell.width() - second_width - gap);
+  if (view && view->wordWrap() && second.isEmpty() && metrics.horizontalAdvance(text) > room) {
+    painter.setFont(font);
+    painter.setPen(ink);
+    const QStringList two = cell_lines(text, metrics, room, option.textElideMode);
+    int top = cell.center().y() + 1 - px(kLine) * static_cast<int>(two.size()) / 2;
+    for (const QString& line : two) {
+      painter.drawText(QRect(cell.left(), top, cell.width(), px(kLine)), static_cast<int>(alignment | Qt::TextDontClip), line);
+      top += px(kLine);
+    }
+    return;
+  }
+  const QString shown = metrics.elidedText(text, option.textElideMode, room);
+  const int first_width = metrics.horizontalAdvance(shown);
+  const bool at_right = right != rtl;
+  int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
+  painter.setLayoutDirection(Qt::LeftToRight);  // this function mirrors by itself
+  const auto draw = [&](const QString& part, const QFont& f, const QColor& colour, int width) {
+    painter.setFont(f);
+    painter.setPen(colour);
+    painter.drawText(QRect(x, cell.top(), width + px(2), cell.height()), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                      part);
+    x += width + gap;
+  };
+  // "7.5 mm ± 0.3" and "3 / 10" run from the left in every language.
+  draw(shown, font, ink, first_width);
+  if (!second.isEmpty()) draw(second, font_of(TextRole::body), t.text2, second_width);
+}
+
+}  // namespace
+
 void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const Tokens& t = tokens();
   painter->save();
@@ -68,44 +117,7 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     paint_bar(*painter, QRectF(x, cell.center().y() - px(3) + 0.5, width, px(6)), share.toDouble(),
               colour_of(static_cast<Bar::Role>(role.toInt())), t.sunken);
   }
-  Qt::Alignment alignment(index.data(Qt::TextAlignmentRole).toInt());
-  if (!(alignment & Qt::AlignHorizontal_Mask)) alignment |= Qt::AlignLeading;
-  const bool right = alignment & Qt::AlignRight || alignment & Qt::AlignTrailing;
-  const Weight weight = index.data(BoldRole).toBool() ? Weight::bold : Weight::regular;
-  const QFont font = font_of(TextRole::body, weight);
-  const QColor ink = index.data(QuietRole).toBool() ? t.text3 : t.text;
-  const QString second = index.data(SecondRole).toString();
-  const QFontMetrics metrics(font), plain(font_of(TextRole::body));
-  const int gap = second.isEmpty() ? 0 : px(4);
-  const int second_width = second.isEmpty() ? 0 : plain.horizontalAdvance(second);
-  const int room = std::max(0, cell.width() - second_width - gap);
-  if (view && view->wordWrap() && second.isEmpty() && metrics.horizontalAdvance(text) > room) {
-    painter->setFont(font);
-    painter->setPen(ink);
-    const QStringList two = cell_lines(text, metrics, room, option.textElideMode);
-    int top = cell.center().y() + 1 - px(kLine) * static_cast<int>(two.size()) / 2;
-    for (const QString& line : two) {
-      painter->drawText(QRect(cell.left(), top, cell.width(), px(kLine)), static_cast<int>(alignment | Qt::TextDontClip), line);
-      top += px(kLine);
-    }
-    painter->restore();
-    return;
-  }
-  const QString shown = metrics.elidedText(text, option.textElideMode, room);
-  const int first_width = metrics.horizontalAdvance(shown);
-  const bool at_right = right != rtl;
-  int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
-  painter->setLayoutDirection(Qt::LeftToRight);  // this function mirrors by itself
-  const auto draw = [&](const QString& part, const QFont& f, const QColor& colour, int width) {
-    painter->setFont(f);
-    painter->setPen(colour);
-    painter->drawText(QRect(x, cell.top(), width + px(2), cell.height()), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-                      part);
-    x += width + gap;
-  };
-  // "7.5 mm ± 0.3" and "3 / 10" run from the left in every language.
-  draw(shown, font, ink, first_width);
-  if (!second.isEmpty()) draw(second, font_of(TextRole::body), t.text2, second_width);
+  draw_text(*painter, option, index, cell);
   painter->restore();
 }
 
