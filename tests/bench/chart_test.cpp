@@ -67,6 +67,16 @@ void add_stability(Report& report) {
       }
 }
 
+void add_samples(Evidence& out) {
+  for (const std::string method : {"surface", "occupancy"})
+    for (const std::string task : {"displacement", "exploration", "perforation"})
+      for (int i = 1; i <= kSamplesATask; ++i) {
+        out.pace.samples.push_back({method, task, i * kSampleS, 1e5 + 1e3 * i});
+        const double t = i * kSampleS + (task == "exploration" ? 0.4 : task == "perforation" ? 0.8 : 0.0);
+        out.motion.samples.push_back({method, task, t, {t, -t, 1.0}, {0.125, 0.0, 0.5 * t}});
+      }
+}
+
 /// Made up, complete, and of second order above a floor of 0.001 degrees.
 Evidence made_up() {
   Evidence out;
@@ -121,13 +131,7 @@ Evidence made_up() {
     row.minutes = 2.0;
   }
   add_stability(out.stability);
-  for (const std::string method : {"surface", "occupancy"})
-    for (const std::string task : {"displacement", "exploration", "perforation"})
-      for (int i = 1; i <= kSamplesATask; ++i) {
-        out.pace.samples.push_back({method, task, i * kSampleS, 1e5 + 1e3 * i});
-        const double t = i * kSampleS + (task == "exploration" ? 0.4 : task == "perforation" ? 0.8 : 0.0);
-        out.motion.samples.push_back({method, task, t, {t, -t, 1.0}, {0.125, 0.0, 0.5 * t}});
-      }
+  add_samples(out);
   return out;
 }
 
