@@ -12,11 +12,13 @@
 #include "tests/bench/lanes.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/options.h"
-#include "tests/bench/random.h"
 #include "tests/bench/rows.h"
 #include "tests/bench/swept_surface.h"
+#include "tests/random.h"
 
 namespace cusp::bench {
+
+using test::Random;
 
 inline constexpr double kMillRadiusMm = 0.4, kMillSpeedMmS = 5.0;
 inline constexpr double kCavityVoxelMm = 10.0 / 128;

@@ -9,9 +9,11 @@
 #include "tests/bench/head_slot.h"
 #include "tests/bench/head_truth.h"
 #include "tests/bench/motions.h"
-#include "tests/bench/random.h"
+#include "tests/random.h"
 
 namespace cusp::bench {
+
+using test::Random;
 
 inline constexpr std::array<std::string_view, 5> kHeadShapes = {"face", "sphere", "edge", "corner", "slot"};
 inline constexpr std::array<std::string_view, 3> kAxisMotions = {"fixed", "turning", "jitter"};

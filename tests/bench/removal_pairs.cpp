@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tests/bench/random.h"
+#include "tests/random.h"
 
 namespace cusp::bench {
+
+using test::Random;
 
 std::vector<std::vector<int>> all_pairs(std::span<const int> levels, std::uint64_t seed) {
   const std::size_t factors = levels.size();

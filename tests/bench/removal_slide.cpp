@@ -8,14 +8,16 @@
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/pin.h"
-#include "tests/bench/random.h"
 #include "tests/bench/removal_paths.h"
 #include "tests/bench/tick_times.h"
 #include "tests/modules.h"
+#include "tests/random.h"
 
 namespace cusp::bench {
 
 namespace {
+
+using test::Random;
 
 constexpr double kCircleMm = 1.0;     // mm; radius of the circle
 constexpr double kSlidePressMm = 0.12;     // mm of the device point below the offset surface at the start

@@ -11,11 +11,13 @@
 #include <string_view>
 
 #include "engine/step/step.h"
-#include "tests/bench/random.h"
 #include "tests/bench/truth.h"
 #include "tests/modules.h"
+#include "tests/random.h"
 
 namespace cusp::bench {
+
+using test::Random;
 
 inline constexpr double kDepthMm = 0.3;  // of the device point below the offset surface
 

@@ -9,11 +9,13 @@
 
 #include "engine/tool/swept.h"
 #include "scenarios/burs/bur_catalogue.h"
-#include "tests/bench/random.h"
 #include "tests/modules.h"
+#include "tests/random.h"
 
 namespace cusp::bench {
 namespace {
+
+using test::Random;
 
 constexpr double kPi = std::numbers::pi;
 

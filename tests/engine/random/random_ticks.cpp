@@ -16,14 +16,12 @@
 #include <vector>
 
 #include "engine_sources.h"
-#include "tests/bench/random.h"
 #include "tests/engine/random/random_shards.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/random.h"
 
 namespace cusp::test {
 namespace {
-
-using bench::Random;
 
 constexpr int kVoxels = 64;
 constexpr double kVoxelMm = 0.1;

@@ -3,8 +3,9 @@
 
 #include <cstdint>
 
-namespace cusp::bench {
+namespace cusp::test {
 
+/// Any thread, one object each; the same seed gives the same numbers.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -21,4 +22,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace cusp::bench
+}  // namespace cusp::test
