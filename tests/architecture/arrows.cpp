@@ -19,6 +19,22 @@ std::string folder_of(std::string_view module, std::string_view path) {
   return slash == std::string_view::npos ? "." : std::string(rest.substr(0, slash));
 }
 
+/// The folder that a file lies in: "tests/engine/step" of "tests/engine/step/scenes.h".
+std::string parent_of(std::string_view path) { return std::string(path.substr(0, path.rfind('/'))); }
+
+/// The headers of `module` that a file includes, by their path from the root, `modules.h` left out.
+std::vector<std::string_view> headers_in(std::string_view text, std::string_view module) {
+  std::vector<std::string_view> out;
+  const std::string include = "#include \"" + std::string(module) + "/";
+  for (std::size_t at = text.find(include); at != std::string_view::npos; at = text.find(include, at + 1)) {
+    const std::size_t start = text.find('"', at) + 1, end = text.find('"', start);
+    if (end == std::string_view::npos) break;
+    const std::string_view header = text.substr(start, end - start);
+    if (!header.ends_with("/modules.h")) out.push_back(header);
+  }
+  return out;
+}
+
 /// Each folder includes only folders before it: an order of all folders is a proof that they form a DAG.
 const std::map<std::string, std::vector<std::string>> kOrders = {
     {"engine", {"base", "volume", "tool", "scene", "contact", "removal", "step", "loop", "mirror", "lab"}},
@@ -56,6 +72,34 @@ TEST(Arrows, AFolderThatNoOrderNamesIsFound) {
   EXPECT_EQ(against_order(arrows, {"base", "volume"}).size(), 1u);
 }
 
+std::string lines_of(const Arrows& arrows) {
+  std::string out;
+  for (const auto& [from, targets] : arrows) {
+    for (const std::string& to : targets) out += from + " includes " + to + "\n";
+  }
+  return out;
+}
+
+TEST(Arrows, OfTheTestsFoldersFormNoCycle) {
+  const Arrows arrows = arrows_of_all_folders("tests", sources_of("tests"));
+  EXPECT_GT(arrows.size(), 40u);
+  EXPECT_EQ(lines_of(cycles_of(arrows)), "");
+}
+
+TEST(Arrows, APlantedCycleOfTestsFoldersIsFound) {
+  std::vector<SourceText> files = sources_of("tests");
+  files.push_back({"tests/engine/volume/planted.h", "#include \"tests/bench/planted.h\"\n"});
+  const std::string found = lines_of(cycles_of(arrows_of_all_folders("tests", files)));
+  for (const char* arrow : {"tests/engine/volume includes tests/bench\n", "tests/bench includes tests/engine/volume\n"}) {
+    EXPECT_NE(found.find(arrow), std::string::npos) << found;
+  }
+}
+
+TEST(Arrows, AChainOfFoldersIsNoCycle) {
+  EXPECT_TRUE(cycles_of({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {"d"}}, {"d", {}}}).empty());
+  EXPECT_EQ(cycles_of({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b", "d"}}, {"d", {}}}).size(), 3u);
+}
+
 }  // namespace
 
 std::vector<SourceText> sources_of(const std::string& module) {
@@ -73,21 +117,35 @@ std::vector<SourceText> sources_of(const std::string& module) {
 
 Arrows arrows_of(std::string_view module, const std::vector<SourceText>& files) {
   Arrows out;
-  const std::string include = "#include \"" + std::string(module) + "/";
   for (const SourceText& file : files) {
     if (file.path.ends_with("/modules.h")) continue;
     const std::string from = folder_of(module, file.path);
     std::set<std::string>& to = out[from];
-    for (std::size_t at = file.text.find(include); at != std::string::npos; at = file.text.find(include, at + 1)) {
-      const std::size_t start = at + include.size() - module.size() - 1, end = file.text.find('"', start);
-      if (end == std::string::npos) break;
-      const std::string header = file.text.substr(start, end - start);
-      if (header.ends_with("/modules.h")) continue;
-      const std::string folder = folder_of(module, header);
-      if (folder != from) to.insert(folder);
-    }
+    for (const std::string_view header : headers_in(file.text, module)) to.insert(folder_of(module, header));
+    to.erase(from);
   }
   return out;
+}
+
+Arrows arrows_of_all_folders(std::string_view module, const std::vector<SourceText>& files) {
+  Arrows out;
+  for (const SourceText& file : files) {
+    const std::string from = parent_of(file.path);
+    std::set<std::string>& to = out[from];
+    for (const std::string_view header : headers_in(file.text, module)) to.insert(parent_of(header));
+    to.erase(from);
+  }
+  return out;
+}
+
+Arrows cycles_of(Arrows arrows) {
+  const auto leads_nowhere = [](const auto& folder) { return folder.second.empty(); };
+  for (auto at = std::ranges::find_if(arrows, leads_nowhere); at != arrows.end(); at = std::ranges::find_if(arrows, leads_nowhere)) {
+    const std::string name = at->first;
+    arrows.erase(at);
+    for (auto& [from, to] : arrows) to.erase(name);
+  }
+  return arrows;
 }
 
 std::vector<std::string> against_order(const Arrows& arrows, const std::vector<std::string>& order) {

@@ -23,6 +23,12 @@ std::vector<SourceText> sources_of(const std::string& module);
 /// The arrows of `module` ("engine") in `files`; `modules.h` is left out, for it includes nothing.
 Arrows arrows_of(std::string_view module, const std::vector<SourceText>& files);
 
+/// The arrows between all folders below `module`, each by its path from the root: "tests/engine/step".
+Arrows arrows_of_all_folders(std::string_view module, const std::vector<SourceText>& files);
+
+/// What is left of `arrows` without the folders from which no cycle is reached. Pre: each target is a folder of `arrows`.
+Arrows cycles_of(Arrows arrows);
+
 /// One sentence for each arrow that leads to a folder not before its own in `order`, or from or to one that is not there.
 std::vector<std::string> against_order(const Arrows& arrows, const std::vector<std::string>& order);
 
