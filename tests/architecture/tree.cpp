@@ -115,6 +115,19 @@ TEST(Tree, IsLicensedUnderGpl3OrLater) {
   EXPECT_GT(text.size(), 30000u);
 }
 
+TEST(Tree, SetsTheTimeLimitOfATestInOnePlace) {
+  int limits = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests")) {
+    if (entry.path().filename() != "CMakeLists.txt") continue;
+    const std::string text = text_of(entry.path());
+    for (std::size_t at = text.find("PROPERTIES TIMEOUT"); at != std::string::npos; at = text.find("PROPERTIES TIMEOUT", at + 1)) {
+      ++limits;
+      EXPECT_EQ(entry.path(), kRoot / "tests/CMakeLists.txt") << "cusp_time_limit() has the factor for a busy machine";
+    }
+  }
+  EXPECT_EQ(limits, 1);
+}
+
 TEST(Tree, LeavesNothingUnfinishedInTheCode) {
   const std::string words[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X"};
   for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui", "tests"})) {
