@@ -108,6 +108,17 @@ TEST(Tree, EveryModuleSaysWhatLivesInIt) {
   }
 }
 
+TEST(Tree, EveryFolderOfAModuleHasAReadme) {
+  for (const char* module : {"ui", "engine", "device", "scenarios", "storage"}) {
+    std::set<fs::path> folders;
+    for (const fs::path& source : sources({module})) folders.insert(source.parent_path());
+    for (const fs::path& folder : folders) {
+      EXPECT_NE(text_of(folder / "README.md").find("ay not enter"), std::string::npos)
+          << folder << " has no README that says what may not enter";
+    }
+  }
+}
+
 TEST(Tree, IsLicensedUnderGpl3OrLater) {
   const std::string text = text_of(kRoot / "LICENSE");
   EXPECT_NE(text.find("GNU GENERAL PUBLIC LICENSE"), std::string::npos);
