@@ -17,7 +17,12 @@ Matrix times(const Matrix& a, const Matrix& b) {
   return out;
 }
 
-Matrix motion(double mass, double damping, double stiffness, double seconds) {
+struct MassOnSpring {
+  double mass, damping, stiffness;  // in N, mm and s
+};
+
+Matrix motion(const MassOnSpring& of, double seconds) {
+  const auto [mass, damping, stiffness] = of;
   // Scaled, so that the series is short and exact for a light, well damped mass.
   constexpr int kHalvings = 6, kTerms = 14;
   const double t = seconds / (1 << kHalvings);
@@ -44,11 +49,11 @@ double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
 
 }  // namespace
 
-DeviceSettings falcon(double mass_kg, double damping_ns_per_m, double friction_n) noexcept {
+DeviceSettings falcon(const MovingMass& moving) noexcept {
   DeviceSettings out;
-  out.mass_kg = mass_kg;
-  out.damping_ns_per_m = damping_ns_per_m;
-  out.friction_n = friction_n;
+  out.mass_kg = moving.mass_kg;
+  out.damping_ns_per_m = moving.damping_ns_per_m;
+  out.friction_n = moving.friction_n;
   out.encoder_step_mm = 0.049;
   out.force_quantum_n = 16.2 / 4095.0;
   out.limit_n = 6.1;
@@ -66,7 +71,7 @@ Plant::Plant(const DeviceSettings& device, const Grip& grip, Vec3 start_mm)
   // kg = N s2/m = 1e-3 N s2/mm; N s/m = 1e-3 N s/mm.
   const double mass = mass_kg_ * 1e-3, damping = device.damping_ns_per_m * 1e-3 + grip_ns_per_mm_;
   for (std::size_t n = 1; n < flows_.size(); ++n) {
-    const Matrix m = motion(mass, damping, grip_n_per_mm_, static_cast<double>(n) * kSliceUs * 1e-6);
+    const Matrix m = motion({mass, damping, grip_n_per_mm_}, static_cast<double>(n) * kSliceUs * 1e-6);
     flows_[n] = {m[0][0], m[0][1], m[0][2], m[0][3], m[1][0], m[1][1], m[1][2], m[1][3]};
   }
 }

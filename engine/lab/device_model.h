@@ -27,10 +27,16 @@ struct DeviceSettings {
   Vec3 weight_n{0.0};              // of the grip, where nothing compensates it
 };
 
+/// What no source gives of a device: the caller sweeps it [M].
+struct MovingMass {
+  double mass_kg = 0.1;           // (0, 10]
+  double damping_ns_per_m = 2.0;  // viscous, >= 0
+  double friction_n = 0.0;        // Coulomb, >= 0
+};
+
 /// Novint Falcon, at the middle of its workspace (0.125 m), in the worst direction: encoder 0.049 mm, force
-/// quantum 16.2 N / 4095, limit 6.1 N. All are computed from the published mechanism and constants. Its moving mass,
-/// damping and friction are not known: the caller sweeps them [M].
-DeviceSettings falcon(double mass_kg, double damping_ns_per_m, double friction_n) noexcept;
+/// quantum 16.2 N / 4095, limit 6.1 N. All are computed from the published mechanism and constants.
+DeviceSettings falcon(const MovingMass& moving) noexcept;
 
 class Plant {
  public:

@@ -23,7 +23,13 @@ struct Held {
   double n1 = 0, n0 = 0, d1 = 0, d0 = 0;
 };
 
-Held held(double mass, double damping, double stiffness, double tick) {
+/// SI units.
+struct Oscillator {
+  double mass, damping, stiffness;
+};
+
+Held held(const Oscillator& of, double tick) {
+  const auto [mass, damping, stiffness] = of;
   using Complex = std::complex<double>;
   Held out;
   if (stiffness <= 0.0) {
@@ -61,7 +67,7 @@ Held held(double mass, double damping, double stiffness, double tick) {
 Polynomial characteristic(const SampledWall& wall) {
   const double mass = wall.mass_kg + (wall.grip.holds() ? wall.grip.mass_kg : 0.0);
   const double damping = wall.damping_ns_per_m + (wall.grip.holds() ? wall.grip.damping_ns_per_m : 0.0);
-  const Held h = held(mass, damping, wall.grip.stiffness_n_per_mm * 1000.0, wall.tick_s);  // SI
+  const Held h = held({mass, damping, wall.grip.stiffness_n_per_mm * 1000.0}, wall.tick_s);
   const double k = wall.stiffness_n_per_mm * 1000.0, b = wall.virtual_damping_ns_per_m / wall.tick_s;
   const auto delay = static_cast<std::size_t>(std::clamp(wall.delay_ticks, 0, kMostDelay));
   Polynomial p;
@@ -139,14 +145,13 @@ double critical_stiffness_n_per_mm(SampledWall wall) noexcept {
   return low;
 }
 
-double colgate_bound_n_per_mm(double damping_ns_per_m, double virtual_damping_ns_per_m, double tick_s) noexcept {
-  return std::max(0.0, 2.0 * (damping_ns_per_m - std::fabs(virtual_damping_ns_per_m)) / tick_s * 1e-3);
+double colgate_bound_n_per_mm(const SampledWall& wall) noexcept {
+  return std::max(0.0, 2.0 * (wall.damping_ns_per_m - std::fabs(wall.virtual_damping_ns_per_m)) / wall.tick_s * 1e-3);
 }
 
-double abbott_okamura_bound_n_per_mm(double damping_ns_per_m, double friction_n, double encoder_step_mm,
-                                     double tick_s) noexcept {
-  const double viscous = 2.0 * damping_ns_per_m / tick_s * 1e-3;
-  return encoder_step_mm > 0.0 ? std::min(viscous, 2.0 * friction_n / encoder_step_mm) : viscous;
+double abbott_okamura_bound_n_per_mm(const DeviceSettings& device, double tick_s) noexcept {
+  const double viscous = 2.0 * device.damping_ns_per_m / tick_s * 1e-3;
+  return device.encoder_step_mm > 0.0 ? std::min(viscous, 2.0 * device.friction_n / device.encoder_step_mm) : viscous;
 }
 
 }  // namespace cusp::engine::lab

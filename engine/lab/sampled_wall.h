@@ -2,6 +2,7 @@
 /// against both. Linear: no encoder, no friction, the wall acts in both directions.
 #pragma once
 
+#include "engine/lab/device_model.h"
 #include "engine/lab/grip.h"
 
 namespace cusp::engine::lab {
@@ -29,13 +30,12 @@ double critical_stiffness_n_per_mm(SampledWall wall) noexcept;
 /// Systems 14(1), 1997: passive when b > K T / 2 + |B|. The stiffness at which that ends, N/mm; never below 0.
 /// Sufficient for a stable touch by any passive hand, not necessary for one hand: the limit of stability may be far
 /// above.
-double colgate_bound_n_per_mm(double damping_ns_per_m, double virtual_damping_ns_per_m, double tick_s) noexcept;
+double colgate_bound_n_per_mm(const SampledWall& wall) noexcept;
 
 /// Abbott and Okamura, "Effects of position quantization and sampling rate on virtual-wall passivity", IEEE Trans.
 /// Robotics 21(5), 2005: a wall without virtual damping, read by an encoder, is passive when
 /// K <= min(2 b / T, 2 f_c / encoder step). N/mm. Sufficient for stability, as above; 0 without friction on a device
 /// with encoders.
-double abbott_okamura_bound_n_per_mm(double damping_ns_per_m, double friction_n, double encoder_step_mm,
-                                     double tick_s) noexcept;
+double abbott_okamura_bound_n_per_mm(const DeviceSettings& device, double tick_s) noexcept;
 
 }  // namespace cusp::engine::lab

@@ -43,14 +43,14 @@ std::shared_ptr<Scene> stability_scene(const Shape& shape, Method method, double
   for (TissueFeel& feel : scene->tissues) feel = {kStabilityNPerMm, 1.0};
   scene->guard = guard == GuardUse::on ? GuardSettings{} : unguarded();
   if (guard == GuardUse::on) {
-    scene->guard.limit_n = lab::falcon(0.1, 2.0, 0.0).limit_n;
+    scene->guard.limit_n = lab::falcon({}).limit_n;
     scene->guard.delay_ms = delay_ms;
   }
   return scene;
 }
 
 lab::DeviceSettings Setting::device() const {
-  lab::DeviceSettings out = lab::falcon(mass_kg, damping_ns_per_m, friction_n);
+  lab::DeviceSettings out = lab::falcon({mass_kg, damping_ns_per_m, friction_n});
   if (weighs) out.weight_n = Vec3(0.0, 0.0, -kGravity * mass_kg);
   return out;
 }

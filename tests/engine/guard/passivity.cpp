@@ -53,7 +53,7 @@ struct Ring {
 /// A hand holds still where it would press with 1 N; the device begins at rest on the wall and is released.
 Ring held_still(double k_n_per_mm, const lab::Grip& grip, double delay_ms, double damping,
                 const GuardSettings& settings) {
-  const lab::DeviceSettings device = lab::falcon(0.1, damping, 0.0);
+  const lab::DeviceSettings device = lab::falcon({.damping_ns_per_m = damping});
   lab::TransportSettings transport;
   transport.delay_ms = delay_ms;
   const Vec3 start(0.0, 0.0, 0.05);

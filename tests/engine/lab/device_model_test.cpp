@@ -169,7 +169,7 @@ TEST(Plant, goes_where_it_is_driven_whatever_pulls) {
 TEST(Falcon, figures_are_those_of_its_published_mechanism) {
   // Middle of the workspace: 0.049 mm a count sideways, 16.2 N at 4095 counts along the axis, 6.1 N in the worst
   // direction.
-  const DeviceSettings s = falcon(0.25, 5.0, 0.1);
+  const DeviceSettings s = falcon({.mass_kg = 0.25, .damping_ns_per_m = 5.0, .friction_n = 0.1});
   EXPECT_NEAR(s.encoder_step_mm, 0.049, 1e-12);
   EXPECT_NEAR(s.force_quantum_n, 0.003956, 1e-6);
   EXPECT_NEAR(s.limit_n, 6.1, 1e-12);

@@ -120,22 +120,29 @@ TEST(Colgate, bound_lies_below_where_a_wall_rings_because_it_is_only_sufficient)
       SampledWall w;
       w.mass_kg = mass;
       w.damping_ns_per_m = b;
-      const double passive = colgate_bound_n_per_mm(b, 0.0, 0.001), rings_at = critical_stiffness_n_per_mm(w);
+      const double passive = colgate_bound_n_per_mm({.damping_ns_per_m = b}), rings_at = critical_stiffness_n_per_mm(w);
       EXPECT_LE(passive, rings_at);
       EXPECT_NEAR(passive, b * 2.0, 1e-12);  // 2 b / T: 1 N/mm for each 0.5 N s/m
       w.grip = kFirmGrip;                    // a hand adds damping, which the bound does not count
       EXPECT_LE(2.0 * passive, 2.0 * critical_stiffness_n_per_mm(w));
     }
-  EXPECT_NEAR(colgate_bound_n_per_mm(2.0, 0.5, 0.001), 3.0, 1e-12);  // b - |B|
-  EXPECT_NEAR(colgate_bound_n_per_mm(2.0, -0.5, 0.001), 3.0, 1e-12);
-  EXPECT_EQ(colgate_bound_n_per_mm(0.5, 2.0, 0.001), 0.0);
+  EXPECT_NEAR(colgate_bound_n_per_mm({.damping_ns_per_m = 2.0, .virtual_damping_ns_per_m = 0.5}), 3.0, 1e-12);  // b - |B|
+  EXPECT_NEAR(colgate_bound_n_per_mm({.damping_ns_per_m = 2.0, .virtual_damping_ns_per_m = -0.5}), 3.0, 1e-12);
+  EXPECT_EQ(colgate_bound_n_per_mm({.damping_ns_per_m = 0.5, .virtual_damping_ns_per_m = 2.0}), 0.0);
 }
 
 TEST(AbbottOkamura, bound_is_the_lesser_of_damping_and_friction) {
-  EXPECT_NEAR(abbott_okamura_bound_n_per_mm(5.0, 0.1, 0.05, 0.001), 4.0, 1e-12);  // 2 x 0.1 N / 0.05 mm
-  EXPECT_NEAR(abbott_okamura_bound_n_per_mm(0.5, 0.1, 0.05, 0.001), 1.0, 1e-12);  // 2 x 0.5 / 0.001 s
-  EXPECT_EQ(abbott_okamura_bound_n_per_mm(5.0, 0.0, 0.05, 0.001), 0.0);           // no friction: it chatters
-  EXPECT_NEAR(abbott_okamura_bound_n_per_mm(2.0, 0.0, 0.0, 0.001), 4.0, 1e-12);   // no encoder: Colgate's
+  DeviceSettings device;
+  device.encoder_step_mm = 0.05;
+  device.damping_ns_per_m = 5.0;
+  EXPECT_EQ(abbott_okamura_bound_n_per_mm(device, 0.001), 0.0);  // no friction: it chatters
+  device.friction_n = 0.1;
+  EXPECT_NEAR(abbott_okamura_bound_n_per_mm(device, 0.001), 4.0, 1e-12);  // 2 x 0.1 N / 0.05 mm
+  device.damping_ns_per_m = 0.5;
+  EXPECT_NEAR(abbott_okamura_bound_n_per_mm(device, 0.001), 1.0, 1e-12);  // 2 x 0.5 / 0.001 s
+  device.encoder_step_mm = 0.0;
+  device.damping_ns_per_m = 2.0;
+  EXPECT_NEAR(abbott_okamura_bound_n_per_mm(device, 0.001), 4.0, 1e-12);  // no encoder: Colgate's
 }
 
 TEST(AbbottOkamura, a_wall_within_the_bound_rests_on_an_encoder_and_one_far_above_it_does_not) {
@@ -143,7 +150,7 @@ TEST(AbbottOkamura, a_wall_within_the_bound_rests_on_an_encoder_and_one_far_abov
   s.mass_kg = 0.1;
   s.damping_ns_per_m = 5.0;
   s.friction_n = 0.1;
-  const double k = abbott_okamura_bound_n_per_mm(5.0, 0.1, s.encoder_step_mm, 0.001);
+  const double k = abbott_okamura_bound_n_per_mm(s, 0.001);
   const auto peak_to_peak = [&](double stiffness) {
     ClosedLoop loop(s, {}, kNoGrip, Vec3(0.0), Vec3(0.37));
     loop.plant().place(Vec3(0.0), Vec3(-50.0, 0.0, 0.0));

@@ -188,7 +188,7 @@ Held held_on(const Phenomena& phenomena, const lab::Grip& grip, double k_n_per_m
   StepState state(scene);
   lab::TransportSettings transport;
   transport.delay_ms = 1.0;
-  lab::ClosedLoop loop(lab::falcon(0.1, 2.0, 0.0), transport, grip, Vec3(0.0, 0.0, 2.05));
+  lab::ClosedLoop loop(lab::falcon({}), transport, grip, Vec3(0.0, 0.0, 2.05));
   loop.plant().intend(Vec3(0.0, 0.0, 2.0 - 1.0 / k_n_per_mm - 1.0 / grip.stiffness_n_per_mm), Vec3(0.0));
   lab::ContactEnergy energy;
   lab::Steadiness steady;
