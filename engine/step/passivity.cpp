@@ -25,8 +25,13 @@ constexpr double kNoiseMjPerMs = 5e-6;
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// Energy of a spring that gives no more than `most_n` (mJ).
-double stored_mj(double k_n_per_mm, double stretch_mm, double most_n) noexcept {
+/// A spring whose force is limited.
+struct LimitedSpring {
+  double k_n_per_mm, most_n;
+};
+
+double stored_mj(const LimitedSpring& spring, double stretch_mm) noexcept {
+  const auto [k_n_per_mm, most_n] = spring;
   if (!(k_n_per_mm > 0.0)) return 0.0;
   const double bend = most_n / k_n_per_mm;
   return stretch_mm <= bend ? 0.5 * k_n_per_mm * stretch_mm * stretch_mm : most_n * (stretch_mm - 0.5 * bend);
@@ -75,10 +80,10 @@ Motion follow(const GuardSettings& settings, PassivityState& state, const GuardT
 double account(const GuardSettings& settings, PassivityState& state, const Motion& motion, double dt_ms) noexcept {
   const double most = force_limit_n(settings);
   const double k = state.stiffness_n_per_mm;
-  const double stored = stored_mj(state.scale * k, motion.stretch_mm, most);
+  const double stored = stored_mj({state.scale * k, most}, motion.stretch_mm);
   const double given = glm::dot(state.held_n[static_cast<std::size_t>(delay_ticks(settings))], motion.moved_mm);
   state.margin_mj -=
-      given + stored - stored_mj(state.scale * k, motion.stretch_before_mm, most) - kNoiseMjPerMs * dt_ms;
+      given + stored - stored_mj({state.scale * k, most}, motion.stretch_before_mm) - kNoiseMjPerMs * dt_ms;
   if (state.margin_mj > settings.passivity_mj) {
     state.surplus_mj += state.margin_mj - settings.passivity_mj;
     state.margin_mj = settings.passivity_mj;
@@ -104,7 +109,7 @@ void soften(const GuardSettings& settings, PassivityState& state, const Motion& 
   double scale = stored > -state.margin_mj ? state.scale * (1.0 + state.margin_mj / stored) : 0.0;
   if (scale < least) scale = least;
   if (scale < state.scale) state.scale = scale;
-  state.margin_mj += stored - stored_mj(state.scale * k, motion.stretch_mm, force_limit_n(settings));
+  state.margin_mj += stored - stored_mj({state.scale * k, force_limit_n(settings)}, motion.stretch_mm);
   const double most_deficit_mj = kMostDeficit * settings.passivity_mj;
   if (state.margin_mj < -most_deficit_mj) state.margin_mj = -most_deficit_mj;
 }
@@ -115,7 +120,7 @@ void stiffen(const GuardSettings& settings, PassivityState& state, const Motion&
   double rise = motion.rate_mm_s > kDamperFromMmS ? 1.0 : kRecoverPerMs * dt_ms;
   if (rise > 1.0 - state.scale) rise = 1.0 - state.scale;
   const double cost =
-      stored_mj((state.scale + rise) * state.stiffness_n_per_mm, motion.stretch_mm, force_limit_n(settings)) - stored;
+      stored_mj({(state.scale + rise) * state.stiffness_n_per_mm, force_limit_n(settings)}, motion.stretch_mm) - stored;
   if (cost > state.surplus_mj) rise = state.surplus_mj > 0.0 ? rise * (state.surplus_mj / cost) : 0.0;
   state.scale += rise;
   state.surplus_mj -= cost < state.surplus_mj ? cost : state.surplus_mj;
