@@ -12,10 +12,17 @@ inline constexpr double kBelowTargetMm = 1.0;
 /// And this much beyond the first pulp under the target, mm.
 inline constexpr double kBeyondPulpMm = 0.5;
 
-/// The scale's end for a required depth with its leeway and for the depth of the highest pulp under the target (nullopt:
-/// none), mm; whole halves. `seen_mm`: the deepest that was reached, which the scale always shows.
-inline double depth_scale_mm(double required_mm, double leeway_mm, std::optional<double> pulp_mm, double seen_mm = 0) {
-  const double wanted = std::max({required_mm + leeway_mm + kBelowTargetMm, pulp_mm.value_or(0) + kBeyondPulpMm, seen_mm});
+struct Depths {
+  double required_mm = 0;
+  double leeway_mm = 0;             // below the required depth
+  std::optional<double> pulp_mm{};  // the highest pulp under the target; none: no pulp there
+  double seen_mm = 0;               // the deepest that was reached
+};
+
+/// The scale's end, mm, in whole halves: every one of the depths is on the scale.
+inline double depth_scale_mm(const Depths& depths) {
+  const double wanted = std::max({depths.required_mm + depths.leeway_mm + kBelowTargetMm,
+                                  depths.pulp_mm.value_or(0) + kBeyondPulpMm, depths.seen_mm});
   return std::ceil(2 * wanted - 1e-9) / 2;
 }
 

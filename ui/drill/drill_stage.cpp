@@ -202,7 +202,8 @@ double DrillStage::required_depth_mm() const {
 }
 
 void DrillStage::scale_depth(double seen_mm) {
-  const double most = depth_scale_mm(required_depth_mm(), leeway_.floor_mm, pulp_depth_mm_, seen_mm);
+  const double most = depth_scale_mm(
+      {.required_mm = required_depth_mm(), .leeway_mm = leeway_.floor_mm, .pulp_mm = pulp_depth_mm_, .seen_mm = seen_mm});
   depth_->set_scale({.least = 0, .most = most, .major_step = most > 4 ? 1.0 : 0.5});
 }
 

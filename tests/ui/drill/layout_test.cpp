@@ -117,10 +117,10 @@ struct DrillGauges : testing::Test {
 
 TEST_F(DrillGauges, the_depth_scale_shows_what_is_too_deep_and_the_pulp) {
   EXPECT_DOUBLE_EQ(gauge("Depth").most(), 4.0);  // pulp at 3.1, and half a millimetre beyond it
-  EXPECT_DOUBLE_EQ(depth_scale_mm(1.8, 0.2, std::nullopt), 3.0);
-  EXPECT_DOUBLE_EQ(depth_scale_mm(1.8, 0.2, 2.4), 3.0);
-  EXPECT_DOUBLE_EQ(depth_scale_mm(2.0, 0.3, std::nullopt), 3.5);
-  EXPECT_DOUBLE_EQ(depth_scale_mm(0.5, 0.1, 6.2), 7.0);
+  EXPECT_DOUBLE_EQ(depth_scale_mm({.required_mm = 1.8, .leeway_mm = 0.2}), 3.0);
+  EXPECT_DOUBLE_EQ(depth_scale_mm({.required_mm = 1.8, .leeway_mm = 0.2, .pulp_mm = 2.4}), 3.0);
+  EXPECT_DOUBLE_EQ(depth_scale_mm({.required_mm = 2.0, .leeway_mm = 0.3}), 3.5);
+  EXPECT_DOUBLE_EQ(depth_scale_mm({.required_mm = 0.5, .leeway_mm = 0.1, .pulp_mm = 6.2}), 7.0);
   at({0, 0, -4.2}, 4.7);
   EXPECT_GE(gauge("Depth").most(), 4.7);
   EXPECT_DOUBLE_EQ(gauge("Depth").value().value(), 4.7);
