@@ -26,7 +26,7 @@ Camera led(const Camera& camera, const hid::SpaceMouseMotion& motion, double spe
   const double s = speed * dt_s;
   // What the hand does to the cap, the tooth does: pushed right, it goes right; pulled to the user, it comes nearer.
   out.orbit(-motion.turn[1] * kTurnRadS * s, motion.turn[0] * kTurnRadS * s);
-  out.pan(motion.move[0] * kMoveShareS * kSidePx * s, -motion.move[1] * kMoveShareS * kSidePx * s, kSidePx);
+  out.pan(kMoveShareS * kSidePx * s * glm::dvec2(motion.move[0], -motion.move[1]), kSidePx);
   if (motion.move[2] != 0.0) out.zoom(std::exp(motion.move[2] * s));
   return out;
 }

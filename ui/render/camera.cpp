@@ -34,9 +34,9 @@ void Camera::zoom(double factor) noexcept {
   distance_ = std::clamp(distance_ / factor, kNearestFactor * first_distance_, kFarthestFactor * first_distance_);
 }
 
-void Camera::pan(double dx_px, double dy_px, double shorter_px) noexcept {
+void Camera::pan(glm::dvec2 by_px, double shorter_px) noexcept {
   const double mm = 1.0 / px_per_mm(shorter_px);
-  centre_ += -dx_px * mm * right() + dy_px * mm * up();
+  centre_ += -by_px.x * mm * right() + by_px.y * mm * up();
 }
 
 void Camera::set_preset(PresetView view) noexcept {
@@ -87,26 +87,26 @@ double Camera::px_per_mm(double shorter_px) const noexcept {
 
 namespace {
 /// Half height and half width of the picture at distance 1.
-glm::dvec2 half_extent(double width_px, double height_px) {
+glm::dvec2 half_extent(glm::dvec2 view_px) {
   const double t = std::tan(kFieldOfView / 2);
-  const double aspect = width_px / height_px;
+  const double aspect = view_px.x / view_px.y;
   return aspect >= 1.0 ? glm::dvec2(t * aspect, t) : glm::dvec2(t, t / aspect);
 }
 }  // namespace
 
-Ray Camera::ray(double x_px, double y_px, double width_px, double height_px) const noexcept {
-  const glm::dvec2 half = half_extent(width_px, height_px);
-  const double x = (2 * x_px / width_px - 1) * half.x, y = (1 - 2 * y_px / height_px) * half.y;
+Ray Camera::ray(glm::dvec2 at_px, glm::dvec2 view_px) const noexcept {
+  const glm::dvec2 half = half_extent(view_px);
+  const double x = (2 * at_px.x / view_px.x - 1) * half.x, y = (1 - 2 * at_px.y / view_px.y) * half.y;
   return {eye_mm(), glm::normalize(forward() + x * right() + y * up())};
 }
 
-std::optional<glm::dvec2> Camera::project(Vec3 mm, double width_px, double height_px) const noexcept {
+std::optional<glm::dvec2> Camera::project(Vec3 mm, glm::dvec2 view_px) const noexcept {
   const Vec3 from_eye = mm - eye_mm();
   const double depth = glm::dot(from_eye, forward());
   if (depth < 1e-6) return std::nullopt;
-  const glm::dvec2 half = half_extent(width_px, height_px);
+  const glm::dvec2 half = half_extent(view_px);
   const double x = glm::dot(from_eye, right()) / depth / half.x, y = glm::dot(from_eye, up()) / depth / half.y;
-  return glm::dvec2((x + 1) / 2 * width_px, (1 - y) / 2 * height_px);
+  return glm::dvec2((x + 1) / 2 * view_px.x, (1 - y) / 2 * view_px.y);
 }
 
 }  // namespace cusp::ui

@@ -28,7 +28,7 @@ class Camera {
   /// Factor above 1 comes nearer. The distance stays within 0.15 and 8 times the first one.
   void zoom(double factor) noexcept;
   /// Moves the centre in the view's plane by pixels of a view whose shorter side has `shorter_px`.
-  void pan(double dx_px, double dy_px, double shorter_px) noexcept;
+  void pan(glm::dvec2 by_px, double shorter_px) noexcept;
   void set_preset(PresetView view) noexcept;
   /// Dental mirror: the picture is turned left to right.
   void set_mirrored(bool on) noexcept { mirrored_ = on; }
@@ -53,9 +53,9 @@ class Camera {
   glm::dmat4 clip_from_world(double aspect, double reach_mm) const noexcept;
 
   /// Through a pixel (from the upper left corner) of a view of this size.
-  Ray ray(double x_px, double y_px, double width_px, double height_px) const noexcept;
+  Ray ray(glm::dvec2 at_px, glm::dvec2 view_px) const noexcept;
   /// Pixel of a place; nullopt behind the eye.
-  std::optional<glm::dvec2> project(Vec3 mm, double width_px, double height_px) const noexcept;
+  std::optional<glm::dvec2> project(Vec3 mm, glm::dvec2 view_px) const noexcept;
   /// Pixels a millimetre covers at the centre, in a view whose shorter side has `shorter_px`.
   double px_per_mm(double shorter_px) const noexcept;
 

@@ -64,7 +64,7 @@ Result<Picture, PictureFailure> draw_here(const Volume& volume, const PictureReq
   if (request.scenery)
     for (const BakedPatch& patch : request.scenery->patches()) beside.put(patch);
   for (const Vec3& place : request.places_mm) {
-    const auto at = scene.camera.project(place, width, height);
+    const auto at = scene.camera.project(place, {width, height});
     const bool inside = at && at->x >= 0 && at->y >= 0 && at->x < width && at->y < height;
     const bool seen = inside && store.shows(place, scene.camera.eye_mm()) && beside.shows(place, scene.camera.eye_mm());
     out.places_px.push_back(seen ? at : std::nullopt);

@@ -269,11 +269,11 @@ void ToothView::look_at(Vec3 place_mm) {
 std::optional<PickedPoint> ToothView::pick(QPointF at) const { return store_.pick(ray(at)); }
 
 Ray ToothView::ray(QPointF at) const {
-  return scene_.camera.ray(at.x(), at.y(), std::max(width(), 1), std::max(height(), 1));
+  return scene_.camera.ray({at.x(), at.y()}, {std::max(width(), 1), std::max(height(), 1)});
 }
 
 std::optional<QPointF> ToothView::project(Vec3 mm) const {
-  const auto p = scene_.camera.project(mm, std::max(width(), 1), std::max(height(), 1));
+  const auto p = scene_.camera.project(mm, {std::max(width(), 1), std::max(height(), 1)});
   if (!p) return std::nullopt;
   return QPointF(p->x, p->y);
 }
@@ -298,14 +298,14 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & turning) {
     Camera camera = scene_.camera;
     if (event->modifiers() & Qt::ShiftModifier) {
-      camera.pan(by.x(), by.y(), std::min(width(), height()));
+      camera.pan({by.x(), by.y()}, std::min(width(), height()));
     } else {
       camera.orbit(-by.x() * kTurnPerPx, by.y() * kTurnPerPx);
     }
     set_camera(camera);
   } else if (event->buttons() & Qt::MiddleButton) {
     Camera camera = scene_.camera;
-    camera.pan(by.x(), by.y(), std::min(width(), height()));
+    camera.pan({by.x(), by.y()}, std::min(width(), height()));
     set_camera(camera);
   }
   if (!left_turns_) Q_EMIT moved(last_, event->buttons(), event->modifiers());

@@ -165,11 +165,11 @@ TEST(SpaceMouseLeads, pulled_to_the_user_the_tooth_comes_nearer_and_pushed_right
   motion.move = {0, 0, 1};
   EXPECT_NEAR(led(camera, motion, 1.0, 1.0).distance_mm(), camera.distance_mm() / std::numbers::e, 1e-9);
   motion.move = {1, 0, 0};
-  const auto before = camera.project({0, 0, 0}, 800, 600), after = led(camera, motion, 1.0, 0.5).project({0, 0, 0}, 800, 600);
+  const auto before = camera.project({0, 0, 0}, {800, 600}), after = led(camera, motion, 1.0, 0.5).project({0, 0, 0}, {800, 600});
   ASSERT_TRUE(before && after);
   EXPECT_NEAR(after->x - before->x, 0.25 * 600, 1.0);  // half the shorter side a second
   motion.move = {0, 1, 0};
-  EXPECT_LT(led(camera, motion, 1.0, 0.5).project({0, 0, 0}, 800, 600)->y, before->y);
+  EXPECT_LT(led(camera, motion, 1.0, 0.5).project({0, 0, 0}, {800, 600})->y, before->y);
   motion.move = {};
   EXPECT_EQ(led(camera, motion, 3.0, 1.0), camera);
 }

@@ -13,9 +13,9 @@ TEST(Camera, a_ray_through_the_pixel_of_a_place_meets_that_place) {
       camera.set_angles(0.7, 0.9);
       camera.set_mirrored(mirrored);
       for (const Vec3 place : {Vec3(0.3, -0.2, 3.0), Vec3(2, 1, 2), Vec3(-3, 2, 4)}) {
-        const auto px = camera.project(place, w, h);
+        const auto px = camera.project(place, {w, h});
         ASSERT_TRUE(px);
-        const Ray ray = camera.ray(px->x, px->y, w, h);
+        const Ray ray = camera.ray(*px, {w, h});
         const Vec3 to = place - ray.from_mm;
         EXPECT_LT(glm::length(to - glm::dot(to, ray.along) * ray.along), 1e-9);
       }
@@ -29,7 +29,7 @@ TEST(Camera, the_matrix_puts_a_place_where_project_says) {
     camera.set_mirrored(mirrored);
     const Vec3 place(1.5, -0.7, 0.9);
     const glm::dvec4 clip = camera.clip_from_world(1.25, 40.0) * glm::dvec4(place, 1.0);
-    const auto px = camera.project(place, 1000, 800);
+    const auto px = camera.project(place, {1000, 800});
     ASSERT_TRUE(px);
     EXPECT_NEAR((clip.x / clip.w + 1) * 500, px->x, 1e-6);
     EXPECT_NEAR((1 - clip.y / clip.w) * 400, px->y, 1e-6);
@@ -38,17 +38,17 @@ TEST(Camera, the_matrix_puts_a_place_where_project_says) {
 
 TEST(Camera, the_working_view_has_mesial_left_and_buccal_below) {
   const Camera camera = Camera::about({0, 0, 0}, 5.0);
-  const auto middle = camera.project({0, 0, 0}, 800, 600), mesial = camera.project({1, 0, 0}, 800, 600),
-             buccal = camera.project({0, 1, 0}, 800, 600);
+  const auto middle = camera.project({0, 0, 0}, {800, 600}), mesial = camera.project({1, 0, 0}, {800, 600}),
+             buccal = camera.project({0, 1, 0}, {800, 600});
   EXPECT_LT(mesial->x, middle->x - 20);
   EXPECT_GT(buccal->y, middle->y + 20);
 }
 
 TEST(Camera, the_mirror_turns_left_to_right_and_nothing_else) {
   Camera camera = Camera::about({0, 0, 0}, 5.0);
-  const auto before = camera.project({2, 1, 0.5}, 800, 600);
+  const auto before = camera.project({2, 1, 0.5}, {800, 600});
   camera.set_mirrored(true);
-  const auto after = camera.project({2, 1, 0.5}, 800, 600);
+  const auto after = camera.project({2, 1, 0.5}, {800, 600});
   EXPECT_NEAR(after->x, 800 - before->x, 1e-9);
   EXPECT_NEAR(after->y, before->y, 1e-9);
 }
@@ -75,15 +75,15 @@ TEST(Camera, zoom_and_tilt_stop_at_their_limits) {
 
 TEST(Camera, panning_moves_what_is_in_the_middle_by_the_pixels_asked) {
   Camera camera = Camera::about({0, 0, 0}, 5.0);
-  camera.pan(30, -12, 600);
-  const auto px = camera.project({0, 0, 0}, 800, 600);
+  camera.pan({30, -12}, 600);
+  const auto px = camera.project({0, 0, 0}, {800, 600});
   EXPECT_NEAR(px->x, 430, 0.5);
   EXPECT_NEAR(px->y, 288, 0.5);
 }
 
 TEST(Camera, a_place_behind_the_eye_has_no_pixel) {
   const Camera camera = Camera::about({0, 0, 0}, 5.0);
-  EXPECT_FALSE(camera.project(camera.eye_mm() - camera.forward(), 800, 600));
+  EXPECT_FALSE(camera.project(camera.eye_mm() - camera.forward(), {800, 600}));
 }
 
 }  // namespace
