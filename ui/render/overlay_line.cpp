@@ -14,6 +14,10 @@ namespace {
 /// Where the field crosses an edge of the mesh: the same place from both triangles, known by its quantised position.
 using NodeKey = std::array<std::int64_t, 3>;
 
+struct Crossing {
+  Vec3f at, normal;
+};
+
 struct Node {
   Vec3f at, normal;
   std::vector<std::size_t> next;  // joined nodes
@@ -21,8 +25,8 @@ struct Node {
 
 class Chains {
  public:
-  void join(const Vec3f& a, const Vec3f& na, const Vec3f& b, const Vec3f& nb) {
-    const std::size_t i = node(a, na), j = node(b, nb);
+  void join(const Crossing& a, const Crossing& b) {
+    const std::size_t i = node(a), j = node(b);
     if (i == j) return;
     nodes_[i].next.push_back(j);
     nodes_[j].next.push_back(i);
@@ -62,7 +66,8 @@ class Chains {
   static std::pair<std::size_t, std::size_t> edge(std::size_t a, std::size_t b) {
     return a < b ? std::pair{a, b} : std::pair{b, a};
   }
-  std::size_t node(const Vec3f& at, const Vec3f& normal) {
+  std::size_t node(const Crossing& crossing) {
+    const auto& [at, normal] = crossing;
     // A tenth of a micrometre: two triangles reckon the same crossing to the last bits of a float.
     const NodeKey key = {std::llround(at.x * 1e4), std::llround(at.y * 1e4), std::llround(at.z * 1e4)};
     const auto [it, made] = index_.try_emplace(key, nodes_.size());
@@ -106,7 +111,7 @@ std::vector<OverlayLine> contour_lines(std::span<const BakedPatch* const> patche
         ++n;
       }
       if (n == 2 && static_cast<double>(normal[0].z) > least_up && static_cast<double>(normal[1].z) > least_up)
-        chains.join(at[0], normal[0], at[1], normal[1]);
+        chains.join({at[0], normal[0]}, {at[1], normal[1]});
     }
   }
   return chains.lines(style);
