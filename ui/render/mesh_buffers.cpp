@@ -18,14 +18,14 @@ GLint rounded_up(std::size_t n, GLint spare) { return static_cast<GLint>((n + n 
 
 MeshBuffers::MeshBuffers() {
   glGenVertexArrays(1, &array_);
-  glGenBuffers(1, &vertices_);
-  glGenBuffers(1, &indices_);
+  glGenBuffers(1, &vertices_.id);
+  glGenBuffers(1, &indices_.id);
 }
 
 MeshBuffers::~MeshBuffers() {
   glDeleteVertexArrays(1, &array_);
-  glDeleteBuffers(1, &vertices_);
-  glDeleteBuffers(1, &indices_);
+  glDeleteBuffers(1, &vertices_.id);
+  glDeleteBuffers(1, &indices_.id);
 }
 
 void MeshBuffers::clear() {
@@ -37,8 +37,8 @@ void MeshBuffers::clear() {
 
 void MeshBuffers::describe() {
   glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.id);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id);
   constexpr GLsizei kStride = sizeof(PackedVertex);
   const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   for (GLuint i = 0; i < 4; ++i) glEnableVertexAttribArray(i);
@@ -48,21 +48,20 @@ void MeshBuffers::describe() {
   glVertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(PackedVertex, value)));
 }
 
-void MeshBuffers::grow(GLenum target, GLuint& buffer, std::size_t& capacity, std::size_t used, std::size_t needed) {
-  if (needed <= capacity) return;
-  const std::size_t bigger = std::max({needed, 2 * capacity, std::size_t{1} << 20});
+void MeshBuffers::grow(GLenum target, Buffer& buffer, std::size_t used_bytes, std::size_t needed_bytes) {
+  if (needed_bytes <= buffer.capacity_bytes) return;
+  const std::size_t bigger = std::max({needed_bytes, 2 * buffer.capacity_bytes, std::size_t{1} << 20});
   GLuint fresh = 0;
   glGenBuffers(1, &fresh);
   glBindVertexArray(0);
   glBindBuffer(target, fresh);
   glBufferData(target, static_cast<GLsizeiptr>(bigger), nullptr, GL_DYNAMIC_DRAW);
-  if (used > 0) {
-    glBindBuffer(GL_COPY_READ_BUFFER, buffer);
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, target, 0, 0, static_cast<GLsizeiptr>(used));
+  if (used_bytes > 0) {
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer.id);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, target, 0, 0, static_cast<GLsizeiptr>(used_bytes));
   }
-  glDeleteBuffers(1, &buffer);
-  buffer = fresh;
-  capacity = bigger;
+  glDeleteBuffers(1, &buffer.id);
+  buffer = {fresh, bigger};
   describe();
 }
 
@@ -89,9 +88,9 @@ std::size_t MeshBuffers::place_for(const BakedPatch& patch) {
   fresh.vertex_room = rounded_up(patch.vertices.size(), kSpareVertices);
   fresh.first_index = index_end_;
   fresh.index_room = rounded_up(patch.indices.size(), kSpareIndices);
-  grow(GL_ARRAY_BUFFER, vertices_, vertex_bytes_, static_cast<std::size_t>(vertex_end_) * sizeof(PackedVertex),
+  grow(GL_ARRAY_BUFFER, vertices_, static_cast<std::size_t>(vertex_end_) * sizeof(PackedVertex),
        static_cast<std::size_t>(vertex_end_ + fresh.vertex_room) * sizeof(PackedVertex));
-  grow(GL_ELEMENT_ARRAY_BUFFER, indices_, index_bytes_, static_cast<std::size_t>(index_end_) * sizeof(std::uint16_t),
+  grow(GL_ELEMENT_ARRAY_BUFFER, indices_, static_cast<std::size_t>(index_end_) * sizeof(std::uint16_t),
        static_cast<std::size_t>(index_end_ + fresh.index_room) * sizeof(std::uint16_t));
   vertex_end_ += fresh.vertex_room;
   index_end_ += fresh.index_room;
@@ -117,7 +116,7 @@ void MeshBuffers::put(const BakedPatch& patch) {
   place.cone_axis = patch.cone_axis;
   place.cone_cos = patch.cone_cos;
   glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.id);
   glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(place.first_vertex) * static_cast<GLintptr>(sizeof(PackedVertex)),
                   static_cast<GLsizeiptr>(patch.vertices.size() * sizeof(PackedVertex)), patch.vertices.data());
   glBufferSubData(GL_ELEMENT_ARRAY_BUFFER,

@@ -39,11 +39,15 @@ class MeshBuffers {
     float radius = 0, cone_cos = -1;
   };
   std::size_t place_for(const BakedPatch& patch);
-  void grow(GLenum target, GLuint& buffer, std::size_t& capacity_bytes, std::size_t used_bytes, std::size_t needed_bytes);
+  struct Buffer {
+    GLuint id = 0;
+    std::size_t capacity_bytes = 0;
+  };
+  void grow(GLenum target, Buffer& buffer, std::size_t used_bytes, std::size_t needed_bytes);
   void describe();
 
-  GLuint array_ = 0, vertices_ = 0, indices_ = 0;
-  std::size_t vertex_bytes_ = 0, index_bytes_ = 0;  // capacity of the buffers
+  GLuint array_ = 0;
+  Buffer vertices_, indices_;
   GLint vertex_end_ = 0, index_end_ = 0;            // used
   std::vector<Place> places_;
   std::vector<std::size_t> free_;
