@@ -6,6 +6,8 @@
 #include "ui/student/course.h"
 
 class QLineEdit;
+class QSortFilterProxyModel;
+class QStackedWidget;
 
 namespace cusp::ui {
 
@@ -23,6 +25,14 @@ class ExercisesPage : public QWidget {
   void briefing_wanted(const Exercise& exercise);
 
  private:
+  void make_table(const Course& course);
+  QWidget* make_shown();
+  void make_search();
+  void open(const QModelIndex& index);
+
+  CourseModel* model_ = nullptr;
+  QSortFilterProxyModel* sorted_ = nullptr;
+  QStackedWidget* shown_ = nullptr;  // the table, or that nothing fits
   Table* table_ = nullptr;
   QLineEdit* search_ = nullptr;
 };
