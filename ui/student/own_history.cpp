@@ -37,6 +37,19 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
     outer->addWidget(empty, 1);
     return;
   }
+  make_choice();
+  head->buttons()->addWidget(exercise_);
+  outer->addLayout(make_charts());
+  make_table();
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  card->body()->addWidget(table_);
+  outer->addWidget(card, 1);
+  show_attempts();
+  setFocusProxy(table_);
+}
+
+void OwnHistory::make_choice() {
   exercise_ = new QComboBox;
   exercise_->setAccessibleName(tr("Exercise"));
   exercise_->setMinimumWidth(px(240));
@@ -46,8 +59,10 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
     if (!listed[attempt.scenario]) exercise_->addItem(local(attempt.title), QString::fromStdString(attempt.scenario.text()));
     listed[attempt.scenario] = true;
   }
-  head->buttons()->addWidget(exercise_);
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);
+}
 
+QBoxLayout* OwnHistory::make_charts() {
   auto* charts = new QHBoxLayout;
   charts->setSpacing(px(16));
   by_attempt_ = new Chart;
@@ -58,25 +73,21 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
     card->setFixedHeight(px(250));
     charts->addWidget(card, 1);
   }
-  outer->addLayout(charts);
-  auto* card = new Card;
-  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  return charts;
+}
+
+void OwnHistory::make_table() {
   table_ = new Table;
   table_->setAccessibleName(tr("My results"));
   model_ = new AttemptsModel(this);
   table_->setModel(model_);
   table_->setColumnHidden(AttemptsModel::kStudent, true);
   table_->set_stretch_column(AttemptsModel::kExercise);
-  card->body()->addWidget(table_);
-  outer->addWidget(card, 1);
-  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);
   const auto open = [this](const QModelIndex& at) { Q_EMIT report_wanted(model_->row(at.row()).session); };
   connect(table_, &Table::row_opened, this, open);
   connect(table_, &QTableView::clicked, this, [open](const QModelIndex& at) {
     if (at.column() == AttemptsModel::kOpen) open(at);
   });
-  show_attempts();
-  setFocusProxy(table_);
 }
 
 void OwnHistory::show_attempts() {

@@ -5,6 +5,7 @@
 
 #include "ui/student/course.h"
 
+class QBoxLayout;
 class QComboBox;
 
 namespace cusp::ui {
@@ -25,6 +26,9 @@ class OwnHistory : public QWidget {
   void exercises_wanted();
 
  private:
+  void make_choice();
+  QBoxLayout* make_charts();
+  void make_table();
   void show_attempts();
   std::vector<HistoryRow> all_;
   AttemptsModel* model_ = nullptr;
