@@ -4,11 +4,13 @@
 #include <epoxy/gl.h>
 #include <png.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -77,6 +79,74 @@ bool write_png(const std::string& path, const std::vector<std::uint8_t>& rgba) {
   return png_image_write_to_file(&image, path.c_str(), 0, rgba.data(), 0, nullptr) != 0;
 }
 
+/// What is drawn, and the picture that draws it.
+struct Shown {
+  std::shared_ptr<const SceneryLook> scenery;
+  std::shared_ptr<const Specimen> specimen;
+  std::unique_ptr<TargetLook> look;
+  std::unique_ptr<EglContext> context;
+  std::unique_ptr<ToothPicture> picture;
+  PatchStore store;
+};
+
+/// Builds the specimen beside its scenery and gives all patches to the picture. False: something could not be made.
+bool show(const Scenario& scenario, Shown& shown) {
+  Outcome<std::shared_ptr<const Specimen>> specimen;
+  {
+    const std::jthread beside([&] { shown.scenery = scenery_of(scenario.specimen); });
+    specimen = build_specimen(scenario, {});
+  }
+  if (!specimen) return false;
+  shown.specimen = *specimen;
+  const Volume volume(shown.specimen);
+  shown.look = std::make_unique<TargetLook>(scenario.target, scenario.leeway);
+  PatchFeed feed(shown.look->feed());
+  feed.build_all(volume);
+  shown.context = EglContext::create(kWidth, kHeight);
+  shown.picture = ToothPicture::create();
+  if (!shown.context || !shown.picture) return false;
+  for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) {
+    shown.picture->put(patch);
+    shown.store.put(std::move(patch));
+  }
+  shown.picture->set_scenery(shown.scenery.get());
+  shown.picture->set_lines(shown.look->lines(volume));
+  return true;
+}
+
+/// The views that are measured: near, whole, jaw.
+std::array<Scene3d, 3> views_of(const Shown& shown) {
+  std::array<Scene3d, 3> out;
+  const Box box = shown.store.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
+  for (Scene3d& scene : out) scene.camera = Camera::about(0.5 * (box.low + box.high), 0.5 * glm::length(box.high - box.low));
+  if (!shown.look->empty()) {
+    const auto& target = shown.look->shape();
+    out[0].camera = Camera::about(Vec3(0.5 * (target.low() + target.high()), target.top_mm()), 3.5);
+  }
+  if (shown.scenery) out[2].camera = Camera::about(0.5 * (shown.scenery->bounds().low + shown.scenery->bounds().high), 36.0);
+  return out;
+}
+
+void print_frames(const Shown& shown, const char* what, const Scene3d& from) {
+  shown.picture->set_scenery(nullptr);
+  const Frames bare = measure(*shown.picture, from);
+  shown.picture->set_scenery(shown.scenery.get());
+  const Frames with = measure(*shown.picture, from);
+  std::printf("%s: %.1f ms of processor time a frame without scenery (%zu triangles), %.1f ms with it (%zu)\n", what,
+              bare.cpu_ms, bare.stats.triangles, with.cpu_ms, with.stats.triangles);
+}
+
+/// "name.png" becomes "name-1.png" to "name-3.png".
+bool write_views(const Shown& shown, const std::array<Scene3d, 3>& views, const std::string& path) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    shown.picture->draw(views[i], kWidth, kHeight);
+    std::string numbered = path;
+    numbered.insert(numbered.size() - 4, "-" + std::to_string(i + 1));
+    if (!write_png(numbered, shown.context->read_rgba())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -88,67 +158,22 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cusp-open-scene: %s: %s\n", argv[1], scenario.error().where.c_str());
     return 1;
   }
-  std::shared_ptr<const SceneryLook> scenery;
-  Outcome<std::shared_ptr<const Specimen>> specimen;
-  {
-    const std::jthread beside([&] { scenery = scenery_of(scenario->specimen); });
-    specimen = build_specimen(*scenario, {});
-  }
-  if (!specimen) return 1;
-  const Volume volume(*specimen);
-  const TargetLook look(scenario->target, scenario->leeway);
-  PatchFeed feed(look.feed());
-  feed.build_all(volume);
-  const auto lines = look.lines(volume);
-  const auto context = EglContext::create(kWidth, kHeight);
-  const auto picture = ToothPicture::create();
-  if (!context || !picture) return 1;
-  PatchStore store;
-  for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) {
-    picture->put(patch);
-    store.put(std::move(patch));
-  }
-  picture->set_scenery(scenery.get());
-  picture->set_lines(lines);
-  Scene3d scene;
-  const Box box = store.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
-  scene.camera = Camera::about(0.5 * (box.low + box.high), 0.5 * glm::length(box.high - box.low));
-  picture->draw(scene, kWidth, kHeight);
+  Shown shown;
+  if (!show(*scenario, shown)) return 1;
+  const std::array<Scene3d, 3> views = views_of(shown);
+  const auto& [near, whole, jaw] = views;
+  shown.picture->draw(whole, kWidth, kHeight);
   glFinish();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const long kb = peak_kb();
   std::printf("%s: first picture after %.1f s (%.1f s of processor time), at most %ld MB resident\n", argv[1], seconds,
               cpu_s() - cpu, kb / 1024);
   std::printf("kept: %.1f MB of bricks, %.1f MB of scenery in %zu patches, %zu triangles of the specimen\n",
-              static_cast<double>((*specimen)->bytes()) / 1e6, scenery ? static_cast<double>(scenery->bytes()) / 1e6 : 0.0,
-              scenery ? scenery->patches().size() : 0, store.triangles());
-  const auto print_frames = [&](const char* what, const Scene3d& from) {
-    picture->set_scenery(nullptr);
-    const Frames bare = measure(*picture, from);
-    picture->set_scenery(scenery.get());
-    const Frames with = measure(*picture, from);
-    std::printf("%s: %.1f ms of processor time a frame without scenery (%zu triangles), %.1f ms with it (%zu)\n", what,
-                bare.cpu_ms, bare.stats.triangles, with.cpu_ms, with.stats.triangles);
-  };
-  Scene3d near = scene;
-  if (!look.empty()) {
-    near.camera = Camera::about(Vec3(0.5 * (look.shape().low() + look.shape().high()), look.shape().top_mm()), 3.5);
-    print_frames("at the target", near);
-  }
-  print_frames("the whole specimen", scene);
-  Scene3d all = scene;
-  if (scenery) {
-    all.camera = Camera::about(0.5 * (scenery->bounds().low + scenery->bounds().high), 36.0);
-    print_frames("the whole jaw", all);
-  }
-  if (argc > 2) {
-    int number = 0;
-    for (const Scene3d* from : {&near, &scene, &all}) {
-      picture->draw(*from, kWidth, kHeight);
-      std::string path = argv[2];
-      path.insert(path.size() - 4, "-" + std::to_string(++number));
-      if (!write_png(path, context->read_rgba())) return 1;
-    }
-  }
+              static_cast<double>(shown.specimen->bytes()) / 1e6, shown.scenery ? static_cast<double>(shown.scenery->bytes()) / 1e6 : 0.0,
+              shown.scenery ? shown.scenery->patches().size() : 0, shown.store.triangles());
+  if (!shown.look->empty()) print_frames(shown, "at the target", near);
+  print_frames(shown, "the whole specimen", whole);
+  if (shown.scenery) print_frames(shown, "the whole jaw", jaw);
+  if (argc > 2 && !write_views(shown, views, argv[2])) return 1;
   return seconds < kMostSeconds && kb < kMostKb ? 0 : 1;
 }
