@@ -47,6 +47,25 @@ struct Child {
   }
 };
 
+/// The hand at its millisecond `i`: homes the device, then presses the bur to `y` and slides to and fro, cutting. Its frames.
+std::uint64_t move_hand(MockFalcon& device, std::uint64_t i, double y) {
+  return device.with([&](Emulator& falcon) {
+    if (falcon.homed() != falcon::status::kHomed) {
+      const auto turn = static_cast<double>(i % 400);
+      falcon.set_grip({0.0, 0.0, 0.09 + 0.00035 * (turn < 200 ? turn : 400 - turn)});
+    } else {
+      const double x = 0.004 * static_cast<double>(i % 1000 < 500 ? i % 500 : 500 - i % 500) / 500.0;
+      falcon.set_grip({x, y, 0.125});
+      falcon.set_buttons(falcon::status::kCentre);
+    }
+    return falcon.frames();
+  });
+}
+
+bool homed(MockFalcon& device) {
+  return device.with([](Emulator& falcon) { return falcon.homed() == falcon::status::kHomed; });
+}
+
 TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_resumes_and_keeps_the_session_whole) {
   const fs::path folder = fs::temp_directory_path() / ("falcon-play-" + std::to_string(getpid()));
   fs::create_directories(folder);
@@ -59,24 +78,13 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_resumes_and_keeps_the_sess
   const std::string out = (folder / "out").string(), json = (folder / "report.json").string();
   Child child({program, "play", "channel-1", "--device", "falcon:FT000002", "--seconds", "3", "--out", out, "--json", json});
 
-  // The hand: homes it, then presses the bur into the block and slides to and fro, cutting.
   enum class Plug { in_first, pulled, in_again } plug = Plug::in_first;
   double y = 0.0;
   std::uint64_t at_unplug = 0, since = 0;
   std::optional<int> status;
   for (std::uint64_t i = 0; !status; ++i) {
-    const std::uint64_t frames = device.with([&](Emulator& falcon) {
-      if (falcon.homed() != falcon::status::kHomed) {
-        const auto turn = static_cast<double>(i % 400);
-        falcon.set_grip({0.0, 0.0, 0.09 + 0.00035 * (turn < 200 ? turn : 400 - turn)});
-      } else {
-        if (plug != Plug::pulled) y = std::max(y - 0.00001, -0.012);
-        const double x = 0.004 * static_cast<double>(i % 1000 < 500 ? i % 500 : 500 - i % 500) / 500.0;
-        falcon.set_grip({x, y, 0.125});
-        falcon.set_buttons(falcon::status::kCentre);
-      }
-      return falcon.frames();
-    });
+    if (homed(device) && plug != Plug::pulled) y = std::max(y - 0.00001, -0.012);
+    const std::uint64_t frames = move_hand(device, i, y);
     if (plug == Plug::in_first && y < -0.008 && frames > 500) {
       plug = Plug::pulled;
       at_unplug = frames;
