@@ -1,0 +1,79 @@
+"""A display for a program under test, and waiting for what it shows: `LIMIT_S` only sets when to give up."""
+import os
+import shutil
+import subprocess
+import time
+
+LIMIT_S = float(os.environ.get("CUSP_DESK_LIMIT_S", "60"))
+
+
+class Missing(Exception):
+    """The screen did not show what was waited for."""
+
+
+def until(what, look, limit_s=None):
+    """Asks `look` until it returns something true, and returns that."""
+    end = time.monotonic() + (limit_s or LIMIT_S)
+    pause = 0.02
+    while True:
+        try:
+            found = look()
+        except (Atspi_Error(), Missing):  # a widget went away while it was read
+            found = None
+        if found:
+            return found
+        if time.monotonic() > end:
+            raise Missing(f"{what} did not come within {limit_s or LIMIT_S:.0f} s")
+        time.sleep(pause)
+        pause = min(pause * 1.5, 0.25)
+
+
+def Atspi_Error():
+    from gi.repository import GLib
+    return GLib.Error
+
+
+class Screen:
+    """An X server with a window manager; large enough for a window of 1280x800 and its frame."""
+
+    def __init__(self, folder, width=1300, height=840):
+        self.folder = folder
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "+extension", "GLX"],
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=open(os.path.join(folder, "xvfb.log"), "w"))
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise Missing("no display: Xvfb did not start")
+        self.display = ":" + number
+        os.environ["DISPLAY"] = self.display
+        self.manager = None
+
+        def managed():
+            if self.manager is None or self.manager.poll() is not None:
+                self.manager = subprocess.Popen(["openbox"], stdout=subprocess.DEVNULL,
+                                                stderr=open(os.path.join(folder, "openbox.log"), "a"))
+            # Only a window manager knows how many desktops there are.
+            return subprocess.run(["xdotool", "get_num_desktops"], capture_output=True).returncode == 0
+        try:
+            until("the window manager", managed)
+        except Missing as missing:
+            self.close()
+            with open(os.path.join(folder, "openbox.log"), encoding="utf-8") as f:
+                raise Missing(f"{missing}: {f.read()}") from None
+
+    def picture(self, path):
+        """Where ImageMagick is there."""
+        if shutil.which("import"):
+            subprocess.run(["import", "-window", "root", path], check=False, timeout=60)
+        return path
+
+    def x(self, *arguments):
+        subprocess.run(["xdotool", *[str(a) for a in arguments]], check=True, stdout=subprocess.DEVNULL)
+
+    def close(self):
+        for child in (self.manager, self.server):
+            child.terminate()
+            child.wait()
