@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from desk import Desk, check, integrity, one_sentence  # noqa: E402
+from desk import HUNG_S, Desk, check, integrity, one_sentence  # noqa: E402
 
 
 def refused(desk, what, *arguments, names=(), **more):
@@ -85,7 +85,7 @@ def audits(desk):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
             check("%" in run.stderr.readline(), "no progress was printed")
             run.send_signal(number)
-            out, err = run.communicate(timeout=300)
+            out, err = run.communicate(timeout=HUNG_S)
         last = err.strip().splitlines()[-1]
         check(run.returncode == 1 and out == "", f"stopped audit: exit {run.returncode}: {out}{err}")
         check(last.startswith("cusp: ") and "%" not in last, f"stopped audit: {err!r}")

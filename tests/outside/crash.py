@@ -12,7 +12,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from desk import Desk, check, integrity  # noqa: E402
+from desk import HUNG_S, Desk, check, integrity  # noqa: E402
 
 
 def play(desk, database, after_s):
@@ -26,7 +26,7 @@ def play(desk, database, after_s):
         if after_s is not None:
             time.sleep(after_s)
             process.send_signal(signal.SIGKILL)
-        process.wait(timeout=600)
+        process.wait(timeout=HUNG_S)
     with open(errors, encoding="utf-8") as err:
         lines = [line for line in err.read().splitlines() if line.replace(".", "", 1).isdigit()]
     return process.returncode, float(lines[-1]) if lines else 0.0

@@ -22,7 +22,7 @@ import threading
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from desk import Desk, check, integrity  # noqa: E402
+from desk import HUNG_S, Desk, check, integrity  # noqa: E402
 
 CROWDS = {"alone": [["play"]], "two": [["play", "play"], ["play", "list"], ["play", "verify"]],
           "five": [["window", "play", "play", "list", "verify"]]}
@@ -182,7 +182,7 @@ class Crowd:
                 program.killed = program.process.poll() is None
                 program.process.kill()
         for program in self.running:
-            program.process.wait(timeout=300)
+            program.process.wait(timeout=HUNG_S)
             self._ended(program)
         self.watcher.close()
 
