@@ -32,7 +32,7 @@ ContentHash hash_of_bytes(std::span<const std::byte> bytes) noexcept {
 ContentHash content_hash(const Scenario& scenario, const std::map<std::string, std::vector<std::byte>>& beside) {
   std::map<std::string, ContentHash> files;  // std::string compares bytes, as unsigned
   for (const auto& [path, bytes] : beside) files[path] = hash_of_bytes(bytes);
-  const std::string text = canonical_json(scenario);
+  const std::string text = hashed_json(scenario);
   files["scenario.json"] = hash_of_bytes(std::as_bytes(std::span(text)));
   std::string lines;
   for (const auto& [path, hash] : files) lines += hash.hex() + "  " + path + "\n";

@@ -1,5 +1,6 @@
 /// Identity of a scenario's content: BLAKE2b-256 over lines "<hash of bytes>  <path>\n", sorted by path, scenario.json
-/// in canonical form. Equal hashes mean equal exercises, however the file was laid out or zipped.
+/// as hashed_json() writes it. Equal hashes mean equal exercises, however the file was laid out or zipped, and whichever
+/// format it was written in.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"overcut_leeway_side", "mm3"},
     MetricKey{"overcut_beyond_floor", "mm3"},      // over-cut outside the leeway
     MetricKey{"overcut_beyond_side", "mm3"},
-    MetricKey{"undercut", "mm3"},                  // uncut remainder of the target
+    MetricKey{"uncut_remainder", "mm3"},           // of the target; "undercut" in format 1
     MetricKey{"depth_least", "mm"},                // of the floor, from the target's top_mm
     MetricKey{"depth_mean", "mm"},
     MetricKey{"depth_most", "mm"},
@@ -63,6 +63,8 @@ inline constexpr std::array<std::string_view, 4> kGeneratorKeys = {"paper-block"
 inline constexpr std::array<std::string_view, 4> kAroundKeys = {"neighbours", "gingiva", "bone", "jaw"};
 inline constexpr std::array<std::string_view, 3> kLesionKeys = {"fissure", "proximal", "root"};
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
+/// Kinds of region. "outline": the shapes above, swept up from a floor.
+inline constexpr std::array<std::string_view, 1> kRegionKeys = {"outline"};
 /// At most one spindle; vibration and sound need one. "sound" is of no account to the step.
 inline constexpr std::array<std::string_view, 7> kPhenomenonKeys = {
     "friction", "spindle-turbine", "spindle-electric", "spindle-slow", "vibration", "sound", "heat"};
@@ -78,6 +80,10 @@ inline bool has_phenomenon(const std::vector<std::string>& keys, std::string_vie
   for (const std::string& one : keys)
     if (one == key) return true;
   return false;
+}
+/// The present key of a metric that a record or a file of format 1 names; any other key as it is.
+inline std::string_view present_metric(std::string_view stored) noexcept {
+  return stored == "undercut" ? std::string_view("uncut_remainder") : stored;
 }
 /// True for metrics and critical events that are only measured where the phenomenon "heat" is on.
 bool needs_heat(std::string_view key) noexcept;

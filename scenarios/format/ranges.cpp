@@ -18,7 +18,7 @@ constexpr std::string_view kThin = "a needle's tip is 0.1 mm wide; the widest wh
 constexpr std::string_view kFloorReach = "a shell thicker than half a crown tolerates everything";
 
 constexpr auto kRanges = std::to_array<NumberRange>({
-    {"/format", "", 1, kScenarioFormat, false, "formats that there are"},
+    {"/format", "", kScenarioFormat, kScenarioFormat, false, "older ones are migrated before"},
     {"/version", "", 1, 1e9, false, "counts from 1; fits 32 bits"},
     {"/specimen/fdi", "", 11, 48, false, "FDI numbers of permanent teeth"},
     {"/specimen/seed", "", 0, 9007199254740991.0, false, "2^53 - 1: every JSON reader keeps it"},

@@ -83,7 +83,7 @@ Leeway read_leeway(const Value& value) {
 Scenario read_document(const json& document, Problems& problems) {
   Object root(document, "", problems);
   Scenario out;
-  out.format = root.need("format").integer({1, kScenarioFormat});
+  out.format = root.need("format").integer({kScenarioFormat, kScenarioFormat});
   read_identity(root, out);
   out.title = root.need("title").texts();
   out.briefing = root.need("briefing").texts();
@@ -99,7 +99,11 @@ Scenario read_document(const json& document, Problems& problems) {
   out.target = read_target(root.need("target"));
   out.leeway = read_leeway(root.need("leeway"));
   root.maybe("protected", [&](const Value& list) {
-    list.list(0, kTissueCodes, [&](const Value& v) { out.protected_tissues.push_back(read_tissue(v)); });
+    list.list(0, kTissueCodes, [&](const Value& v) {
+      Object one(v.node(), v.where(), v.problems());
+      out.protected_tissues.push_back(read_tissue(one.need("tissue")));
+      one.nothing_else();
+    });
   });
   root.maybe("limits", [&](const Value& v) {
     Object limits(v.node(), v.where(), v.problems());

@@ -26,6 +26,7 @@ Bands read_bands(const Value& value) {
 Target read_target(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   Target out;
+  object.need("kind").key(FormatError::unknown_shape, one_of(kRegionKeys));
   out.shape = object.need("shape").key(FormatError::unknown_shape, one_of(kShapeKeys));
   object.need("paths").list(1, 64, [&](const Value& path) {
     auto& points = out.paths.emplace_back();

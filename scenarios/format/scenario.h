@@ -96,7 +96,7 @@ struct DeviceNeeds {
 };
 
 struct Scenario {
-  int format = 1;
+  int format = 2;  // kScenarioFormat; what is read of format 1 is brought to it
   ScenarioId id;
   int version = 1;
   std::string key;  // built-in id ("paper-block"), else empty

@@ -10,6 +10,7 @@
 
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/format/migrate.h"
 #include "scenarios/format/ranges.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
@@ -218,7 +219,7 @@ class Checks {
   /// What this metric reads when the target is met exactly; nullopt if the target does not determine it.
   std::optional<double> perfect(std::string_view metric) const {
     if (metric == "target_removed") return 100.0;
-    if (metric == "undercut" || metric.starts_with("overcut_")) return 0.0;
+    if (metric == "uncut_remainder" || metric.starts_with("overcut_")) return 0.0;
     if (metric.starts_with("depth_")) return s_.target.depth_mm;
     // Formats up to 1 sweep the outline straight down to a level floor.
     if (metric.starts_with("wall_angle_") || metric.starts_with("convergence_") || metric.starts_with("floor_")) return 0.0;
@@ -364,12 +365,23 @@ std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* spe
   return Checks(scenario, specimen).run();
 }
 
+namespace {
+
+/// What the schema is to see: a document of an older format as the present one says it.
+std::string in_present_format(std::string_view text) {
+  auto document = json_text::parse(text);
+  if (!document || !document->is_object() || !migrate(*document)) return std::string(text);
+  return document->dump();
+}
+
+}  // namespace
+
 std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* specimen) {
   const auto scenario = read_scenario(text);
   if (scenario) {
     std::vector<Finding> out = validate(*scenario, specimen);
     const std::size_t own = out.size();
-    for (Finding& finding : check_schema(text)) {
+    for (Finding& finding : check_schema(in_present_format(text))) {
       const auto reported = [&](const Finding& f) { return f.severity == Severity::error && f.path == finding.path; };
       if (std::none_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(own), reported)) out.push_back(std::move(finding));
     }
@@ -379,7 +391,7 @@ std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* s
   const FormatFailure& failure = scenario.error();
   std::vector<Finding> out;
   out.push_back({Severity::error, failure.where, std::string(key_of(failure.code)), {}, failure.detail});
-  for (Finding& finding : check_schema(text)) out.push_back(std::move(finding));
+  for (Finding& finding : check_schema(in_present_format(text))) out.push_back(std::move(finding));
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/format/migrate.h"
 #include "scenarios/format/write_document.h"
 
 namespace cusp::scenarios {
@@ -76,6 +77,7 @@ Json json_of(const Bur& bur) {
 template <class Json>
 Json json_of(const Target& target) {
   Json out = Json::object();
+  out["kind"] = "outline";
   out["shape"] = target.shape;
   Json paths = Json::array();
   for (const std::vector<Vec3>& path : target.paths) {
@@ -153,7 +155,11 @@ Json json_of(const Scenario& scenario) {
   leeway["side_mm"] = scenario.leeway.side_mm;
   out["leeway"] = std::move(leeway);
   Json guarded = Json::array();
-  for (const Tissue tissue : scenario.protected_tissues) guarded.push_back(key_of_scenario_tissue(tissue));
+  for (const Tissue tissue : scenario.protected_tissues) {
+    Json one = Json::object();
+    one["tissue"] = key_of_scenario_tissue(tissue);
+    guarded.push_back(std::move(one));
+  }
   out["protected"] = std::move(guarded);
   Json limits = Json::object();
   limits["time_s"] = scenario.time_limit_s;
@@ -179,6 +185,13 @@ std::string write_scenario(const Scenario& scenario) {
 std::string canonical_json(const Scenario& scenario) {
   std::string out;
   json_text::append(out, document_of(scenario), -1);
+  return out;
+}
+
+std::string hashed_json(const Scenario& scenario) {
+  const nlohmann::json document = document_of(scenario);
+  std::string out;
+  json_text::append(out, in_format_1(document).value_or(document), -1);
   return out;
 }
 

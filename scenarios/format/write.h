@@ -15,8 +15,12 @@ namespace cusp::scenarios {
 /// same, a newline at the end.
 std::string write_scenario(const Scenario& scenario);
 
-/// For hashing: one line, keys sorted by bytes, shortest numbers that read back the same.
+/// For records: one line, keys sorted by bytes, shortest numbers that read back the same.
 std::string canonical_json(const Scenario& scenario);
+
+/// For hashing: the canonical form in the oldest format that can say these values. So an exercise keeps its hash when the
+/// format that its file is written in changes, and no two exercises share one.
+std::string hashed_json(const Scenario& scenario);
 
 /// The same for any JSON text; the failure names line and column.
 Result<std::string, FormatFailure> canonical_json(std::string_view text);

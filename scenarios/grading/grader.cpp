@@ -27,7 +27,7 @@ bool is_of_form(std::string_view metric) {
 bool earned_by_doing_nothing(const Criterion& criterion) {
   const std::string_view metric = criterion.metric;
   if (metric == "remaining_over_pulp" || is_of_form(metric)) return true;
-  if (metric == "target_removed" || metric == "undercut") return false;
+  if (metric == "target_removed" || metric == "uncut_remainder") return false;
   return share_of_points(criterion.bands, 0.0) > 0.0;
 }
 

@@ -14,7 +14,7 @@ namespace cusp::scenarios {
 /// What is kept intact counts in proportion to what was drilled. Where the rubric asks for target_removed and that was
 /// measured, share = min(1, target_removed / its ideal_lo) scales the points of every criterion that a tooth nobody
 /// touched would earn: remaining_over_pulp, and whatever gives points at 0 (overcut_*, depth_most, force_*, time), but
-/// target_removed and undercut themselves. At share 1 nothing changes.
+/// target_removed and uncut_remainder themselves. At share 1 nothing changes.
 ///
 /// reason_code: full, too_much, too_little (args value, limit = the ideal edge that was missed, lost = points),
 /// too_deep, too_shallow (the same, for depth_*), too_dry, too_warm (the same, for coolant), not_measured (no args), little_drilled (args share,

@@ -77,9 +77,9 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
                            sum.worst[i].found() ? std::optional(sum.worst[i].at_mm) : std::nullopt));
   }
   if (!(whole > 0.0)) {
-    out.push_back(not_measured("undercut", "mm3"));
+    out.push_back(not_measured("uncut_remainder", "mm3"));
   } else {
-    out.push_back(measured("undercut", std::max(0.0, whole - sum.removed_mm3[kTarget]),
+    out.push_back(measured("uncut_remainder", std::max(0.0, whole - sum.removed_mm3[kTarget]),
                            reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget], "mm3", out.front().where_mm));
   }
 }

@@ -1,8 +1,8 @@
 /// All measures of a finished (or interrupted) exercise, each with its uncertainty and its place. Sub-voxel for a banded
 /// volume; a filled one is its voxels, with a larger uncertainty.
 ///
-/// Keys: target_removed (%), overcut_leeway_floor, overcut_leeway_side, overcut_beyond_floor, overcut_beyond_side, undercut
-/// (mm3), depth_least, depth_mean, depth_most (mm), wall_angle_mesial, wall_angle_distal, wall_angle_buccal,
+/// Keys: target_removed (%), overcut_leeway_floor, overcut_leeway_side, overcut_beyond_floor, overcut_beyond_side,
+/// uncut_remainder (mm3), depth_least, depth_mean, depth_most (mm), wall_angle_mesial, wall_angle_distal, wall_angle_buccal,
 /// wall_angle_lingual, convergence_mesiodistal, convergence_buccolingual (deg; walls.h), floor_flatness (mm), floor_tilt
 /// (deg; floor.h), isthmus_width (mm; width.h), ridge_mesial, ridge_distal (mm; remaining.h), removed_<tissue key> (mm3, each
 /// tissue of the scenario; one of its own: removed_16 and so on), remaining_over_pulp (mm), time (s), force_peak, force_mean

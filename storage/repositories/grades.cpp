@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/format/keys.h"
 #include "storage/records/chain_writer.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"
@@ -51,8 +52,9 @@ StoredGrade grade_of(Row row) {
 
 CriterionGrade criterion_of(Row row) {
   CriterionGrade c;
-  c.id = row.text(1);
-  c.measure.metric = row.text(2);
+  // The row stays as it was written; its names are today's from here on.
+  c.id = scenarios::present_metric(row.text(1));
+  c.measure.metric = scenarios::present_metric(row.text(2));
   c.measure.measured = row.flag(3);
   c.measure.value = row.real(4);
   c.measure.uncertainty = row.real(5);

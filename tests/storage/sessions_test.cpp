@@ -166,6 +166,18 @@ TEST_F(SessionsTest, a_grade_comes_back_to_the_bit_and_an_older_one_stays) {
   EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
 }
 
+TEST_F(SessionsTest, a_grade_of_format_1_is_read_by_the_present_names_of_its_metrics_and_its_rows_stay) {
+  const SessionId id = complete_session(*store, student, version);
+  Grade old = small_grade();
+  old.criteria[0].id = old.criteria[0].measure.metric = "undercut";
+  must(store->grades.save(id, old, {}, make_instructor(*store).actor()));
+  const StoredGrade read = *must(store->grades.newest(id));
+  EXPECT_EQ(read.grade.criteria[0].id, "uncut_remainder");
+  EXPECT_EQ(read.grade.criteria[0].measure.metric, "uncut_remainder");
+  EXPECT_EQ(read.grade.criteria[1].id, old.criteria[1].id);
+  EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM criteria WHERE id = 'undercut'", [](Row row) { return row.integer(0); })), 1);
+}
+
 TEST_F(SessionsTest, an_interrupted_session_is_resumed_or_graded_as_it_stands) {
   const SessionId id = start();
   must(store->traces.append(id, second_from(1)));

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/format/migrate.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
@@ -41,12 +42,13 @@ Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& sce
     failure.where = file + ':' + failure.where;
     return std::unexpected(describe(failure));
   }
-  const auto rubric = nlohmann::json::parse(text, nullptr, false);
+  auto rubric = nlohmann::json::parse(text, nullptr, false);
   if (rubric.is_object() && rubric.contains("format")) {
     const auto whole = read_scenario_file(file);
     return std::unexpected(describe(whole.error()));
   }
   auto with = nlohmann::json::parse(canonical_json(scenario));
+  migrate_rubric(rubric);
   with["rubric"] = rubric;
   auto read = read_scenario(with.dump());
   if (!read) {

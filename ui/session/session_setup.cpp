@@ -154,7 +154,7 @@ std::string_view key_of(SessionEnd end) noexcept {
 Hash256 rubric_hash(const Rubric& rubric) {
   Scenario only;
   only.rubric = rubric;
-  const auto json = nlohmann::json::parse(canonical_json(only), nullptr, false);
+  const auto json = nlohmann::json::parse(hashed_json(only), nullptr, false);
   // Sorted keys and the shortest numbers, as canonical JSON of the whole: a part of it is canonical again.
   return blake2b_256(json.is_object() && json.contains("rubric") ? json["rubric"].dump() : std::string());
 }

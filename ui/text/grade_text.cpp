@@ -16,7 +16,7 @@ QString metric_name(const std::string& m) {
   if (m == "overcut_leeway_side") return Text::tr("Over-cut within tolerance, walls");
   if (m == "overcut_beyond_floor") return Text::tr("Over-cut, floor");
   if (m == "overcut_beyond_side") return Text::tr("Over-cut, walls");
-  if (m == "undercut") return Text::tr("Not removed");
+  if (m == "uncut_remainder") return Text::tr("Not removed");
   if (m == "depth_least") return Text::tr("Floor depth, shallowest");
   if (m == "depth_mean") return Text::tr("Floor depth, mean");
   if (m == "depth_most") return Text::tr("Floor depth, deepest");
@@ -155,7 +155,7 @@ QString advice_text(const CriterionGrade& g) {
     return Text::tr("Lift off and read the depth before you go deeper.");
   if (m == "overcut_leeway_side" || m == "overcut_beyond_side")
     return Text::tr("Keep the bur’s edge inside the target line; push less near the walls.");
-  if (m == "undercut") return Text::tr("Turn the view and clear the corners along the walls.");
+  if (m == "uncut_remainder") return Text::tr("Turn the view and clear the corners along the walls.");
   if (m.starts_with("depth_")) {
     if (g.reason_code == "too_deep") return Text::tr("Stop pushing at the required depth and move sideways.");
     return Text::tr("Cut to the required depth over the whole floor.");

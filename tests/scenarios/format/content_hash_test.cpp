@@ -30,7 +30,7 @@ TEST(ContentHash, IsOverSortedLinesOfHashAndPath) {
   const Scenario scenario = sound_scenario();
   const std::map<std::string, std::vector<std::byte>> beside{{"z.nrrd", bytes_of("z")}, {"a.nrrd", bytes_of("a")}};
   const std::string lines = hash_of_bytes(bytes_of("a")).hex() + "  a.nrrd\n" +
-                            hash_of_bytes(bytes_of(canonical_json(scenario))).hex() + "  scenario.json\n" +
+                            hash_of_bytes(bytes_of(hashed_json(scenario))).hex() + "  scenario.json\n" +
                             hash_of_bytes(bytes_of("z")).hex() + "  z.nrrd\n";
   EXPECT_EQ(content_hash(scenario, beside), hash_of_bytes(bytes_of(lines)));
 }

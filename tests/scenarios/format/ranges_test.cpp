@@ -132,6 +132,7 @@ TEST(Ranges, TheLastValueInsideIsTakenAndTheFirstOutsideRefusedWithItsPlaceAndRa
     const double step = whole ? 1.0 : 1e-6 * std::max(1.0, std::fabs(row.most - row.least));
     for (const double inside : {row.least, row.most, row.or_zero ? 0.0 : row.least})
       EXPECT_FALSE(refuses(findings_with(place, value(inside)), place)) << inside;
+    if (place == "/format") continue;  // an older one is migrated, a newer one refused: migrate_test.cpp
     for (const double outside : {row.least - (row.least > 0 && !whole ? std::min(step, 0.5 * row.least) : step), row.most + step})
       EXPECT_TRUE(refuses(findings_with(place, value(outside)), place)) << outside;
   }

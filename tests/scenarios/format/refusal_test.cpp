@@ -88,12 +88,12 @@ TEST(RefusedScenarioFile, NumbersThatAreNoneAreNamed) {
 
 TEST(RefusedScenarioFile, ANewerFormatIsRefusedBeforeItsUnknownKeys) {
   json document = sound();
-  document["format"] = 2;
+  document["format"] = 3;
   document["holograms"] = true;
   const FormatFailure failure = failure_of(document.dump());
   EXPECT_EQ(failure.code, FormatError::newer_format);
   EXPECT_EQ(failure.where, "/format");
-  EXPECT_EQ(failure.detail, "2");
+  EXPECT_EQ(failure.detail, "3");
   EXPECT_EQ(with("/format", 18446744073709551615u).code, FormatError::newer_format);
   EXPECT_EQ(with("/format", 0).code, FormatError::out_of_range);
   EXPECT_EQ(with("/format", -3).code, FormatError::out_of_range);
@@ -280,7 +280,8 @@ TEST(RefusedScenarioFile, UnknownKeysAreNamedByKind) {
       {"/tissues/0/tissue", "empty", FormatError::unknown_tissue},
       {"/tissues/0/tissue", "15", FormatError::unknown_tissue},
       {"/tissues/0/tissue", "32", FormatError::unknown_tissue},
-      {"/protected", {"nerve"}, FormatError::unknown_tissue},
+      {"/protected", json::array({{{"tissue", "nerve"}}}), FormatError::unknown_tissue},
+      {"/target/kind", "star", FormatError::unknown_shape},
       {"/rubric/criteria/0/metric", "beauty", FormatError::unknown_metric},
       {"/rubric/criteria/0/metric", "removed_empty", FormatError::unknown_metric},
       {"/rubric/criteria/0/metric", "removed_", FormatError::unknown_metric},

@@ -233,11 +233,11 @@ TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleStudent) {
                        {"force_peak", 10, {0, 0, 0, 1.5, 2, 3}},
                        {"removed_enamel", 10, {0, 0, 0, 5, 8, 12}},
                        {"removed_carious_dentine", 10, {1, 2, 3, 5, 6, 8}},  // must be removed: its bands ask for it
-                       {"undercut", 10, {0, 0, 0, 1, 2, 4}}};
+                       {"uncut_remainder", 10, {0, 0, 0, 1, 2, 4}}};
   const Grade idle = grade(s, {value("target_removed", 0), value("time", 0), value("force_peak", 0),
-                               value("removed_enamel", 0), value("removed_carious_dentine", 0), value("undercut", 40)});
+                               value("removed_enamel", 0), value("removed_carious_dentine", 0), value("uncut_remainder", 40)});
   EXPECT_EQ(idle.score, 0.0);
-  const Grade half = grade(s, {value("target_removed", 48.5), value("removed_carious_dentine", 4), value("undercut", 0.5)});
+  const Grade half = grade(s, {value("target_removed", 48.5), value("removed_carious_dentine", 4), value("uncut_remainder", 0.5)});
   EXPECT_DOUBLE_EQ(half.criteria[4].points, 10.0 * 100 / 30);
   EXPECT_DOUBLE_EQ(half.criteria[5].points, 10.0 * 100 / 30);
 }

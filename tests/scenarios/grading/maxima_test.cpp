@@ -145,8 +145,8 @@ TEST(ScaledPoints, OfABrokenGradeAreNone) {
 
 TEST(Grade, PointsOfAnyWeightsAreOfAHundred) {
   Scenario s;
-  s.rubric.criteria = {{"target_removed", 80, kMostRemoved}, {"undercut", 30, kAll}};
-  const Grade g = grade(s, {{"target_removed", true, 90, 0, "%", {}}, {"undercut", true, 1, 0, "mm3", {}}});
+  s.rubric.criteria = {{"target_removed", 80, kMostRemoved}, {"uncut_remainder", 30, kAll}};
+  const Grade g = grade(s, {{"target_removed", true, 90, 0, "%", {}}, {"uncut_remainder", true, 1, 0, "mm3", {}}});
   EXPECT_DOUBLE_EQ(g.criteria[0].points_max + g.criteria[1].points_max, 100.0);
   EXPECT_DOUBLE_EQ(g.criteria[0].points + g.criteria[1].points, g.score);
   EXPECT_DOUBLE_EQ(g.criteria[0].reason_args.at("lost"), g.criteria[0].points_max / 2);

@@ -183,7 +183,7 @@ void check_place(const Reference& reference, const Volume& volume, const Measure
     EXPECT_LE(look.original, 0.5);
     ++counts.walls;
     counts.walls_inside += look.original <= -0.8 && std::fabs(look.level) < 0.8;
-  } else if (m.metric == "target_removed" || m.metric == "undercut") {
+  } else if (m.metric == "target_removed" || m.metric == "uncut_remainder") {
     EXPECT_LE(std::fabs(std::max(look.original, look.cut)), 1.0) << "not on the free surface of what still stands";
     EXPECT_LT(reference.shape().outline_mm({m.where_mm->x, m.where_mm->y}), 0.0) << "outside the outline";
     ++counts.standing;

@@ -93,7 +93,7 @@ TEST(Measure, AnUntouchedSpecimenIsNothingRemovedAndAllLeft) {
   const Bench bench;
   const Volume volume(bench.specimen);
   EXPECT_EQ(bench.get(volume, "target_removed").value, 0.0);
-  EXPECT_NEAR(bench.get(volume, "undercut").value, bench.reference->target_mm3(), 1e-12);
+  EXPECT_NEAR(bench.get(volume, "uncut_remainder").value, bench.reference->target_mm3(), 1e-12);
   EXPECT_EQ(bench.get(volume, "overcut_beyond_side").value, 0.0);
   EXPECT_FALSE(bench.get(volume, "depth_mean").measured);
   EXPECT_FALSE(bench.get(volume, "remaining_over_pulp").measured);
@@ -162,12 +162,12 @@ TEST(Measure, OverCutWallsCountAsSide) {
   EXPECT_GT(beyond.value, 2.0);
   // The uncut remainder on the other side equals the over-cut on this one; below the bisector it counts as floor.
   const double floor = bench.get(volume, "overcut_leeway_floor").value + bench.get(volume, "overcut_beyond_floor").value;
-  EXPECT_NEAR(side.value + beyond.value + floor, bench.get(volume, "undercut").value, 0.03);
+  EXPECT_NEAR(side.value + beyond.value + floor, bench.get(volume, "uncut_remainder").value, 0.03);
   ASSERT_TRUE(beyond.where_mm.has_value());
   EXPECT_GT(beyond.where_mm->y, 0.9);
   EXPECT_LT(bench.get(volume, "target_removed").value, 75.0);
-  ASSERT_TRUE(bench.get(volume, "undercut").where_mm.has_value());
-  EXPECT_LT(bench.get(volume, "undercut").where_mm->y, 0.0);
+  ASSERT_TRUE(bench.get(volume, "uncut_remainder").where_mm.has_value());
+  EXPECT_LT(bench.get(volume, "uncut_remainder").where_mm->y, 0.0);
 }
 
 TEST(Measure, HalvingTheVoxelShrinksTheError) {
@@ -273,7 +273,7 @@ TEST(Measure, ATargetOutsideTheSpecimenIsNotMeasured) {
   bench.scenario.target.paths = {{Vec3(40, 0, 0), Vec3(41, 0, 0)}};
   const Reference away(bench.scenario, bench.specimen);
   for (const Measure& m : measure(away, Volume(bench.specimen), {})) {
-    if (m.metric != "target_removed" && m.metric != "undercut") continue;
+    if (m.metric != "target_removed" && m.metric != "uncut_remainder") continue;
     EXPECT_FALSE(m.measured);
   }
 }

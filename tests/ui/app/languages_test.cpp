@@ -102,10 +102,10 @@ TEST(Languages, a_translation_keeps_every_place_holder) {
 TEST(Languages, switching_changes_text_and_numbers_at_once) {
   install_language(*qApp, QStringLiteral("de"));
   EXPECT_EQ(current_language().toStdString(), "de");
-  EXPECT_EQ(metric_name("undercut").toStdString(), "Nicht entfernt");
+  EXPECT_EQ(metric_name("uncut_remainder").toStdString(), "Nicht entfernt");
   EXPECT_EQ(format_number(1.5, 1).toStdString(), "1,5");
   install_language(*qApp, QStringLiteral("en"));
-  EXPECT_EQ(metric_name("undercut").toStdString(), "Not removed");
+  EXPECT_EQ(metric_name("uncut_remainder").toStdString(), "Not removed");
   EXPECT_EQ(format_number(1.5, 1).toStdString(), "1.5");
 }
 

@@ -214,7 +214,7 @@ TEST(Sentences, a_place_for_a_database_that_admits_no_file_is_not_called_missing
 
 TEST(Sentences, every_metric_and_tissue_has_a_name) {
   for (const char* metric : {"target_removed", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor",
-                             "overcut_beyond_side", "undercut", "depth_least", "depth_mean", "depth_most",
+                             "overcut_beyond_side", "uncut_remainder", "depth_least", "depth_mean", "depth_most",
                              "removed_enamel", "removed_carious_dentine", "removed_16", "remaining_over_pulp", "time",
                              "force_peak", "force_mean", "pulp_exposure"}) {
     EXPECT_NE(metric_name(metric).toStdString(), metric);

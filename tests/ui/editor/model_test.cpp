@@ -73,7 +73,7 @@ const std::vector<Edit>& every_edit() {
        }},
       {"leeway", [](EditorModel& m) { return m.set_leeway({0.2, 0.25}); }},
       {"add a criterion",
-       [](EditorModel& m) { return m.add_criterion("undercut", first_bands("undercut", m.scenario().target)); }},
+       [](EditorModel& m) { return m.add_criterion("uncut_remainder", first_bands("uncut_remainder", m.scenario().target)); }},
       {"remove a criterion", [](EditorModel& m) { return m.remove_criterion(1); }},
       {"weight", [](EditorModel& m) { return m.set_weight(0, 25); }},
       {"bands", [](EditorModel& m) { return m.set_bands(0, {70, 80, 95, 100, 100, 100}); }},

@@ -1,11 +1,14 @@
 #include "tests/modules.h"
 #include "ui/session/replay.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
 
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
 #include "storage/records/trace_codec.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/play_through.h"
@@ -72,6 +75,32 @@ TEST(Replay, AJumpWithoutACacheFillsItAndTheNextOneIsShort) {
   ASSERT_TRUE(warm->to(15'450));
   ASSERT_TRUE(cold->to(15'450));
   EXPECT_EQ(cold->state().hash(), warm->state().hash());
+}
+
+TEST(Replay, AnExerciseThatWasPublishedInFormat1IsPlayedReplayedAndGradedAsThatVersion) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.scenario.rubric.criteria.push_back({"uncut_remainder", 10, {0, 0, 0, 0.5, 1, 2}});
+  const std::string of_format_1 = hashed_json(plan.scenario);
+  ASSERT_THAT(of_format_1, testing::HasSubstr("\"format\":1"));
+  ASSERT_THAT(of_format_1, testing::HasSubstr("\"undercut\""));
+  auto store = work.store();
+  const auto published = store->scenarios.ensure(plan.scenario, of_format_1, content_hash(plan.scenario).bytes);
+  ASSERT_TRUE(published);
+
+  DrillingPort port(1500);
+  const auto result = play_through(plan, port);
+  ASSERT_TRUE(result);
+  const auto versions = store->scenarios.versions(plan.scenario.id);
+  ASSERT_EQ(versions->size(), 1u) << "the attempt belongs to the version that there was";
+  EXPECT_EQ(versions->front().json, of_format_1);
+  const auto opened = open_session(*store, result->session);
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->scenario, plan.scenario);
+  const auto proof = prove_session(*store, result->session);
+  ASSERT_TRUE(proof);
+  EXPECT_TRUE(proof->volume_equal);
+  EXPECT_TRUE(proof->grade_equal) << proof->grade_differs;
 }
 
 TEST(Replay, ALongJumpReportsHowFarItIsAndStopsWhenAsked) {
