@@ -864,6 +864,18 @@
         <source>The tolerance zone reaches the pulp: it lies %1 from the target.</source>
         <translation>Die Toleranzzone reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
     </message>
+    <message>
+        <source>A shape of the target has no direction: an axis has no length, or two are parallel.</source>
+        <translation>Eine Form des Ziels hat keine Richtung: Eine Achse hat keine Länge, oder zwei sind parallel.</translation>
+    </message>
+    <message>
+        <source>The target has no end on a side. Cut it with a shape that has one.</source>
+        <translation>Das Ziel hat auf einer Seite kein Ende. Schneiden Sie es mit einer Form, die eines hat.</translation>
+    </message>
+    <message>
+        <source>Damage of a protected part fails the attempt, and nothing is protected.</source>
+        <translation>Verletzung von Geschütztem lässt den Versuch scheitern, und nichts ist geschützt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -1648,6 +1660,18 @@
     <message>
         <source>In %1 more is cut than a volume of this exercise can keep.</source>
         <translation>In %1 ist mehr abgetragen, als ein Volumen dieser Übung aufnehmen kann.</translation>
+    </message>
+    <message>
+        <source>a shape of the target has no direction</source>
+        <translation>eine Form des Ziels hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>the target has no end on a side</source>
+        <translation>das Ziel hat auf einer Seite kein Ende</translation>
+    </message>
+    <message>
+        <source>damage of a protected part fails the attempt, and nothing is protected</source>
+        <translation>Verletzung von Geschütztem lässt den Versuch scheitern, und nichts ist geschützt</translation>
     </message>
 </context>
 <context>
@@ -5052,6 +5076,18 @@
         <source>Tolerance zone, sides</source>
         <translation>Toleranzzone, Seiten</translation>
     </message>
+    <message>
+        <source>Composed shape</source>
+        <translation>Zusammengesetzte Form</translation>
+    </message>
+    <message>
+        <source>This target is composed of several shapes. The editor cannot change them yet; they stay as they are.</source>
+        <translation>Dieses Ziel ist aus mehreren Formen zusammengesetzt. Der Editor kann sie noch nicht ändern; sie bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Some faces have a tolerance zone of their own; it stays as it is.</source>
+        <translation>Einige Flächen haben eine eigene Toleranzzone; sie bleibt, wie sie ist.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Shell</name>
@@ -6799,6 +6835,26 @@ Ihr bester davor</translation>
     <message>
         <source>Stop short of the marginal ridge; read its thickness from above.</source>
         <translation>Bleiben Sie vor der Randleiste stehen; beurteilen Sie ihre Dicke von oben.</translation>
+    </message>
+    <message>
+        <source>Look where the protected part lies before you begin, and keep the bur off it.</source>
+        <translation>Sehen Sie nach, wo das Geschützte liegt, bevor Sie beginnen, und halten Sie den Bohrer davon fern.</translation>
+    </message>
+    <message>
+        <source>Removed of what is protected</source>
+        <translation>Vom Geschützten abgetragen</translation>
+    </message>
+    <message>
+        <source>Protected part damaged</source>
+        <translation>Geschütztes verletzt</translation>
+    </message>
+    <message>
+        <source>Something protected was damaged</source>
+        <translation>Etwas Geschütztes wurde verletzt</translation>
+    </message>
+    <message>
+        <source>Brings no points: it takes a device of %1 axes, and this one has %2</source>
+        <translation>Ohne Punkte: Dafür braucht es ein Gerät mit %1 Achsen, dieses hat %2</translation>
     </message>
 </context>
 <context>

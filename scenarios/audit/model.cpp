@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scenarios/format/keys.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -54,8 +54,8 @@ VoxelVolume cropped(const VoxelVolume& v, const Scenario& scenario) {
   if (shape.empty()) return v;
   double radius = 0;
   for (const Bur& bur : scenario.instruments) radius = std::max(radius, bur.radius_mm);
-  const double side = scenario.leeway.side_mm + radius + kReachMm;
-  const double down = scenario.leeway.floor_mm + radius + kReachMm;
+  const double side = scenario.leeway.most() + radius + kReachMm;
+  const double down = scenario.leeway.most() + radius + kReachMm;
   const Vec3 low(shape.low().x - side, shape.low().y - side, shape.floor_mm() - down);
   const Vec3 high(shape.high().x + side, shape.high().y + side, v.grid.centre_mm(v.grid.size).z);
   IVec3 from, to;  // `to` is the first beyond

@@ -106,8 +106,8 @@ constexpr BlockExercise kExercises[] = {
 /// The nearest decimal: files hold short numbers. Adding zero keeps -0 out of them.
 double rounded(double value, double per_unit) noexcept { return std::round(value * per_unit) / per_unit + 0.0; }
 
-Target target_of(BlockShape shape) {
-  Target out;
+Outline target_of(BlockShape shape) {
+  Outline out;
   out.shape = shape == BlockShape::channel || shape == BlockShape::line ? "channel" : "outline";
   out.width_mm = shape == BlockShape::line ? kLineWidthMm : shape == BlockShape::circle ? kDiscMm : kWidthMm;
   out.depth_mm = kDepthMm;
@@ -223,9 +223,9 @@ Scenario block_exercise(BlockShape shape, BlockLevel level) {
   if (level == BlockLevel::third) out.tissues.push_back({Tissue::composite, 3.0, 1.5});
   out.tissues.push_back({Tissue::plastic, 2.0, 3.0});
   out.instruments = burs_of(shape);
-  out.target = target_of(shape);
+  out.target = region_of(target_of(shape));
   out.leeway = {of_level.tolerated_mm, of_level.tolerated_mm};
-  out.rubric = rubric_of(shape, of_level, areas_of(shape, out.target.width_mm));
+  out.rubric = rubric_of(shape, of_level, areas_of(shape, out.target.outline.width_mm));
   if (shape == BlockShape::channel && level == BlockLevel::first) set_first_channel_bounds(out.rubric);
   return out;
 }

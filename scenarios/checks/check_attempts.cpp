@@ -88,8 +88,12 @@ std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<co
   const Grade untouched = grade(scenario, measure(reference, Volume(specimen), process));
   if (untouched.score > kNoPoints || untouched.passed)
     out.push_back({Severity::error, "/rubric/criteria", "idle_earns", {{"value", untouched.score}}, {}});
-  if (scenario.target.paths.empty() || scenario.target.paths.front().empty()) return out;
-  const Vec3 first = scenario.target.paths.front().front();
+  const auto outlines = outlines_of(scenario.target);
+  const Vec2 middle = 0.5 * (reference.shape().low() + reference.shape().high());
+  if (reference.shape().empty()) return out;
+  // A tree without outlines is touched at its middle.
+  const bool drawn = !outlines.empty() && !outlines.front()->paths.empty() && !outlines.front()->paths.front().empty();
+  const Vec3 first = drawn ? outlines.front()->paths.front().front() : Vec3(middle, 0.0);
   double most = -1.0;
   for (const bool shaft : {false, true}) {
     const Volume volume = token(reference, specimen, {shaft, {first.x, first.y}});

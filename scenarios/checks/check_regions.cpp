@@ -26,26 +26,28 @@ std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Spe
   if (shape.empty()) return out;
   const Grid& grid = specimen.grid();
   const double voxel_mm3 = grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
-  const double side = scenario.leeway.side_mm + grid.voxel_mm, below = scenario.leeway.floor_mm + grid.voxel_mm;
+  const double side = scenario.leeway.most() + grid.voxel_mm;
   const auto voxel = [&](Vec3 p) { return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm)); };
-  const IVec3 low = glm::max(voxel({shape.low().x - side, shape.low().y - side, shape.floor_mm() - below}), IVec3(0));
+  const IVec3 low = glm::max(voxel({shape.low().x - side, shape.low().y - side, shape.floor_mm() - side}), IVec3(0));
   const IVec3 high = glm::min(voxel({shape.high().x + side, shape.high().y + side, 0.0}) + 1, grid.size - 1);
   for (int y = low.y; y <= high.y; ++y)
     for (int x = low.x; x <= high.x; ++x) {
       const Vec3 foot = grid.centre_mm({x, y, low.z});
-      const double u = shape.outline_mm({foot.x, foot.y});
-      if (u > side) continue;
+      const bool upright = shape.upright() != nullptr;
+      const double u = upright ? shape.outline_mm({foot.x, foot.y}) : 0.0;
+      if (upright && u > side) continue;
       for (int z = low.z; z < grid.size.z; ++z) {
         if (specimen.s({x, y, z}) < kHalf) continue;
-        const double v = shape.below_floor_mm(grid.centre_mm({x, y, z}).z);
+        const Vec3 centre = grid.centre_mm({x, y, z});
+        const Near near = shape.near(centre);
         Reached& here = out[index_of(specimen.tissue({x, y, z}))];
-        const double d = rounded_corner(u, v, shape.corner_mm());
+        const double d = near.distance_mm;
         here.nearest_mm = std::min(here.nearest_mm, d);
         if (d < 0.0) {
           here.target_mm3 += voxel_mm3;
-          here.deepest_mm = std::max(here.deepest_mm, -v);
+          here.deepest_mm = std::max(here.deepest_mm, -near.floor_mm);
         } else {
-          const Place place = place_of(u, v, shape.corner_mm(), scenario.leeway);
+          const Place place = place_of(near, scenario.leeway);
           here.in_zone = here.in_zone || place == Place::tolerated_floor || place == Place::tolerated_side;
         }
       }
@@ -78,8 +80,9 @@ std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& spe
   double all = 0;
   for (const Reached& r : reached) all += r.target_mm3;
   if (!(all > 0.0)) out.push_back({Severity::error, "/target/paths", "target_without_tissue", {}, {}});
-  for (std::size_t i = 0; i < scenario.protected_tissues.size(); ++i) {
-    const Tissue tissue = scenario.protected_tissues[i];
+  for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i) {
+    if (!scenario.protected_parts[i].tissue) continue;
+    const Tissue tissue = *scenario.protected_parts[i].tissue;
     if (tissue == Tissue::pulp) continue;
     const Reached& here = reached[index_of(tissue)];
     const std::string path = "/protected/" + std::to_string(i), key(key_of_scenario_tissue(tissue));

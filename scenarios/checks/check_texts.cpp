@@ -55,16 +55,23 @@ std::vector<Figure> figures_of(std::string_view text) {
 
 /// The lengths that a target is drawn with.
 std::vector<double> drawn_mm(const Scenario& s) {
-  if (s.target.shape == "box") return {s.target.depth_mm, s.target.box_size_mm.x, s.target.box_size_mm.y};
-  return {s.target.depth_mm, s.target.width_mm};
+  std::vector<double> out;
+  for (const Outline* o : outlines_of(s.target)) {
+    out.push_back(o->depth_mm);
+    out.push_back(o->shape == "box" ? o->box_size_mm.x : o->width_mm);
+    if (o->shape == "box") out.push_back(o->box_size_mm.y);
+  }
+  return out;
 }
 /// Every other length that an exercise's text may name.
 std::vector<double> known_mm(const Scenario& s) {
   std::vector<double> out = drawn_mm(s);
-  for (const double mm : {s.target.corner_radius_mm, s.leeway.floor_mm, s.leeway.side_mm}) out.push_back(mm);
+  for (const double mm : {s.leeway.floor_mm, s.leeway.side_mm}) out.push_back(mm);
+  for (const auto& [face, mm] : s.leeway.faces) out.push_back(mm);
+  for (const Outline* o : outlines_of(s.target)) out.push_back(o->corner_radius_mm);
   for (const Bur& bur : s.instruments) {
     out.push_back(2.0 * bur.radius_mm);
-    out.push_back(s.target.width_mm - 2.0 * bur.radius_mm);
+    for (const Outline* o : outlines_of(s.target)) out.push_back(o->width_mm - 2.0 * bur.radius_mm);
   }
   return out;
 }
@@ -99,9 +106,11 @@ bool other_tooth(const SpecimenSource& a, const SpecimenSource& b) {
   return a.generator != b.generator || a.fdi != b.fdi || a.volume != b.volume || a.typodont != b.typodont ||
          a.around != b.around || a.lesions != b.lesions;
 }
-bool other_target(const Target& a, const Target& b) {
-  return a.shape != b.shape || a.paths != b.paths || a.depth_mm != b.depth_mm || a.width_mm != b.width_mm ||
-         a.box_size_mm != b.box_size_mm;
+bool other_target(const Region& a, const Region& b) {
+  if (a.kind != RegionKind::outline || b.kind != RegionKind::outline) return a != b;
+  const Outline &c = a.outline, &d = b.outline;
+  return c.shape != d.shape || c.paths != d.paths || c.depth_mm != d.depth_mm || c.width_mm != d.width_mm ||
+         c.box_size_mm != d.box_size_mm;
 }
 
 class TextCheck {

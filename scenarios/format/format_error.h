@@ -31,6 +31,8 @@ enum class FormatError : std::uint8_t {
   unknown_generator,
   unknown_shape,
   unknown_phenomenon,
+  unknown_face,       // a face of a region, or of the tolerance zone
+  unknown_severity,
   unknown_bur,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key
 };

@@ -44,6 +44,7 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"ridge_mesial", "mm"},               // marginal ridge: wall to greatest proximal contour
     MetricKey{"ridge_distal", "mm"},
     MetricKey{"remaining_over_pulp", "mm"},        // least wall between the cavity and the pulp
+    MetricKey{"protected_removed", "mm3"},         // of what the scenario protects
     MetricKey{"time", "s"},
     MetricKey{"force_peak", "N"},
     MetricKey{"force_mean", "N"},
@@ -53,7 +54,8 @@ inline constexpr std::array kMetricKeys = {
 
 /// Events that may fail an attempt whatever its score.
 /// dry_cutting: the tooth came to the pulp's criterion (engine/removal/heat.h); needs the phenomenon "heat".
-inline constexpr std::array<std::string_view, 2> kCriticalKeys = {"pulp_exposure", "dry_cutting"};
+/// protected_damage: something protected was damaged at its severity (scenarios/metrics/protected_parts.h).
+inline constexpr std::array<std::string_view, 3> kCriticalKeys = {"pulp_exposure", "dry_cutting", "protected_damage"};
 
 /// "paper-block": three materials, 10 mm cube, 128^3 voxels; "block": plastic 20x20x10 mm; "layered-block": the same
 /// with a hard layer above; "tooth": by FDI number.
@@ -62,9 +64,8 @@ inline constexpr std::array<std::string_view, 4> kGeneratorKeys = {"paper-block"
 /// its jaw, as scenery.
 inline constexpr std::array<std::string_view, 4> kAroundKeys = {"neighbours", "gingiva", "bone", "jaw"};
 inline constexpr std::array<std::string_view, 3> kLesionKeys = {"fissure", "proximal", "root"};
+/// How an outline is drawn (region.h).
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
-/// Kinds of region. "outline": the shapes above, swept up from a floor.
-inline constexpr std::array<std::string_view, 1> kRegionKeys = {"outline"};
 /// At most one spindle; vibration and sound need one. "sound" is of no account to the step.
 inline constexpr std::array<std::string_view, 7> kPhenomenonKeys = {
     "friction", "spindle-turbine", "spindle-electric", "spindle-slow", "vibration", "sound", "heat"};

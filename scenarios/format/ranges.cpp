@@ -17,6 +17,9 @@ constexpr std::string_view kBand = "any figure that a measure can have, and an o
 constexpr std::string_view kThin = "a needle's tip is 0.1 mm wide; the widest wheel 10 mm [M]";
 constexpr std::string_view kFloorReach = "a shell thicker than half a crown tolerates everything";
 
+constexpr std::string_view kTaper = "walls of a preparation lean by less than 15 degrees; twice that";
+constexpr std::string_view kShapeSize = "two voxels of the finest grid to the largest imported specimen's";
+
 constexpr auto kRanges = std::to_array<NumberRange>({
     {"/format", "", kScenarioFormat, kScenarioFormat, false, "older ones are migrated before"},
     {"/version", "", 1, 1e9, false, "counts from 1; fits 32 bits"},
@@ -47,11 +50,34 @@ constexpr auto kRanges = std::to_array<NumberRange>({
     {"/target/top_mm", "mm", -1000, 1000, false, kPlace},
     {"/target/corner_radius_mm", "mm", 0, 5, false, "a flat end leaves none; the widest bur's radius"},
     {"/target/box_size_mm/*", "mm", 0, 1000, false, kPlace},
+    {"/target/taper_deg/x_low", "deg", -30, 30, false, kTaper},
+    {"/target/taper_deg/x_high", "deg", -30, 30, false, kTaper},
+    {"/target/taper_deg/y_low", "deg", -30, 30, false, kTaper},
+    {"/target/taper_deg/y_high", "deg", -30, 30, false, kTaper},
+    {"/target/from_mm/*", "mm", -1000, 1000, false, kPlace},
+    {"/target/to_mm/*", "mm", -1000, 1000, false, kPlace},
+    {"/target/size_mm/*", "mm", 0.1, 100, false, kShapeSize},
+    {"/target/radius_mm", "mm", 0, 100, false, kShapeSize},
+    {"/target/end_radius_mm", "mm", 0, 100, false, kShapeSize},
+    {"/target/x_axis/*", "", -1000, 1000, false, "a direction; its length is of no account"},
+    {"/target/z_axis/*", "", -1000, 1000, false, "a direction; its length is of no account"},
+    {"/target/rounding_mm", "mm", 0, 5, false, "the widest bur's radius"},
+    {"/target/by_mm", "mm", -5, 5, false, "half a crown"},
+    {"/leeway/faces/pulpal_floor", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/mesial_wall", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/distal_wall", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/buccal_wall", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/lingual_wall", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/gingival_floor", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/axial_wall", "mm", 0, 5, false, kFloorReach},
+    {"/leeway/faces/side_wall", "mm", 0, 5, false, kFloorReach},
+    {"/protected/*/depth_mm", "mm", 0, 10, false, "a crown's height"},
     {"/leeway/floor_mm", "mm", 0, 5, false, kFloorReach},
     {"/leeway/side_mm", "mm", 0, 5, false, kFloorReach},
     {"/limits/time_s", "s", 10, 86400, true, "0: none; in less nobody reaches the tooth; a day"},
     {"/rubric/pass", "", 1, 100, false, "of 100; at 0 whoever opens the exercise passes it"},
     {"/rubric/criteria/*/weight", "", 0.1, 1000, false, "what earns nothing is no criterion; four figures suffice for a share"},
+    {"/rubric/criteria/*/needs_dof", "", 3, 6, false, "axes of a body in space; three place the tip"},
     {"/rubric/criteria/*/bands/fail_lo", "", -1e6, 1e6, false, kBand},
     {"/rubric/criteria/*/bands/acc_lo", "", -1e6, 1e6, false, kBand},
     {"/rubric/criteria/*/bands/ideal_lo", "", -1e6, 1e6, false, kBand},
@@ -94,6 +120,22 @@ std::string NumberRange::text() const {
 std::span<const NumberRange> number_ranges() noexcept { return kRanges; }
 
 const NumberRange* range_of(std::string_view pointer) noexcept {
+  // A part of a region holds what a target does, at any depth of its tree.
+  std::string_view rest = pointer;
+  constexpr std::string_view kProtected = "/protected/", kRegion = "/region", kTarget = "/target", kParts = "/parts/";
+  if (rest.starts_with(kProtected) && rest.find(kRegion) != std::string_view::npos) rest.remove_prefix(rest.find(kRegion) + kRegion.size());
+  else if (rest.starts_with(kTarget)) rest.remove_prefix(kTarget.size());
+  else rest = {};
+  if (!rest.empty()) {
+    while (rest.starts_with(kParts)) {
+      rest.remove_prefix(kParts.size());
+      while (!rest.empty() && rest.front() != '/') rest.remove_prefix(1);
+    }
+    const auto own = std::ranges::find_if(kRanges, [&](const NumberRange& r) {
+      return r.path.starts_with(kTarget) && is_at(r.path.substr(kTarget.size()), rest);
+    });
+    if (own != kRanges.end()) return &*own;
+  }
   const auto it = std::ranges::find_if(kRanges, [&](const NumberRange& r) { return is_at(r.path, pointer); });
   return it == kRanges.end() ? nullptr : &*it;
 }

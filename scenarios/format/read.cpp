@@ -71,15 +71,6 @@ void read_device(const Value& value, Scenario& out) {
   device.nothing_else();
 }
 
-Leeway read_leeway(const Value& value) {
-  Leeway out;
-  Object leeway(value.node(), value.where(), value.problems());
-  out.floor_mm = leeway.need("floor_mm").number({0, 10});
-  out.side_mm = leeway.need("side_mm").number({0, 10});
-  leeway.nothing_else();
-  return out;
-}
-
 Scenario read_document(const json& document, Problems& problems) {
   Object root(document, "", problems);
   Scenario out;
@@ -96,14 +87,10 @@ Scenario read_document(const json& document, Problems& problems) {
       out.phenomena.push_back(v.key(FormatError::unknown_phenomenon, one_of(kPhenomenonKeys)));
     });
   });
-  out.target = read_target(root.need("target"));
+  out.target = read_region(root.need("target"));
   out.leeway = read_leeway(root.need("leeway"));
   root.maybe("protected", [&](const Value& list) {
-    list.list(0, kTissueCodes, [&](const Value& v) {
-      Object one(v.node(), v.where(), v.problems());
-      out.protected_tissues.push_back(read_tissue(one.need("tissue")));
-      one.nothing_else();
-    });
+    list.list(0, kTissueCodes, [&](const Value& v) { out.protected_parts.push_back(read_protected(v)); });
   });
   root.maybe("limits", [&](const Value& v) {
     Object limits(v.node(), v.where(), v.problems());

@@ -1,4 +1,4 @@
-// What is wanted, and what it earns: the target and the rubric.
+// What an attempt earns: the rubric.
 
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read_sections.h"
@@ -23,24 +23,6 @@ Bands read_bands(const Value& value) {
 
 }  // namespace
 
-Target read_target(const Value& value) {
-  Object object(value.node(), value.where(), value.problems());
-  Target out;
-  object.need("kind").key(FormatError::unknown_shape, one_of(kRegionKeys));
-  out.shape = object.need("shape").key(FormatError::unknown_shape, one_of(kShapeKeys));
-  object.need("paths").list(1, 64, [&](const Value& path) {
-    auto& points = out.paths.emplace_back();
-    path.list(1, 1000, [&](const Value& point) { points.push_back(point.point()); });
-  });
-  out.width_mm = object.need("width_mm").number({0, 100, true});
-  out.depth_mm = object.need("depth_mm").number({0, 100, true});
-  out.top_mm = object.need("top_mm").number(kCoordinate);
-  out.corner_radius_mm = object.need("corner_radius_mm").number({0, 10});
-  object.maybe("box_size_mm", [&](const Value& v) { out.box_size_mm = v.point(); });
-  object.nothing_else();
-  return out;
-}
-
 Rubric read_rubric(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   Rubric out;
@@ -57,6 +39,7 @@ Rubric read_rubric(const Value& value) {
     }
     criterion.weight = one.need("weight").number({0, 1000});
     criterion.bands = read_bands(one.need("bands"));
+    one.maybe("needs_dof", [&](const Value& v) { criterion.needs_dof = v.integer({3, 6}); });
     one.nothing_else();
     out.criteria.push_back(std::move(criterion));
   });

@@ -9,7 +9,10 @@ Tissue read_tissue(const Value& value);
 SpecimenSource read_specimen(const Value& value);
 ScenarioTissue read_scenario_tissue(const Value& value);
 Bur read_bur(const Value& value);
-Target read_target(const Value& value);
+Region read_region(const Value& value);
+FaceName read_face(const Value& value);
+Leeway read_leeway(const Value& value);
+Protected read_protected(const Value& value);
 Rubric read_rubric(const Value& value);
 
 }  // namespace cusp::scenarios::format_reader

@@ -2,6 +2,7 @@
 /// its JSON Schema); units are in the names. The interface calls it "exercise".
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "engine/base/ids.h"
 #include "engine/base/vec.h"
 #include "engine/scene/scene.h"
+#include "scenarios/format/region.h"
 #include "scenarios/modules.h"
 
 namespace cusp::scenarios {
@@ -47,24 +49,21 @@ struct ScenarioTissue {
   friend bool operator==(const ScenarioTissue&, const ScenarioTissue&) = default;
 };
 
-/// A cavity as an instructor draws it: an outline on the occlusal plane, swept down to a floor.
-struct Target {
-  /// "channel": a straight slot between two points; "outline": the union of slots along `path` polylines
-  /// (a class I follows the fissures); "box": an axis-aligned box.
-  std::string shape = "channel";
-  std::vector<std::vector<Vec3>>
-      paths;                      // mm; each polyline runs along the middle of the floor (channel: 1 of 2 points)
-  double width_mm = 1.2;          // of the slot, wall to wall
-  double depth_mm = 2.0;          // from `top_mm` down to the floor
-  double top_mm = 0.0;            // height of the reference plane (block: its face; tooth: the central pit)
-  double corner_radius_mm = 0.5;  // rounding between wall and floor (the bur's radius)
-  Vec3 box_size_mm{0.0};          // shape "box": x, y extents about paths[0][0]; z ignored
-  friend bool operator==(const Target&, const Target&) = default;
-};
-
+/// Width of the tolerance zone about the target, by face.
 struct Leeway {
-  double floor_mm = 0.3;
-  double side_mm = 0.3;
+  double floor_mm = 0.3;              // of floors that `faces` does not name
+  double side_mm = 0.3;               // of walls that it does not name
+  std::map<FaceName, double> faces{};  // mm
+  double of(FaceName face) const noexcept {
+    if (faces.empty()) return is_floor(face) ? floor_mm : side_mm;
+    const auto own = faces.find(face);
+    return own != faces.end() ? own->second : is_floor(face) ? floor_mm : side_mm;
+  }
+  double most() const noexcept {
+    double out = floor_mm > side_mm ? floor_mm : side_mm;
+    for (const auto& [face, mm] : faces) out = mm > out ? mm : out;
+    return out;
+  }
   friend bool operator==(const Leeway&, const Leeway&) = default;
 };
 
@@ -78,6 +77,7 @@ struct Criterion {
   std::string metric;  // key of scenarios/format/keys.h ("target_removed", "depth_mean", "removed_enamel", ...)
   double weight = 10;  // share of the score, > 0; weights need not sum to 100
   Bands bands;
+  int needs_dof = 3;  // axes that a device must sense to express it; by fewer it is measured and brings no points
   friend bool operator==(const Criterion&, const Criterion&) = default;
 };
 
@@ -86,6 +86,26 @@ struct Rubric {
   std::vector<Criterion> criteria;
   std::vector<std::string> critical;  // "pulp_exposure", ...: fails the attempt, the score stays
   friend bool operator==(const Rubric&, const Rubric&) = default;
+};
+
+/// What counts as damage of a protected tissue or region.
+enum class Damage : std::uint8_t {
+  removal,  // some of it is gone
+  touch,    // it lies bare: what covered it is gone
+  depth     // a region was cut deeper than depth_mm
+};
+inline constexpr std::array<std::string_view, 3> kDamageKeys = {"removal", "touch", "depth"};
+
+/// A tissue, or a region, that an attempt is to spare. Damage is the critical event "protected_damage" where the rubric
+/// lists it.
+struct Protected {
+  Protected(Tissue of, Damage least = Damage::removal) : tissue(of), severity(least) {}
+  explicit Protected(Region of, Damage least = Damage::removal) : region(std::move(of)), severity(least) {}
+  std::optional<Tissue> tissue;  // else the region
+  std::optional<Region> region;
+  Damage severity;
+  double depth_mm = 0;  // severity depth
+  friend bool operator==(const Protected&, const Protected&) = default;
 };
 
 struct DeviceNeeds {
@@ -107,9 +127,9 @@ struct Scenario {
   DeviceNeeds device;
   Method method = Method::surface;
   std::vector<std::string> phenomena;  // kPhenomenonKeys of scenarios/format/keys.h
-  Target target;
+  Region target;
   Leeway leeway;
-  std::vector<Tissue> protected_tissues;  // touching one is recorded, removing it is critical if the rubric lists it
+  std::vector<Protected> protected_parts;
   double time_limit_s = 0;                // 0 = none
   double tool_tilt_deg = 0;               // of the tool axis at rest, from vertical towards buccal
   double tool_turn_deg = 0;               // how far the student may turn it from there; 0: not at all
@@ -117,5 +137,11 @@ struct Scenario {
   double tolerance_points = 2;  // largest change of the grade that an audit accepts
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
+
+inline bool is_protected(const Scenario& scenario, Tissue tissue) noexcept {
+  for (const Protected& one : scenario.protected_parts)
+    if (one.tissue == tissue) return true;
+  return false;
+}
 
 }  // namespace cusp::scenarios

@@ -14,27 +14,16 @@
 #include "scenarios/format/ranges.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
+#include "scenarios/format/validate_region.h"
 #include "scenarios/format/write_document.h"
 
 namespace cusp::scenarios {
 namespace {
 
-/// Below these a shape is not resolved by the voxels (contact trials: a cut of the band is not distinct from its noise).
-constexpr double kLeastFeatureVoxels = 2.5;
+/// Below this a bur is not resolved by the voxels (contact trials: a cut of the band is not distinct from its noise).
 constexpr double kLeastRadiusVoxels = 3.0;
 /// Points of 100: a criterion of less does not show (scenarios/grading/maxima.h).
 constexpr double kLeastShare = 0.05;
-
-/// Below a limit that is itself a product of rounded numbers (3 voxels of 0.1 mm are a hair more than 0.3).
-bool below(double value, double limit) noexcept { return value < limit - 1e-9; }
-
-/// The rounding that an upright bur leaves between wall and floor: that of its tip, or none below a flat end.
-double corner_of(const Bur& bur) noexcept {
-  if (bur.head.ball()) return bur.radius_mm;
-  const OutlinePiece& tip = bur.head.piece(0);
-  if (tip.radius > 0.0 || bur.head.size() < 2) return tip.radius;
-  return bur.head.piece(1).radius;
-}
 
 void errors_first(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
@@ -52,7 +41,8 @@ class Checks {
     tissues();
     phenomena();
     instruments();
-    target();
+    check_target(s_, facts_, out_);
+    leeway();
     rubric();
     if (facts_ != nullptr) specimen();
     errors_first(out_);
@@ -102,16 +92,16 @@ class Checks {
   }
 
   void tissues() {
-    for (std::size_t i = 0; i < s_.protected_tissues.size(); ++i) {
-      if (!has_tissue(s_.protected_tissues[i])) {
-        error(at("/protected", i), "protected_missing", {},
-              std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
-      }
+    for (std::size_t i = 0; i < s_.protected_parts.size(); ++i) {
+      const auto tissue = s_.protected_parts[i].tissue;
+      if (tissue && !has_tissue(*tissue))
+        error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(*tissue)));
     }
     const bool cuttable = std::ranges::any_of(s_.tissues, [](const ScenarioTissue& t) { return t.speed_mm_s > 0; });
     if (!cuttable) warn("/tissues", "nothing_can_be_cut");
     for (const std::string& event : s_.rubric.critical) {
-      const bool guarded = std::ranges::find(s_.protected_tissues, Tissue::pulp) != s_.protected_tissues.end();
+      if (event == "protected_damage" && s_.protected_parts.empty()) error("/rubric/critical", "nothing_protected");
+      const bool guarded = is_protected(s_, Tissue::pulp);
       if (event == "pulp_exposure" && !guarded) error("/rubric/critical", "protected_missing", {}, "pulp");
     }
   }
@@ -157,57 +147,7 @@ class Checks {
     }
   }
 
-  void target() {
-    const Target& t = s_.target;
-    const bool box = t.shape == "box";
-    const bool channel = t.shape == "channel";
-    if (t.paths.empty()) {
-      error("/target/paths", "no_target");
-      return;
-    }
-    if ((box || channel) && t.paths.size() != 1) {
-      error("/target/paths", "path_count", {{"value", static_cast<double>(t.paths.size())}, {"limit", 1}}, t.shape);
-    }
-    for (std::size_t i = 0; i < t.paths.size(); ++i) {
-      const std::size_t points = t.paths[i].size();
-      const std::size_t wanted = channel ? 2 : 1;  // an outline about one point is a disc
-      if (points < wanted || ((box || channel) && points != wanted)) {
-        error(at("/target/paths", i), "point_count",
-              {{"value", static_cast<double>(points)}, {"limit", static_cast<double>(wanted)}}, t.shape);
-      }
-      for (std::size_t k = 0; k < points; ++k) {
-        const double floor = t.top_mm - t.depth_mm;
-        if (std::abs(t.paths[i][k].z - floor) > 1e-6) {
-          warn(at("/target/paths", i) + "/" + std::to_string(k), "point_off_floor",
-               {{"value", t.paths[i][k].z}, {"limit", floor}});
-        }
-      }
-    }
-    const double least = range_of("/target/width_mm")->least;
-    if (box && (below(t.box_size_mm.x, least) || below(t.box_size_mm.y, least))) error("/target/box_size_mm", "empty_target");
-
-    const double narrow = box ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
-    const char* narrow_path = box ? "/target/box_size_mm" : "/target/width_mm";
-    const double resolved = kLeastFeatureVoxels * s_.specimen.voxel_mm;
-    if (narrow > 0 && below(narrow, resolved))
-      warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
-    if (below(t.depth_mm, resolved))
-      warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
-
-    if (!s_.instruments.empty()) {
-      const auto by_radius = [](const Bur& a, const Bur& b) { return a.radius_mm < b.radius_mm; };
-      const Bur& smallest = *std::ranges::min_element(s_.instruments, by_radius);
-      if (narrow > 0 && below(narrow, 2 * smallest.radius_mm)) {
-        warn(narrow_path, "bur_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}},
-             smallest.name);
-      }
-      const auto by_corner = [](const Bur& a, const Bur& b) { return corner_of(a) < corner_of(b); };
-      const Bur& sharpest = *std::ranges::min_element(s_.instruments, by_corner);
-      if (below(t.corner_radius_mm, corner_of(sharpest))) {
-        warn("/target/corner_radius_mm", "corner_below_bur",
-             {{"value", t.corner_radius_mm}, {"limit", corner_of(sharpest)}}, sharpest.name);
-      }
-    }
+  void leeway() {
     if (below(s_.leeway.floor_mm, s_.specimen.voxel_mm)) {
       warn("/leeway/floor_mm", "leeway_below_voxel", {{"value", s_.leeway.floor_mm}, {"limit", s_.specimen.voxel_mm}});
     }
@@ -220,8 +160,10 @@ class Checks {
   std::optional<double> perfect(std::string_view metric) const {
     if (metric == "target_removed") return 100.0;
     if (metric == "uncut_remainder" || metric.starts_with("overcut_")) return 0.0;
-    if (metric.starts_with("depth_")) return s_.target.depth_mm;
-    // Formats up to 1 sweep the outline straight down to a level floor.
+    // A lone outline with upright walls is straight and has a level floor; of other targets nothing more is known here.
+    const bool upright = s_.target.kind == RegionKind::outline && s_.target.outline.taper_deg == std::array<double, 4>{};
+    if (!upright) return std::nullopt;
+    if (metric.starts_with("depth_")) return s_.target.outline.depth_mm;
     if (metric.starts_with("wall_angle_") || metric.starts_with("convergence_") || metric.starts_with("floor_")) return 0.0;
     return std::nullopt;
   }
@@ -292,36 +234,14 @@ class Checks {
       if (!has_tissue(tissue)) error("/tissues", "tissue_missing", {}, std::string(key_of_scenario_tissue(tissue)));
     }
     const auto occurs = [&](Tissue t) { return std::ranges::find(f.tissues, t) != f.tissues.end(); };
-    for (std::size_t i = 0; i < s_.protected_tissues.size(); ++i) {
-      if (has_tissue(s_.protected_tissues[i]) && !occurs(s_.protected_tissues[i])) {
-        error(at("/protected", i), "protected_missing", {},
-              std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
-      }
+    for (std::size_t i = 0; i < s_.protected_parts.size(); ++i) {
+      const auto tissue = s_.protected_parts[i].tissue;
+      if (tissue && has_tissue(*tissue) && !occurs(*tissue))
+        error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(*tissue)));
     }
     for (std::size_t i = 0; i < s_.tissues.size(); ++i) {
       if (!occurs(s_.tissues[i].tissue)) {
         warn(at("/tissues", i), "tissue_unused", {}, std::string(key_of_scenario_tissue(s_.tissues[i].tissue)));
-      }
-    }
-    const Target& t = s_.target;
-    const double floor = t.top_mm - t.depth_mm;
-    if (below(floor, f.low_mm.z))
-      error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
-    if (floor >= f.high_mm.z) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.high_mm.z}});
-    const bool box = t.shape == "box";
-    const Vec3 half = box ? Vec3(t.box_size_mm.x / 2, t.box_size_mm.y / 2, 0) : Vec3(t.width_mm / 2, t.width_mm / 2, 0);
-    for (std::size_t i = 0; i < t.paths.size(); ++i) {
-      for (std::size_t k = 0; k < t.paths[i].size(); ++k) {
-        for (int axis = 0; axis < 2; ++axis) {
-          const double low = t.paths[i][k][axis] - half[axis];
-          const double high = t.paths[i][k][axis] + half[axis];
-          if (below(low, f.low_mm[axis]) || below(f.high_mm[axis], high)) {
-            error(at("/target/paths", i) + "/" + std::to_string(k), "target_outside",
-                  {{"value", low < f.low_mm[axis] ? low : high},
-                   {"limit", low < f.low_mm[axis] ? f.low_mm[axis] : f.high_mm[axis]}});
-            break;
-          }
-        }
       }
     }
   }

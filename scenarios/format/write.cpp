@@ -75,22 +75,75 @@ Json json_of(const Bur& bur) {
 }
 
 template <class Json>
-Json json_of(const Target& target) {
-  Json out = Json::object();
-  out["kind"] = "outline";
-  out["shape"] = target.shape;
+void put_outline(const Outline& outline, Json& out) {
+  out["shape"] = outline.shape;
   Json paths = Json::array();
-  for (const std::vector<Vec3>& path : target.paths) {
+  for (const std::vector<Vec3>& path : outline.paths) {
     Json points = Json::array();
     for (const Vec3& point : path) points.push_back(json_of<Json>(point));
     paths.push_back(std::move(points));
   }
   out["paths"] = std::move(paths);
-  out["width_mm"] = target.width_mm;
-  out["depth_mm"] = target.depth_mm;
-  out["top_mm"] = target.top_mm;
-  out["corner_radius_mm"] = target.corner_radius_mm;
-  out["box_size_mm"] = json_of<Json>(target.box_size_mm);
+  out["width_mm"] = outline.width_mm;
+  out["depth_mm"] = outline.depth_mm;
+  out["top_mm"] = outline.top_mm;
+  out["corner_radius_mm"] = outline.corner_radius_mm;
+  out["box_size_mm"] = json_of<Json>(outline.box_size_mm);
+  // Left out at their defaults, as all that format 1 has no word for: see in_format_1.
+  for (std::size_t side = 0; side < kTaperKeys.size(); ++side)
+    if (outline.taper_deg[side] != 0.0) out["taper_deg"][kTaperKeys[side]] = outline.taper_deg[side];
+}
+
+template <class Json>
+void put_leaf(const Region& region, Json& out) {
+  const RegionKind k = region.kind;
+  const bool ends = k == RegionKind::cylinder || k == RegionKind::cone || k == RegionKind::capsule;
+  const Region plain;
+  out["from_mm"] = json_of<Json>(region.from_mm);
+  if (ends) out["to_mm"] = json_of<Json>(region.to_mm);
+  if (ends || k == RegionKind::sphere) out["radius_mm"] = region.radius_mm;
+  if (k == RegionKind::cone) out["end_radius_mm"] = region.end_radius_mm;
+  if (k == RegionKind::box || k == RegionKind::ellipsoid) out["size_mm"] = json_of<Json>(region.size_mm);
+  if (k == RegionKind::box && region.x_axis != plain.x_axis) out["x_axis"] = json_of<Json>(region.x_axis);
+  if (k == RegionKind::half_space || (k == RegionKind::box && region.z_axis != plain.z_axis))
+    out["z_axis"] = json_of<Json>(region.z_axis);
+}
+
+template <class Json>
+Json json_of(const Region& region) {
+  Json out = Json::object();
+  out["kind"] = key_of(region.kind);
+  if (region.kind == RegionKind::outline) {
+    put_outline(region.outline, out);
+  } else if (!is_node(region.kind)) {
+    put_leaf(region, out);
+  } else {
+    if (region.kind == RegionKind::offset) out["by_mm"] = region.by_mm;
+    else if (region.rounding_mm != 0.0) out["rounding_mm"] = region.rounding_mm;
+    Json parts = Json::array();
+    for (const Region& part : region.parts) parts.push_back(json_of<Json>(part));
+    out["parts"] = std::move(parts);
+  }
+  for (const auto& [slot, face] : region.faces) out["faces"][slot] = key_of(face);
+  return out;
+}
+
+template <class Json>
+Json json_of(const Leeway& leeway) {
+  Json out = Json::object();
+  out["floor_mm"] = leeway.floor_mm;
+  out["side_mm"] = leeway.side_mm;
+  for (const auto& [face, mm] : leeway.faces) out["faces"][std::string(key_of(face))] = mm;
+  return out;
+}
+
+template <class Json>
+Json json_of(const Protected& one) {
+  Json out = Json::object();
+  if (one.tissue) out["tissue"] = key_of_scenario_tissue(*one.tissue);
+  if (one.region) out["region"] = json_of<Json>(*one.region);
+  if (one.severity != Damage::removal) out["severity"] = kDamageKeys[static_cast<std::size_t>(one.severity)];
+  if (one.severity == Damage::depth) out["depth_mm"] = one.depth_mm;
   return out;
 }
 
@@ -109,6 +162,7 @@ Json json_of(const Rubric& rubric) {
     one["metric"] = criterion.metric;
     one["weight"] = criterion.weight;
     one["bands"] = std::move(bands);
+    if (criterion.needs_dof != 3) one["needs_dof"] = criterion.needs_dof;
     criteria.push_back(std::move(one));
   }
   Json out = Json::object();
@@ -150,16 +204,9 @@ Json json_of(const Scenario& scenario) {
   out["method"] = key_of(scenario.method);
   out["phenomena"] = scenario.phenomena;
   out["target"] = json_of<Json>(scenario.target);
-  Json leeway = Json::object();
-  leeway["floor_mm"] = scenario.leeway.floor_mm;
-  leeway["side_mm"] = scenario.leeway.side_mm;
-  out["leeway"] = std::move(leeway);
+  out["leeway"] = json_of<Json>(scenario.leeway);
   Json guarded = Json::array();
-  for (const Tissue tissue : scenario.protected_tissues) {
-    Json one = Json::object();
-    one["tissue"] = key_of_scenario_tissue(tissue);
-    guarded.push_back(std::move(one));
-  }
+  for (const Protected& one : scenario.protected_parts) guarded.push_back(json_of<Json>(one));
   out["protected"] = std::move(guarded);
   Json limits = Json::object();
   limits["time_s"] = scenario.time_limit_s;

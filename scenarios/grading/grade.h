@@ -21,14 +21,20 @@ struct Measure {
   std::optional<Vec3> where_mm;    // place of the worst, for the pin on the tooth
 };
 
+inline Measure not_measured(std::string metric, std::string unit) {
+  return {std::move(metric), false, 0.0, 0.0, std::move(unit), std::nullopt};
+}
+
 struct CriterionGrade {
   std::string id;                  // metric key
   Measure measure;
-  std::string band;                // "ideal", "acceptable", "fail", "borderline" (edge nearer than the uncertainty), "not_measured"
+  std::string band;                // "ideal", "acceptable", "fail", "borderline" (edge nearer than the uncertainty), "not_measured",
+                                   // "not_expressible" (measured, but beyond the device: no points)
   double points = 0, points_max = 0;  // of Grade::score_max; not rounded (maxima.h rounds). Evaluator 2: of the weight
   std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "too_dry", "too_warm",
-                                   // "little_drilled" or "not_measured"
-  std::map<std::string, double> reason_args;  // "value", "limit", "lost"; of little_drilled "share" (0 to 1), "lost"
+                                   // "little_drilled", "not_measured" or "needs_dof"
+  std::map<std::string, double> reason_args;  // "value", "limit", "lost"; of little_drilled "share" (0 to 1), "lost";
+                                              // of needs_dof "value" (axes it needs), "limit" (axes of the device)
   bool counts_with_target = false;  // points only as far as the target was cut (mark_counted_with_target)
 };
 

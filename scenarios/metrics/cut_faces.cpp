@@ -4,7 +4,6 @@
 
 #include "engine/volume/cell_field.h"
 #include "engine/volume/cut_volume.h"
-#include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/evidence.h"
 #include "scenarios/metrics/region_shares.h"
 
@@ -14,9 +13,9 @@ namespace {
 
 class FaceSink final : public SolidSink {
  public:
-  FaceSink(const Reference& reference, const Volume& volume, std::array<std::vector<CutFace>, kFaceNames>& faces)
+  FaceSink(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth,
+           std::array<std::vector<CutFace>, kFaceNames>& faces)
       : reference_(reference), volume_(volume), faces_(faces) {
-    const std::optional<FloorDepth> depth = floor_depth(reference, volume);
     const double floor = depth ? reference.shape().top_mm() - depth->mean_mm : reference.shape().floor_mm();
     wall_from_mm_ = floor + reference.shape().corner_mm() + 0.5 * volume.grid().voxel_mm;
   }
@@ -39,11 +38,14 @@ class FaceSink final : public SolidSink {
  private:
   std::optional<FaceName> name_of(const CutFace& face, double mm2) const noexcept {
     const Vec3 n = face.area_mm2 / mm2;
-    const double u = reference_.shape().outline_mm({face.middle_mm.x, face.middle_mm.y});
+    const TargetShape& shape = reference_.shape();
+    const bool tree = shape.upright() == nullptr;
+    const Near near = tree ? shape.near(face.middle_mm) : Near{};
+    const double u = tree ? near.wall_mm : shape.outline_mm({face.middle_mm.x, face.middle_mm.y});
     if (n.z >= kFloorCosine) {
       // As floor_depth(): a quarter of a voxel more than the inset, so that a slot as wide as the bur keeps its floor.
       const double inset = reference_.shape().corner_mm() - 0.25 * volume_.grid().voxel_mm;
-      return u <= -inset ? std::optional(FaceName::pulpal_floor) : std::nullopt;
+      return u <= -inset && (!tree || near.face == FaceName::pulpal_floor) ? std::optional(FaceName::pulpal_floor) : std::nullopt;
     }
     if (n.z <= -kFloorCosine || face.middle_mm.z < wall_from_mm_ || u > kWallReachMm) return std::nullopt;
     if (std::fabs(n.x) >= std::fabs(n.y)) {
@@ -62,9 +64,10 @@ class FaceSink final : public SolidSink {
 
 }  // namespace
 
-CutFaces::CutFaces(const Reference& reference, const Volume& volume) : sides_known_(reference.mesial_x() != 0) {
+CutFaces::CutFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth)
+    : sides_known_(reference.mesial_x() != 0) {
   if (reference.shape().empty() || volume.specimen().reading() == Reading::filled) return;
-  FaceSink sink(reference, volume, faces_);
+  FaceSink sink(reference, volume, depth, faces_);
   for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, sink);
 }
 

@@ -8,14 +8,11 @@
 #include <vector>
 
 #include "engine/volume/volume.h"
+#include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/reference.h"
 #include "scenarios/modules.h"
 
 namespace cusp::scenarios {
-
-/// Names of a preparation's faces. A wall belongs to the side of the tooth that it stands on.
-enum class FaceName : std::uint8_t { pulpal_floor, mesial_wall, distal_wall, buccal_wall, lingual_wall };
-inline constexpr std::size_t kFaceNames = 5;
 
 /// A triangle of the surface that the bur left.
 struct CutFace {
@@ -26,11 +23,11 @@ struct CutFace {
 
 /// Faces of one volume. The floor leans less than 45 degrees (dental.md 2.2) and lies where the target's floor is flat;
 /// a wall leans less than 45 degrees from the axis and lies above the rounded line angle, at most kWallReachMm off the
-/// target's outline. A wall faces away from the side that names it, by the nearer of the two directions.
+/// target's outline. In a tree the floor is what lies nearest to the pulpal floor. A wall faces away from the side that names it, by the nearer of the two directions.
 class CutFaces {
  public:
-  /// Tens of milliseconds. A filled reading has steps for faces: it stays empty.
-  CutFaces(const Reference& reference, const Volume& volume);
+  /// Tens of milliseconds. A filled reading has steps for faces: it stays empty. `depth`: floor_depth() of the volume.
+  CutFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth);
 
   const std::vector<CutFace>& of(FaceName name) const noexcept { return faces_[static_cast<std::size_t>(name)]; }
   /// Without a tooth's number nobody knows where mesial is: the walls are then in of(), mirrored or not, but unnamed.

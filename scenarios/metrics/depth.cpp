@@ -99,6 +99,12 @@ class FilledColumn {
   const Volume& volume_;
 };
 
+/// Of a tree: nearest to its pulpal floor, and off the walls by the inset.
+bool on_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
+  const Near near = shape.near(p);
+  return near.face == FaceName::pulpal_floor && near.wall_mm <= -inset;
+}
+
 template <class Column>
 std::optional<FloorDepth> over_outline(const Reference& reference, const Volume& volume, Column column) {
   const TargetShape& shape = reference.shape();
@@ -115,10 +121,11 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
   for (int j = 0; j <= ny; ++j)
     for (int i = 0; i <= nx; ++i) {
       const Vec2 p = first + step * Vec2(i, j);
-      if (shape.outline_mm(p) > -inset) continue;
+      if (shape.upright() != nullptr && shape.outline_mm(p) > -inset) continue;
       const std::optional<Floor> floor =
           column.look((p.x - grid.origin_mm.x) / grid.voxel_mm, (p.y - grid.origin_mm.y) / grid.voxel_mm);
       if (!floor || !floor->cut || floor->level < kLevel) continue;
+      if (shape.upright() == nullptr && !on_pulpal_floor(shape, {p.x, p.y, floor->z_mm}, inset)) continue;
       const double depth = shape.top_mm() - floor->z_mm;
       const Vec3 at(p.x, p.y, floor->z_mm);
       if (out.samples == 0 || depth < out.least_mm) {
@@ -140,7 +147,7 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
 }  // namespace
 
 std::optional<FloorDepth> floor_depth(const Reference& reference, const Volume& volume) {
-  if (reference.shape().empty() || volume.cut_bricks().empty()) return std::nullopt;
+  if (reference.shape().empty() || !reference.shape().has_plane() || volume.cut_bricks().empty()) return std::nullopt;
   return volume.specimen().reading() == Reading::filled ? over_outline(reference, volume, FilledColumn(volume))
                                                         : over_outline(reference, volume, BandedColumn(volume));
 }

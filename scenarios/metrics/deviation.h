@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 
 namespace cusp::scenarios {
 

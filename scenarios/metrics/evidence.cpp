@@ -74,11 +74,14 @@ std::optional<Vec3> standing_place(const Reference& reference, const Volume& vol
   for (int y = low.y; y <= high.y; ++y)
     for (int x = low.x; x <= high.x; ++x) {
       const Vec3 foot = grid.centre_mm({x, y, low.z});
-      const double u = shape.outline_mm({foot.x, foot.y});
-      if (u >= deepest) continue;
+      const OutlineShape* upright = shape.upright();
+      const double u = upright != nullptr ? upright->outline_mm({foot.x, foot.y}) : 0.0;
+      if (upright != nullptr && u >= deepest) continue;
       for (int z = low.z; z < grid.size.z; ++z) {
         if (!volume.occupied({x, y, z})) continue;
-        const double d = rounded_corner(u, shape.below_floor_mm(grid.centre_mm({x, y, z}).z), shape.corner_mm());
+        const Vec3 centre = grid.centre_mm({x, y, z});
+        const double d = upright != nullptr ? rounded_corner(u, upright->below_floor_mm(centre.z), upright->corner_mm())
+                                            : shape.distance_mm(centre);
         if (d >= deepest) continue;
         deepest = d;
         found = IVec3(x, y, z);

@@ -12,8 +12,6 @@ namespace cusp::scenarios {
 
 namespace {
 
-Measure formless(const char* metric, const char* unit) { return {metric, false, 0.0, 0.0, unit, std::nullopt}; }
-
 struct Wall {
   FaceName name;
   const char* metric;
@@ -22,7 +20,7 @@ struct Wall {
 
 void add_convergence(const char* metric, const Wall& a, const Wall& b, std::vector<Measure>& out) {
   if (!a.angle || !b.angle) {
-    out.push_back(formless(metric, "deg"));
+    out.push_back(not_measured(metric, "deg"));
     return;
   }
   const double sigma = std::sqrt(a.angle->uncertainty_deg * a.angle->uncertainty_deg +
@@ -41,7 +39,7 @@ void add_walls(const Reference& reference, const CutFaces& faces, std::vector<Me
     if (wall.angle)
       out.push_back({wall.metric, true, wall.angle->deg, wall.angle->uncertainty_deg, "deg", wall.angle->at_mm});
     else
-      out.push_back(formless(wall.metric, "deg"));
+      out.push_back(not_measured(wall.metric, "deg"));
   }
   add_convergence("convergence_mesiodistal", walls[0], walls[1], out);
   add_convergence("convergence_buccolingual", walls[2], walls[3], out);
@@ -52,28 +50,27 @@ void add_floor(const Reference& reference, const CutFaces& faces, std::vector<Me
   if (floor)
     out.push_back({"floor_flatness", true, floor->flatness_mm, floor->flatness_uncertainty_mm, "mm", floor->furthest_at_mm});
   else
-    out.push_back(formless("floor_flatness", "mm"));
+    out.push_back(not_measured("floor_flatness", "mm"));
   if (floor && floor->tilt_deg)
     out.push_back({"floor_tilt", true, *floor->tilt_deg, floor->tilt_uncertainty_deg, "deg", floor->lowest_at_mm});
   else
-    out.push_back(formless("floor_tilt", "deg"));
+    out.push_back(not_measured("floor_tilt", "deg"));
 }
 
 }  // namespace
 
-void add_form(const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
-  const CutFaces faces(reference, volume);
+void add_form(const CutFaces& faces, const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
   add_walls(reference, faces, out);
   add_floor(reference, faces, out);
   if (const auto narrow = isthmus(faces, volume, reference.point_sigma_mm()))
     out.push_back({"isthmus_width", true, narrow->width_mm, narrow->uncertainty_mm, "mm", narrow->from_mm});
   else
-    out.push_back(formless("isthmus_width", "mm"));
+    out.push_back(not_measured("isthmus_width", "mm"));
   for (const auto& [wall, metric] : {std::pair{FaceName::mesial_wall, "ridge_mesial"}, {FaceName::distal_wall, "ridge_distal"}}) {
     if (const auto ridge = ridge_thickness(faces, reference, volume, wall))
       out.push_back({metric, true, ridge->mm, ridge->uncertainty_mm, "mm", ridge->wall_at_mm});
     else
-      out.push_back(formless(metric, "mm"));
+      out.push_back(not_measured(metric, "mm"));
   }
 }
 

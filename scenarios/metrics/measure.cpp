@@ -6,6 +6,7 @@
 #include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/form.h"
+#include "scenarios/metrics/protected_parts.h"
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/modules.h"
 
@@ -13,8 +14,6 @@ namespace cusp::scenarios {
 
 namespace {
 
-/// Rms distance of a plane from the nearest voxel border: how a border between tissues is known.
-constexpr double kSeamSigmaVoxels = 0.2887;  // 1 / sqrt(12)
 /// Half a voxel either way: where the pulp's outermost voxel ends.
 constexpr double kPulpSigmaVoxels = 0.5;
 /// The proxy stands within 1.6 µm of the exact one in the mean and 10 µm at worst (contact trials, 31 holes), times some
@@ -25,9 +24,6 @@ constexpr double kTickS = 0.001;
 Measure measured(std::string metric, double value, double uncertainty, std::string unit,
                  std::optional<Vec3> where = std::nullopt) {
   return {std::move(metric), true, value, uncertainty, std::move(unit), where};
-}
-Measure not_measured(std::string metric, std::string unit) {
-  return {std::move(metric), false, 0.0, 0.0, std::move(unit), std::nullopt};
 }
 
 /// Of the cut faces that lie as near to the pulp as the measure is known, the one that shows it best.
@@ -84,8 +80,7 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
   }
 }
 
-void add_depth(const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
-  const std::optional<FloorDepth> depth = floor_depth(reference, volume);
+void add_depth(const Reference& reference, const std::optional<FloorDepth>& depth, std::vector<Measure>& out) {
   if (!depth) {
     for (const char* key : {"depth_least", "depth_mean", "depth_most"}) out.push_back(not_measured(key, "mm"));
     return;
@@ -151,17 +146,16 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
 
   std::vector<Measure> out;
   add_target(reference, volume, sum, out);
-  add_depth(reference, volume, out);
-  add_form(reference, volume, out);
+  const std::optional<FloorDepth> depth = floor_depth(reference, volume);
+  add_depth(reference, depth, out);
+  add_form(CutFaces(reference, volume, depth), reference, volume, out);
   for (const Tissue tissue : reference.tissues()) {
     const std::size_t i = index_of(tissue);
     if (!reference.has(tissue)) {
       out.push_back(not_measured(removed_key(tissue), "mm3"));
       continue;
     }
-    const double sigma = reference.surface_sigma_mm() * sum.tissue_face_mm2[i] +
-                         kSeamSigmaVoxels * volume.grid().voxel_mm * sum.tissue_seam_mm2[i];
-    out.push_back(measured(removed_key(tissue), sum.tissue_mm3[i], sigma, "mm3"));
+    out.push_back(measured(removed_key(tissue), sum.tissue_mm3[i], tissue_sigma_mm3(reference, sum, tissue), "mm3"));
   }
   add_pulp(reference, volume, sum, bricks, out);
   if (process.time_s() > 0.0)
@@ -174,6 +168,10 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
   } else {
     out.push_back(not_measured("force_peak", "N"));
     out.push_back(not_measured("force_mean", "N"));
+  }
+  if (const auto damage = protected_damage(reference, volume, sum)) {
+    out.push_back(measured("protected_removed", damage->removed_mm3, damage->uncertainty_mm3, "mm3", damage->at_mm));
+    out.push_back(measured("protected_damage", damage->damaged, 0.0, "", damage->at_mm));
   }
   if (reference.heat()) add_heat(process, out);
   return out;

@@ -6,7 +6,8 @@
 /// wall_angle_lingual, convergence_mesiodistal, convergence_buccolingual (deg; walls.h), floor_flatness (mm), floor_tilt
 /// (deg; floor.h), isthmus_width (mm; width.h), ridge_mesial, ridge_distal (mm; remaining.h), removed_<tissue key> (mm3, each
 /// tissue of the scenario; one of its own: removed_16 and so on), remaining_over_pulp (mm), time (s), force_peak, force_mean
-/// (N), pulp_exposure (1 happened, 0 not). With the phenomenon "heat" also dry_cutting_time (s), temperature_rise_peak (K, of
+/// (N), pulp_exposure (1 happened, 0 not). Where something is
+/// protected also protected_removed (mm3) and protected_damage (how many; protected_parts.h). With the phenomenon "heat" also dry_cutting_time (s), temperature_rise_peak (K, of
 /// the model of engine/removal/heat.h) and dry_cutting (how often the pulp's criterion was reached).
 #pragma once
 

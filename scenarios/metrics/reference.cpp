@@ -127,6 +127,9 @@ Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> s
       heat_(has_phenomenon(scenario.phenomena, "heat")),
       mesial_x_(scenario.specimen.generator == "tooth" ? scenarios::mesial_x(scenario.specimen.fdi) : 0) {
   for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
+  for (const Protected& one : scenario.protected_parts)
+    protected_parts_.push_back({one.tissue.value_or(Tissue::empty), one.region ? std::make_shared<const TargetShape>(*one.region) : nullptr,
+                                one.severity, one.depth_mm});
   const Grid& grid = specimen_->grid();
   const IVec3 bricks = specimen_->brick_count();
   const double reach = grid.voxel_mm;  // cells and voxels stand up to one voxel out of their brick

@@ -44,6 +44,14 @@ class PulpIndex {
   std::int32_t root_ = -1;
 };
 
+/// A tissue or a region that an attempt is to spare.
+struct ProtectedPart {
+  Tissue tissue = Tissue::empty;
+  std::shared_ptr<const TargetShape> shape;  // none: the tissue
+  Damage severity = Damage::removal;
+  double depth_mm = 0;
+};
+
 class Reference {
  public:
   /// Tens of milliseconds. Not for the haptic thread. Pre: the specimen is the scenario's, in its method's reading.
@@ -58,6 +66,7 @@ class Reference {
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
+  const std::vector<ProtectedPart>& protected_parts() const noexcept { return protected_parts_; }
   bool heat() const noexcept { return heat_; }  // the scenario reckons coolant and warmth
   bool has(Tissue tissue) const noexcept { return present_[index_of(tissue)]; }
   double surface_sigma_mm() const noexcept;  // of a face's mean place
@@ -69,6 +78,7 @@ class Reference {
   Leeway leeway_;
   PulpIndex pulp_;
   std::vector<Tissue> tissues_;
+  std::vector<ProtectedPart> protected_parts_;
   std::array<bool, kTissueCodes> present_{};
   double target_mm3_ = 0;
   bool heat_ = false;

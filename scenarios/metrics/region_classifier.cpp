@@ -71,21 +71,37 @@ void RegionClassifier::cell(Vec3 low, Vec3 high) {
   high_ = high;
   sampled_ = false;
   const Vec3 c = 0.5 * (low + high);
-  const double h = high.x - low.x;
-  const double u = shape_.outline_mm({c.x, c.y});
-  const double v = shape_.below_floor_mm(c.z);
-  const double d = rounded_corner(u, v, shape_.corner_mm());
+  whole_ = upright_ != nullptr ? whole_upright(c, high.x - low.x) : whole_tree(c, high.x - low.x);
+}
+
+bool RegionClassifier::whole_upright(Vec3 c, double h) noexcept {
+  const double u = upright_->outline_mm({c.x, c.y});
+  const double v = upright_->below_floor_mm(c.z);
+  const double d = rounded_corner(u, v, upright_->corner_mm());
   // Half the cell's diagonal; u - v changes by no more than half a face's diagonal and half an edge.
   const double reach = 0.8661 * h;
   const double turn = 1.2072 * h;
-  place_ = place_of(u, v, shape_.corner_mm(), leeway_);
-  if (place_ == Place::target) {
-    whole_ = d < -reach;
-  } else {
-    const bool floor = v >= u;
-    const double edge = floor ? leeway_.floor_mm : leeway_.side_mm;
-    whole_ = d > reach && std::fabs(u - v) > turn && std::fabs(d - edge) > reach;
+  const bool floor = v >= u;
+  const double edge = floor ? leeway_.floor_mm : leeway_.side_mm;
+  place_ = d <= 0.0 ? Place::target
+           : floor  ? (d <= edge ? Place::tolerated_floor : Place::beyond_floor)
+                    : (d <= edge ? Place::tolerated_side : Place::beyond_side);
+  if (place_ == Place::target) return d < -reach;
+  return d > reach && std::fabs(u - v) > turn && std::fabs(d - edge) > reach;
+}
+
+bool RegionClassifier::whole_tree(Vec3 c, double h) noexcept {
+  const Near middle = shape_.near(c);
+  const double reach = 0.8661 * h;
+  place_ = place_of(middle, leeway_);
+  if (place_ == Place::target) return middle.distance_mm < -reach;
+  if (middle.distance_mm <= reach || std::fabs(middle.distance_mm - leeway_.of(middle.face)) <= reach) return false;
+  // Which face is the nearest may change within the cell: its corners say whether it does.
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner(i & 1 ? high_.x : low_.x, i & 2 ? high_.y : low_.y, i & 4 ? high_.z : low_.z);
+    if (shape_.near(corner).face != middle.face) return false;
   }
+  return true;
 }
 
 double RegionClassifier::outline_at(Vec3 p) noexcept {
@@ -106,11 +122,18 @@ double RegionClassifier::outline_at(Vec3 p) noexcept {
   return (1.0 - y) * ((1.0 - x) * o[0] + x * o[1]) + y * ((1.0 - x) * o[3] + x * o[4]);
 }
 
-Place RegionClassifier::place_at(Vec3 p, double& d) noexcept {
+Near RegionClassifier::near_at(Vec3 p) noexcept {
+  if (upright_ == nullptr) return shape_.near(p);
   const double u = outline_at(p);
-  const double v = shape_.below_floor_mm(p.z);
-  d = rounded_corner(u, v, shape_.corner_mm());
-  return whole_ ? place_ : place_of(u, v, shape_.corner_mm(), leeway_);
+  const double v = upright_->below_floor_mm(p.z);
+  const FaceName face = v >= u ? FaceName::pulpal_floor : FaceName::side_wall;  // of all faces of its kind one leeway
+  return {rounded_corner(u, v, upright_->corner_mm()), u, v, face};
+}
+
+Place RegionClassifier::place_at(Vec3 p, double& d) noexcept {
+  const Near near = near_at(p);
+  d = near.distance_mm;
+  return whole_ ? place_ : place_of(near, leeway_);
 }
 
 void RegionClassifier::box(Vec3 low, Vec3 high, Tissue tissue) {
@@ -144,9 +167,13 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
   }
   Tetrahedron t;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double u = outline_at(corners[i]);
-    const double v = shape_.below_floor_mm(corners[i].z);
-    t[i] = {corners[i], u, v, rounded_corner(u, v, shape_.corner_mm())};
+    const Near near = near_at(corners[i]);
+    t[i] = {corners[i], near.wall_mm, near.floor_mm, near.distance_mm};
+  }
+  double floor_edge = leeway_.floor_mm, side_edge = leeway_.side_mm;
+  if (upright_ == nullptr) {  // a tetrahedron has one floor and one wall: those that its middle is nearest to
+    const FaceName face = shape_.near(0.25 * (corners[0] + corners[1] + corners[2] + corners[3])).face;
+    (is_floor(face) ? floor_edge : side_edge) = leeway_.of(face);
   }
   const auto split = [&](const Tetrahedron& part, double edge, Place near, Place far) {
     divide(
@@ -160,8 +187,8 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
       [&](const Tetrahedron& outside) {
         divide(
             outside, [](const Corner& c) { return c.u - c.v; },
-            [&](const Tetrahedron& x) { split(x, leeway_.floor_mm, Place::tolerated_floor, Place::beyond_floor); },
-            [&](const Tetrahedron& x) { split(x, leeway_.side_mm, Place::tolerated_side, Place::beyond_side); });
+            [&](const Tetrahedron& x) { split(x, floor_edge, Place::tolerated_floor, Place::beyond_floor); },
+            [&](const Tetrahedron& x) { split(x, side_edge, Place::tolerated_side, Place::beyond_side); });
       });
 }
 

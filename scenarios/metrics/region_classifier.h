@@ -13,7 +13,8 @@ namespace cusp::scenarios {
 class RegionClassifier : public SolidSink {
  public:
   /// Both outlive the sink.
-  RegionClassifier(const TargetShape& shape, const Leeway& leeway) : shape_(shape), leeway_(leeway) {}
+  RegionClassifier(const TargetShape& shape, const Leeway& leeway)
+      : shape_(shape), leeway_(leeway), upright_(leeway.faces.empty() ? shape.upright() : nullptr) {}
 
   void cell(Vec3 low, Vec3 high) override;
   void box(Vec3 low, Vec3 high, Tissue tissue) override;
@@ -29,9 +30,13 @@ class RegionClassifier : public SolidSink {
 
  private:
   double outline_at(Vec3 p) noexcept;
+  Near near_at(Vec3 p) noexcept;
+  bool whole_upright(Vec3 centre, double h) noexcept;
+  bool whole_tree(Vec3 centre, double h) noexcept;
 
   const TargetShape& shape_;
   const Leeway& leeway_;
+  const OutlineShape* upright_;       // sampled on a plane; nullptr: each place asks the tree
   bool whole_ = false;                // the cell lies in one place
   Place place_ = Place::target;
   bool sampled_ = false;              // outline_ is of this cell

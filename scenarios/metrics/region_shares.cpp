@@ -21,7 +21,7 @@ class ShareSink final : public RegionClassifier {
     shares_.cut_face_mm2[place] += mm2;
     shares_.tissue_face_mm2[index_of(tissue)] += mm2;
     if (where == Place::tolerated_floor || where == Place::beyond_floor)
-      judge_.offer(corners, FaceKind::floor, reference_.shape().below_floor_mm(middle.z), shares_.worst[place]);
+      judge_.offer(corners, FaceKind::floor, reference_.shape().upright() != nullptr ? reference_.shape().below_floor_mm(middle.z) : d, shares_.worst[place]);
     if (where == Place::tolerated_side || where == Place::beyond_side)
       judge_.offer(corners, FaceKind::wall, d, shares_.worst[place]);
     if (!reference_.pulp().empty()) pulp(corners);

@@ -42,7 +42,7 @@ ScriptedOperator faulty(OperatorFault fault, const Scenario& scenario, const Spe
       errors.deeper_mm = 0.8;
       break;
     case OperatorFault::too_shallow:
-      errors.deeper_mm = -std::min(0.8, 0.5 * scenario.target.depth_mm);
+      errors.deeper_mm = -std::min(0.8, 0.5 * scenario.target.outline.depth_mm);
       break;
     case OperatorFault::shaky:
       style.muscles.tremor_mm = 0.3;

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 
 namespace cusp::scenarios {
 
@@ -101,7 +101,7 @@ Line rectangle(Vec2 centre, Vec2 half) {
 
 /// The lines of one layer, each about or inside the next, so that the stroke between them stays inside the outline.
 /// `slack`: the most that the bur's centre may leave the middle, mm.
-std::vector<Line> lines_of(const Target& target, std::size_t path, double slack, double radius, Vec2 shift) {
+std::vector<Line> lines_of(const Outline& target, std::size_t path, double slack, double radius, Vec2 shift) {
   std::vector<Line> out;
   const double step = kLoopRadii * radius;
   if (target.shape == "box") {
@@ -132,13 +132,13 @@ std::optional<std::size_t> best_bur(const Scenario& scenario, double half_width)
   std::optional<std::size_t> best;
   const auto& burs = scenario.instruments;
   for (std::size_t i = 0; i < burs.size(); ++i) {
-    const bool fits = burs[i].radius_mm <= std::min(half_width, scenario.target.corner_radius_mm) + 1e-6;
+    const bool fits = burs[i].radius_mm <= std::min(half_width, scenario.target.outline.corner_radius_mm) + 1e-6;
     if (!best) {
       best = i;
       continue;
     }
     const bool best_fits =
-        burs[*best].radius_mm <= std::min(half_width, scenario.target.corner_radius_mm) + 1e-6;
+        burs[*best].radius_mm <= std::min(half_width, scenario.target.outline.corner_radius_mm) + 1e-6;
     if (fits ? (!best_fits || burs[i].radius_mm > burs[*best].radius_mm)
              : (!best_fits && burs[i].radius_mm < burs[*best].radius_mm))
       best = i;
@@ -198,10 +198,10 @@ std::optional<Vec3> easiest_pulp(const Specimen& specimen, const TargetShape& sh
 
 Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors) {
   Plan plan;
-  const Target& target = scenario.target;
-  const TargetShape shape(target);
+  const Outline& target = scenario.target.outline;
+  const TargetShape shape(scenario.target);
   const std::optional<std::size_t> bur = best_bur(scenario, shape.half_width_mm());
-  if (shape.empty() || !bur) return plan;
+  if (shape.empty() || scenario.target.kind != RegionKind::outline || !bur) return plan;
   plan.bur = static_cast<std::uint16_t>(*bur);
   const double r = scenario.instruments[*bur].radius_mm;
   const double slack = std::max(0.0, shape.half_width_mm() - r + errors.wider_mm);

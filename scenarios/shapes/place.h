@@ -4,22 +4,20 @@
 
 #include <cstdint>
 
-#include "scenarios/shapes/outline.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/shapes/target.h"
 
 namespace cusp::scenarios {
 
 enum class Place : std::uint8_t { target, tolerated_floor, tolerated_side, beyond_floor, beyond_side };
 inline constexpr int kPlaces = 5;
 
-/// From the two distances (TargetShape::outline_mm and below_floor_mm).
-inline Place place_of(double u, double v, double corner_mm, const Leeway& leeway) noexcept {
-  const double d = rounded_corner(u, v, corner_mm);
-  if (d <= 0.0) return Place::target;
-  if (v >= u) return d <= leeway.floor_mm ? Place::tolerated_floor : Place::beyond_floor;
-  return d <= leeway.side_mm ? Place::tolerated_side : Place::beyond_side;
+inline Place place_of(const Near& near, const Leeway& leeway) noexcept {
+  if (near.distance_mm <= 0.0) return Place::target;
+  const bool tolerated = near.distance_mm <= leeway.of(near.face);
+  if (near.floor_mm >= near.wall_mm) return tolerated ? Place::tolerated_floor : Place::beyond_floor;
+  return tolerated ? Place::tolerated_side : Place::beyond_side;
 }
-inline Place place_of(const TargetShape& shape, const Leeway& leeway, Vec3 p) noexcept {
-  return place_of(shape.outline_mm({p.x, p.y}), shape.below_floor_mm(p.z), shape.corner_mm(), leeway);
-}
+inline Place place_of(const TargetShape& shape, const Leeway& leeway, Vec3 p) noexcept { return place_of(shape.near(p), leeway); }
 
 }  // namespace cusp::scenarios

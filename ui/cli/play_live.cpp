@@ -10,7 +10,7 @@
 
 #include "engine/step/step.h"
 #include "scenarios/operators/faults.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

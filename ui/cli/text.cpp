@@ -30,6 +30,9 @@ QString reason(const Finding& f) {
   if (c == "no_target") return CliText::tr("it has no target");
   if (c == "path_count" || c == "point_count") return CliText::tr("the target’s path does not fit its shape");
   if (c == "empty_target") return CliText::tr("the target is empty");
+  if (c == "no_direction") return CliText::tr("a shape of the target has no direction");
+  if (c == "target_endless") return CliText::tr("the target has no end on a side");
+  if (c == "nothing_protected") return CliText::tr("damage of a protected part fails the attempt, and nothing is protected");
   if (c == "no_criteria") return CliText::tr("the rubric has no criterion");
   if (c == "weight_zero" || c == "weights_zero") return CliText::tr("no criterion brings points");
   if (c == "bands_not_ordered") return CliText::tr("the bands are not in rising order");

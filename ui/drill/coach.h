@@ -4,7 +4,8 @@
 
 #include <cstdint>
 
-#include "scenarios/shapes/outline.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 #include "ui/session/observer.h"
 

@@ -19,10 +19,8 @@ constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape
 double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
 Vec3 tidy(Vec3 v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
 
-bool has(const std::vector<Tissue>& list, Tissue tissue) { return std::ranges::find(list, tissue) != list.end(); }
-
 /// Bounding rectangle of all points.
-void bounds(const Target& target, Vec3& low, Vec3& high) {
+void bounds(const Outline& target, Vec3& low, Vec3& high) {
   low = high = target.paths.front().front();
   for (const auto& path : target.paths) {
     for (const Vec3& p : path) {
@@ -36,7 +34,7 @@ bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::is
 
 /// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
-  const Target& t = s.target;
+  const Outline& t = s.target.outline;
   bool all = std::isfinite(t.width_mm) && std::isfinite(t.depth_mm) && std::isfinite(t.top_mm) &&
              std::isfinite(t.corner_radius_mm) && finite(t.box_size_mm) && std::isfinite(s.leeway.floor_mm) &&
              std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.rubric.pass) &&
@@ -63,7 +61,7 @@ bool finite(const Scenario& s) {
 
 }  // namespace
 
-void settle_on_floor(Target& target) {
+void settle_on_floor(Outline& target) {
   const double floor = tidy(target.top_mm - target.depth_mm);
   for (auto& path : target.paths) {
     for (Vec3& p : path) p = tidy(Vec3(p.x, p.y, floor));
@@ -155,14 +153,16 @@ bool EditorModel::set_briefing(const std::string& language, const QString& text)
   });
 }
 
-bool EditorModel::set_target(const Target& target, const QString& field) {
-  return edit(tr("Target"), field, [&](Scenario& s) { s.target = target; });
+bool EditorModel::set_target(const Outline& target, const QString& field) {
+  if (!has_drawn_target()) return false;
+  return edit(tr("Target"), field, [&](Scenario& s) { s.target.outline = target; });
 }
 
 bool EditorModel::set_shape(const std::string& shape) {
+  if (!has_drawn_target()) return false;
   end_gesture();
   return edit(tr("Shape"), u"shape"_qs, [&](Scenario& s) {
-    Target& t = s.target;
+    Outline& t = s.target.outline;
     if (t.shape == shape || t.paths.empty() || t.paths.front().empty()) return;
     Vec3 low, high;
     bounds(t, low, high);
@@ -189,10 +189,11 @@ bool EditorModel::set_shape(const std::string& shape) {
 }
 
 bool EditorModel::set_depth_mm(double mm) {
+  if (!has_drawn_target()) return false;
   return edit(tr("Depth"), u"depth"_qs, [&](Scenario& s) {
-    const double by = mm - s.target.depth_mm;
-    s.target.depth_mm = mm;
-    settle_on_floor(s.target);
+    const double by = mm - s.target.outline.depth_mm;
+    s.target.outline.depth_mm = mm;
+    settle_on_floor(s.target.outline);
     if (!std::isfinite(by)) return;
     for (Criterion& c : s.rubric.criteria) {
       if (!c.metric.starts_with("depth_")) continue;
@@ -209,38 +210,41 @@ bool EditorModel::set_depth_mm(double mm) {
 }
 
 bool EditorModel::set_width_mm(double mm) {
-  return edit(tr("Width"), u"width"_qs, [&](Scenario& s) { s.target.width_mm = mm; });
+  if (!has_drawn_target()) return false;
+  return edit(tr("Width"), u"width"_qs, [&](Scenario& s) { s.target.outline.width_mm = mm; });
 }
 
 bool EditorModel::set_top_mm(double mm) {
+  if (!has_drawn_target()) return false;
   return edit(tr("Height"), u"top"_qs, [&](Scenario& s) {
-    s.target.top_mm = mm;
-    settle_on_floor(s.target);
+    s.target.outline.top_mm = mm;
+    settle_on_floor(s.target.outline);
   });
 }
 
 bool EditorModel::set_corner_radius_mm(double mm) {
-  return edit(tr("Corner radius"), u"corner"_qs, [&](Scenario& s) { s.target.corner_radius_mm = mm; });
+  if (!has_drawn_target()) return false;
+  return edit(tr("Corner radius"), u"corner"_qs, [&](Scenario& s) { s.target.outline.corner_radius_mm = mm; });
 }
 
 bool EditorModel::set_box_size_mm(double x, double y) {
-  if (!(x > 0) || !(y > 0)) return false;
-  return edit(tr("Size"), u"size"_qs, [&](Scenario& s) { s.target.box_size_mm = {x, y, 0}; });
+  if (!has_drawn_target() || !(x > 0) || !(y > 0)) return false;
+  return edit(tr("Size"), u"size"_qs, [&](Scenario& s) { s.target.outline.box_size_mm = {x, y, 0}; });
 }
 
 bool EditorModel::set_point_mm(std::size_t path, std::size_t point, double x, double y) {
-  if (path >= scenario_.target.paths.size() || point >= scenario_.target.paths[path].size()) return false;
+  if (path >= scenario_.target.outline.paths.size() || point >= scenario_.target.outline.paths[path].size()) return false;
   return edit(tr("Point"), u"point/%1/%2"_qs.arg(path).arg(point), [&](Scenario& s) {
-    Vec3& p = s.target.paths[path][point];
+    Vec3& p = s.target.outline.paths[path][point];
     p = Vec3(x, y, p.z);
   });
 }
 
 bool EditorModel::add_point(std::size_t path) {
-  if (path >= scenario_.target.paths.size() || scenario_.target.shape != "outline") return false;
+  if (path >= scenario_.target.outline.paths.size() || scenario_.target.outline.shape != "outline") return false;
   end_gesture();
   return edit(tr("Add a point"), u"points"_qs, [&](Scenario& s) {
-    auto& points = s.target.paths[path];
+    auto& points = s.target.outline.paths[path];
     const Vec3 last = points.back();
     const Vec3 step = points.size() > 1 ? last - points[points.size() - 2] : Vec3(kNewSegmentMm, 0, 0);
     points.push_back(tidy(last + step));
@@ -248,30 +252,33 @@ bool EditorModel::add_point(std::size_t path) {
 }
 
 bool EditorModel::remove_point(std::size_t path, std::size_t point) {
-  const auto& paths = scenario_.target.paths;
-  if (path >= paths.size() || point >= paths[path].size() || scenario_.target.shape != "outline") return false;
+  const auto& paths = scenario_.target.outline.paths;
+  if (path >= paths.size() || point >= paths[path].size() || scenario_.target.outline.shape != "outline") return false;
   if (paths.size() == 1 && paths[0].size() <= 2) return false;  // the target keeps one segment
   end_gesture();
   return edit(tr("Remove a point"), u"points"_qs, [&](Scenario& s) {
-    auto& points = s.target.paths[path];
+    auto& points = s.target.outline.paths[path];
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(point));
-    if (points.size() < 2) s.target.paths.erase(s.target.paths.begin() + static_cast<std::ptrdiff_t>(path));
+    if (points.size() < 2) s.target.outline.paths.erase(s.target.outline.paths.begin() + static_cast<std::ptrdiff_t>(path));
   });
 }
 
 bool EditorModel::add_path() {
-  const Target& t = scenario_.target;
+  const Outline& t = scenario_.target.outline;
   if (t.shape != "outline" || t.paths.empty() || t.paths.front().empty()) return false;
   end_gesture();
   return edit(tr("Add a branch"), u"points"_qs, [&](Scenario& s) {
-    const auto& first = s.target.paths.front();
+    const auto& first = s.target.outline.paths.front();
     const Vec3 root = first[first.size() / 2];
-    s.target.paths.push_back({root, tidy(root + Vec3(0, kNewSegmentMm, 0))});
+    s.target.outline.paths.push_back({root, tidy(root + Vec3(0, kNewSegmentMm, 0))});
   });
 }
 
-bool EditorModel::set_leeway(const Leeway& leeway) {
-  return edit(tr("Tolerance zone"), u"leeway"_qs, [&](Scenario& s) { s.leeway = leeway; });
+bool EditorModel::set_leeway(double floor_mm, double side_mm) {
+  return edit(tr("Tolerance zone"), u"leeway"_qs, [&](Scenario& s) {
+    s.leeway.floor_mm = floor_mm;
+    s.leeway.side_mm = side_mm;
+  });
 }
 
 bool EditorModel::add_criterion(const std::string& metric, const Bands& bands) {
@@ -309,8 +316,8 @@ bool EditorModel::set_critical(const std::string& event, bool on) {
     std::erase(s.rubric.critical, event);
     if (!on) return;
     s.rubric.critical.push_back(event);
-    if (event == "pulp_exposure" && !has(s.protected_tissues, Tissue::pulp)) {
-      s.protected_tissues.push_back(Tissue::pulp);
+    if (event == "pulp_exposure" && !is_protected(s, Tissue::pulp)) {
+      s.protected_parts.push_back(Tissue::pulp);
     }
   });
 }

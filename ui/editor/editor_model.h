@@ -47,7 +47,10 @@ class EditorModel : public QObject {
   /// Carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. `field` as
   /// in set_target.
   bool set_tooth(const SpecimenSource& source, const QString& field);
-  bool set_target(const Target& target, const QString& field);          // for handles: the whole target
+  /// Whether the target is one outline, which this editor can change. A tree of shapes stays as it is: the edits of the target
+  /// return false.
+  bool has_drawn_target() const { return scenario_.target.kind == RegionKind::outline; }
+  bool set_target(const Outline& target, const QString& field);          // for handles: the whole outline
   bool set_shape(const std::string& shape);                             // keeps place, size and depth
   /// Moves the bands of depth criteria too, so that an exact cut still earns full points.
   bool set_depth_mm(double mm);
@@ -59,7 +62,7 @@ class EditorModel : public QObject {
   bool add_point(std::size_t path);        // continues the last segment by its own length
   bool remove_point(std::size_t path, std::size_t point);  // also removes a path of fewer than two points
   bool add_path();                         // outline: a branch from the middle of the first path
-  bool set_leeway(const Leeway& leeway);
+  bool set_leeway(double floor_mm, double side_mm);  // the zones of single faces stay
   bool add_criterion(const std::string& metric, const Bands& bands);
   bool remove_criterion(std::size_t index);
   bool set_weight(std::size_t index, double weight);
@@ -130,6 +133,6 @@ class EditorModel : public QObject {
 };
 
 /// Moves every point to the floor.
-void settle_on_floor(Target& target);
+void settle_on_floor(Outline& target);
 
 }  // namespace cusp::ui

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "scenarios/checks/checks.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "ui/editor/commands.h"
 #include "ui/editor/editor_model.h"
 #include "ui/modules.h"
@@ -69,9 +69,9 @@ void EditorModel::check_pulp() {
   double gap = 1e300;
   bool in_leeway = false;
   for (const Vec3& p : pulp_mm_) {
-    gap = std::min(gap, shape.distance_mm(p));
-    in_leeway = in_leeway || rounded_corner(shape.outline_mm({p.x, p.y}) - scenario_.leeway.side_mm,
-                                            shape.below_floor_mm(p.z) - scenario_.leeway.floor_mm, shape.corner_mm()) < 0;
+    const Near near = shape.near(p);
+    gap = std::min(gap, near.distance_mm);
+    in_leeway = in_leeway || near.distance_mm < scenario_.leeway.of(near.face);
   }
   if (gap < 0) {
     findings_.insert(findings_.begin(), {Severity::error, "/target/depth_mm", "target_opens_pulp", {{"value", -gap}}, {}});

@@ -35,10 +35,10 @@ void guard(Scenario& s, const std::vector<ScenarioTissue>& before) {
   const auto there = [&s](Tissue t) {
     return std::ranges::any_of(s.tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
   };
-  std::erase_if(s.protected_tissues, [&](Tissue t) { return !there(t); });
+  std::erase_if(s.protected_parts, [&](const Protected& p) { return p.tissue && !there(*p.tissue); });
   for (const ScenarioTissue& t : s.tissues) {
-    const bool guarded = std::ranges::find(s.protected_tissues, t.tissue) != s.protected_tissues.end();
-    if (tissue_facts(t.tissue).critical.value && !guarded) s.protected_tissues.push_back(t.tissue);
+    const bool guarded = is_protected(s, t.tissue);
+    if (tissue_facts(t.tissue).critical.value && !guarded) s.protected_parts.push_back(t.tissue);
   }
   auto& critical = s.rubric.critical;
   if (!has_pulp(s.tissues)) std::erase(critical, "pulp_exposure");

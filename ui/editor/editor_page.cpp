@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QShortcut>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
@@ -163,9 +164,15 @@ void EditorPage::follow_model() {
   publish_->setEnabled(standing == EditorModel::Standing::ready);
   try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
   tooth_->setText(isolate(specimen_name(s.specimen)));
-  on_top_->setEnabled(grown_ != nullptr);
+  const bool drawn = model_->has_drawn_target();
+  on_top_->setEnabled(grown_ != nullptr && drawn);
+  shapes_->setExclusive(drawn);  // of a tree no button is chosen
   for (int i = 0; i < static_cast<int>(std::size(kShapes)); ++i) {
-    if (s.target.shape == kShapes[i].key) shapes_->button(i)->setChecked(true);
+    QAbstractButton* button = shapes_->button(i);
+    const QSignalBlocker silent(button);
+    button->setEnabled(drawn);
+    button->setToolTip(drawn ? QString() : composed_text());
+    button->setChecked(drawn && s.target.outline.shape == kShapes[i].key);
   }
   while (QLayoutItem* item = contents_->takeAt(0)) {
     delete item->widget();
@@ -182,9 +189,9 @@ void EditorPage::follow_model() {
     inside->addWidget(make_label(text), 1);
     contents_->addWidget(row);
   };
-  line(u"target"_qs, shape_name(s.target.shape));
+  line(u"target"_qs, target_name(s.target));
   for (const ScenarioTissue& t : s.tissues) {
-    const bool guarded = std::ranges::find(s.protected_tissues, t.tissue) != s.protected_tissues.end();
+    const bool guarded = is_protected(s, t.tissue);
     line(guarded ? u"shield"_qs : u"layers"_qs, guarded ? tr("%1, protected").arg(tissue_name(t.tissue)) : tissue_name(t.tissue));
   }
 
@@ -224,8 +231,8 @@ void EditorPage::show_first_check() {
 }
 
 void EditorPage::put_target_on_top() {
-  if (!grown_) return;
-  Target t = model_->scenario().target;
+  if (!grown_ || !model_->has_drawn_target()) return;
+  Outline t = model_->scenario().target.outline;
   if (t.paths.empty() || t.paths.front().empty()) return;
   const Vec3 middle = (grown_->facts.low_mm + grown_->facts.high_mm) / 2.0;
   const Vec3 to = grown_->central_mm.value_or(middle);

@@ -31,7 +31,7 @@ class HandleKnob : public QWidget {
   void fit_mask();
   TargetView& stage_;
   TargetHandle handle_, start_;
-  Target start_target_;
+  Outline start_target_;
   QPointF start_at_;
   bool dragging_ = false;
 };

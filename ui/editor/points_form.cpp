@@ -34,7 +34,7 @@ bool has_tissue(const Scenario& s, Tissue tissue) {
 
 }  // namespace
 
-Bands first_bands(const std::string& metric, const Target& target, int fdi) {
+Bands first_bands(const std::string& metric, const Region& target, int fdi) {
   if (const auto offered = default_bands(metric, fdi)) return *offered;
   for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
     const auto known = load_builtin(key);
@@ -42,8 +42,9 @@ Bands first_bands(const std::string& metric, const Target& target, int fdi) {
     for (const Criterion& c : known->rubric.criteria) {
       if (c.metric != metric) continue;
       Bands b = c.bands;
-      if (!metric.starts_with("depth_")) return b;
-      const double by = target.depth_mm - known->target.depth_mm;
+      // A tree has no depth of its own before it is measured: the bands stay those of the pattern.
+      if (!metric.starts_with("depth_") || target.kind != RegionKind::outline) return b;
+      const double by = target.outline.depth_mm - known->target.outline.depth_mm;
       const bool open_low = b.fail_lo == b.ideal_lo && b.acc_lo == b.ideal_lo;
       for (std::size_t i = open_low ? 3 : 0; i < kEdges.size(); ++i) {
         b.*kEdges[i] = std::round((b.*kEdges[i] + by) * 1e4) / 1e4;

@@ -47,6 +47,6 @@ class PointsForm : public QWidget {
 
 /// First bands of a criterion: scenarios/grading/default_bands.h for the form of a preparation on tooth `fdi` (0: none), else those
 /// of the built-in exercises, moved to this target's depth. If none of them has the metric, bands that cost no points.
-Bands first_bands(const std::string& metric, const Target& target, int fdi = 0);
+Bands first_bands(const std::string& metric, const Region& target, int fdi = 0);
 
 }  // namespace cusp::ui

@@ -35,6 +35,14 @@ QString shape_name(const std::string& shape) {
   return QString::fromStdString(shape);
 }
 
+QString target_name(const Region& target) {
+  return target.kind == RegionKind::outline ? shape_name(target.outline.shape) : ShapeForm::tr("Composed shape");
+}
+
+QString composed_text() {
+  return ShapeForm::tr("This target is composed of several shapes. The editor cannot change them yet; they stay as they are.");
+}
+
 ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(12), px(16), px(16));
@@ -42,10 +50,16 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   const auto number = [&](const QString& name, double least, double most, auto take) {
     return new NumberBox(model_, name, u"mm"_qs, least, most, 0.05, 2, take);
   };
-  const auto target = [this]() -> const Target& { return model_.scenario().target; };
+  const auto target = [this]() -> const Outline& { return model_.scenario().target.outline; };
 
   title_ = make_label({}, TextRole::section, Weight::bold);
   column->addWidget(title_);
+  composed_ = make_label(composed_text(), TextRole::body, Weight::regular, "text2");
+  composed_->setWordWrap(true);
+  column->addWidget(composed_);
+  auto* const whole = column;
+  drawn_ = group(&column);
+  whole->addWidget(drawn_);
   depth_ = number(tr("Depth"), 0.05, kMostDepthMm, [this](double v) { return model_.set_depth_mm(v); });
   add_row(column, tr("Depth"), depth_);
   QVBoxLayout* rows = nullptr;
@@ -102,6 +116,7 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   connect(branch_, &QPushButton::clicked, this, [this] { model_.add_path(); });
   connect(remove_, &QPushButton::clicked, this, [=, this] { model_.remove_point(path(), at()); });
 
+  column = whole;
   column->addSpacing(px(8));
   column->addWidget(make_rule());
   column->addSpacing(px(8));
@@ -112,15 +127,18 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   connect(strictness_, &Segments::changed, this, [this](int index) {
     const double mm = kStrictness[static_cast<std::size_t>(index)];
     model_.end_gesture();
-    model_.set_leeway({mm, mm});
+    model_.set_leeway(mm, mm);
     model_.end_gesture();
   });
   floor_ = number(tr("Tolerance zone, floor"), 0, 5,
-                  [this](double v) { return model_.set_leeway({v, model_.scenario().leeway.side_mm}); });
+                  [this](double v) { return model_.set_leeway(v, model_.scenario().leeway.side_mm); });
   side_ = number(tr("Tolerance zone, sides"), 0, 5,
-                 [this](double v) { return model_.set_leeway({model_.scenario().leeway.floor_mm, v}); });
+                 [this](double v) { return model_.set_leeway(model_.scenario().leeway.floor_mm, v); });
   add_row(column, tr("Tolerance zone, floor"), floor_);
   add_row(column, tr("Tolerance zone, sides"), side_);
+  faces_ = make_label(tr("Some faces have a tolerance zone of their own; it stays as it is."), TextRole::caption, Weight::regular, "text2");
+  faces_->setWordWrap(true);
+  column->addWidget(faces_);
   time_ = new NumberBox(model_, tr("Time limit"), u"s"_qs, 0, 7200, 30, 0,
                         [this](double v) { return model_.set_time_limit_s(v); });
   time_->setSpecialValueText(tr("none"));
@@ -132,9 +150,12 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
 
 void ShapeForm::follow_model() {
   const Scenario& s = model_.scenario();
-  const Target& t = s.target;
+  const Outline& t = s.target.outline;
   const bool box = t.shape == "box", outline = t.shape == "outline";
-  title_->setText(shape_name(t.shape));
+  title_->setText(target_name(s.target));
+  composed_->setVisible(!model_.has_drawn_target());
+  drawn_->setVisible(model_.has_drawn_target());
+  faces_->setVisible(!s.leeway.faces.empty());
   depth_->show_value(t.depth_mm);
   width_->show_value(t.width_mm);
   length_->show_value(t.box_size_mm.x);
@@ -179,7 +200,7 @@ void ShapeForm::follow_model() {
 void ShapeForm::show_point() {
   if (point_->count() == 0) return;
   const QPoint which = point_->currentData().toPoint();
-  const Target& t = model_.scenario().target;
+  const Outline& t = model_.scenario().target.outline;
   const Vec3 p = t.paths[static_cast<std::size_t>(which.x())][static_cast<std::size_t>(which.y())];
   x_->show_value(p.x);
   y_->show_value(p.y);

@@ -25,9 +25,9 @@ class ShapeForm : public QWidget {
   void show_point();
 
   EditorModel& model_;
-  QLabel *title_, *top_label_;
+  QLabel *title_, *top_label_, *composed_, *faces_;
   NumberBox *depth_, *width_, *length_, *box_width_, *top_, *corner_, *x_, *y_, *floor_, *side_, *time_;
-  QWidget *slot_rows_, *box_rows_, *point_buttons_;
+  QWidget *drawn_, *slot_rows_, *box_rows_, *point_buttons_;
   QComboBox* point_;
   QPushButton *add_, *remove_, *branch_;
   Segments* strictness_;
@@ -35,5 +35,9 @@ class ShapeForm : public QWidget {
 
 /// "Channel", "Fissure outline", "Box".
 QString shape_name(const std::string& shape);
+/// The same of a target; "Composed shape" of a tree.
+QString target_name(const Region& target);
+/// Why a tree of shapes cannot be edited here, and that it stays.
+QString composed_text();
 
 }  // namespace cusp::ui

@@ -20,7 +20,7 @@ struct Stretch {
   Vec3 middle{0.0};
   Vec3 across{0.0, 1.0, 0.0};
 };
-Stretch widest_seen(const Target& t) {
+Stretch widest_seen(const Outline& t) {
   const auto& path = t.paths.front();
   Stretch out{path.front(), {0, 1, 0}};
   double longest = 0;
@@ -37,7 +37,7 @@ Stretch widest_seen(const Target& t) {
 
 }  // namespace
 
-std::vector<TargetHandle> handles_of(const Target& t) {
+std::vector<TargetHandle> handles_of(const Outline& t) {
   std::vector<TargetHandle> out;
   if (t.paths.empty() || t.paths.front().empty()) return out;
   for (std::size_t i = 0; i < t.paths.size(); ++i) {
@@ -62,8 +62,8 @@ std::vector<TargetHandle> handles_of(const Target& t) {
   return out;
 }
 
-Target moved(const Target& target, const TargetHandle& handle, Vec3 to) {
-  Target t = target;
+Outline moved(const Outline& target, const TargetHandle& handle, Vec3 to) {
+  Outline t = target;
   switch (handle.kind) {
     case TargetHandle::Kind::point: {
       const Vec3 from = target.paths[handle.path][handle.point];

@@ -21,11 +21,11 @@ inline constexpr double kLeastHandleMm = 0.1;  // least width, depth and side
 inline constexpr double kHandleStepMm = 0.01;  // a drag rounds to it
 
 /// One handle for each place of a point, then width or sides, then depth.
-std::vector<TargetHandle> handles_of(const Target& target);
+std::vector<TargetHandle> handles_of(const Outline& target);
 
 /// The target after a handle was moved: a point (with all points at its place) moves in the occlusal plane, width, sides and floor
 /// reach the new place. Rounds to kHandleStepMm.
 /// Pre: the handle is one of handles_of(target).
-Target moved(const Target& target, const TargetHandle& handle, Vec3 to_mm);
+Outline moved(const Outline& target, const TargetHandle& handle, Vec3 to_mm);
 
 }  // namespace cusp::ui

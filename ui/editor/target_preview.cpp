@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 #include "ui/render/target_look.h"
 

@@ -15,7 +15,7 @@ namespace cusp::ui {
 
 struct PreviewWish {
   std::shared_ptr<const Volume> whole;
-  Target target;
+  Region target;
   Leeway leeway;
   bool carved = true;  // false: the whole tooth
 };

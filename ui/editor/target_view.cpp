@@ -156,10 +156,10 @@ void TargetView::show_scenery() {
 
 void TargetView::look_at_target() {
   const SpecimenFacts& f = grown_->facts;
-  const Target& t = model_.scenario().target;
+  const TargetShape shape(model_.scenario().target);
   const Vec3 size = f.high_mm - f.low_mm;
   Vec3 centre = (f.low_mm + f.high_mm) / 2.0;
-  centre.z = std::clamp(t.top_mm - 1.0, f.low_mm.z, f.high_mm.z);  // the crown
+  centre.z = std::clamp(shape.top_mm() - 1.0, f.low_mm.z, f.high_mm.z);  // the crown
   Camera camera = Camera::about(centre, 0.5 * std::hypot(size.x, size.y));
   camera.set_preset(PresetView::working);
   camera.set_angles(camera.yaw(), kFirstPitch);
@@ -208,8 +208,8 @@ void TargetView::run_next() {
   });
 }
 
-void TargetView::apply(const TargetHandle& handle, const Target& from, Vec3 to) {
-  const Target t = moved(from, handle, to);
+void TargetView::apply(const TargetHandle& handle, const Outline& from, Vec3 to) {
+  const Outline t = moved(from, handle, to);
   switch (handle.kind) {
     case TargetHandle::Kind::depth: model_.set_depth_mm(t.depth_mm); break;
     case TargetHandle::Kind::width: model_.set_width_mm(t.width_mm); break;
@@ -224,7 +224,7 @@ void TargetView::apply(const TargetHandle& handle, const Target& from, Vec3 to) 
 std::optional<Vec3> TargetView::on_plane(QPointF at) const {
   const Ray ray = view_->ray(at);
   if (std::abs(ray.along.z) < 1e-3) return std::nullopt;  // the ray is parallel to the plane
-  const double t = (model_.scenario().target.top_mm - ray.from_mm.z) / ray.along.z;
+  const double t = (model_.scenario().target.outline.top_mm - ray.from_mm.z) / ray.along.z;
   if (t < 0) return std::nullopt;
   return ray.from_mm + t * ray.along;
 }
@@ -245,8 +245,8 @@ void TargetView::place_all() {
     const int y = grown_ ? hint_->y() - centre_->height() - px(12) : (height() - centre_->height()) / 2;
     centre_->move((width() - centre_->width()) / 2, y);
   }
-  const Target& t = model_.scenario().target;
-  handles_ = grown_ ? handles_of(t) : std::vector<TargetHandle>();
+  const Outline& t = model_.scenario().target.outline;
+  handles_ = grown_ && model_.has_drawn_target() ? handles_of(t) : std::vector<TargetHandle>();
   while (knobs_.size() < handles_.size()) knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
   depth_tag_->hide();
   width_tag_->hide();

@@ -46,7 +46,7 @@ class TargetView : public QWidget {
   void look_at_target();
   void show_scenery();
   void run_next();
-  void apply(const TargetHandle& handle, const Target& from, Vec3 to_mm);
+  void apply(const TargetHandle& handle, const Outline& from, Vec3 to_mm);
   /// Place on the reference plane under a position of the widget.
   std::optional<Vec3> on_plane(QPointF at) const;
 
@@ -60,7 +60,7 @@ class TargetView : public QWidget {
   std::vector<TargetHandle> handles_;
   std::shared_ptr<const GrownSpecimen> grown_;
   std::optional<SpecimenSource> looked_at_;
-  Target shown_;
+  Region shown_;
   Leeway shown_leeway_;
   QTimer rest_;
   bool carved_ = true, lines_wanted_ = false, mesh_wanted_ = false, working_ = false;

@@ -27,17 +27,17 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
   s.specimen.voxel_mm = volume.grid.voxel_mm;
   s.tissues = usual_tissues(facts.tissues);
   if (std::ranges::find(facts.tissues, Tissue::pulp) != facts.tissues.end()) {
-    s.protected_tissues = {Tissue::pulp};
+    s.protected_parts = {Tissue::pulp};
     s.rubric.critical = {"pulp_exposure"};
   }
   const auto tidy = [](double mm) { return std::round(mm * 100) / 100; };
   const Vec3 middle = (facts.low_mm + facts.high_mm) / 2.0;
   const auto specimen = Specimen::build(volume, Reading::banded);
-  s.target.top_mm = tidy(height_at(*specimen, middle.x, middle.y).value_or(facts.high_mm.z));
+  s.target.outline.top_mm = tidy(height_at(*specimen, middle.x, middle.y).value_or(facts.high_mm.z));
   // At most a third of length and height: the first target lies inside the specimen.
-  const double reach = std::min(std::abs(s.target.paths[0][0].x), (facts.high_mm.x - facts.low_mm.x) / 6);
-  s.target.paths = {{{tidy(middle.x - reach), tidy(middle.y), 0}, {tidy(middle.x + reach), tidy(middle.y), 0}}};
-  settle_on_floor(s.target);
+  const double reach = std::min(std::abs(s.target.outline.paths[0][0].x), (facts.high_mm.x - facts.low_mm.x) / 6);
+  s.target.outline.paths = {{{tidy(middle.x - reach), tidy(middle.y), 0}, {tidy(middle.x + reach), tidy(middle.y), 0}}};
+  settle_on_floor(s.target.outline);
   const std::filesystem::path folder = drafts_folder(database, s.id);
   std::error_code error;
   std::filesystem::create_directories(folder, error);

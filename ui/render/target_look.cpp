@@ -13,7 +13,7 @@ namespace {
 constexpr double kRegionMarginMm = 0.4;  // what a bur reaches beyond it becomes fine anyway
 }
 
-TargetLook::TargetLook(const Target& target, const Leeway& leeway)
+TargetLook::TargetLook(const Region& target, const Leeway& leeway)
     : shape_(std::make_shared<TargetShape>(target)), leeway_(leeway) {}
 
 DeviationAt TargetLook::deviation() const {
@@ -41,19 +41,30 @@ FeedSettings TargetLook::feed() const {
 }
 
 Box TargetLook::box(double highest_mm) const {
-  const double side = leeway_.side_mm + kRegionMarginMm;
-  return {Vec3(shape_->low() - side, shape_->floor_mm() - leeway_.floor_mm - kRegionMarginMm),
+  const double side = (leeway_.faces.empty() ? leeway_.side_mm : leeway_.most()) + kRegionMarginMm;
+  const double below = (leeway_.faces.empty() ? leeway_.floor_mm : leeway_.most()) + kRegionMarginMm;
+  return {Vec3(shape_->low() - side, shape_->floor_mm() - below),
           Vec3(shape_->high() + side, std::max(highest_mm, shape_->top_mm()))};
 }
 
 std::vector<OverlayLine> TargetLook::lines(const Volume& uncut) const {
   if (empty()) return {};
-  return target_lines(uncut, [shape = shape_](Vec3 p) { return shape->outline_mm({p.x, p.y}); }, leeway_.side_mm);
+  const auto in_plan = [shape = shape_](Vec3 p) { return shape->outline_mm({p.x, p.y}); };
+  const auto in_space = [shape = shape_](Vec3 p) { return shape->distance_mm(p); };
+  if (shape_->upright() != nullptr) return target_lines(uncut, in_plan, leeway_.side_mm);
+  return target_lines(uncut, in_space, leeway_.side_mm);
 }
 
 void TargetLook::put_into(SectionSettings& section) const {
   if (empty()) return;
   section.target = [shape = shape_](Vec3 p) { return shape->distance_mm(p); };
+  if (shape_->upright() == nullptr || !leeway_.faces.empty()) {
+    section.leeway = [shape = shape_, leeway = leeway_](Vec3 p) {
+      const Near near = shape->near(p);
+      return near.distance_mm - leeway.of(near.face);
+    };
+    return;
+  }
   section.leeway = [shape = shape_, leeway = leeway_](Vec3 p) {
     const double u = shape->outline_mm({p.x, p.y}), v = shape->below_floor_mm(p.z);
     return rounded_corner(u - leeway.side_mm, v - leeway.floor_mm, shape->corner_mm());

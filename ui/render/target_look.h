@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "scenarios/format/scenario.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 #include "ui/render/baked_patch.h"
 #include "ui/render/overlay_line.h"
@@ -16,7 +16,7 @@ namespace cusp::ui {
 
 class TargetLook {
  public:
-  TargetLook(const Target& target, const Leeway& leeway);
+  TargetLook(const Region& target, const Leeway& leeway);
 
   bool empty() const noexcept { return shape_->empty(); }
   const TargetShape& shape() const noexcept { return *shape_; }

@@ -131,7 +131,8 @@ void Briefing::add_facts(QVBoxLayout& text) {
     facts->addRow(make_label(name, TextRole::body, Weight::regular, "text2"), label);
   };
   fact(tr("Burs"), burs_text(s));
-  fact(tr("Required depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
+  if (const auto outlines = outlines_of(s.target); !outlines.empty())
+    fact(tr("Required depth"), format({outlines.front()->depth_mm, std::nullopt, u"mm"_qs, 1}));
   fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));

@@ -71,6 +71,7 @@ QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen
 
 QString critical_advice(const std::string& key) {
   if (key == "pulp_exposure") return Text::tr("Read the depth before each stroke, and stop at the required depth.");
+  if (key == "protected_damage") return Text::tr("Look where the protected part lies before you begin, and keep the bur off it.");
   if (key == "dry_cutting") return Text::tr("Run the coolant before the bur touches the tooth.");
   return {};
 }

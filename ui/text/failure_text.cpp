@@ -43,6 +43,8 @@ Message describe(const FormatFailure& f) {
     case FormatError::unknown_generator:
     case FormatError::unknown_shape:
     case FormatError::unknown_phenomenon:
+    case FormatError::unknown_face:
+    case FormatError::unknown_severity:
     case FormatError::unknown_bur:
       return at(detail.isEmpty() ? Text::tr("%1 names something that is not known.").arg(where)
                                  : Text::tr("%1 names something that is not known: %2.").arg(where, detail));

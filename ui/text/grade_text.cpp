@@ -32,6 +32,8 @@ QString metric_name(const std::string& m) {
   if (m == "ridge_mesial") return Text::tr("Mesial marginal ridge");
   if (m == "ridge_distal") return Text::tr("Distal marginal ridge");
   if (m == "remaining_over_pulp") return Text::tr("Dentine over pulp");
+  if (m == "protected_removed") return Text::tr("Removed of what is protected");
+  if (m == "protected_damage") return Text::tr("Protected part damaged");
   if (m == "time") return Text::tr("Time");
   if (m == "force_peak") return Text::tr("Peak push");
   if (m == "force_mean") return Text::tr("Mean push");
@@ -56,6 +58,7 @@ QString metric_unit(const std::string& m) {
 
 QString critical_name(const std::string& critical) {
   if (critical == "pulp_exposure") return Text::tr("The pulp was opened");
+  if (critical == "protected_damage") return Text::tr("Something protected was damaged");
   if (critical == "dry_cutting") return Text::tr("The tooth was overheated by cutting dry (criterion not verified)");
   return metric_name(critical);
 }
@@ -109,6 +112,9 @@ QString reason_text(const CriterionGrade& g) {
     return Text::tr("Counts only as far as the target was cut: %1").arg(share_text(arg("share")));
   }
   const double value = arg("value"), limit = arg("limit");
+  if (g.reason_code == "needs_dof") {
+    return Text::tr("Brings no points: it takes a device of %1 axes, and this one has %2").arg(format_number(value, 0), format_number(limit, 0));
+  }
   const int decimals = decimals_apart(value, limit, unit == u"%" ? 1 : 2);
   const QString v = format({value, std::nullopt, unit, decimals}), l = with_unit(limit, unit);
   const QString apart = format({std::abs(value - limit), std::nullopt, unit, decimals});
@@ -148,7 +154,10 @@ QString counted_text(const Grade& grade, const Rubric& rubric) {
 
 QString advice_text(const CriterionGrade& g) {
   // What was drilled too little is advised about once, by the target's own criterion.
-  if (g.reason_code == "full" || g.reason_code == "not_measured" || g.reason_code == "little_drilled") return {};
+  if (g.reason_code == "full" || g.reason_code == "not_measured" || g.reason_code == "little_drilled" ||
+      g.reason_code == "needs_dof") {
+    return {};
+  }
   const std::string& m = g.id;
   if (m == "target_removed") return Text::tr("Turn the view and look for what remains inside the target line.");
   if (m == "overcut_leeway_floor" || m == "overcut_beyond_floor")

@@ -48,9 +48,9 @@ struct Tooth {
 };
 
 void deepen(Scenario& s, double depth) {
-  s.target.depth_mm = depth;
-  for (auto& path : s.target.paths)
-    for (Vec3& p : path) p.z = s.target.top_mm - depth;
+  s.target.outline.depth_mm = depth;
+  for (auto& path : s.target.outline.paths)
+    for (Vec3& p : path) p.z = s.target.outline.top_mm - depth;
 }
 
 TEST(Checks, EveryExerciseOfTheLibraryHasNoFinding) {
@@ -75,7 +75,7 @@ TEST(Pulp, ATargetThatOpensItIsAnErrorWhetherOrNotItFailsTheAttempt) {
 TEST(Pulp, ReportsAnAccessWithoutAnError) {
   Tooth t;
   deepen(t.scenario, 5.5);
-  t.scenario.target.width_mm = 3;
+  t.scenario.target.outline.width_mm = 3;
   t.scenario.rubric.critical.clear();
   EXPECT_THAT(t.regions(), ElementsAre("warning /target/depth_mm target_holds_pulp"));
   t.scenario.rubric.critical = {"pulp_exposure"};
@@ -97,7 +97,7 @@ TEST(Pulp, AToleranceZoneThatReachesItIsAWarning) {
 
 TEST(Protected, WhatTheTargetTakesIsAnErrorAndWhatItsToleranceZoneTakesAWarning) {
   Tooth t;
-  t.scenario.protected_tissues = {Tissue::pulp, Tissue::dentine};
+  t.scenario.protected_parts = {Tissue::pulp, Tissue::dentine};
   EXPECT_THAT(t.regions(), ElementsAre("error /protected/1 target_cuts_protected"));
   deepen(t.scenario, 0.6);
   t.scenario.leeway = {0.5, 0.1};
@@ -108,7 +108,7 @@ TEST(Protected, WhatTheTargetTakesIsAnErrorAndWhatItsToleranceZoneTakesAWarning)
 
 TEST(Target, InTheAirHoldsNothingToCut) {
   Tooth t;
-  t.scenario.target.top_mm = 30;
+  t.scenario.target.outline.top_mm = 30;
   EXPECT_THAT(t.regions(), Contains("error /target/paths target_without_tissue"));
 }
 

@@ -45,14 +45,14 @@ TEST(ContentHash, ChangesWithEveryValueAndWithNothingElse) {
   };
   differs([](Scenario& s) { s.version = 2; });
   differs([](Scenario& s) { s.title["en"] += "."; });
-  differs([](Scenario& s) { s.target.depth_mm = std::nextafter(2.0, 3.0); });
+  differs([](Scenario& s) { s.target.outline.depth_mm = std::nextafter(2.0, 3.0); });
   differs([](Scenario& s) { s.rubric.criteria[0].weight += 1e-9; });
   differs([](Scenario& s) { std::swap(s.rubric.criteria[0], s.rubric.criteria[1]); });
   differs([](Scenario& s) { s.tolerance_points = 0; });
   EXPECT_NE(content_hash(scenario), content_hash(scenario, {{"x", {}}}));
 
   Scenario same = scenario;
-  same.target.top_mm = -0.0;
+  same.target.outline.top_mm = -0.0;
   EXPECT_EQ(content_hash(same), content_hash(scenario));
 }
 

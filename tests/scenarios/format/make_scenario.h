@@ -42,18 +42,24 @@ class ScenarioMaker {
     if (coin()) s.tool_turn_deg = between(0, 60);
     s.method = kMethods[static_cast<std::size_t>(pick(static_cast<int>(kMethods.size())))];
     if (coin()) s.phenomena = {"friction"};
-    s.target.shape = kShapeKeys[static_cast<std::size_t>(pick(static_cast<int>(kShapeKeys.size())))];
+    s.target.outline.shape = kShapeKeys[static_cast<std::size_t>(pick(static_cast<int>(kShapeKeys.size())))];
     for (int i = 1 + pick(4); i > 0; --i) {
-      auto& path = s.target.paths.emplace_back();
+      auto& path = s.target.outline.paths.emplace_back();
       for (int k = 1 + pick(6); k > 0; --k) path.push_back(point());
     }
-    s.target.width_mm = between(0.1, 100);
-    s.target.depth_mm = between(0.1, 100);
-    s.target.top_mm = between(-1000, 1000);
-    s.target.corner_radius_mm = between(0, 5);
-    s.target.box_size_mm = {between(0, 1000), between(0, 1000), between(0, 1000)};
+    s.target.outline.width_mm = between(0.1, 100);
+    s.target.outline.depth_mm = between(0.1, 100);
+    s.target.outline.top_mm = between(-1000, 1000);
+    s.target.outline.corner_radius_mm = between(0, 5);
+    s.target.outline.box_size_mm = {between(0, 1000), between(0, 1000), between(0, 1000)};
+    if (pick(4) == 0) {
+      Region lone = s.target;
+      s.target = region(2);
+      s.target.parts.push_back(std::move(lone));
+    }
     s.leeway = {between(0, 5), between(0, 5)};
-    if (coin()) s.protected_tissues = {Tissue::pulp, static_cast<Tissue>(16 + pick(16))};
+    if (pick(4) == 0) s.leeway.faces[static_cast<FaceName>(pick(static_cast<int>(kFaceNames)))] = between(0, 5);
+    if (coin()) s.protected_parts = {Tissue::pulp, static_cast<Tissue>(16 + pick(16))};
     s.time_limit_s = coin() ? 0 : between(10, 86400);
     s.rubric.pass = between(1, 100);
     for (const MetricKey& metric : kMetricKeys) {
@@ -74,6 +80,25 @@ class ScenarioMaker {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
   Vec3 point() { return {between(-1000, 1000), between(-1000, 1000), between(-1000, 1000)}; }
+  /// A union of boxes, balls and unions.
+  Region region(int depth) {
+    Region out;
+    out.kind = RegionKind::joined;
+    out.rounding_mm = coin() ? 0 : between(0, 5);
+    for (int i = 2 + pick(3); i > 0; --i) {
+      if (depth > 0 && coin()) {
+        out.parts.push_back(region(depth - 1));
+        continue;
+      }
+      Region& leaf = out.parts.emplace_back();
+      leaf.kind = coin() ? RegionKind::box : RegionKind::sphere;
+      leaf.from_mm = point();
+      if (leaf.kind == RegionKind::box) leaf.size_mm = {between(1, 100), between(1, 100), between(1, 100)};
+      else leaf.radius_mm = between(1, 100);
+      if (leaf.kind == RegionKind::box && coin()) leaf.faces["z_low"] = FaceName::gingival_floor;
+    }
+    return out;
+  }
   Bands bands() {
     return {between(-100, 100), between(-1e6, 1e6), between(0, 1e-6), between(0, 1), between(0, 1e6), between(-1, 1)};
   }
@@ -123,12 +148,36 @@ inline Scenario sound_scenario() {
   s.specimen.generator = "block";
   s.tissues = {{Tissue::plastic, 2, 2}};
   s.instruments = {{.name = "4", .radius_mm = 0.7, .neck_radius_mm = 0.4}};
-  s.target.paths = {{Vec3(-4, 0, -2), Vec3(4, 0, -2)}};
-  s.target.width_mm = 1.6;
-  s.target.corner_radius_mm = 0.7;
+  s.target.outline.paths = {{Vec3(-4, 0, -2), Vec3(4, 0, -2)}};
+  s.target.outline.width_mm = 1.6;
+  s.target.outline.corner_radius_mm = 0.7;
   s.rubric.criteria = {{"target_removed", 60, {80, 90, 97, 100, 100, 100}},
                        {"depth_mean", 40, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
   return s;
+}
+
+/// Every kind of region, in the order of kRegionKeys, under a rounded union.
+inline Region region_with_every_kind() {
+  Region out;
+  out.kind = RegionKind::joined;
+  out.rounding_mm = 0.2;
+  for (std::size_t kind = 0; kind < kRegionKeys.size(); ++kind) {
+    Region part;
+    part.kind = static_cast<RegionKind>(kind);
+    const bool ends = part.kind == RegionKind::cylinder || part.kind == RegionKind::cone || part.kind == RegionKind::capsule;
+    if (ends) part.to_mm = {0, 0, 1};
+    if (ends || part.kind == RegionKind::sphere) part.radius_mm = 1;
+    if (part.kind == RegionKind::cone) part.end_radius_mm = 1;
+    if (part.kind == RegionKind::box || part.kind == RegionKind::ellipsoid) part.size_mm = {1, 1, 1};
+    if (part.kind == RegionKind::offset) part.by_mm = 0.5;
+    if (part.kind == RegionKind::outline) {
+      part.outline = sound_scenario().target.outline;
+      part.outline.taper_deg = {1, 2, 3, 4};
+    }
+    if (is_node(part.kind)) part.parts.resize(part.kind == RegionKind::offset ? 1 : 2, out.parts[1]);
+    out.parts.push_back(std::move(part));
+  }
+  return out;
 }
 
 }  // namespace cusp::test

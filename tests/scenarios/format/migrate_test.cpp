@@ -43,7 +43,7 @@ TEST(Format1, TheMetricUndercutIsTheUncutRemainder) {
 }
 
 TEST(Format1, ProtectedTissuesAreKept) {
-  EXPECT_EQ(read_scenario(file_of_format_1("box"))->protected_tissues, std::vector{Tissue::pulp});
+  EXPECT_EQ(read_scenario(file_of_format_1("box"))->protected_parts, std::vector<Protected>{Tissue::pulp});
 }
 
 TEST(Format1, AnExerciseKeepsItsContentHashWhenItIsWrittenInFormat2) {

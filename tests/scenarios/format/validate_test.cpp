@@ -43,25 +43,25 @@ TEST(Validate, ASoundScenarioHasNoFinding) {
 TEST(Validate, FindsWhatMakesAnExerciseImpossible) {
   using ::testing::Contains;
   EXPECT_THAT(after([](Scenario& s) { s.instruments.clear(); }), Contains("error /instruments no_instrument"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.paths.clear(); }), Contains("error /target/paths no_target"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.paths.push_back(s.target.paths[0]); }), Contains("error /target/paths path_count"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0].pop_back(); }), Contains("error /target/paths/0 point_count"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths.clear(); }), Contains("error /target/paths no_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths.push_back(s.target.outline.paths[0]); }), Contains("error /target/paths path_count"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths[0].pop_back(); }), Contains("error /target/paths/0 point_count"));
   EXPECT_THAT(after([](Scenario& s) {
-                s.target.shape = "outline";  // about one point: a disc
-                s.target.paths[0].pop_back();
+                s.target.outline.shape = "outline";  // about one point: a disc
+                s.target.outline.paths[0].pop_back();
               }),
               ::testing::Not(Contains(::testing::HasSubstr("point_count"))));
-  EXPECT_THAT(after([](Scenario& s) { s.target.shape = "box"; }), Contains("error /target/paths/0 point_count"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.shape = "box"; }), Contains("error /target/paths/0 point_count"));
   EXPECT_THAT(after([](Scenario& s) {
-                s.target.shape = "box";
-                s.target.paths[0].pop_back();
+                s.target.outline.shape = "box";
+                s.target.outline.paths[0].pop_back();
               }),
               Contains("error /target/box_size_mm empty_target"));
   EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria.clear(); }), Contains("error /rubric/criteria no_criteria"));
   EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria[1].weight = 0; }), Contains("error /rubric/criteria/1/weight weight_zero"));
   EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria[0].bands.acc_lo = 99; }),
               Contains("error /rubric/criteria/0/bands bands_not_ordered"));
-  EXPECT_THAT(after([](Scenario& s) { s.protected_tissues = {Tissue::pulp}; }), Contains("error /protected/0 protected_missing"));
+  EXPECT_THAT(after([](Scenario& s) { s.protected_parts = {Tissue::pulp}; }), Contains("error /protected/0 protected_missing"));
   EXPECT_THAT(after([](Scenario& s) { s.rubric.critical = {"pulp_exposure"}; }), Contains("error /rubric/critical protected_missing"));
 }
 
@@ -115,7 +115,7 @@ TEST(Validate, APassMarkThatNobodyReachesIsAnError) {
 TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
   using ::testing::ElementsAre;
   // 2.5 voxels of 0.1 mm.
-  EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 0.24; }),
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.width_mm = 0.24; }),
               ElementsAre("warning /target/width_mm feature_thin", "warning /target/width_mm bur_wider_than_target"));
   EXPECT_THAT(after([](Scenario& s) { s.instruments[0].radius_mm = 0.29; }),
               ElementsAre("warning /instruments/0/radius_mm bur_small", "warning /instruments/0/neck_radius_mm neck_wider_than_ball"));
@@ -129,8 +129,8 @@ TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
 
 TEST(Validate, WarnsOfWhatTheBurCannotCut) {
   using ::testing::ElementsAre;
-  EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 1.3; }), ElementsAre("warning /target/width_mm bur_wider_than_target"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.corner_radius_mm = 0.2; }),
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.width_mm = 1.3; }), ElementsAre("warning /target/width_mm bur_wider_than_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.corner_radius_mm = 0.2; }),
               ElementsAre("warning /target/corner_radius_mm corner_below_bur"));
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
 }
@@ -150,7 +150,7 @@ TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
   const auto with = [](const char* number, double corner_mm) {
     return after([&](Scenario& s) {
       s.instruments = {catalogue_bur(number)->bur};
-      s.target.corner_radius_mm = corner_mm;
+      s.target.outline.corner_radius_mm = corner_mm;
     });
   };
   EXPECT_THAT(with("57", 0.0), IsEmpty());
@@ -162,24 +162,24 @@ TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
 TEST(Validate, WarnsOfTextsInOneLanguageOnlyAndPointsOffTheFloor) {
   using ::testing::ElementsAre;
   EXPECT_THAT(after([](Scenario& s) { s.briefing.erase("de"); }), ElementsAre("warning /briefing language_missing"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0][1].z = -1.9; }), ElementsAre("warning /target/paths/0/1 point_off_floor"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths[0][1].z = -1.9; }), ElementsAre("warning /target/paths/0/1 point_off_floor"));
 }
 
 TEST(Validate, HoldsTheTargetAgainstTheSpecimen) {
   using ::testing::Contains;
   using ::testing::ElementsAre;
   const SpecimenFacts facts = plastic_block();
-  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0][1].x = 9.3; }, &facts), ElementsAre("error /target/paths/0/1 target_outside"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0][1].x = 9.2; }, &facts), IsEmpty());  // 9.2 + 1.6 / 2 = 10
-  EXPECT_THAT(after([](Scenario& s) { s.target.depth_mm = 10.5; }, &facts), Contains("error /target/depth_mm target_outside"));
-  EXPECT_THAT(after([](Scenario& s) { s.target.top_mm = 3; }, &facts), Contains("error /target/depth_mm target_outside"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths[0][1].x = 9.3; }, &facts), ElementsAre("error /target/paths/0/1 target_outside"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths[0][1].x = 9.2; }, &facts), IsEmpty());  // 9.2 + 1.6 / 2 = 10
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.depth_mm = 10.5; }, &facts), Contains("error /target/depth_mm target_outside"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.outline.top_mm = 3; }, &facts), Contains("error /target/depth_mm target_outside"));
   EXPECT_THAT(after([](Scenario& s) { s.specimen.voxel_mm = 0.2; }, &facts), Contains("error /specimen/voxel_mm voxel_mismatch"));
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].tissue = Tissue::bone; }, &facts),
               ElementsAre("error /tissues tissue_missing", "warning /tissues/0 tissue_unused"));
   EXPECT_THAT(after(
                   [](Scenario& s) {
                     s.tissues.push_back({Tissue::pulp, 1, 1});
-                    s.protected_tissues = {Tissue::pulp};
+                    s.protected_parts = {Tissue::pulp};
                   },
                   &facts),
               Contains("error /protected/0 protected_missing"));

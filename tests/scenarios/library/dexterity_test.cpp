@@ -68,7 +68,7 @@ TEST(Levels, TolerateLessAndLess) {
       EXPECT_LT(s.leeway.side_mm, tolerated_mm);
       EXPECT_EQ(s.leeway.side_mm, s.leeway.floor_mm);
       tolerated_mm = s.leeway.side_mm;
-      EXPECT_EQ(s.target.depth_mm, 2.0);
+      EXPECT_EQ(s.target.outline.depth_mm, 2.0);
       EXPECT_EQ(s.specimen.generator, level[1] == '3' ? "layered-block" : "block");
     }
     EXPECT_EQ(tolerated_mm, 0.2);  // dental.md 2.1: 0.5, 0.3, 0.2

@@ -12,7 +12,7 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
@@ -94,7 +94,7 @@ TEST(Library, ThePapersBlockHasThePapersNumbers) {
   ASSERT_EQ(s.tissues.size(), 3u);
   const std::array<double, 3> speeds = {1.2, 0.8, 0.5};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(s.tissues[i].speed_mm_s, speeds[i]);
-  EXPECT_GT(s.target.depth_mm, 2 * 10.0 / 3) << "the pit ends before the third material";
+  EXPECT_GT(s.target.outline.depth_mm, 2 * 10.0 / 3) << "the pit ends before the third material";
 }
 
 TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
@@ -104,7 +104,7 @@ TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
   const ToothLandmarks& marks = tooth->landmarks;
 
   // Every point of the outline lies within 0.1 mm of the bottom of a fissure.
-  for (const auto& path : s.target.paths) {
+  for (const auto& path : s.target.outline.paths) {
     for (const Vec3& point : path) {
       double nearest = 1e9;
       for (const SurfaceLine& line : marks.fissures) {

@@ -13,11 +13,11 @@ inline Scenario box_exercise_on_36(Vec3 size_mm, ScenarioTissue tissue) {
   s.specimen.fdi = 36;
   s.tissues = {tissue};
   s.instruments = {{}};
-  s.target.shape = "box";
-  s.target.paths = {{Vec3(0, 0, -size_mm.z)}};
-  s.target.box_size_mm = {size_mm.x, size_mm.y, 0};
-  s.target.depth_mm = size_mm.z;
-  s.target.corner_radius_mm = 0.3;
+  s.target.outline.shape = "box";
+  s.target.outline.paths = {{Vec3(0, 0, -size_mm.z)}};
+  s.target.outline.box_size_mm = {size_mm.x, size_mm.y, 0};
+  s.target.outline.depth_mm = size_mm.z;
+  s.target.outline.corner_radius_mm = 0.3;
   return s;
 }
 

@@ -41,11 +41,11 @@ Scenario class_one_on(int fdi) {
   s.specimen.fdi = fdi;
   s.specimen.voxel_mm = 0.2;
   const Vec3 pit = tooth_landmarks(tooth_request(s.specimen)).value().central;
-  s.target.shape = "channel";
-  s.target.top_mm = pit.z + 0.8;
-  s.target.depth_mm = 1.8;
-  const double floor = s.target.top_mm - s.target.depth_mm;
-  s.target.paths = {{Vec3(pit.x - 1.5, pit.y, floor), Vec3(pit.x + 1.5, pit.y, floor)}};
+  s.target.outline.shape = "channel";
+  s.target.outline.top_mm = pit.z + 0.8;
+  s.target.outline.depth_mm = 1.8;
+  const double floor = s.target.outline.top_mm - s.target.outline.depth_mm;
+  s.target.outline.paths = {{Vec3(pit.x - 1.5, pit.y, floor), Vec3(pit.x + 1.5, pit.y, floor)}};
   return s;
 }
 

@@ -78,32 +78,32 @@ class Faults : public testing::Test {
       last = points;
     }
   }
-  static Shape of(const std::function<void(Target&)>& change) {
-    Target t = class_one_on_36().target;
+  static Shape of(const std::function<void(Outline&)>& change) {
+    Outline t = class_one_on_36().target.outline;
     change(t);
-    return [shape = TargetShape(t)](Vec3 p) { return shape.distance_mm(p); };
+    return [shape = OutlineShape(t)](Vec3 p) { return shape.distance_mm(p); };
   }
 };
 
 TEST_F(Faults, ATooDeepFloorLowersTheDepth) {
-  const auto deeper = [](double mm) { return of([mm](Target& t) { t.depth_mm += mm; }); };
+  const auto deeper = [](double mm) { return of([mm](Outline& t) { t.depth_mm += mm; }); };
   lowers("depth_mean", {deeper(0.25), deeper(0.45), deeper(0.7)});
 }
 
 TEST_F(Faults, ATooShallowFloorLowersTheDepthAndTheTarget) {
-  const auto shallower = [](double mm) { return of([mm](Target& t) { t.depth_mm -= mm; }); };
+  const auto shallower = [](double mm) { return of([mm](Outline& t) { t.depth_mm -= mm; }); };
   lowers("depth_mean", {shallower(0.25), shallower(0.35), shallower(0.5)});
   lowers("target_removed", {shallower(0.25), shallower(0.3), shallower(0.34)});
 }
 
 TEST_F(Faults, ATooWideCavityLowersTheIsthmus) {
-  const auto wider = [](double mm) { return of([mm](Target& t) { t.box_size_mm.y += mm; }); };
+  const auto wider = [](double mm) { return of([mm](Outline& t) { t.box_size_mm.y += mm; }); };
   lowers("isthmus_width", {wider(0.35), wider(0.6), wider(0.9)});
 }
 
 TEST_F(Faults, ATiltedBuccalWallLowersItsAngle) {
   const auto tilted = [](double deg) -> Shape {
-    const Shape wide = of([](Target& t) {
+    const Shape wide = of([](Outline& t) {
       t.box_size_mm.y += 2.0;
       t.paths[0][0].y += 1.0;
     });
@@ -115,7 +115,7 @@ TEST_F(Faults, ATiltedBuccalWallLowersItsAngle) {
 
 TEST_F(Faults, ARoughFloorLowersItsFlatness) {
   const auto rough = [](double mm) -> Shape {
-    const Shape whole = of([](Target& t) { t.depth_mm += 0.6; });
+    const Shape whole = of([](Outline& t) { t.depth_mm += 0.6; });
     // A wave of 1.8 mm: at 0.27 mm it leans 43 degrees, so that all of it is floor.
     return [=](Vec3 p) {
       return std::max(whole(p), (-kDepth + mm * std::cos(2 * std::numbers::pi * p.x / 1.8) - p.z) / 1.38);
@@ -126,7 +126,7 @@ TEST_F(Faults, ARoughFloorLowersItsFlatness) {
 
 TEST_F(Faults, AThinMesialRidgeLowersItsThickness) {
   const auto longer = [](double mm) {
-    return of([mm](Target& t) {
+    return of([mm](Outline& t) {
       t.box_size_mm.x += mm;
       t.paths[0][0].x += 0.5 * mm;
     });
@@ -139,7 +139,7 @@ TEST_F(Faults, AnUntouchedToothHasNoPoints) {
 }
 
 TEST_F(Faults, AShaftOfATwentiethOfTheTargetEarnsATwentiethOfTheForm) {
-  const Shape shaft = of([](Target& t) {
+  const Shape shaft = of([](Outline& t) {
     t.box_size_mm.x = 0.05 * kLength * kWidth / 0.4;
     t.box_size_mm.y = 0.4;
     t.corner_radius_mm = 0.1;

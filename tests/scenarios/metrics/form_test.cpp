@@ -157,7 +157,7 @@ void measure_one(const Preparation& p, double voxel_mm, Vec3 phase, std::map<std
   const auto depth = floor_depth(reference, volume);
   ASSERT_TRUE(depth);
   std::vector<Measure> measures;
-  add_form(reference, volume, measures);
+  add_form(CutFaces(reference, volume, depth), reference, volume, measures);
   const auto truth = truth_of(p, -depth->mean_mm + kCorner + 0.5 * voxel_mm);
   EXPECT_EQ(measures.size(), truth.size());
   for (const Measure& m : measures) {
@@ -222,7 +222,8 @@ TEST(Form, OfABlockHasNoSides) {
   Volume volume(specimen);
   carved::carve(volume, [](Vec3 at) { return Preparation{}.distance(at); });
   std::vector<Measure> measures;
-  add_form(Reference(scenario, specimen), volume, measures);
+  const Reference reference(scenario, specimen);
+  add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
   for (const Measure& m : measures) {
     const bool of_no_side = m.metric.starts_with("floor_") || m.metric == "isthmus_width";
     EXPECT_EQ(m.measured, of_no_side) << m.metric;
@@ -238,7 +239,8 @@ TEST(Form, OfAnUntouchedOrFilledSpecimenIsNotMeasured) {
     Volume volume(specimen);
     if (reading == Reading::filled) carved::carve(volume, [](Vec3 at) { return Preparation{}.distance(at); });
     std::vector<Measure> measures;
-    add_form(Reference(exercise_on_36(), specimen), volume, measures);
+    const Reference reference(exercise_on_36(), specimen);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
     ASSERT_EQ(measures.size(), 11u);
     for (const Measure& m : measures) EXPECT_FALSE(m.measured) << m.metric;
   }
@@ -258,7 +260,8 @@ TEST(Form, OfAMirroredToothNamesTheOtherSide) {
   for (const auto& [fdi, mesial] : {std::pair{36, 6.0}, {46, 1.0}}) {
     scenario.specimen.fdi = fdi;
     std::vector<Measure> measures;
-    add_form(Reference(scenario, specimen), volume, measures);
+    const Reference reference(scenario, specimen);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
     EXPECT_EQ(measures[0].metric, "wall_angle_mesial");
     EXPECT_NEAR(measures[0].value, mesial, measures[0].uncertainty) << fdi;
   }

@@ -92,7 +92,8 @@ std::string figures_of(const Case& c) {
     for (const CriterionGrade& one : graded.criteria)
       out << "  points " << name_in_format_1(one.id) << ' ' << bits(one.points) << ' ' << bits(one.points_max) << ' ' << one.band << ' ' << one.reason_code << '\n';
     for (const Measure& m : measures)
-      if (m.measured) out << "  value " << name_in_format_1(m.metric) << ' ' << bits(m.value) << ' ' << bits(m.uncertainty) << '\n';
+      if (m.measured && !m.metric.starts_with("protected_"))  // format 1 did not measure damage
+        out << "  value " << name_in_format_1(m.metric) << ' ' << bits(m.value) << ' ' << bits(m.uncertainty) << '\n';
   }
   return out.str();
 }

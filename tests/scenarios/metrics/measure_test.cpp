@@ -37,11 +37,11 @@ Scenario slot() {
   Scenario s;
   s.tissues = {{Tissue::enamel, 3, 0.4}, {Tissue::dentine, 2, 1.6}, {Tissue::pulp, 0.5, 5}, {Tissue::bone, 1, 1}};
   s.instruments = {{}};
-  s.target.shape = "channel";
-  s.target.paths = {{Vec3(-3, 0, -2), Vec3(3, 0, -2)}};
-  s.target.width_mm = 1.2;
-  s.target.depth_mm = 2.0;
-  s.target.corner_radius_mm = 0.5;
+  s.target.outline.shape = "channel";
+  s.target.outline.paths = {{Vec3(-3, 0, -2), Vec3(3, 0, -2)}};
+  s.target.outline.width_mm = 1.2;
+  s.target.outline.depth_mm = 2.0;
+  s.target.outline.corner_radius_mm = 0.5;
   s.leeway.floor_mm = 0.3;
   s.leeway.side_mm = 0.2;
   return s;
@@ -64,11 +64,11 @@ struct Bench {
 
 /// A slot as a cut: shifted, deepened and widened against the target.
 double cut_slot(Vec3 p, double deeper, double wider, double shift = 0.0) {
-  Target t = slot().target;
+  Outline t = slot().target.outline;
   t.depth_mm += deeper;
   t.width_mm += 2.0 * wider;
   t.corner_radius_mm += wider;  // the same fillet, offset
-  const TargetShape shape(t);
+  const OutlineShape shape(t);
   return shape.distance_mm(p - Vec3(0, shift, 0));
 }
 
@@ -270,7 +270,7 @@ TEST(Measure, AFilledVolumeIsMeasuredWithALargerUncertainty) {
 
 TEST(Measure, ATargetOutsideTheSpecimenIsNotMeasured) {
   Bench bench;
-  bench.scenario.target.paths = {{Vec3(40, 0, 0), Vec3(41, 0, 0)}};
+  bench.scenario.target.outline.paths = {{Vec3(40, 0, 0), Vec3(41, 0, 0)}};
   const Reference away(bench.scenario, bench.specimen);
   for (const Measure& m : measure(away, Volume(bench.specimen), {})) {
     if (m.metric != "target_removed" && m.metric != "uncut_remainder") continue;

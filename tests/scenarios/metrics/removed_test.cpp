@@ -19,11 +19,11 @@ Scenario slot() {
   Scenario s;
   s.tissues = {{Tissue::enamel, 3, 0.4}, {Tissue::dentine, 2, 1.6}, {Tissue::pulp, 0.5, 5}};
   s.instruments = {{}};
-  s.target.shape = "channel";
-  s.target.paths = {{Vec3(-1, 0, -1), Vec3(1, 0, -1)}};
-  s.target.width_mm = 1.2;
-  s.target.depth_mm = 1.0;
-  s.target.corner_radius_mm = 0.5;
+  s.target.outline.shape = "channel";
+  s.target.outline.paths = {{Vec3(-1, 0, -1), Vec3(1, 0, -1)}};
+  s.target.outline.width_mm = 1.2;
+  s.target.outline.depth_mm = 1.0;
+  s.target.outline.corner_radius_mm = 0.5;
   s.leeway.floor_mm = 0.2;
   s.leeway.side_mm = 0.2;
   return s;

@@ -8,7 +8,7 @@
 #include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/distance.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "scenarios/specimens/specimens.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
@@ -25,10 +25,10 @@ Scenario small_slot() {
   bur.radius_mm = 0.3;
   bur.neck_radius_mm = 0.15;  // a neck of two thirds of the head is held by what a side stroke of 0.25 mm leaves above it
   s.instruments = {bur};
-  s.target.paths = {{Vec3(-0.3, 0, 0), Vec3(0.3, 0, 0)}};
-  s.target.width_mm = 0.8;
-  s.target.depth_mm = 0.8;
-  s.target.corner_radius_mm = 0.3;
+  s.target.outline.paths = {{Vec3(-0.3, 0, 0), Vec3(0.3, 0, 0)}};
+  s.target.outline.width_mm = 0.8;
+  s.target.outline.depth_mm = 0.8;
+  s.target.outline.corner_radius_mm = 0.3;
   s.leeway.floor_mm = 0.2;
   s.leeway.side_mm = 0.2;
   s.rubric.pass = 70;
@@ -88,9 +88,9 @@ TEST(Plan, KeepsTheBurInsideTheTarget) {
   Scenario s = small_slot();
   const auto block = small_block();
   for (const char* shape : {"channel", "outline", "box"}) {
-    s.target.shape = shape;
-    s.target.box_size_mm = {2.0, 1.2, 0};
-    if (s.target.shape == "outline") s.target.paths = {{Vec3(-0.8, 0, 0), Vec3(0, 0.3, 0), Vec3(0.8, 0, 0)}, {Vec3(0, 0.3, 0), Vec3(0, 1, 0)}};
+    s.target.outline.shape = shape;
+    s.target.outline.box_size_mm = {2.0, 1.2, 0};
+    if (s.target.outline.shape == "outline") s.target.outline.paths = {{Vec3(-0.8, 0, 0), Vec3(0, 0.3, 0), Vec3(0.8, 0, 0)}, {Vec3(0, 0.3, 0), Vec3(0, 1, 0)}};
     const Plan plan = plan_target(s, *block);
     const TargetShape target(s.target);
     ASSERT_GT(plan.strokes.size(), 10u) << shape;
@@ -114,7 +114,7 @@ TEST(Plan, TakesTheLargestBurThatFits) {
   large.radius_mm = 0.5;
   s.instruments = {small, s.instruments[0], large};
   EXPECT_EQ(plan_target(s, *small_block()).bur, 1);
-  s.target.corner_radius_mm = 0.1;  // none fits: the smallest
+  s.target.outline.corner_radius_mm = 0.1;  // none fits: the smallest
   EXPECT_EQ(plan_target(s, *small_block()).bur, 0);
 }
 
@@ -123,7 +123,7 @@ TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
   s.instruments.clear();
   EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
   s = small_slot();
-  s.target.paths.clear();
+  s.target.outline.paths.clear();
   EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
   EXPECT_TRUE(expert(s, *small_block()).done());
 }

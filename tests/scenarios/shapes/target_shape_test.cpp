@@ -3,14 +3,14 @@
 #include <random>
 
 #include "scenarios/shapes/place.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
 namespace {
 
-Target channel() {
-  Target t;
+Outline channel() {
+  Outline t;
   t.shape = "channel";
   t.paths = {{Vec3(-3, 0.5, 0), Vec3(2, -0.5, 0)}};
   t.width_mm = 1.6;
@@ -19,14 +19,14 @@ Target channel() {
   t.corner_radius_mm = 0.5;
   return t;
 }
-Target fissures() {
-  Target t = channel();
+Outline fissures() {
+  Outline t = channel();
   t.shape = "outline";
   t.paths = {{Vec3(-3, 0, 0), Vec3(-1, 0.6, 0), Vec3(1, 0, 0), Vec3(3, 0.4, 0)}, {Vec3(1, 0, 0), Vec3(1.2, 1.5, 0)}};
   return t;
 }
-Target box() {
-  Target t = channel();
+Outline box() {
+  Outline t = channel();
   t.shape = "box";
   t.paths = {{Vec3(0.3, -0.2, 0)}};
   t.box_size_mm = {4.0, 2.5, 0.0};
@@ -35,8 +35,8 @@ Target box() {
 
 /// The same solid by definition, without any distance: a place is in the target when a ball of the corner's radius, its
 /// centre within the outline inset by that radius and above the floor by it, holds it, or when it is above that height.
-bool inside_by_definition(const Target& t, Vec3 p) {
-  const TargetShape shape(t);
+bool inside_by_definition(const Outline& t, Vec3 p) {
+  const OutlineShape shape(t);
   const double r = shape.corner_mm();
   const double u = shape.outline_mm({p.x, p.y});
   const double z = p.z - shape.floor_mm();
@@ -45,11 +45,11 @@ bool inside_by_definition(const Target& t, Vec3 p) {
   return (u + r) * (u + r) + (r - z) * (r - z) <= r * r;
 }
 
-TEST(TargetShape, TheSignIsTheDefinitionOfTheShape) {
+TEST(OutlineShape, TheSignIsTheDefinitionOfTheShape) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(-5, 5), z(-3.5, 2);
-  for (const Target& t : {channel(), fissures(), box()}) {
-    const TargetShape shape(t);
+  for (const Outline& t : {channel(), fissures(), box()}) {
+    const OutlineShape shape(t);
     for (int i = 0; i < 20000; ++i) {
       const Vec3 p(x(random), x(random), z(random));
       const double d = shape.distance_mm(p);
@@ -59,10 +59,10 @@ TEST(TargetShape, TheSignIsTheDefinitionOfTheShape) {
   }
 }
 
-TEST(TargetShape, OutsideTheDistanceIsThatOfTheNearestSurfacePoint) {
+TEST(OutlineShape, OutsideTheDistanceIsThatOfTheNearestSurfacePoint) {
   // Brute force: points of the shape's surface, found by marching along rays, 0.02 mm apart at most.
-  for (const Target& t : {channel(), fissures(), box()}) {
-    const TargetShape shape(t);
+  for (const Outline& t : {channel(), fissures(), box()}) {
+    const OutlineShape shape(t);
     std::vector<Vec3> surface;
     const double step = 0.03;
     for (double px = shape.low().x - 0.1; px < shape.high().x + 0.1; px += step)
@@ -92,43 +92,43 @@ TEST(TargetShape, OutsideTheDistanceIsThatOfTheNearestSurfacePoint) {
   }
 }
 
-TEST(TargetShape, WhatStandsAboveTheReferencePlaneWithinTheOutlineIsToGoToo) {
-  const TargetShape shape(channel());
+TEST(OutlineShape, WhatStandsAboveTheReferencePlaneWithinTheOutlineIsToGoToo) {
+  const OutlineShape shape(channel());
   EXPECT_LT(shape.distance_mm({-0.5, 0.0, 3.0}), 0.0);
   EXPECT_GT(shape.distance_mm({-0.5, 2.0, 3.0}), 0.0);
 }
 
-TEST(TargetShape, ACornerRadiusThatDoesNotFitIsCutToHalfTheWidth) {
-  Target t = channel();
+TEST(OutlineShape, ACornerRadiusThatDoesNotFitIsCutToHalfTheWidth) {
+  Outline t = channel();
   t.corner_radius_mm = 5.0;
-  EXPECT_DOUBLE_EQ(TargetShape(t).corner_mm(), 0.8);
+  EXPECT_DOUBLE_EQ(OutlineShape(t).corner_mm(), 0.8);
   t.depth_mm = 0.3;
-  EXPECT_DOUBLE_EQ(TargetShape(t).corner_mm(), 0.3);
+  EXPECT_DOUBLE_EQ(OutlineShape(t).corner_mm(), 0.3);
 }
 
-TEST(TargetShape, WithoutAPathItIsEmpty) {
-  Target t = channel();
+TEST(OutlineShape, WithoutAPathItIsEmpty) {
+  Outline t = channel();
   t.paths.clear();
-  EXPECT_TRUE(TargetShape(t).empty());
+  EXPECT_TRUE(OutlineShape(t).empty());
   t.shape = "box";
-  EXPECT_TRUE(TargetShape(t).empty());
+  EXPECT_TRUE(OutlineShape(t).empty());
   t.shape = "outline";
   t.paths = {{}};
-  EXPECT_TRUE(TargetShape(t).empty());
+  EXPECT_TRUE(OutlineShape(t).empty());
 }
 
-TEST(TargetShape, APathOfOnePointIsARoundHole) {
-  Target t = channel();
+TEST(OutlineShape, APathOfOnePointIsARoundHole) {
+  Outline t = channel();
   t.paths = {{Vec3(1, 2, 0)}};
-  const TargetShape shape(t);
+  const OutlineShape shape(t);
   EXPECT_NEAR(shape.outline_mm({1.0, 3.0}), 1.0 - 0.8, 1e-12);
   EXPECT_NEAR(shape.outline_mm({1.0, 2.0}), -0.8, 1e-12);
 }
 
 TEST(Place, APlaceBelongsToTheFaceThatItIsNearestTo) {
-  Target t = channel();
+  Outline t = channel();
   t.paths = {{Vec3(-3, 0, 0), Vec3(3, 0, 0)}};  // walls at y = ±0.8, floor at z = -2, corner 0.5
-  const TargetShape shape(t);
+  const TargetShape shape(region_of(t));
   Leeway leeway;
   leeway.floor_mm = 0.3;
   leeway.side_mm = 0.2;

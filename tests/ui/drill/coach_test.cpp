@@ -8,13 +8,13 @@ namespace {
 
 /// A slot 1.6 mm wide along x, floor 2 mm below the face at z = 0.
 TargetShape slot() {
-  Target target;
+  Outline target;
   target.shape = "channel";
   target.paths = {{{-4, 0, -2}, {4, 0, -2}}};
   target.width_mm = 1.6;
   target.depth_mm = 2.0;
   target.top_mm = 0.0;
-  return TargetShape(target);
+  return TargetShape(region_of(target));
 }
 
 LiveView drilling(Vec3 pivot, double radius) {
@@ -26,7 +26,7 @@ LiveView drilling(Vec3 pivot, double radius) {
   return live;
 }
 
-constexpr Leeway kLeeway{0.3, 0.3};
+const Leeway kLeeway{0.3, 0.3};
 constexpr double kRadius = 0.5;
 
 TEST(Coach, before_anything_is_cut_it_shows_how_to_begin) {
@@ -71,7 +71,7 @@ TEST(Coach, with_nearly_all_out_it_shows_finish_and_lifted_off_it_is_quiet) {
 }
 
 TEST(Coach, without_a_target_it_has_nothing_to_say) {
-  EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Target{}), kLeeway, kRadius).what, Coach::quiet);
+  EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Region{}), kLeeway, kRadius).what, Coach::quiet);
 }
 
 TEST(Coach, of_a_place_that_the_bur_has_left_it_shows_nothing) {

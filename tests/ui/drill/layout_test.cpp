@@ -84,10 +84,10 @@ struct DrillGauges : testing::Test {
   LiveView live;
   void SetUp() override {
     Scenario scenario;
-    scenario.target.shape = "channel";
-    scenario.target.paths = {{{-4, 0, -1.8}, {4, 0, -1.8}}};
-    scenario.target.width_mm = 1.6;
-    scenario.target.depth_mm = 1.8;
+    scenario.target.outline.shape = "channel";
+    scenario.target.outline.paths = {{{-4, 0, -1.8}, {4, 0, -1.8}}};
+    scenario.target.outline.width_mm = 1.6;
+    scenario.target.outline.depth_mm = 1.8;
     scenario.leeway = {0.2, 0.2};
     stage.resize(900, 600);
     stage.show();
@@ -148,17 +148,17 @@ TEST_F(DrillGauges, last_values_of_an_attempt_that_stands_are_no_longer_shown) {
 }
 
 TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
-  Target target;
+  Outline target;
   target.shape = "channel";
   target.paths = {{{-4, 2, -1.8}, {4, 2, -1.8}}};
   target.width_mm = 1.6;
   target.depth_mm = 1.8;
-  SectionPlace place(TargetLook(target, {0.2, 0.2}), {{-10, -10, -10}, {10, 10, 0}});
+  SectionPlace place(TargetLook(region_of(target), {0.2, 0.2}), {{-10, -10, -10}, {10, 10, 0}});
   EXPECT_EQ(place.follow({40, 30, 5}), Vec3(0, 2, 0)) << "not there yet: the target's middle";
   EXPECT_EQ(place.follow({1.5, 2.2, -1}), Vec3(1.5, 2.2, 0)) << "where it works";
   EXPECT_EQ(place.follow({1.5, 2.2, 12}), Vec3(1.5, 2.2, 0)) << "lifted straight out";
   EXPECT_EQ(place.follow({1.5, -30, 12}), Vec3(1.5, 2.2, 0)) << "laid aside: as it was";
-  SectionPlace free(TargetLook(Target{}, {}), {{-10, -10, -10}, {10, 10, 0}});
+  SectionPlace free(TargetLook(Region{}, {}), {{-10, -10, -10}, {10, 10, 0}});
   EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
 }
 
@@ -206,12 +206,12 @@ TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
   auto* compass = stage.findChild<Compass*>();
   Scenario scenario;
   scenario.specimen.volume = "molar.nrrd";
-  stage.set_exercise(scenario, TargetLook(Target{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
+  stage.set_exercise(scenario, TargetLook(Region{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_TRUE(compass->isHidden());
   scenario.specimen = {};
   scenario.specimen.generator = "tooth";
   scenario.specimen.fdi = 46;
-  stage.set_exercise(scenario, TargetLook(Target{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
+  stage.set_exercise(scenario, TargetLook(Region{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_FALSE(compass->isHidden());
 }
 

@@ -68,10 +68,10 @@ const std::vector<Edit>& every_edit() {
       {"add a branch", [](EditorModel& m) { return m.add_path(); }},
       {"handle",
        [](EditorModel& m) {
-         const Target& t = m.scenario().target;
+         const Outline& t = m.scenario().target.outline;
          return m.set_target(moved(t, handles_of(t).front(), {-2.9, -0.4, t.top_mm}), QStringLiteral("handle/0"));
        }},
-      {"leeway", [](EditorModel& m) { return m.set_leeway({0.2, 0.25}); }},
+      {"leeway", [](EditorModel& m) { return m.set_leeway(0.2, 0.25); }},
       {"add a criterion",
        [](EditorModel& m) { return m.add_criterion("uncut_remainder", first_bands("uncut_remainder", m.scenario().target)); }},
       {"remove a criterion", [](EditorModel& m) { return m.remove_criterion(1); }},
@@ -120,7 +120,7 @@ TEST(editor_model, undoing_everything_restores_the_exercise_and_redoing_everythi
 
 TEST(editor_model, turning_a_number_is_one_step_until_it_rests) {
   EditorModel model(class_one());
-  const double depth = model.scenario().target.depth_mm;
+  const double depth = model.scenario().target.outline.depth_mm;
   for (int i = 1; i <= 10; ++i) model.set_depth_mm(depth + 0.05 * i);
   EXPECT_EQ(model.stack().count(), 1);
   model.end_gesture();
@@ -130,14 +130,14 @@ TEST(editor_model, turning_a_number_is_one_step_until_it_rests) {
   EXPECT_EQ(model.stack().count(), 3);
   model.stack().undo();
   model.stack().undo();
-  EXPECT_DOUBLE_EQ(model.scenario().target.depth_mm, depth + 0.5);
+  EXPECT_DOUBLE_EQ(model.scenario().target.outline.depth_mm, depth + 0.5);
   model.stack().undo();
   EXPECT_TRUE(model.unchanged());
 }
 
 TEST(editor_model, a_number_turned_back_to_where_it_was_leaves_no_step) {
   EditorModel model(class_one());
-  const double depth = model.scenario().target.depth_mm;
+  const double depth = model.scenario().target.outline.depth_mm;
   model.set_depth_mm(depth + 0.05);
   model.set_depth_mm(depth + 0.10);
   model.set_depth_mm(depth);
@@ -157,7 +157,7 @@ TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing)
   }
   for (const double bad : {nan, inf, -1.0, 101.0}) {
     EXPECT_FALSE(model.set_pass(bad)) << bad;
-    EXPECT_FALSE(model.set_leeway({bad, 0.3})) << bad;
+    EXPECT_FALSE(model.set_leeway(bad, 0.3)) << bad;
   }
   EXPECT_FALSE(model.set_top_mm(nan));
   EXPECT_FALSE(model.set_weight(0, -1));
@@ -180,6 +180,43 @@ TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing)
   EXPECT_EQ(model.stack().count(), 0);
 }
 
+/// channel-1 with its outline and a ball in a union, and a tolerance zone of its own for one face.
+EditorStart composed_start() {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  Region ball;
+  ball.kind = RegionKind::sphere;
+  ball.from_mm = {1, 0, -1};
+  ball.radius_mm = 1;
+  Region both;
+  both.kind = RegionKind::joined;
+  both.parts = {start.draft.target, ball};
+  start.draft.target = both;
+  start.draft.leeway.faces = {{FaceName::gingival_floor, 0.1}};
+  return start;
+}
+
+TEST(editor_model, a_tree_of_shapes_stays_as_it_is) {
+  EditorModel model(composed_start());
+  const Region before = model.scenario().target;
+  EXPECT_FALSE(model.has_drawn_target());
+  EXPECT_FALSE(model.set_target(Outline{}, QStringLiteral("handle/0")));
+  EXPECT_FALSE(model.set_shape("box"));
+  EXPECT_FALSE(model.set_depth_mm(1.5));
+  EXPECT_FALSE(model.set_width_mm(1.5));
+  EXPECT_FALSE(model.set_top_mm(0.5));
+  EXPECT_FALSE(model.set_corner_radius_mm(0.2));
+  EXPECT_FALSE(model.set_box_size_mm(2, 2));
+  EXPECT_FALSE(model.set_point_mm(0, 0, 1, 1));
+  EXPECT_FALSE(model.add_point(0));
+  EXPECT_FALSE(model.add_path());
+  EXPECT_EQ(model.stack().count(), 0);
+  EXPECT_TRUE(model.set_title("de", QStringLiteral("Anders")));
+  EXPECT_TRUE(model.set_leeway(0.2, 0.25));
+  EXPECT_EQ(model.scenario().target, before);
+  EXPECT_EQ(model.scenario().leeway.faces, (std::map<FaceName, double>{{FaceName::gingival_floor, 0.1}})) << "the zones of single faces stay";
+}
+
 TEST(editor_model, a_target_keeps_at_least_one_line) {
   EditorModel model(class_one());
   ASSERT_TRUE(model.set_shape("channel"));
@@ -187,14 +224,14 @@ TEST(editor_model, a_target_keeps_at_least_one_line) {
   EXPECT_FALSE(model.remove_point(0, 0));
   ASSERT_TRUE(model.add_path());
   EXPECT_TRUE(model.remove_point(1, 0));  // the branch goes as a whole
-  EXPECT_EQ(model.scenario().target.paths.size(), 1u);
+  EXPECT_EQ(model.scenario().target.outline.paths.size(), 1u);
 }
 
 TEST(editor_model, points_stay_on_the_floor_and_bands_of_depth_move_with_it) {
   EditorModel model(class_one());
   ASSERT_TRUE(model.set_depth_mm(2.3));
   const Scenario& s = model.scenario();
-  for (const auto& path : s.target.paths) {
+  for (const auto& path : s.target.outline.paths) {
     for (const Vec3& p : path) EXPECT_DOUBLE_EQ(p.z, 1.9);  // 4.2 - 2.3
   }
   for (const Criterion& c : s.rubric.criteria) {
@@ -213,10 +250,10 @@ TEST(editor_model, points_stay_on_the_floor_and_bands_of_depth_move_with_it) {
 
 TEST(editor_model, a_shape_made_from_another_keeps_place_and_depth) {
   EditorModel model(class_one());
-  const Target before = model.scenario().target;
+  const Outline before = model.scenario().target.outline;
   for (const char* shape : {"box", "channel", "outline", "box", "outline"}) {
     ASSERT_TRUE(model.set_shape(shape)) << shape;
-    const Target& t = model.scenario().target;
+    const Outline& t = model.scenario().target.outline;
     EXPECT_EQ(t.shape, shape);
     EXPECT_DOUBLE_EQ(t.depth_mm, before.depth_mm);
     EXPECT_DOUBLE_EQ(t.top_mm, before.top_mm);
@@ -279,7 +316,7 @@ TEST(editor_model, carious_lesions_and_neighbours_bring_their_tissues_and_leave_
   ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("plastic")));
   ASSERT_EQ(model.scenario().tissues.size(), 1u);
   EXPECT_EQ(model.scenario().tissues[0].tissue, Tissue::plastic);
-  EXPECT_TRUE(model.scenario().protected_tissues.empty());
+  EXPECT_TRUE(model.scenario().protected_parts.empty());
   model.stack().undo();
   EXPECT_DOUBLE_EQ(figures(Tissue::enamel).stiffness_n_per_mm, 2.5);
 }
@@ -308,13 +345,13 @@ TEST(editor_model, a_block_has_no_pulp_to_protect_or_to_open) {
   block.generator = "block";
   block.voxel_mm = 0.1;
   ASSERT_TRUE(model.set_specimen(block, load_builtin("channel-1")->tissues));
-  EXPECT_TRUE(model.scenario().protected_tissues.empty());
+  EXPECT_TRUE(model.scenario().protected_parts.empty());
   EXPECT_TRUE(model.scenario().rubric.critical.empty());
 }
 
 TEST(editor_model, a_target_that_opens_a_pulp_that_must_stay_closed_is_never_published) {
   EditorModel model(class_one());
-  const Vec3 on_line = model.scenario().target.paths[0][4];  // (0.2, -0.15), floor at 2.4
+  const Vec3 on_line = model.scenario().target.outline.paths[0][4];  // (0.2, -0.15), floor at 2.4
   model.set_facts(facts_of_36(), {{on_line.x, on_line.y, 1.5}});
   EXPECT_TRUE(model.findings().empty());
   // The briefing still names the depth of before: these are other findings.
@@ -369,12 +406,12 @@ TEST(editor_model, a_new_tooth_begins_with_the_usual_figures_and_its_critical_ti
     EXPECT_TRUE(t.tissue != Tissue::dentine || t.speed_mm_s == 1.2);
   }
   EditorStart start = class_one();
-  start.draft.protected_tissues.clear();
+  start.draft.protected_parts.clear();
   EditorModel model(start);
   SpecimenSource source = start.draft.specimen;
   source.seed = 3;
   EXPECT_TRUE(model.set_specimen(source, usual));
-  EXPECT_EQ(model.scenario().protected_tissues, std::vector<Tissue>{Tissue::pulp});
+  EXPECT_EQ(model.scenario().protected_parts, std::vector<Protected>{Tissue::pulp});
 }
 
 }  // namespace

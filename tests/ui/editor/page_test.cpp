@@ -57,8 +57,9 @@ struct EditorPages : ::testing::Test {
     start.folder = drafts_folder(records.file(), start.draft.id).string();
     return start;
   }
-  std::unique_ptr<EditorPage> open() {
-    auto page = std::make_unique<EditorPage>(records.store(), instructor.actor(), ports, coarse());
+  std::unique_ptr<EditorPage> open() { return open(coarse()); }
+  std::unique_ptr<EditorPage> open(const EditorStart& start) {
+    auto page = std::make_unique<EditorPage>(records.store(), instructor.actor(), ports, start);
     page->resize(1280, 800);
     QSignalSpy ready(page.get(), &EditorPage::ready);
     page->show();
@@ -83,12 +84,35 @@ W* named(QWidget& page, const char* name) {
   return nullptr;
 }
 
+TEST_F(EditorPages, a_tree_of_shapes_is_shown_with_a_sentence_and_nothing_to_change_it) {
+  EditorStart start = coarse();
+  Region ball;
+  ball.kind = RegionKind::sphere;
+  ball.from_mm = {1, 0, -1};
+  ball.radius_mm = 1;
+  Region both;
+  both.kind = RegionKind::joined;
+  both.parts = {start.draft.target, ball};
+  start.draft.target = both;
+  const auto page = open(start);
+  bool said = false;
+  for (const QLabel* label : page->findChildren<QLabel*>())
+    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed of several shapes.")));
+  EXPECT_TRUE(said);
+  EXPECT_FALSE(named<NumberField>(*page, "Depth")->isVisible());
+  EXPECT_TRUE(knobs_of(*page->findChild<TargetView*>()).empty());
+  EXPECT_EQ(page->model().scenario().target, both);
+  const auto drawn = open();
+  for (const QLabel* label : drawn->findChildren<QLabel*>())
+    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed"))) << "an outline can be changed";
+}
+
 TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   const auto page = open();
   auto* depth = named<QDoubleSpinBox>(*page, "Depth");
   ASSERT_NE(depth, nullptr);
   depth->setValue(2.35);
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.35);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.35);
   auto* publish = named<QPushButton>(*page, "Publish version 3");
   ASSERT_NE(publish, nullptr);
   EXPECT_TRUE(publish->isEnabled());
@@ -98,7 +122,7 @@ TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   QTest::keyClick(depth, Qt::Key_Z, Qt::ControlModifier);
   // A button pressed by its key shows that for a moment before it acts.
   EXPECT_TRUE(QTest::qWaitFor([&] { return !page->model().stack().canUndo(); }));
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.0);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.0);
   EXPECT_DOUBLE_EQ(depth->value(), 2.0);
   EXPECT_FALSE(publish->isEnabled());
 }
@@ -111,7 +135,7 @@ TEST_F(EditorPages, a_number_that_cannot_be_taken_leaves_the_target_and_shows_wh
     depth->selectAll();
     QTest::keyClicks(depth, text);
     QTest::keyClick(depth, Qt::Key_Return);
-    return page->model().scenario().target.depth_mm;
+    return page->model().scenario().target.outline.depth_mm;
   };
   EXPECT_DOUBLE_EQ(type(QStringLiteral("1,5")), 1.5);
   EXPECT_DOUBLE_EQ(type(QStringLiteral("-3")), 1.5);
@@ -125,7 +149,7 @@ TEST_F(EditorPages, a_number_that_cannot_be_taken_leaves_the_target_and_shows_wh
 TEST_F(EditorPages, a_shape_chosen_in_the_library_is_taken_however_it_was_pressed) {
   const auto page = open();
   named<QPushButton>(*page, "Box")->setChecked(true);  // as a screen reader presses it
-  EXPECT_EQ(page->model().scenario().target.shape, "box");
+  EXPECT_EQ(page->model().scenario().target.outline.shape, "box");
   EXPECT_EQ(knobs_of(*page->stage()).size(), 4u);
   page->model().stack().undo();
   EXPECT_TRUE(named<QPushButton>(*page, "Channel")->isChecked());
@@ -144,20 +168,20 @@ TEST_F(EditorPages, every_handle_has_a_name_and_answers_to_the_arrow_keys) {
   HandleKnob* depth = knobs.back();
   EXPECT_EQ(depth->accessibleName().toStdString(), "Depth");
   QTest::keyClick(depth, Qt::Key_Down);
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.05);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.05);
   QTest::keyClick(depth, Qt::Key_Up, Qt::ShiftModifier);
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.04);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.04);
   EXPECT_EQ(page->model().stack().count(), 2);
   QTest::keyClick(knobs[2], Qt::Key_Right);
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.width_mm, 1.65);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.width_mm, 1.65);
   // And to a screen reader's actions, the same step each.
   const auto act = [](HandleKnob* knob, const QString& name) {
     QAccessible::queryAccessibleInterface(knob)->actionInterface()->doAction(name);
   };
   act(depth, QAccessibleActionInterface::increaseAction());
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.09);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.09);
   act(knobs[2], QAccessibleActionInterface::decreaseAction());
-  EXPECT_DOUBLE_EQ(page->model().scenario().target.width_mm, 1.6);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.width_mm, 1.6);
 }
 
 TEST_F(EditorPages, dragging_a_handle_is_one_step_and_follows_the_hand) {
@@ -178,7 +202,7 @@ TEST_F(EditorPages, dragging_a_handle_is_one_step_and_follows_the_hand) {
     QApplication::sendEvent(end, &move);
   }
   QTest::mouseRelease(end, Qt::LeftButton, {}, middle);
-  const Vec3 after = page->model().scenario().target.paths[0][0];
+  const Vec3 after = page->model().scenario().target.outline.paths[0][0];
   // A pixel is about 0.03 mm here, and the press lies within one of the handle's middle.
   EXPECT_NEAR(after.x, before.x + 0.5, 0.06);
   EXPECT_NEAR(after.y, before.y + 0.3, 0.06);

@@ -21,11 +21,11 @@ EditorStart class_one_on_a_block(double depth_mm, double width_mm) {
   const Scenario block = load_builtin("channel-1").value();
   s.specimen = block.specimen;
   s.tissues = block.tissues;
-  s.protected_tissues.clear();
+  s.protected_parts.clear();
   s.rubric.critical.clear();
-  s.target.depth_mm = depth_mm;
-  s.target.width_mm = width_mm;
-  settle_on_floor(s.target);
+  s.target.outline.depth_mm = depth_mm;
+  s.target.outline.width_mm = width_mm;
+  settle_on_floor(s.target.outline);
   return start;
 }
 SpecimenSource coarse_36() {
@@ -46,7 +46,7 @@ TEST(editor_model, a_tooth_with_pulp_brings_the_rule_that_opening_it_fails_the_a
     ASSERT_TRUE(by_form ? model.set_tooth(coarse_36(), QStringLiteral("fdi"))
                         : model.set_specimen(coarse_36(), usual_tissues(std::string("tooth"))));
     EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"});
-    EXPECT_EQ(model.scenario().protected_tissues, std::vector<Tissue>{Tissue::pulp});
+    EXPECT_EQ(model.scenario().protected_parts, std::vector<Protected>{Tissue::pulp});
     bring_the_tooth(model);
     EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"}) << "no pulp in the target";
     ASSERT_EQ(model.stack().count(), 1);

@@ -86,8 +86,8 @@ TEST_F(TwoWindows, the_second_to_save_is_warned_and_nothing_is_written) {
   EXPECT_FALSE(save(*second));
   ASSERT_NE(warning(*second), nullptr);
   ASSERT_EQ(drafts().size(), 1u);
-  EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.4);
-  EXPECT_DOUBLE_EQ(second->model().scenario().target.width_mm, 1.9) << "what was done here stands";
+  EXPECT_DOUBLE_EQ(drafts()[0].target.outline.depth_mm, 2.4);
+  EXPECT_DOUBLE_EQ(second->model().scenario().target.outline.width_mm, 1.9) << "what was done here stands";
   EXPECT_FALSE(save(*second)) << "until one chooses";
   EXPECT_TRUE(asked.isEmpty());
 }
@@ -99,12 +99,12 @@ TEST_F(TwoWindows, mine_is_kept_as_a_copy_and_theirs_stays) {
   ASSERT_EQ(copied.count(), 1);
   const auto all = drafts();
   ASSERT_EQ(all.size(), 2u);
-  const Scenario& mine = all[0].target.width_mm == 1.9 ? all[0] : all[1];
-  const Scenario& theirs = all[0].target.width_mm == 1.9 ? all[1] : all[0];
-  EXPECT_DOUBLE_EQ(mine.target.width_mm, 1.9);
+  const Scenario& mine = all[0].target.outline.width_mm == 1.9 ? all[0] : all[1];
+  const Scenario& theirs = all[0].target.outline.width_mm == 1.9 ? all[1] : all[0];
+  EXPECT_DOUBLE_EQ(mine.target.outline.width_mm, 1.9);
   EXPECT_NE(mine.id, theirs.id);
   EXPECT_TRUE(mine.title.at("en").ends_with("(copy)"));
-  EXPECT_DOUBLE_EQ(theirs.target.depth_mm, 2.4);
+  EXPECT_DOUBLE_EQ(theirs.target.outline.depth_mm, 2.4);
   EXPECT_EQ(theirs.id, second->model().scenario().id);
 }
 
@@ -114,8 +114,8 @@ TEST_F(TwoWindows, theirs_is_seen_and_undo_brings_mine_back) {
   EXPECT_EQ(second->model().scenario(), first->model().scenario());
   EXPECT_TRUE(save(*second));
   second->model().stack().undo();
-  EXPECT_DOUBLE_EQ(second->model().scenario().target.width_mm, 1.9);
-  EXPECT_DOUBLE_EQ(second->model().scenario().target.depth_mm, 2.0);
+  EXPECT_DOUBLE_EQ(second->model().scenario().target.outline.width_mm, 1.9);
+  EXPECT_DOUBLE_EQ(second->model().scenario().target.outline.depth_mm, 2.0);
   // Who continues from there has seen what is replaced; and now the first window is the second to save.
   EXPECT_TRUE(save(*second));
   first->model().set_depth_mm(2.6);
@@ -126,12 +126,12 @@ TEST_F(TwoWindows, theirs_is_replaced_only_after_asking) {
   save(*second);
   answer = false;
   button(*second, "Replace theirs")->click();
-  EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.4);
+  EXPECT_DOUBLE_EQ(drafts()[0].target.outline.depth_mm, 2.4);
   answer = true;
   button(*second, "Replace theirs")->click();
   EXPECT_EQ(asked, QStringList({QStringLiteral("Replace theirs"), QStringLiteral("Replace theirs")}));
-  EXPECT_DOUBLE_EQ(drafts()[0].target.width_mm, 1.9);
-  EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.0);
+  EXPECT_DOUBLE_EQ(drafts()[0].target.outline.width_mm, 1.9);
+  EXPECT_DOUBLE_EQ(drafts()[0].target.outline.depth_mm, 2.0);
   EXPECT_EQ(warning(*second), nullptr);
   EXPECT_TRUE(save(*second));
 }
@@ -141,7 +141,7 @@ TEST_F(TwoWindows, a_window_that_changed_nothing_is_left_in_peace) {
   first->model().set_depth_mm(2.5);
   ASSERT_TRUE(save(*first));
   EXPECT_TRUE(save(*third));
-  EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.5);
+  EXPECT_DOUBLE_EQ(drafts()[0].target.outline.depth_mm, 2.5);
 }
 
 TEST_F(TwoWindows, a_window_that_is_closed_before_one_chose_leaves_both) {
@@ -181,7 +181,7 @@ TEST_F(TwoWindows, a_draft_that_changed_since_the_list_was_read_is_not_discarded
   ASSERT_TRUE(save(*first));
   library.discard_draft();
   ASSERT_EQ(drafts().size(), 1u);
-  EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.7);
+  EXPECT_DOUBLE_EQ(drafts()[0].target.outline.depth_mm, 2.7);
   library.discard_draft();
   EXPECT_TRUE(drafts().empty());
 }

@@ -41,7 +41,7 @@ TEST_F(ImportPageTest, nested_meshes_of_several_files_become_an_exercise_on_thei
   keep()->click();
   ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "crown");
-  EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp});
+  EXPECT_EQ(started->draft.protected_parts, std::vector<Protected>{Tissue::pulp});
   const auto volume = read_nrrd(std::filesystem::path(started->folder) / started->draft.specimen.volume);
   ASSERT_TRUE(volume);
   EXPECT_DOUBLE_EQ(volume->grid.voxel_mm, 0.1);

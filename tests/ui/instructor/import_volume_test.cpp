@@ -82,7 +82,7 @@ TEST_F(ImportPageTest, a_ct_shows_its_tissues_live_and_keeps_no_name) {
   keep()->click();
   ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "CT");
-  EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp}) << "the hollow";
+  EXPECT_EQ(started->draft.protected_parts, std::vector<Protected>{Tissue::pulp}) << "the hollow";
 }
 
 TEST_F(ImportPageTest, reading_can_be_stopped_and_leaves_nothing) {

@@ -179,14 +179,14 @@ TEST(ContourLines, a_level_of_height_on_a_ball_is_a_closed_circle) {
 }
 
 TEST(TargetLook, deviation_counts_what_stands_and_what_went_too_far) {
-  Target target;
+  Outline target;
   target.shape = "channel";
   target.paths = {{{-2, 0, 0}, {2, 0, 0}}};
   target.width_mm = 1.0;
   target.depth_mm = 1.0;
   target.top_mm = 0.0;
   target.corner_radius_mm = 0.0;
-  const TargetLook look(target, Leeway{0.3, 0.2});
+  const TargetLook look(region_of(target), Leeway{0.3, 0.2});
   const DeviationAt at = look.deviation();
   EXPECT_NEAR(at({0, 0.9, -0.5}, true).mm, 0.4, 1e-6);   // 0.4 mm beyond the wall at 0.5
   EXPECT_TRUE(at({0, 0.9, -0.5}, true).beyond);
@@ -199,7 +199,7 @@ TEST(TargetLook, deviation_counts_what_stands_and_what_went_too_far) {
 }
 
 TEST(TargetLook, without_a_target_everything_is_fine_and_nothing_is_drawn) {
-  const TargetLook look(Target{}, Leeway{});
+  const TargetLook look(Region{}, Leeway{});
   EXPECT_TRUE(look.empty());
   EXPECT_FALSE(look.deviation());
   EXPECT_EQ(look.feed().region, Box{});

@@ -24,9 +24,9 @@ constexpr bool kHeapIsCounted = true;
 Scenario small() {
   Scenario s = *load_builtin("line-1");
   s.specimen.voxel_mm = 0.2;
-  const double floor = s.target.paths[0][0].z;
-  s.target.paths = {{Vec3(-0.4, 0, floor + 1.2), Vec3(0.4, 0, floor + 1.2)}};
-  s.target.depth_mm -= 1.2;
+  const double floor = s.target.outline.paths[0][0].z;
+  s.target.outline.paths = {{Vec3(-0.4, 0, floor + 1.2), Vec3(0.4, 0, floor + 1.2)}};
+  s.target.outline.depth_mm -= 1.2;
   return s;
 }
 

@@ -21,10 +21,10 @@ inline Scenario small_exercise() {
   scenario.specimen.voxel_mm = 0.15;
   scenario.tissues = {{Tissue::plastic, 1.0, 4.0}};
   scenario.instruments = block_burs();
-  scenario.target.shape = "channel";
-  scenario.target.paths = {{{-0.6, 0.6, 0.0}, {0.6, 0.6, 0.0}}};
-  scenario.target.width_mm = 1.4;
-  scenario.target.depth_mm = 1.0;
+  scenario.target.outline.shape = "channel";
+  scenario.target.outline.paths = {{{-0.6, 0.6, 0.0}, {0.6, 0.6, 0.0}}};
+  scenario.target.outline.width_mm = 1.4;
+  scenario.target.outline.depth_mm = 1.0;
   scenario.rubric.pass = 60;
   scenario.rubric.criteria = {{"target_removed", 60, {0, 30, 90, 100, 100, 100}},
                               {"overcut_beyond_side", 40, {0, 0, 0, 0.2, 1, 3}}};

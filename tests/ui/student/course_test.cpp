@@ -28,7 +28,7 @@ TEST(Exercises, a_newer_version_published_here_takes_the_place_of_the_built_in_o
   DeskRecords records;
   Scenario changed = *load_builtin(builtin_scenarios().front());
   changed.version += 1;
-  changed.target.depth_mm += 0.1;
+  changed.target.outline.depth_mm += 0.1;
   ASSERT_TRUE(records.store().scenarios.ensure(changed, canonical_json(changed), content_hash(changed).bytes));
   const auto list = load_exercises(records.store());
   ASSERT_TRUE(list.has_value());

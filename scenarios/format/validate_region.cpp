@@ -1,0 +1,152 @@
+#include "scenarios/format/validate_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/format/ranges.h"
+
+namespace cusp::scenarios {
+namespace {
+
+/// Below this a shape is not resolved by the voxels (contact trials: a cut of the band is not distinct from its noise).
+constexpr double kLeastFeatureVoxels = 2.5;
+/// Two directions nearer than this (sine of their angle) make no box.
+constexpr double kLeastSine = 0.01;
+
+/// The rounding that an upright bur leaves between wall and floor: that of its tip, or none below a flat end.
+double corner_of(const Bur& bur) noexcept {
+  if (bur.head.ball()) return bur.radius_mm;
+  const OutlinePiece& tip = bur.head.piece(0);
+  if (tip.radius > 0.0 || bur.head.size() < 2) return tip.radius;
+  return bur.head.piece(1).radius;
+}
+
+/// Whether a region ends on all sides but upwards, where an outline has no lid.
+bool ends(const Region& region) {
+  const auto part_ends = [](const Region& part) { return ends(part); };
+  switch (region.kind) {
+    case RegionKind::half_space: return false;
+    case RegionKind::common: return std::ranges::any_of(region.parts, part_ends);
+    case RegionKind::difference: return !region.parts.empty() && ends(region.parts.front());
+    default: return std::ranges::all_of(region.parts, part_ends);
+  }
+}
+
+class RegionChecks {
+ public:
+  RegionChecks(const Scenario& scenario, std::vector<Finding>& out) : s_(scenario), out_(out) {}
+
+  void tree(const Region& region, const std::string& where) {
+    if (region.kind == RegionKind::outline) {
+      paths(region.outline, where);
+      size(region.outline, where);
+    } else if (!is_node(region.kind)) {
+      leaf(region, where);
+    }
+    for (std::size_t i = 0; i < region.parts.size(); ++i) tree(region.parts[i], where + "/parts/" + std::to_string(i));
+  }
+  void within(const Outline& t, const SpecimenFacts& f, const std::string& where);
+  void error(std::string path, std::string code, std::map<std::string, double> args = {}, std::string detail = {}) {
+    out_.push_back({Severity::error, std::move(path), std::move(code), std::move(args), std::move(detail)});
+  }
+
+ private:
+  void warn(std::string path, std::string code, std::map<std::string, double> args = {}, std::string detail = {}) {
+    out_.push_back({Severity::warning, std::move(path), std::move(code), std::move(args), std::move(detail)});
+  }
+  void paths(const Outline& t, const std::string& where);
+  void size(const Outline& t, const std::string& where);
+  void leaf(const Region& region, const std::string& where);
+
+  const Scenario& s_;
+  std::vector<Finding>& out_;
+};
+
+void RegionChecks::paths(const Outline& t, const std::string& where) {
+  const bool box = t.shape == "box";
+  const bool channel = t.shape == "channel";
+  if (t.paths.empty()) return error(where + "/paths", "no_target");
+  if ((box || channel) && t.paths.size() != 1)
+    error(where + "/paths", "path_count", {{"value", static_cast<double>(t.paths.size())}, {"limit", 1}}, t.shape);
+  const double floor = t.top_mm - t.depth_mm;
+  for (std::size_t i = 0; i < t.paths.size(); ++i) {
+    const std::string path = where + "/paths/" + std::to_string(i);
+    const std::size_t points = t.paths[i].size();
+    const std::size_t wanted = channel ? 2 : 1;  // an outline about one point is a disc
+    if (points < wanted || ((box || channel) && points != wanted))
+      error(path, "point_count", {{"value", static_cast<double>(points)}, {"limit", static_cast<double>(wanted)}}, t.shape);
+    for (std::size_t k = 0; k < points; ++k)
+      if (std::abs(t.paths[i][k].z - floor) > 1e-6)
+        warn(path + "/" + std::to_string(k), "point_off_floor", {{"value", t.paths[i][k].z}, {"limit", floor}});
+  }
+}
+
+void RegionChecks::size(const Outline& t, const std::string& where) {
+  if (t.paths.empty()) return;
+  const bool box = t.shape == "box";
+  const double least = range_of("/target/width_mm")->least;
+  if (box && (below(t.box_size_mm.x, least) || below(t.box_size_mm.y, least))) error(where + "/box_size_mm", "empty_target");
+  const double narrow = box ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
+  const std::string narrow_path = where + (box ? "/box_size_mm" : "/width_mm");
+  const double resolved = kLeastFeatureVoxels * s_.specimen.voxel_mm;
+  if (narrow > 0 && below(narrow, resolved)) warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
+  if (below(t.depth_mm, resolved)) warn(where + "/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
+  if (s_.instruments.empty()) return;
+  const auto by_radius = [](const Bur& a, const Bur& b) { return a.radius_mm < b.radius_mm; };
+  const Bur& smallest = *std::ranges::min_element(s_.instruments, by_radius);
+  if (narrow > 0 && below(narrow, 2 * smallest.radius_mm))
+    warn(narrow_path, "bur_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}}, smallest.name);
+  const auto by_corner = [](const Bur& a, const Bur& b) { return corner_of(a) < corner_of(b); };
+  const Bur& sharpest = *std::ranges::min_element(s_.instruments, by_corner);
+  if (below(t.corner_radius_mm, corner_of(sharpest)))
+    warn(where + "/corner_radius_mm", "corner_below_bur", {{"value", t.corner_radius_mm}, {"limit", corner_of(sharpest)}},
+         sharpest.name);
+}
+
+void RegionChecks::leaf(const Region& r, const std::string& where) {
+  const auto length = [](Vec3 v) { return std::sqrt(glm::dot(v, v)); };
+  const RegionKind k = r.kind;
+  const double least = range_of("/target/width_mm")->least;
+  if (k == RegionKind::box || k == RegionKind::half_space) {
+    if (!(length(r.z_axis) > 0.0)) return error(where + "/z_axis", "no_direction");
+    if (k == RegionKind::box && !(length(glm::cross(r.x_axis, r.z_axis)) > kLeastSine * length(r.x_axis) * length(r.z_axis)))
+      return error(where + "/x_axis", "no_direction");
+  }
+  const bool ends = k == RegionKind::cylinder || k == RegionKind::cone || k == RegionKind::capsule;
+  if (ends && k != RegionKind::capsule && below(length(r.to_mm - r.from_mm), least)) error(where + "/to_mm", "empty_target");
+  if ((ends || k == RegionKind::sphere) && below(2 * std::max(r.radius_mm, r.end_radius_mm), least))
+    error(where + "/radius_mm", "empty_target");
+}
+
+/// A lone outline lies within the specimen.
+void RegionChecks::within(const Outline& t, const SpecimenFacts& f, const std::string& where) {
+  const double floor = t.top_mm - t.depth_mm;
+  if (below(floor, f.low_mm.z)) error(where + "/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
+  if (floor >= f.high_mm.z) error(where + "/depth_mm", "target_outside", {{"value", floor}, {"limit", f.high_mm.z}});
+  const bool box = t.shape == "box";
+  const Vec3 half = box ? Vec3(t.box_size_mm.x / 2, t.box_size_mm.y / 2, 0) : Vec3(t.width_mm / 2, t.width_mm / 2, 0);
+  for (std::size_t i = 0; i < t.paths.size(); ++i)
+    for (std::size_t k = 0; k < t.paths[i].size(); ++k)
+      for (int axis = 0; axis < 2; ++axis) {
+        const double low = t.paths[i][k][axis] - half[axis];
+        const double high = t.paths[i][k][axis] + half[axis];
+        if (!below(low, f.low_mm[axis]) && !below(f.high_mm[axis], high)) continue;
+        const bool under = low < f.low_mm[axis];
+        error(where + "/paths/" + std::to_string(i) + "/" + std::to_string(k), "target_outside",
+              {{"value", under ? low : high}, {"limit", under ? f.low_mm[axis] : f.high_mm[axis]}});
+        break;
+      }
+}
+
+}  // namespace
+
+void check_target(const Scenario& scenario, const SpecimenFacts* specimen, std::vector<Finding>& out) {
+  RegionChecks checks(scenario, out);
+  checks.tree(scenario.target, "/target");
+  if (!ends(scenario.target)) checks.error("/target", "target_endless");
+  if (specimen != nullptr && scenario.target.kind == RegionKind::outline) checks.within(scenario.target.outline, *specimen, "/target");
+  for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i)
+    if (const auto& region = scenario.protected_parts[i].region) checks.tree(*region, "/protected/" + std::to_string(i) + "/region");
+}
+
+}  // namespace cusp::scenarios

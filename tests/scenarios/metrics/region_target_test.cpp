@@ -1,0 +1,206 @@
+// Targets that are trees, and what an attempt is to spare: cuts of exactly known shape in a block of enamel over dentine.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "scenarios/grading/grader.h"
+#include "scenarios/metrics/measure.h"
+#include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
+#include "tests/scenarios/metrics/box_exercise.h"
+
+namespace cusp::test {
+namespace {
+
+using Shape = std::function<double(Vec3)>;
+
+/// 9 x 6 x 6 mm below z = 0, voxels of 0.1 mm; dentine from z = -3 down.
+std::shared_ptr<const Specimen> block() {
+  Grid grid;
+  grid.size = IVec3(100, 70, 68);
+  grid.origin_mm = Vec3(-4.97, -3.44, -6.33);
+  return carved::specimen(
+      grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -3), Vec3(4.5, 3, 3)); },
+      [](Vec3 p) { return p.z > -3 ? Tissue::enamel : Tissue::dentine; });
+}
+
+Outline isthmus(double width, double depth) {
+  Outline out;
+  out.paths = {{Vec3(-2, 0, -depth), Vec3(2, 0, -depth)}};
+  out.width_mm = width;
+  out.depth_mm = depth;
+  out.corner_radius_mm = 0.3;
+  return out;
+}
+
+/// A class II: a slot 2 mm deep, and a box at its end whose gingival floor lies at `deep` mm.
+Region class_two(double deep, double width = 1.2) {
+  Region box;
+  box.kind = RegionKind::box;
+  box.from_mm = {3, 0, 0.5 - 0.5 * deep};
+  box.size_mm = {2, 2.4, deep + 1};
+  box.faces = {{"z_low", FaceName::gingival_floor}, {"x_low", FaceName::axial_wall}};
+  Region out;
+  out.kind = RegionKind::joined;
+  out.parts = {region_of(isthmus(width, 2)), box};
+  return out;
+}
+
+Region ball(Vec3 centre, double radius) {
+  Region out;
+  out.kind = RegionKind::sphere;
+  out.from_mm = centre;
+  out.radius_mm = radius;
+  return out;
+}
+
+Scenario exercise(Region target) {
+  Scenario s = box_exercise_on_36({2, 1, 2}, {Tissue::enamel, 3, 0.5});
+  s.tissues.push_back({Tissue::dentine, 2, 2});
+  s.target = std::move(target);
+  return s;
+}
+
+Shape exactly(Region target) {
+  return [shape = TargetShape(std::move(target))](Vec3 p) { return shape.distance_mm(p); };
+}
+
+std::vector<Measure> measured(const Scenario& scenario, const Shape& cut) {
+  static const std::shared_ptr<const Specimen> specimen = block();
+  Volume volume(specimen);
+  carved::carve(volume, cut);
+  return measure(Reference(scenario, specimen), volume, {});
+}
+
+Measure get(const std::vector<Measure>& measures, std::string_view metric) {
+  for (const Measure& m : measures)
+    if (m.metric == metric) return m;
+  return not_measured(std::string(metric), "");
+}
+
+TEST(TreeTarget, ThatIsCutExactlyIsRemovedWholeAndNothingElse) {
+  const Region target = class_two(4);
+  const auto measures = measured(exercise(target), exactly(target));
+  EXPECT_GT(get(measures, "target_removed").value, 99.5);  // measured: 99.9
+  for (const char* over : {"overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor", "overcut_beyond_side"})
+    EXPECT_LT(get(measures, over).value, 0.05) << over;
+}
+
+TEST(TreeTarget, ItsVolumeIsThatOfTheSolid) {
+  // Slot of 4 x 1.2 mm with round ends of radius 0.6, 2 mm deep, less its fillet; the box from x = 2 takes one of the ends.
+  Region slot = region_of(isthmus(1.2, 2));
+  slot.outline.corner_radius_mm = 0;
+  Region target = class_two(4);
+  target.parts[0] = slot;
+  const Reference reference(exercise(target), block());
+  const double slot_mm3 = 2 * (4 * 1.2 + 0.5 * 3.14159265 * 0.36), box_mm3 = 2 * 2.4 * 4;
+  EXPECT_NEAR(reference.target_mm3(), slot_mm3 + box_mm3, 0.005 * box_mm3);
+}
+
+TEST(TreeTarget, DepthIsThatOfThePulpalFloorAlone) {
+  const Region target = class_two(4);
+  const auto measures = measured(exercise(target), exactly(target));
+  EXPECT_NEAR(get(measures, "depth_mean").value, 2.0, 0.005);
+  EXPECT_NEAR(get(measures, "depth_most").value, 2.0, 0.02) << "the gingival floor at 4 mm is none";
+}
+
+TEST(TreeTarget, WithoutAnOutlineHasNoDepth) {
+  const Region target = ball({0, 0, 0}, 1.5);
+  const auto measures = measured(exercise(target), exactly(target));
+  EXPECT_FALSE(get(measures, "depth_mean").measured);
+  EXPECT_GT(get(measures, "target_removed").value, 99.0);
+}
+
+TEST(TreeTarget, AFloorThatIsCutTooDeepIsBeyondTheZoneOfItsOwnFace) {
+  Scenario s = exercise(class_two(4));
+  s.leeway.floor_mm = s.leeway.side_mm = 0.5;
+  const Shape deeper = exactly(class_two(4.3));  // 0.3 mm below the gingival floor: 2 x 2.4 x 0.3 = 1.44 mm3
+  const auto wide = measured(s, deeper);
+  EXPECT_NEAR(get(wide, "overcut_leeway_floor").value, 1.44, 0.1);
+  EXPECT_LT(get(wide, "overcut_beyond_floor").value, 0.05);
+  s.leeway.faces = {{FaceName::gingival_floor, 0.1}};
+  const auto narrow = measured(s, deeper);
+  EXPECT_NEAR(get(narrow, "overcut_leeway_floor").value, 0.48, 0.06) << "a third of it";
+  EXPECT_NEAR(get(narrow, "overcut_beyond_floor").value, 0.96, 0.08) << "two thirds";
+}
+
+TEST(TreeTarget, TheZoneOfAFaceHoldsForALoneOutlineToo) {
+  Scenario s = exercise(region_of(isthmus(1.2, 2)));
+  s.leeway.floor_mm = s.leeway.side_mm = 0.5;
+  const Shape deeper = exactly(region_of(isthmus(1.2, 2.3)));
+  EXPECT_LT(get(measured(s, deeper), "overcut_beyond_floor").value, 0.02);
+  s.leeway.faces = {{FaceName::pulpal_floor, 0.1}};
+  EXPECT_GT(get(measured(s, deeper), "overcut_beyond_floor").value, 0.5);
+}
+
+TEST(TreeTarget, ATaperedWallHasItsAngle) {
+  Region target = region_of(isthmus(1.4, 2));
+  target.outline.shape = "box";
+  target.outline.paths = {{Vec3(0, 0, -2)}};
+  target.outline.box_size_mm = {3, 1.4, 0};
+  target.outline.taper_deg = {5, 5, -3, 8};  // mesial and distal are alike, -y is lingual
+  const auto measures = measured(exercise(target), exactly(target));
+  for (const auto& [metric, deg] : {std::pair{"wall_angle_mesial", 5.0}, {"wall_angle_distal", 5.0}, {"wall_angle_lingual", -3.0}, {"wall_angle_buccal", 8.0}}) {
+    const Measure m = get(measures, metric);
+    ASSERT_TRUE(m.measured) << metric;
+    EXPECT_NEAR(m.value, deg, m.uncertainty) << metric;
+  }
+}
+
+/// A slot 3.3 mm deep takes 0.3 mm of the dentine below z = -3.
+std::vector<Measure> slot_into_dentine(Protected part, double depth) {
+  Scenario s = exercise(region_of(isthmus(1.2, 2)));
+  s.protected_parts = {std::move(part)};
+  return measured(s, exactly(region_of(isthmus(1.2, depth))));
+}
+bool damaged(const std::vector<Measure>& measures) { return get(measures, "protected_damage").value > 0; }
+
+TEST(ProtectedPart, ATissueIsDamagedAtItsSeverity) {
+  EXPECT_TRUE(damaged(slot_into_dentine(Tissue::dentine, 3.3)));
+  EXPECT_FALSE(damaged(slot_into_dentine(Tissue::dentine, 2.7)));
+  EXPECT_FALSE(damaged(slot_into_dentine({Tissue::dentine, Damage::touch}, 2.7)));
+  EXPECT_TRUE(damaged(slot_into_dentine({Tissue::dentine, Damage::touch}, 3.05))) << "it lies bare";
+  EXPECT_NEAR(get(slot_into_dentine(Tissue::dentine, 3.3), "protected_removed").value, 0.3 * (4 * 1.2 + 3.14159 * 0.36), 0.3);
+}
+
+TEST(ProtectedPart, ARegionIsDamagedAtItsSeverity) {
+  Region below = ball({0, 0, -4}, 1.5);  // its top lies at z = -2.5
+  const auto of = [&](Damage severity, double depth_mm, double cut_mm) {
+    Protected part(below, severity);
+    part.depth_mm = depth_mm;
+    return damaged(slot_into_dentine(part, cut_mm));
+  };
+  EXPECT_FALSE(of(Damage::removal, 0, 2.4));
+  EXPECT_TRUE(of(Damage::removal, 0, 2.8));
+  EXPECT_FALSE(of(Damage::touch, 0, 2.4));
+  EXPECT_TRUE(of(Damage::touch, 0, 2.52));
+  EXPECT_FALSE(of(Damage::depth, 0.5, 2.9)) << "0.4 mm into it";
+  EXPECT_TRUE(of(Damage::depth, 0.5, 3.1)) << "0.6 mm into it";
+}
+
+TEST(ProtectedPart, ARegionsRemovedVolumeIsThatOfTheSolid) {
+  // The whole of a ball of 0.5 mm that the slot holds: 4/3 pi r3.
+  const auto measures = slot_into_dentine(Protected(ball({0, 0, -1}, 0.4)), 2);
+  const Measure m = get(measures, "protected_removed");
+  EXPECT_NEAR(m.value, 4.0 / 3.0 * 3.14159265 * 0.064, 0.005);
+}
+
+TEST(ProtectedPart, DamageFailsTheAttemptWhereTheRubricSaysSo) {
+  Scenario s = exercise(region_of(isthmus(1.2, 3.3)));
+  s.protected_parts = {Tissue::dentine};
+  s.rubric.criteria = {{"target_removed", 10, {80, 90, 97, 100, 100, 100}}};
+  const auto measures = measured(s, exactly(s.target));
+  EXPECT_TRUE(grade(s, measures).passed);
+  s.rubric.critical = {"protected_damage"};
+  EXPECT_FALSE(grade(s, measures).passed);
+  EXPECT_EQ(grade(s, measures).critical, std::vector<std::string>{"protected_damage"});
+}
+
+TEST(ProtectedPart, WithoutOneNothingIsSaidOfDamage) {
+  const Scenario s = exercise(region_of(isthmus(1.2, 2)));
+  EXPECT_FALSE(get(measured(s, exactly(s.target)), "protected_damage").measured);
+}
+
+}  // namespace
+}  // namespace cusp::test
