@@ -56,7 +56,7 @@ void scale_to_maximum(Grade& grade, double most) {
   }
 }
 
-CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share) {
+CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share, int device_dof) {
   CriterionGrade out;
   out.id = criterion.metric;
   if (measure == nullptr || !measure->measured) {
@@ -68,6 +68,12 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
     return out;
   }
   out.measure = *measure;
+  if (criterion.needs_dof > device_dof) {
+    out.band = "not_expressible";
+    out.reason_code = "needs_dof";
+    out.reason_args = {{"value", criterion.needs_dof}, {"limit", device_dof}};
+    return out;
+  }
   const Bands& bands = criterion.bands;
   const double value = measure->value;
   out.points_max = criterion.weight;
@@ -106,13 +112,13 @@ void mark_counted_with_target(Grade& grade, const Rubric& rubric) {
   }
 }
 
-Grade grade(const Scenario& scenario, const std::vector<Measure>& measures) {
+Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int device_dof) {
   Grade out;
   out.pass_mark = scenario.rubric.pass;
   const double share = share_drilled(scenario.rubric, measures);
   double points = 0, most = 0;
   for (const Criterion& criterion : scenario.rubric.criteria) {
-    out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), share));
+    out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), share, device_dof));
     points += out.criteria.back().points;
     most += out.criteria.back().points_max;
   }

@@ -7,6 +7,9 @@
 
 namespace cusp::scenarios {
 
+/// Axes of a body in space: of a device that senses them all, and where there is no device (a scan, a volume file).
+inline constexpr int kAllAxes = 6;
+
 /// Score = 100 · sum of points / sum of their maxima, over what was measured; a criterion that was not measured has
 /// points_max 0 and is marked. The maxima of the others are their weights scaled to sum to 100. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
 /// happened when its measure is above its uncertainty. The order of `measures` does not matter.
@@ -19,7 +22,10 @@ namespace cusp::scenarios {
 /// reason_code: full, too_much, too_little (args value, limit = the ideal edge that was missed, lost = points),
 /// too_deep, too_shallow (the same, for depth_*), too_dry, too_warm (the same, for coolant), not_measured (no args), little_drilled (args share,
 /// lost) where the share takes more points than the criterion's own bands do.
-[[nodiscard]] Grade grade(const Scenario& scenario, const std::vector<Measure>& measures);
+///
+/// A criterion that needs more axes than the device senses (`device_dof`, 3 to 6) is shown with its value and has
+/// points_max 0, as if it had not been measured: what the student could not do is not marked.
+[[nodiscard]] Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int device_dof = kAllAxes);
 
 /// Sets CriterionGrade::counts_with_target: true where share scales the criterion. grade() has called it; the records do
 /// not keep the mark, so a grade that was read from them needs it with its scenario's rubric.

@@ -3,7 +3,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/step/step.h"
-#include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

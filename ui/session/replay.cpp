@@ -106,7 +106,7 @@ Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* o
   result.volume = std::make_shared<const Volume>(replay->state().volume());
   result.volume_hash = result.volume->hash();
   result.measures = measure(reference, *result.volume, replay->process());
-  result.grade = grade(result.scenario, result.measures);
+  result.grade = grade(result.scenario, result.measures, sensed_axes(result.device));
   if (keep == Keep::grade) {
     auto kept = keep_grade(store, result, result.scenario.rubric, replay->state().last().tick, grader);
     if (!kept) return std::unexpected(kept.error());

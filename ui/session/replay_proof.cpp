@@ -5,6 +5,7 @@
 #include "scenarios/metrics/measure.h"
 #include "ui/modules.h"
 #include "ui/session/replay.h"
+#include "ui/session/scene_builder.h"
 #include "ui/session/session_setup.h"
 
 namespace cusp::ui {
@@ -60,7 +61,8 @@ void compare_grade(ReplayProof& proof, const std::vector<StoredGrade>& grades, c
   const auto found = std::find_if(grades.rbegin(), grades.rend(), by_program);
   if (found != grades.rend()) {
     const Reference reference(opened.scenario, opened.scene->specimen);
-    const Grade again = grade(opened.scenario, measure(reference, replay.state().volume(), replay.process()));
+    const Grade again = grade(opened.scenario, measure(reference, replay.state().volume(), replay.process()),
+                              sensed_axes(opened.session.header.device));
     if (again.evaluator == found->grade.evaluator) {
       proof.has_grade = true;
       proof.grade_differs = difference(found->grade, again);

@@ -27,6 +27,9 @@ struct StiffnessCut {
 };
 StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const DeviceLimits& device) noexcept;
 
+/// Axes that the device senses: the three of its place, and those of its orientation. For grade().
+inline int sensed_axes(const DeviceLimits& device) noexcept { return 3 + device.rotation_axes; }
+
 /// Refuses (scene) a tissue of the specimen that the scenario does not describe, no instruments, and values out of the
 /// engine's range; (device_class) a device that the scenario does not admit. Stiffness is cut by stiffness_cut().
 Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,

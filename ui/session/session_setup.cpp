@@ -196,7 +196,7 @@ Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& set
   result.operator_name = plan.operator_name;
   result.interrupted = interrupts(end);
   result.measures = measure(*setup.reference, *result.volume, process);
-  result.grade = grade(plan.scenario, result.measures);
+  result.grade = grade(plan.scenario, result.measures, sensed_axes(setup.device));
   if (!store) return result;
 
   const FinalVolume volume{result.volume->save_cuts(), result.volume_hash, state.last().tick};

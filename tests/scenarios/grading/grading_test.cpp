@@ -283,6 +283,24 @@ TEST(Grade, PointsRiseWithTheShareAndNeverJump) {
   }
 }
 
+TEST(Grade, ACriterionBeyondTheDevicesAxesIsShownWithoutPoints) {
+  Scenario s = scenario();
+  s.rubric.criteria[1].needs_dof = 5;
+  const std::vector<Measure> measures = {value("target_removed", 98), value("depth_mean", 9.0), value("overcut_beyond_side", 0)};
+  EXPECT_LT(grade(s, measures).score, 100.0) << "a device of six axes is marked";
+  EXPECT_EQ(grade(s, measures, 5).score, grade(s, measures).score);
+  const Grade three = grade(s, measures, 3);
+  EXPECT_EQ(three.score, 100.0) << "what the student could not do is not marked";
+  const CriterionGrade& depth = three.criteria[1];
+  EXPECT_EQ(depth.points_max, 0.0);
+  EXPECT_EQ(depth.band, "not_expressible");
+  EXPECT_EQ(depth.reason_code, "needs_dof");
+  EXPECT_EQ(depth.reason_args.at("value"), 5.0);
+  EXPECT_EQ(depth.reason_args.at("limit"), 3.0);
+  EXPECT_TRUE(depth.measure.measured) << "its value is shown";
+  EXPECT_EQ(depth.measure.value, 9.0);
+}
+
 TEST(ReportJson, HasTheFieldsOfTheDesignInItsOrder) {
   std::vector<Measure> m = {value("target_removed", 98.25, 0.5), missing("depth_mean"), value("overcut_beyond_side", 0)};
   m[0].where_mm = Vec3(1, 2, 3);
