@@ -6,10 +6,15 @@
 #include <sstream>
 #include <string>
 
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/read.h"
+#include "scenarios/format/validate.h"
+#include "scenarios/format/write.h"
 #include "scenarios/import/binvox.h"
 #include "scenarios/import/metaimage.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/nrrd_image.h"
+#include "scenarios/shapes/target.h"
 #include "tests/modules.h"
 
 namespace cusp::fuzz {
@@ -72,6 +77,25 @@ void binvox(std::span<const std::uint8_t> bytes) {
   if (!volume) return;
   const auto image = image_of(*volume, "v.binvox", kSmall);
   if (image) check(*image);
+}
+
+void scenario(std::span<const std::uint8_t> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::vector<Finding> findings = validate_text(text);
+  const auto read = read_scenario(text);
+  must(read.has_value() || has_error(findings), "what does not read is found wrong");
+  if (!read) return;
+  const auto again = read_scenario(write_scenario(*read));
+  must(again.has_value() && content_hash(*again) == content_hash(*read), "it reads back as it is written");
+  if (has_error(findings)) return;
+  const TargetShape shape(read->target);
+  double last = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double d = shape.distance_mm(Vec3(0.37 * i, -0.21 * i, 1.0 - 0.5 * i));
+    must(std::isfinite(d), "a finite distance");
+    must(i == 0 || shape.empty() || std::fabs(d - last) <= 0.6575, "that changes by no more than its place");  // 0.6575 mm a step
+    last = d;
+  }
 }
 
 }  // namespace cusp::fuzz

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
-for reader in nrrd_specimen nrrd_image metaimage binvox; do
+for reader in nrrd_specimen nrrd_image metaimage binvox scenario; do
   mkdir -p "build/fuzz/found/$reader"
   echo "== $reader"
   "build/fuzz/fuzz_$reader" -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=1024 -timeout=10 -print_final_stats=1 \
