@@ -1673,6 +1673,10 @@
         <source>damage of a protected part fails the attempt, and nothing is protected</source>
         <translation>Verletzung von Geschütztem lässt den Versuch scheitern, und nichts ist geschützt</translation>
     </message>
+    <message>
+        <source>--as belongs to a database; --volume needs no account.</source>
+        <translation>--as gehört zu einer Datenbank; --volume braucht kein Konto.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Compass</name>

@@ -135,7 +135,8 @@ def usage(desk):
     for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
                       ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
                       ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0"),
-                      ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd")):
+                      ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd"),
+                      ("grade", "channel-1", "--volume", "x.nrrd", "--as", "demo")):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))

@@ -24,6 +24,7 @@ struct GradeOptions {
 };
 
 int grade_verb(const GradeOptions& o) {
+  if (!o.volume.empty() && !o.account.number.empty()) return wrong_usage(CliText::tr("--as belongs to a database; --volume needs no account."));
   if (!o.volume.empty() && o.session.empty()) return grade_volume({o.db, o.volume, o.rubric, o.out}, o.json);
   if (!o.volume.empty() || o.session.empty())
     return wrong_usage(CliText::tr("Give a database and a session, or a scenario and --volume."));
