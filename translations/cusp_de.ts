@@ -1677,6 +1677,10 @@
         <source>--as belongs to a database; --volume needs no account.</source>
         <translation>--as gehört zu einer Datenbank; --volume braucht kein Konto.</translation>
     </message>
+    <message>
+        <source>A scripted operator cannot drill a target of several shapes yet.</source>
+        <translation>Ein automatischer Operateur kann ein Ziel aus mehreren Formen noch nicht bearbeiten.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Compass</name>

@@ -201,7 +201,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
   const Outline& target = scenario.target.outline;
   const TargetShape shape(scenario.target);
   const std::optional<std::size_t> bur = best_bur(scenario, shape.half_width_mm());
-  if (shape.empty() || scenario.target.kind != RegionKind::outline || !bur) return plan;
+  if (shape.empty() || !can_be_planned(scenario) || !bur) return plan;
   plan.bur = static_cast<std::uint16_t>(*bur);
   const double r = scenario.instruments[*bur].radius_mm;
   const double slack = std::max(0.0, shape.half_width_mm() - r + errors.wider_mm);

@@ -7,6 +7,7 @@
 #include "scenarios/library/library.h"
 #include "scenarios/operators/faults.h"
 #include "scenarios/operators/operator_port.h"
+#include "scenarios/operators/plan.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
@@ -53,12 +54,14 @@ std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device
   if (device.kind == "emulated-falcon" && !operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
     return wrong_usage(CliText::tr("An emulated Falcon needs a scripted operator by name: expert, novice and so on."));
   }
+  if (device.kind == "emulated-falcon" && !can_be_planned(plan.scenario)) return failed(no_plan_text());
   return std::nullopt;
 }
 
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
 std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
   if (auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+    if (!can_be_planned(plan.scenario)) return failed(no_plan_text());
     port = std::make_unique<OperatorPort>(std::move(*scripted));
     plan.operator_name = o.script;
     return std::nullopt;

@@ -112,6 +112,8 @@ QString finding_text(const ChainFinding& f) {
   return where;
 }
 
+QString no_plan_text() { return CliText::tr("A scripted operator cannot drill a target of several shapes yet."); }
+
 QString proof_text(const ReplayProof& proof) {
   if (!proof.chain.intact()) return finding_text(proof.chain.findings.front());
   if (proof.differs_at_tick) {

@@ -128,6 +128,17 @@ TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
   EXPECT_TRUE(expert(s, *small_block()).done());
 }
 
+TEST(Plan, IsEmptyForATreeOfShapesAndSaysSo) {
+  Scenario s = small_slot();
+  EXPECT_TRUE(can_be_planned(s));
+  Region both;
+  both.kind = RegionKind::joined;
+  both.parts = {s.target, s.target};
+  s.target = both;
+  EXPECT_FALSE(can_be_planned(s));
+  EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
+}
+
 TEST(Plan, FollowsTheReadingOfTheMethod) {
   const auto strokes = [](Method method) {
     Scenario s = small_slot();
