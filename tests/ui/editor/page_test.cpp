@@ -27,6 +27,7 @@
 #include "ui/editor/target_view.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/text/language.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
@@ -66,6 +67,7 @@ struct EditorPages : ::testing::Test {
     EXPECT_TRUE(page->grown() || ready.wait(kGrowsWithinMs));
     return page;
   }
+  void leave_pictures(const EditorStart& start);
 };
 
 /// In the order of handles_of().
@@ -82,6 +84,22 @@ W* named(QWidget& page, const char* name) {
     if (w->accessibleName() == QLatin1String(name)) return w;
   }
   return nullptr;
+}
+
+/// The page in each language and look, into the folder CUSP_PICTURES if it is set.
+void EditorPages::leave_pictures(const EditorStart& start) {
+  const QString to = QString::fromUtf8(qgetenv("CUSP_PICTURES"));
+  if (to.isEmpty()) return;
+  for (const char* language : {"de", "en"})
+    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
+      install_language(*qApp, QLatin1String(language));
+      apply_theme(*qApp, scheme, 100);
+      const auto page = open(start);
+      QTest::qWait(2000);  // the view draws the target when it rests
+      EXPECT_TRUE(page->grab().save(QStringLiteral("%1/editor-tree-%2-%3.png").arg(to, QLatin1String(language), QLatin1String(look))));
+    }
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 TEST_F(EditorPages, a_tree_of_shapes_is_shown_with_a_sentence_and_nothing_to_change_it) {
@@ -102,6 +120,7 @@ TEST_F(EditorPages, a_tree_of_shapes_is_shown_with_a_sentence_and_nothing_to_cha
   EXPECT_FALSE(named<NumberField>(*page, "Depth")->isVisible());
   EXPECT_TRUE(knobs_of(*page->findChild<TargetView*>()).empty());
   EXPECT_EQ(page->model().scenario().target, both);
+  leave_pictures(start);
   const auto drawn = open();
   for (const QLabel* label : drawn->findChildren<QLabel*>())
     EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed"))) << "an outline can be changed";
