@@ -92,6 +92,12 @@ CellsNear CellsNear::operator|(const CellsNear& other) const noexcept {
   return out;
 }
 
+CellsNear CellsNear::without(const std::uint64_t (&others)[8]) const noexcept {
+  CellsNear out = *this;
+  for (int z = 0; z < 8; ++z) out.slice[z] &= ~others[z];
+  return out;
+}
+
 CellsNear CellsNear::of(std::uint8_t slices) const noexcept {
   CellsNear out = *this;
   for (int z = 0; z < 8; ++z)

@@ -17,6 +17,7 @@ struct CellsNear {
   /// Slice by slice where they stand rather upright, else all cells.
   static CellsNear cylinders(const TwoCylinders& shape) noexcept;
   CellsNear operator|(const CellsNear& other) const noexcept;
+  CellsNear without(const std::uint64_t (&others)[8]) const noexcept;
   /// Those of these slices alone, a bit each.
   CellsNear of(std::uint8_t slices) const noexcept;
 };

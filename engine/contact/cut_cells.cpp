@@ -71,15 +71,6 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   cut.load(low, kSide, kSide * kSide);
   Vec3 g;
   const double d = cut.eval(Vec3(place) - Vec3(local), g);
-  if (resolved && cut.crease_near() && !made.feature.edge && strokes_ != nullptr && stroke_cells_.explain(local, cut, 2)) {
-    // More than one cut may end it here.
-    Beside beside[2];
-    int count = 0;
-    if (!stroke_cells_.beside(Vec3(place) - Vec3(local), Vec3(made.feature.normal), beside, count)) return true;
-    for (int k = 0; k < count; ++k) add_beside(made.feature, beside[k].d * volume.grid().voxel_mm, Vec3f(beside[k].normal));
-    ++made_count_;
-    return true;
-  }
   const double length = std::sqrt(glm::dot(g, g));
   if (d > 0.0) {
     // The cut has taken it. A scratch so shallow that it takes no voxel's centre shows in no cell of the cut, and most of
@@ -97,30 +88,6 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   return resolved && cut.crease_near();
 }
 
-void CutSurface::make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept {
-  const double voxel = volume.grid().voxel_mm;
-  const Vec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
-  for (const StrokeFeature& f : stroke_cells_.features(base)) {
-    if (made_count_ == made_.size()) return;
-    Made& made = made_[made_count_++];
-    made = Made{};
-    made.at = Vec3f(local + f.at);
-    made.feature.normal = Vec3f(f.normal);
-    made.feature.cell = static_cast<std::uint16_t>(offset);
-    made.feature.tissue = tissue_under(volume, cell, f.edge ? f.at : f.at - 0.5 * f.normal);
-    if (f.edge) {
-      made.feature.edge = true;
-      made.feature.other_normal = Vec3f(f.bend / voxel);
-      made.feature.third_normal = Vec3f(f.twist / (voxel * voxel));
-      made.feature.fourth = Vec3f(f.fourth / (voxel * voxel * voxel));
-      made.feature.other_d_mm = static_cast<float>(f.from * voxel);
-      made.feature.third_d_mm = static_cast<float>(f.to * voxel);
-    } else {
-      for (int k = 0; k < f.besides; ++k) add_beside(made.feature, f.beside[k].d * voxel, Vec3f(f.beside[k].normal));
-    }
-  }
-}
-
 bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept {
   if (made_count_ + 3 > made_.size()) return true;  // room for an edge, a point and the mouth
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
@@ -132,8 +99,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
   for (int i = 1; i < 8; ++i)
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
   cells_made_ += crossed;
-  // A thin ridge may pass between corners that are all in the void.
-  if (!crossed && !(resolved && inside && strokes_ != nullptr && stroke_cells_.several())) return false;
+  if (!crossed) return false;
   // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep. Out in the
   // air there is nothing that a cut could have left.
   const Specimen& specimen = volume.specimen();
@@ -153,7 +119,6 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
   if (air && !solid) return false;
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
-  if (!crossed && !cut.crease_near()) return false;
   CellField base;
   if (!deep) base.load(base_low, kSide, kSide * kSide);
   const double voxel = volume.grid().voxel_mm;
@@ -166,18 +131,12 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
     made.feature.other_normal = Vec3f(edge.bend / voxel);
     made.feature.third_normal = Vec3f(edge.twist / (voxel * voxel));
     made.feature.edge = true;
-    made.feature.third_d_mm = static_cast<float>(StrokeCells::kHalfEdge * voxel);
+    made.feature.third_d_mm = static_cast<float>(kHalfEdge * voxel);
     made.feature.other_d_mm = -made.feature.third_d_mm;
     made.feature.cell = static_cast<std::uint16_t>(offset);
     made.feature.tissue = tissue_under(volume, cell, edge.at);
   };
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
-  if (resolved && strokes_ != nullptr && stroke_cells_.explain(local, cut, mouth ? 1 : 2)) {
-    ++cells_resolved_;
-    make_from_strokes(volume, cell, offset, deep ? nullptr : &base);
-    return true;
-  }
-  if (!crossed) return true;
   Vec3 f, n;
   SharpEdge edge;
   const Creased crease = creased(cut, resolved ? kMostOff : 0.0, [&](IVec3 o, CellField& to) {

@@ -20,7 +20,7 @@ Vec3 nearest_on(const CutMemory::Segment& s, Vec3 y) noexcept {
 }  // namespace
 
 CutMemory::CutMemory()
-    : segments_(kSegments), nodes_of_(kSegments), blocks_(kSegments / kBlock), nodes_(kNodes), heads_(kBuckets, -1) {}
+    : segments_(kSegments), nodes_of_(kSegments), nodes_(kNodes), heads_(kBuckets, -1) {}
 
 std::size_t CutMemory::bucket(IVec3 c) noexcept {
   const auto h = static_cast<std::uint32_t>(c.x) * 73856093u ^ static_cast<std::uint32_t>(c.y) * 19349663u ^
@@ -63,62 +63,7 @@ void CutMemory::append(const Segment& segment) noexcept {
   ++count_;
   const std::size_t place = newest();
   segments_[place] = segment;
-  if (place % kBlock == 0) {
-    // The box anew: of the places that are left of it.
-    blocks_[place / kBlock] = Block{};
-    if (count_ > kSegments - kBlock)
-      for (std::size_t i = place + 1; i < place + kBlock; ++i) enclose(i);
-  }
   link(place);
-  enclose(place);
-}
-
-void CutMemory::enclose(std::size_t place) noexcept {
-  const Segment& s = segments_[place];
-  Block& block = blocks_[place / kBlock];
-  if (s.by.head != Sweeper::kBall) return;
-  block.low = glm::min(block.low, glm::min(s.a, s.b) - s.by.radius_mm);
-  block.high = glm::max(block.high, glm::max(s.a, s.b) + s.by.radius_mm);
-}
-
-int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept {
-  const auto apart = [&](Vec3 a, Vec3 b) {
-    for (int i = 0; i < 3; ++i)
-      if (a[i] > high[i] + reach_mm || b[i] < low[i] - reach_mm) return true;
-    return false;
-  };
-  const Vec3 middle = 0.5 * (low + high);
-  const Vec3 half = 0.5 * (high - low);
-  const double around = std::sqrt(glm::dot(half, half)) + reach_mm;
-  std::size_t found = 0, last = 0;
-  for (std::size_t from = 0, to = 0; from < count_; from = to) {
-    // As far as a block goes, in the order of time.
-    const std::size_t place = (first_ + from) % kSegments;
-    to = std::min(count_, from + kBlock - place % kBlock);
-    if (apart(blocks_[place / kBlock].low, blocks_[place / kBlock].high)) continue;
-    for (std::size_t i = from; i < to; ++i) {
-      const Segment& s = segment(i);
-      if (s.by.head != Sweeper::kBall) continue;
-      if (apart(glm::min(s.a, s.b) - s.by.radius_mm, glm::max(s.a, s.b) + s.by.radius_mm)) continue;
-      const Vec3 off = nearest_on(s, middle) - middle;
-      const double far = s.by.radius_mm + around;
-      if (glm::dot(off, off) > far * far) continue;
-      if (found > 0 && i == last + 1) {
-        Segment& before = out[found - 1];
-        const Segment joined{before.a, s.b, s.by};
-        const Vec3 gap = s.a - before.b, bent = nearest_on(joined, s.a) - s.a;
-        if (before.by == s.by && glm::dot(gap, gap) < 1e-18 && glm::dot(bent, bent) < kStraightMm * kStraightMm) {
-          before.b = s.b;
-          last = i;
-          continue;
-        }
-      }
-      if (found == out.size()) return -1;
-      out[found++] = s;
-      last = i;
-    }
-  }
-  return static_cast<int>(found);
 }
 
 bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
@@ -131,7 +76,6 @@ bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
       const Vec3 off = nearest_on(longer, last.b) - last.b;
       if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
         last.b = to;
-        enclose(newest());
         link(newest());
         return true;
       }
@@ -164,7 +108,7 @@ int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) c
     if (node.segment == last) continue;
     last = node.segment;
     const Segment& s = segments_[node.segment];
-    if (!s.by.covers(tool)) continue;
+    if (!(s.by == tool)) continue;
     // The part of the segment inside the ball of reach about y.
     const Vec3 along = s.b - s.a;
     const Vec3 from = s.a - y;
@@ -192,7 +136,6 @@ void CutMemory::load(const std::vector<Segment>& segments, bool open) noexcept {
   first_ = count_ = next_node_ = node_count_ = 0;
   std::fill(heads_.begin(), heads_.end(), -1);
   std::fill(nodes_of_.begin(), nodes_of_.end(), std::uint16_t{0});
-  std::fill(blocks_.begin(), blocks_.end(), Block{});
   const std::size_t skip = segments.size() > kSegments ? segments.size() - kSegments : 0;
   for (std::size_t i = skip; i < segments.size(); ++i) append(segments[i]);
   open_ = open;

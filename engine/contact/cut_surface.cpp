@@ -29,7 +29,7 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
   out.other_normal = sharp.vector;
   if (normal.edge()) {
     out.other_normal /= static_cast<float>(voxel_mm);
-    out.third_d_mm = static_cast<float>(StrokeCells::kHalfEdge * voxel_mm);
+    out.third_d_mm = static_cast<float>(kHalfEdge * voxel_mm);
     out.other_d_mm = -out.third_d_mm;
   } else {
     out.others = 1;
@@ -37,11 +37,10 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
   }
 }
 
-CutSurface::CutSurface(const Volume& volume, const CutMemory* strokes)
+CutSurface::CutSurface(const Volume& volume)
     : slots_(volume.cut_capacity()),
       slots_resolved_(volume.cut_capacity(), kAllParts),
       made_(kMostFeatures),
-      strokes_(strokes),
       kept_pages_(std::min(kPages, volume.cut_capacity() * 8)) {
   pages_.resize(kept_pages_ + kMostFeatures / kPage);
   free_.reserve(kept_pages_);
@@ -151,7 +150,7 @@ int CutSurface::resolve_parts(const Volume& volume, int brick, Parts parts, int 
     }
     slots_resolved_[place] = static_cast<Parts>(slots_resolved_[place] | 1u << part);
     --unresolved_parts_;
-    // A unresolved cell that is not creased may be a resolved one that is: strokes come to a brick without changing all of it.
+    // An unresolved cell that is not creased may be a resolved one that is.
     made.slice[part >> 1] |= cells_of(static_cast<Parts>(1u << part), part >> 1);
     any = true;
     budget -= cost;
@@ -253,7 +252,6 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
 
   // The cells that are no longer true, of those that are asked for, in cell order.
   made_count_ = 0;
-  if (strokes_ != nullptr) stroke_cells_.turn_to(*strokes_, volume.grid(), corner);
   bool decoded = false;
   wide_ready_ = base_ready_ = false;
   const Parts resolved_parts = slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))];
@@ -278,10 +276,34 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
       if (make_cell(volume, corner, o, resolved)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
     }
   }
+  mark_swept(volume, corner);
   put(slot);
 
   // Where no room was left they serve until the next brick is asked for.
   for (int z = 0; z < 8; ++z) slot.stale[z] = slot.first < 0 || kept(slot.first) ? slot.stale[z] & ~cells.slice[z] : ~std::uint64_t{0};
+}
+
+/// Marks the features of the cut whose cells' voxels all name sweeps.
+void CutSurface::mark_swept(const Volume& volume, IVec3 corner) noexcept {
+  if (!volume.keeps_sweeps()) return;
+  const Specimen& specimen = volume.specimen();
+  int cell = -1;
+  bool swept = false;
+  for (std::size_t i = 0; i < made_count_; ++i) {
+    CutFeature& feature = made_[i].feature;
+    if (feature.field != Field::cut) continue;
+    if (feature.cell != cell) {
+      cell = feature.cell;
+      swept = true;
+      for (int k = 0; k < 8 && swept; ++k) {
+        const IVec3 v = corner + IVec3(cell & 7, cell >> 3 & 7, cell >> 6) + IVec3(k & 1, k >> 1 & 1, k >> 2);
+        const int brick = specimen.brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+        const std::int32_t* ids = brick < 0 ? nullptr : volume.sweeps_of(brick);
+        swept = ids != nullptr && ids[brick_offset(v.x & 7, v.y & 7, v.z & 7)] != Volume::kNoSweep;
+      }
+    }
+    feature.swept = swept;
+  }
 }
 
 /// What is still true of a brick's features, and what was made, in cell order: into new pages; where no room is left for them,

@@ -1,10 +1,9 @@
 /// Features (points and edges) of the surface in the bricks that a bur has reached, in cell order: the specimen's points
 /// that are left, the cut's points, and the edges where surfaces meet. A brick's features are computed on demand and cached
-/// until a voxel that they were read from changes. They depend on the volume, on its strokes and on which parts are
-/// resolved, so an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
+/// until a voxel that they were read from changes. They depend on the volume and on which parts are resolved, so an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
 ///
 /// A part is half a slice of a brick: four rows of eight cells, sixteen parts a brick. It is *resolved* if the edges between
-/// its cuts were computed from strokes, *unresolved* if the field rounds them. All parts are unresolved while the bur cuts.
+/// its cuts were looked for in the field, *unresolved* if the field rounds them. All parts are unresolved while the bur cuts.
 /// resolve_parts() resolves some a tick afterwards: an edge costs ten times a smooth cell. Which parts are resolved is state.
 /// Thread: haptic. Wait-free.
 #pragma once
@@ -14,11 +13,13 @@
 #include <vector>
 
 #include "engine/contact/cells_near.h"
-#include "engine/contact/stroke_cells.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
+
+/// An edge's piece ends this far from its middle, voxels.
+inline constexpr double kHalfEdge = 0.7;
 
 struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
@@ -31,6 +32,7 @@ struct CutFeature {
   Field field = Field::cut;     // which surface it lies on
   Tissue tissue = Tissue::empty;
   bool edge = false;
+  bool swept = false;           // balls' sweeps alone made the cell: CavityWalls has it exactly
   std::uint8_t others = 0;      // surfaces near the point
 };
 
@@ -48,8 +50,7 @@ class CutSurface {
     std::int32_t next = -1;
   };
 
-  /// strokes: may be null; outlives this. Pre: it holds every stroke whenever a part is resolved.
-  CutSurface(const Volume& volume, const CutMemory* strokes);
+  explicit CutSurface(const Volume& volume);
 
   /// Voxels low..high (inclusive) of the cut field have changed. Resolved parts stay resolved.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
@@ -69,7 +70,7 @@ class CutSurface {
   static constexpr Parts parts_of_slice(int z) noexcept { return static_cast<Parts>(3u << (2 * z)); }
   /// Unresolved parts of a brick. Pre: volume.has_cut(brick).
   Parts unresolved(const Volume& volume, int brick) const noexcept;
-  /// Surface voxels that a tick may resolve; one part may exceed it. A cell with strokes takes up to 20 us.
+  /// Surface voxels that a tick may resolve; one part may exceed it. 
   static constexpr int kResolvePerTick = 24;
   /// Resolves unresolved parts of a brick among `parts`, lowest first, and computes their features, while `budget` lasts.
   /// Returns the rest of the budget, 0 if a part has to wait. A part costs its voxels that the cut's surface crosses and its
@@ -139,6 +140,7 @@ class CutSurface {
     return (both & 1u ? 0xffffffffull : 0) | (both & 2u ? 0xffffffff00000000ull : 0);
   }
   void count_unresolved() noexcept;
+  void mark_swept(const Volume& volume, IVec3 corner) noexcept;
   void put(Slot& slot) noexcept;
   void decode_cut(const Volume& volume, IVec3 brick) noexcept;
   void decode_base(const Specimen& specimen, IVec3 brick) noexcept;
@@ -149,7 +151,6 @@ class CutSurface {
   bool make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept;
   /// Adds the specimen's point i, if the cut has left it. True if the cell is creased; an unresolved cell never is.
   bool make_base(const Volume& volume, const BasePoints& points, int i, bool resolved) noexcept;
-  void make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept;
 
   std::vector<Slot> slots_;
   std::size_t unresolved_parts_ = 0;      // of the bricks that are cut, while it resolves
@@ -157,8 +158,6 @@ class CutSurface {
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
-  const CutMemory* strokes_;
-  StrokeCells stroke_cells_;
   bool on_ = true;
   bool wide_ready_ = false;  // wide_ is of the brick being refreshed
   bool base_ready_ = false;  // base_ is

@@ -12,7 +12,6 @@ namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 constexpr int kSearches = 64;               // searches of a solve (5 mm); more are deferred
-constexpr double kMemorySlack = 5e-4;       // mm
 constexpr double kPredicted = 0.05;         // of a step: constraints are first built for this distance about the predicted pose
 constexpr double kPredictedMm = 0.005;       // mm: and this much more
 constexpr double kFurther = 1.5;            // of the pass's move: constraints are rebuilt for this distance if it leaves the first
@@ -38,7 +37,8 @@ std::size_t candidate_room(const Scene& scene) {
 
 }  // namespace
 
-SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory)
+SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory& memory,
+                               const Sweeps& sweeps)
     : voxel_mm_(scene.specimen->grid().voxel_mm),
       memory_(memory),
       candidates_(candidate_room(scene)),
@@ -56,7 +56,11 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
       origins_(candidates_.size()),
       near_(candidates_.size()),
       low_(candidates_.size()),
-      cut_(volume, memory) {
+      cut_(volume),
+      sweeps_(sweeps),
+      walls_(volume, sweeps),
+      scaled_(candidates_.size()),
+      scale_(candidates_.size()) {
   const Specimen& specimen = volume.specimen();
   const IVec3 n = specimen.brick_count();
   boxes_.resize(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
@@ -85,21 +89,26 @@ void SurfaceContact::PointsBox::add(Vec3f p) noexcept {
 
 void SurfaceContact::forget() noexcept {
   cut_.forget();
+  walls_.forget();
   fields_.forget_cut();
   gathered_.valid = free_.valid = unresolved_far_.valid = false;
+  shank_free_ = {};
   free_pause_ = 0;
 }
 
-void SurfaceContact::relax_by_memory(const Tool& tool, std::size_t from, std::size_t to) noexcept {
-  // An edge computed from a ball's strokes is exact and needs no relaxing. Neck and shank do not cut, so the head's past poses
-  // leave them no room.
-  const bool from_strokes = all_resolved_ && tool.ball();
-  planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
+void SurfaceContact::relax_by_past(std::size_t from, std::size_t to, double slack_mm) noexcept {
+  // Neck and shank do not cut, so the head's past poses leave them no room.
+  planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, slack_mm, from, to,
                     [&](std::size_t i) {
-                      const Kind kind = candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind;
-                      return kind != Kind::shank && !(from_strokes && kind == Kind::edge);
+                      const std::int32_t c = origins_[i].candidate;
+                      return candidates_[static_cast<std::size_t>(c)].kind != Kind::shank;
                     },
                     [&](std::size_t i) { origins_[i].relaxed = true; });
+}
+
+/// Poses near `at` where a head that is no ball has cut.
+void SurfaceContact::find_past(const Tool& tool, Vec3 at) noexcept {
+  past_count_ = tool.ball() ? 0 : memory_.near(at, {tool.index, tool.axis}, past_);
 }
 
 /// Solves planes_, starting from the last active set. If they are infeasible, relaxes them to y and solves again.
@@ -144,6 +153,14 @@ void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Co
 
 Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
                               Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept {
+  const Contact out = follow(volume, scene, bur_index, axis, from, device, predicted, reach_mm, most_mm);
+  // Known free space answers some ticks without a look at the cavity: what was found must not depend on that.
+  if (out.active == 0) walls_.release();
+  return out;
+}
+
+Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
+                               Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept {
   const Bur& bur = scene.burs[bur_index];
   Contact out;
   out.pose_mm = device;
@@ -163,6 +180,12 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
   if (clear_path(volume, tool, from, device)) return out;
   overflow_ = false;
   double step = std::min(kLongestStep, std::max(0.004, reach_mm));
+  const bool swept = tool.ball() && sweeps_.size() > 0;
+  if (swept && (solve_in_sweep(volume, tool, from, device, reach_mm, out) || near_cavity(volume, tool, from, step))) {
+    if (!out.in_steps) out = solve_in_cavity(volume, tool, from, device, reach_mm);
+    if (out.active == 0 && !out.deferred && !out.infeasible) look_for_free(volume, tool, out.pose_mm);
+    return out;
+  }
   Vec3 y = from;
   bool arrived = false;
   bool with_foot = false;
@@ -203,8 +226,8 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
           planes(tool, at, at_hand_count, count_, within);
           count_ = at_hand_count;
         }
-        past_count_ = memory_ ? memory_->near(at, sweeper_of(bur, bur_index, axis), past_) : 0;
-        relax_by_memory(tool, 0, planes_.size());
+        find_past(tool, at);
+        relax_by_past(0, planes_.size());
       } else {
         // It has nearly converged: only the active tangents turn with it.
         for (int a = 0; a < active_set_.count; ++a) turn(tool, at, static_cast<std::size_t>(active_set_.plane[a]));
@@ -298,14 +321,15 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
   out.pose_mm = y;
   out.deferred = !arrived;
   out.overflow = overflow_;
-  if (out.active == 0 && arrived && !out.infeasible) {
-    if (free_pause_ > 0) {
-      --free_pause_;
-    } else {
-      find_free(volume, tool, y);
-    }
-  }
+  if (out.active == 0 && arrived && !out.infeasible) look_for_free(volume, tool, y);
   return out;
+}
+
+void SurfaceContact::look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
+  if (free_pause_ > 0)
+    --free_pause_;
+  else
+    find_free(volume, tool, pose);
 }
 
 Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
@@ -314,8 +338,8 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
   if (active_set_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
     Contact out;
     const Tool tool{&scene.burs[bur_index], axis, bur_index};
-    past_count_ = memory_ ? memory_->near(before.pose_mm, sweeper_of(scene.burs[bur_index], bur_index, axis), past_) : 0;
-    relax_by_memory(tool, 0, planes_.size());
+    find_past(tool, before.pose_mm);
+    relax_by_past(0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
     if (found.feasible && !out.infeasible &&
         length_of(found.y - before.pose_mm) <= std::min(active_set_.room_mm, 2.0 * advance_mm + kSettledMm)) {
@@ -335,6 +359,7 @@ bool SurfaceContact::fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 
   gather(volume, tool, pose, voxel_mm_);
   build_constraints(volume, tool, pose, voxel_mm_, pose, 0.0);
   gathered_.valid = false;
+  if (tool.ball()) add_cavity(volume, tool, pose, 0.0);
   return planes_.size() == 0;
 }
 
@@ -347,14 +372,15 @@ bool SurfaceContact::push_out(const Volume& volume, const Bur& bur, Vec3 axis, V
   for (std::size_t i = 0; i < count_; ++i)
     if (known_[i] == Known::unmade) make(volume, tool, i);
   Vec3 y = pose;
-  for (int pass = 0; pass < 4; ++pass) {
+  for (int pass = 0; pass < 8; ++pass) {
     planes_.clear();
     planes(tool, y, 0, count_, 0.1);
+    if (tool.ball()) add_cavity(volume, tool, y, kMost + 0.01);
     const PlaneSearch found = closest_point(pose, planes_, kTolerance, {});
     if (!found.feasible || length_of(found.y - pose) > kMost) return false;
     const double moved = length_of(found.y - y);
     y = found.y;
-    if (moved < 1e-6) break;
+    if (!refine_in_cavity(volume, tool, y, found) && moved < 1e-6) break;
   }
   out = y;
   return true;

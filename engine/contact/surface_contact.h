@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "engine/contact/cavity_walls.h"
 #include "engine/contact/cut_memory.h"
 #include "engine/contact/cut_surface.h"
 #include "engine/contact/plane_search.h"
@@ -26,6 +27,7 @@ struct Contact {
   Vec3 shank_normal{0.0};
   bool infeasible = false;        // no pose met all constraints: they were relaxed to the pose before
   bool overflow = false;          // more candidates than room
+  bool in_steps = false;          // the way to pose_mm was made in short steps
   bool deferred = false;          // the budget ended before the pose had converged: the next tick continues
 };
 
@@ -34,8 +36,8 @@ class SurfaceContact {
   /// The bur is thinner by this against the cut field: without a clearance it jams in its own hole.
   static constexpr double kClearanceMm = 0.001;
 
-  /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
-  SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
+  /// memory: past cut poses of heads that are no balls; sweeps: of balls. Both outlive this.
+  SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory& memory, const Sweeps& sweeps);
 
   static constexpr double kAnyWay = 1e9;  // mm: most_mm without a bound
 
@@ -59,6 +61,7 @@ class SurfaceContact {
   /// cutting only removes tissue.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
     cut_.changed(volume, low, high);
+    walls_.changed(volume, low, high);
     fields_.forget_cut();
     gathered_.valid = false;
   }
@@ -66,9 +69,11 @@ class SurfaceContact {
   /// The same for a change too large to resolve at once: its parts stay unresolved until resolve() reaches them.
   void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
     cut_.changed_unresolved(volume, low, high);
+    walls_.changed(volume, low, high);
     fields_.forget_cut();
     gathered_.valid = free_.valid = false;
     unresolved_far_.valid = false;
+    shank_free_ = {};
   }
 
   /// Budget of a tick: passes and candidates of all searches after reset_budget(). Each search makes at least one pass.
@@ -96,6 +101,17 @@ class SurfaceContact {
     forget();
   }
 
+  /// To be called before a tick's first solve(); then set_cutting() after each add to the sweeps.
+  void start_tick(const Cutting& cutting) noexcept {
+    reset_budget();
+    set_cutting(cutting);
+    walls_.start(cutting);
+  }
+  void set_cutting(const Cutting& cutting) noexcept { cutting_ = cutting; }
+  /// State: CavityWalls::found().
+  CavityWalls::Found found_in_cavity() const noexcept { return walls_.found(); }
+  void set_found_in_cavity(const CavityWalls::Found& found) noexcept { walls_.set_found(found); }
+
   /// Discards every cache, after the volume was loaded. A cache never changes an answer.
   void forget() noexcept;
 
@@ -107,6 +123,8 @@ class SurfaceContact {
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
  private:
+  static constexpr double kMostMargin = 0.4;        // mm: candidates are gathered at most so far beyond a step
+  static constexpr double kMemorySlack = 5e-4;      // mm
   static constexpr double kTolerance = 1e-7;        // mm: planes closer than a tenth of a nanometre count as met
   static constexpr double kLongestStep = 0.08;      // mm: longest reach of one search
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
@@ -147,7 +165,7 @@ class SurfaceContact {
   struct Origin {
     std::int32_t candidate = -1;
     bool trusted_plane = false;  // false: tangent to a point, an edge or the shank
-    bool relaxed = false;        // CutMemory moved it back: the field does not support it
+    bool relaxed = false;        // a past pose moved it back: the field does not support it
   };
   /// What is known of a candidate: not yet made; a point of a face whose plane nothing ends, in faces_; an edge; or
   /// anything else.
@@ -203,7 +221,7 @@ class SurfaceContact {
   };
 
   bool points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept;
-  void gather(const Volume& volume, const Tool& tool, Vec3 centre, double step) noexcept;
+  void gather(const Volume& volume, const Tool& tool, Vec3 centre, double step, double most_margin_mm = kMostMargin) noexcept;
   void gather_head(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   /// Two coaxial cylinders about the tool's axis, the second from `wide_from` on; mm from the pivot.
   struct Reach {
@@ -251,14 +269,30 @@ class SurfaceContact {
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   bool nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   bool nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
+  void look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
   bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
-  void relax_by_memory(const Tool& tool, std::size_t from, std::size_t to) noexcept;
+  void find_past(const Tool& tool, Vec3 at) noexcept;
+  void relax_by_past(std::size_t from, std::size_t to, double slack_mm = kMemorySlack) noexcept;
   static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;
   Vec3 leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
+  Contact follow(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 predicted,
+                 double reach_mm, double most_mm) noexcept;
+  struct Metric;
+  glm::dmat3 bend_of(const Origin& origin, Vec3 at) const noexcept;
+  glm::dmat3 bend_of(const PlaneSearch& found, Vec3 at) const noexcept;
+  void constrain_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  void add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  PlaneSearch nearest_in_metric(const Metric& metric, Vec3 y, Vec3 z, bool& infeasible) noexcept;
+  bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
+  bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found) noexcept;
+  void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
+  bool shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept;
+  bool solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm, Contact& out) noexcept;
+  Contact solve_in_cavity(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm) noexcept;
   PlaneSearch search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept;
   Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
   HeadFoot foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept;
@@ -267,7 +301,7 @@ class SurfaceContact {
   bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
 
   double voxel_mm_;
-  const CutMemory* memory_;
+  const CutMemory& memory_;
   std::vector<PointsBox> boxes_;       // [brick]: where the specimen's own points lie
   IVec3 bricks_low_{0}, bricks_high_{0};  // bricks that hold a surface or can be cut
   std::vector<Candidate> candidates_;  // at hand, then those of the foot
@@ -294,6 +328,13 @@ class SurfaceContact {
   std::size_t count_ = 0, ball_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
   std::size_t shank_count_ = 0;
+  /// Nothing stands within margin_mm of neck and shank; cutting only removes tissue.
+  struct ShankFree {
+    Vec3 centre{0.0}, axis{0.0};
+    double margin_mm = -1.0;
+    const Bur* bur = nullptr;
+  };
+  ShankFree shank_free_;
   FreeSpace free_;
   int free_pause_ = 0;                 // solves before find_free() is tried again
   std::uint64_t answered_free_ = 0;
@@ -323,6 +364,11 @@ class SurfaceContact {
   int past_count_ = 0;
   CutSurface cut_;
   FieldCells fields_;
+  const Sweeps& sweeps_;
+  CavityWalls walls_;
+  Cutting cutting_;
+  PlaneSet scaled_;                    // planes_ in the metric of a pass in the cavity
+  std::vector<double> scale_;
 };
 
 }  // namespace cusp::engine

@@ -11,7 +11,7 @@ namespace {
 
 // Margin of the candidates, in steps: they serve while the bur stays within it.
 constexpr double kStepsAhead = 8.0, kStepsMeanwhile = 2.0;
-constexpr double kLeastMargin = 0.06, kMostMargin = 0.4;  // mm
+constexpr double kLeastMargin = 0.06;  // mm
 
 /// Cells that two cylinders reach, of a brick in which they stand at a place.
 auto cells_of(TwoCylinders shape) noexcept {
@@ -104,6 +104,8 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   const Vec3f local((centre - (grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * (1.0 / voxel_mm_));
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
     near(x, y, z, count, local, has_edges, [&](int i) {
+      // Of these cells a ball has walls and ridges; its neck and shank have points.
+      if (tool.ball() && !shank && page != nullptr && page->feature[i].swept) return;
       add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, shank);
     });
   };
@@ -151,7 +153,10 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double edge_reach = reach + edge_mm;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     gather_from(volume, tool, centre, brick, at, false,
-                [&](Vec3f local) { return CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kFloatSlack)) | shank_cells(local); },
+                [&](Vec3f local) {
+                  const CellsNear near = CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kFloatSlack));
+                  return near.without(walls_.known(volume, brick).slice) | shank_cells(local);
+                },
                 [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool has_edges, auto&& pass) {
                   const double wide = (has_edges ? edge_reach : reach) * per_mm + kFloatSlack;
                   for_near(x, y, z, count, local, static_cast<float>(wide * wide), pass);
@@ -201,7 +206,7 @@ int SurfaceContact::prepare_within(const Volume& volume, Vec3 axis, Vec3 centre,
 }
 
 /// Brings what a search of one step from `centre` may touch to hand: a little more than that, for the next few.
-void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double step) noexcept {
+void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double step, double most_margin_mm) noexcept {
   const auto reaches = [&](const Gathered& g) {
     const Vec3 off = centre - g.centre;
     const double left = g.margin_mm - step;
@@ -211,7 +216,7 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   if (!reaches(gathered_)) {
     // While the bur cuts it serves until the next piece is carved, while edges are found until the next tick.
     const double steps = all_resolved_ ? kStepsAhead : kStepsMeanwhile;
-    const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, steps * step));
+    const double margin = step + std::min(most_margin_mm, std::max(kLeastMargin, steps * step));
     count_ = 0;
     gather_head(volume, tool, centre, margin);
     ball_count_ = count_;

@@ -274,7 +274,7 @@ void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
   if (!plane_of(tool, c, y, 1.0, plane, trusted)) return;
   planes_.set(i, plane.n, plane.c);
   origins_[i].trusted_plane = trusted;
-  relax_by_memory(tool, i, i + 1);
+  relax_by_past(i, i + 1);
 }
 
 /// Where a bur rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the

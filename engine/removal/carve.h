@@ -1,6 +1,7 @@
 /// Removal for the banded reading: C = min(C, outside of the swept head). Frame: specimen, mm. Thread: haptic. Wait-free.
 #pragma once
 
+#include "engine/contact/sweeps.h"
 #include "engine/tool/bur.h"
 #include "engine/volume/volume.h"
 
@@ -47,6 +48,10 @@ void for_changed(const Carved& carved, Visit&& visit) noexcept {
 /// Unites the cut field with a ball of radius_mm swept from a to b (mm): C = min(C, solid(r - distance to ab)).
 /// Calls touched() once for every brick that changed.
 Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part = {}) noexcept;
+
+/// The same with the sweeps of a run, kMostAtOnce at most. A voxel that one of them lowers keeps its id.
+inline constexpr std::int32_t kMostAtOnce = 8;
+Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run, CarvePart part = {}) noexcept;
 
 /// The same for any head, its pivot swept from a to b (mm), axis unit and fixed. A ball gives the same bits as above. Other
 /// heads are exact to 4e-4 voxel (tests/engine/tool/carve_test.cpp). If the rim's angle is below 90 degrees, the field inside

@@ -175,6 +175,7 @@ class Carving {
     for (int o = 0; o < kBrickVoxels; ++o) {
       if (values[o] == 0) continue;
       values[o] = 0;
+      volume_.forget_sweep(index, o);
       const IVec3 at = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
       brick_.take(at, at);
     }
@@ -229,6 +230,8 @@ class Carving {
         const LaneMask lower = solid < was;
         const unsigned less = bits_of(lower) & meant;
         if (less == 0) continue;
+        for (int i = 0; volume_.keeps_sweeps() && brick_.written && i < kLanes; ++i)
+          if (less >> i & 1u) volume_.forget_sweep(brick_.index, o + i);
         if (!brick_.written) {
           std::uint16_t* values = volume_.cut_for_writing(brick_.index);
           if (values == nullptr) return false;

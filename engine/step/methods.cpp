@@ -22,10 +22,16 @@ class SurfaceMethod final : public ContactMethod {
     const Bur& head = state.scene->burs[bur];
     const Vec3 axis = state.scene->tool_axis;
     const bool room = engine::end_stroke(state);
-    const Carved carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
+    Carved carved;
+    if (head.head.ball()) {
+      const std::int32_t id = state.sweeps.add_apart(from_mm, to_mm, head.radius_mm);
+      carved = id >= 0 ? carve_run(state.volume, state.sweeps, {id, id}) : carve_sweep(state.volume, from_mm, to_mm, head.radius_mm);
+    } else {
+      carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
+      state.memory.add(from_mm, to_mm, {bur, axis});
+      state.memory.break_path();
+    }
     for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
-    state.memory.add(from_mm, to_mm, sweeper_of(head, bur, axis));
-    state.memory.break_path();
     return room && !carved.overflow;
   }
   bool remove_voxels(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {

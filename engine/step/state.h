@@ -7,6 +7,7 @@
 
 #include "engine/contact/cut_memory.h"
 #include "engine/contact/surface_contact.h"
+#include "engine/contact/sweeps.h"
 #include "engine/removal/wear.h"
 #include "engine/step/guard.h"
 #include "engine/step/methods.h"
@@ -35,17 +36,20 @@ struct StepState::Inner {
   bool cut_pending = false;        // the sweep from cut_from to cut_pose is still growing
   Vec3 cut_from{0.0};
   Vec3 cut_axis{0.0, 0.0, 1.0};    // of the bur in that sweep
+  std::int32_t cut_first = 0, cut_last = -1;  // a ball's: those of `sweeps` that it is made of
   /// A finished sweep that is being carved, some bricks a tick.
   struct PendingSweep {
     Vec3 from{0.0}, to{0.0}, axis{0.0};
     std::uint16_t bur = 0;
     bool start_carved = false;     // the sweep before ended where this one begins, with the same bur and axis
+    std::int32_t first = 0, last = -1;  // a ball's: those of `sweeps` that it is made of
     std::int32_t next = -1;        // CarvePart::first of the next part; -1: no sweep is pending
   };
   PendingSweep pending_sweep;
   std::array<double, kTissueCodes> wear_remainder{};  // filled: wear below one quantum of solid fraction, by tissue
   Vec3 foot{0.0};                  // gradient: from the pivot to the followed point of the bur; zero: none
-  CutMemory memory;
+  CutMemory memory;                // of heads that are no balls
+  Sweeps sweeps;                   // of balls
   FragmentRemoval fragment_removal;
 
   // Derived from the scene and the volume.

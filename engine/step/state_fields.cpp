@@ -62,6 +62,10 @@ class Hasher {
     return now;
   }
   void cuts(const char*, const Volume& volume) noexcept { hash_.add(volume.hash()); }
+  void sweeps(const char*, const Sweeps& sweeps, const Volume& volume) noexcept {
+    hash_.add(sweeps.hash());
+    hash_.add(volume.sweeps_hash());
+  }
 
   void add(std::uint64_t word) noexcept { hash_.add(word); }
   std::uint64_t value() const noexcept { return hash_.value(); }
@@ -85,8 +89,13 @@ class Writer {
     put(now, 4);
     return now;
   }
-  void cuts(const char*, const Volume& volume) {
-    const std::vector<std::byte> bytes = volume.save_cuts();
+  void cuts(const char*, const Volume& volume) { put(volume.save_cuts()); }
+  void sweeps(const char*, const Sweeps& sweeps, const Volume& volume) {
+    put(sweeps.save());
+    put(volume.save_sweeps());
+  }
+
+  void put(const std::vector<std::byte>& bytes) {
     put(bytes.size(), 8);
     out_.insert(out_.end(), bytes.begin(), bytes.end());
   }
@@ -119,11 +128,11 @@ class Reader {
     return good_ ? count : 0;
   }
   void cuts(const char*, Volume& volume) {
-    const std::size_t size = get(8);
-    if (size > left()) refuse();
-    if (!good_) return;
-    if (!volume.load_cuts(bytes_.subspan(at_, size))) refuse();
-    at_ += size;
+    block([&](std::span<const std::byte> bytes) { return volume.load_cuts(bytes); });
+  }
+  void sweeps(const char*, Sweeps& sweeps, Volume& volume) {
+    block([&](std::span<const std::byte> bytes) { return sweeps.load(bytes); });
+    block([&](std::span<const std::byte> bytes) { return volume.load_sweeps(bytes, sweeps.size()); });
   }
   void refuse() { good_ = false; }
 
@@ -140,6 +149,14 @@ class Reader {
   bool done() const { return good_ && left() == 0; }
 
  private:
+  template <class Load>
+  void block(Load&& load) {
+    const std::size_t size = get(8);
+    if (size > left()) refuse();
+    if (!good_) return;
+    if (!load(bytes_.subspan(at_, size))) refuse();
+    at_ += size;
+  }
   std::size_t left() const { return bytes_.size() - at_; }
 
   std::span<const std::byte> bytes_;
@@ -152,9 +169,11 @@ bool in_range(const StepState::Inner& s) noexcept {
   const std::size_t burs = s.scene->burs.size();
   if (s.last.bur >= burs || index_of(s.last.tissue) >= kTissueCodes || s.guard.fault > Fault::stale) return false;
   if (s.pending_sweep.bur >= burs || s.pending_sweep.next < -1) return false;
+  for (const std::int32_t id : {s.cut_first, s.cut_last, s.pending_sweep.first, s.pending_sweep.last})
+    if (id < Sweeps::kNone || id > s.sweeps.size()) return false;
   for (std::size_t i = 0; i < s.memory.size(); ++i) {
     const std::int32_t head = s.memory.segment(i).by.head;
-    if (head < CutMemory::Sweeper::kBall || head >= static_cast<std::int32_t>(burs)) return false;
+    if (head < 0 || head >= static_cast<std::int32_t>(burs)) return false;
   }
   if (!s.phenomena) return true;
   const double rpm = s.phenomena->spindle.rpm, rise_k = s.phenomena->heat.rise_k;

@@ -8,6 +8,7 @@
 ///   f.size(name, now, least_bytes)  length of a list, each entry at least so many bytes when saved; returns the new
 ///                                   length
 ///   f.cuts(name, volume)            the volume's cut field
+///   f.sweeps(name, sweeps, volume)  the balls' sweeps, and their ids in the volume; after its cuts
 ///   f.refuse()                      the visited values are no state; not called if the state is const
 #pragma once
 
@@ -78,12 +79,14 @@ void visit(Fields& f, T& guard) {
 
 template <class Fields, MaybeConst<StepState::Inner::PendingSweep> T>
 void visit(Fields& f, T& sweep) {
-  auto& [from, to, axis, bur, start_carved, next] = sweep;
+  auto& [from, to, axis, bur, start_carved, first, last, next] = sweep;
   f("pending_sweep.from", from);
   f("pending_sweep.to", to);
   f("pending_sweep.axis", axis);
   f("pending_sweep.bur", bur);
   f("pending_sweep.start_carved", start_carved);
+  f("pending_sweep.first", first);
+  f("pending_sweep.last", last);
   f("pending_sweep.next", next);
 }
 
@@ -104,15 +107,14 @@ void visit(Fields& f, T& state) {
 template <class Fields, MaybeConst<CutMemory::Segment> T>
 void visit(Fields& f, T& segment) {
   auto& [a, b, by] = segment;
-  auto& [radius_mm, head, axis] = by;
+  auto& [head, axis] = by;
   f("memory.segment.a", a);
   f("memory.segment.b", b);
-  f("memory.segment.by.radius_mm", radius_mm);
   f("memory.segment.by.head", head);
   f("memory.segment.by.axis", axis);
 }
-/// Three Vec3, a radius, a number.
-inline constexpr std::size_t kSegmentBytes = 3 * 24 + 8 + 4;
+/// Three Vec3 and a number.
+inline constexpr std::size_t kSegmentBytes = 3 * 24 + 4;
 
 template <class Fields, MaybeConst<CutMemory> T>
 void visit(Fields& f, T& memory) {
@@ -168,6 +170,14 @@ void visit(Fields& f, T& surface, const Volume& volume, int bricks) {
     f("surface.resolved", parts);
     if constexpr (kWrites) resolved[static_cast<std::size_t>(brick)] = parts;
   }
+  CavityWalls::Found found = surface.found_in_cavity();
+  f("surface.found.centre", found.centre);
+  f("surface.found.radius_mm", found.radius_mm);
+  f("surface.found.reach_mm", found.reach_mm);
+  f("surface.found.features", found.features);
+  for (std::int32_t i = 0; i < std::min<std::int32_t>(found.features, CavityWalls::kMostKept); ++i)
+    f("surface.found.foot", found.foot[i]);
+  if constexpr (kWrites) surface.set_found_in_cavity(found);
   if constexpr (kWrites)
     surface.load_resolved(volume, resolves, [&](int brick) { return resolved[static_cast<std::size_t>(brick)]; });
 }
@@ -176,7 +186,7 @@ template <class Fields, MaybeConst<StepState::Inner> T>
 void visit(Fields& f, T& state) {
   // scene is what the state is of; fronts and method are made from it.
   [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, predicted_excess, prediction_holds, cut_pose, velocity, started, cut_valid,
-                          cut_pending, cut_from, cut_axis, pending_sweep, wear_remainder, foot, memory, fragment_removal, fronts, surface, method,
+                          cut_pending, cut_from, cut_axis, cut_first, cut_last, pending_sweep, wear_remainder, foot, memory, sweeps, fragment_removal, fronts, surface, method,
                           phenomena] = state;
   const IVec3 count = scene->specimen->brick_count();
   const int bricks = count.x * count.y * count.z;
@@ -193,6 +203,8 @@ void visit(Fields& f, T& state) {
   f("cut_pending", cut_pending);
   f("cut_from", cut_from);
   f("cut_axis", cut_axis);
+  f("cut_first", cut_first);
+  f("cut_last", cut_last);
   visit(f, pending_sweep);
   for (auto& remainder : wear_remainder) f("wear_remainder", remainder);
   f("foot", foot);
@@ -203,6 +215,7 @@ void visit(Fields& f, T& state) {
     visit(f, phenomena_state);
   }
   f.cuts("volume.cuts", volume);
+  f.sweeps("sweeps", sweeps, volume);
   if (surface) {
     std::conditional_t<std::is_const_v<T>, const SurfaceContact, SurfaceContact>& contact = *surface;
     visit(f, contact, volume, bricks);

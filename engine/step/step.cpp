@@ -43,8 +43,14 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
   return out;
 }
 
-StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
-  if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume, &memory);
+StepState::Inner::Inner(std::shared_ptr<const Scene> s)
+    : scene(std::move(s)),
+      volume(scene->specimen),
+      sweeps(volume.grid().centre_mm(volume.grid().size / 2), scene->method == Method::surface ? Sweeps::kMost : 0) {
+  if (scene->method == Method::surface) {
+    volume.keep_sweeps();
+    surface = std::make_unique<SurfaceContact>(*scene, volume, memory, sweeps);
+  }
   for (const Bur& bur : scene->burs) fronts.push_back(front_rings(bur.head));
   method = make_method(*this);
   if (scene->phenomena.any()) phenomena = std::make_unique<PhenomenaState>(*scene);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/friction.h"
 #include "engine/removal/carve.h"
-#include "engine/removal/penetration.h"
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
@@ -15,21 +15,18 @@ namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 constexpr double kTieMm = 0.005;  // largest distance of the cut pose from the proxy
-/// A stroke is carved in sweeps; meanwhile CutMemory keeps its poses admissible. A sweep ends where the stroke turns, after half
+/// A stroke is carved in sweeps; meanwhile contact knows its poses. A sweep ends where the stroke turns, after half
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
-constexpr double kLeastSweepMm = 0.008;
+constexpr double kLeastSweepMm = 0.03;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
 constexpr double kLeastSlideMm = 0.0004;
 /// While sliding, the bur may stand this deep in tissue: more than kShallowTauMm needs no correction (slide_depth()).
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
-/// depenetrate() leaves a sliding ball this much deeper than slide_depth() allows.
-constexpr double kPenetrationMm = 0.0001;
-/// A sliding ball's wear below this enters as whole steps of this size, in as many ticks as give the same sum. A stroke
-/// in every tick would leave more than 512 strokes about a place, more than PenetrationSearch keeps.
-constexpr double kEntersMm = 0.0001;
-constexpr double kAsideMm[] = {0.0, 0.05, -0.05, 0.1, -0.1};  // starts along a ridge, mm
+/// Sweeps of a ball that are carved together.
+constexpr std::int32_t kSweepsAtOnce = 8;
+static_assert(kSweepsAtOnce <= kMostAtOnce);
 /// A proxy that outruns its device by this factor and this length is solved for again, in kParts parts of the way.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
 constexpr int kParts = 8;
@@ -38,7 +35,6 @@ constexpr double kReach = 1.1, kReachMm = 0.004;
 /// Tolerance of a prediction, as a share of the device's motion and a length. The proxy's excess motion predicts the
 /// next one if it is larger, and differs from the last tick's by less.
 constexpr double kPredictionTolerance = 0.1, kPredictionToleranceMm = 0.002;
-constexpr double kFrictionSpeed = 2.0;  // mm/s: from here on the Coulomb force is whole
 
 /// Of what the proxy touches.
 struct Touched {
@@ -65,8 +61,14 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
 bool carve_pending(StepState::Inner& state, int bricks) noexcept {
   StepState::Inner::PendingSweep& sweep = state.pending_sweep;
   if (sweep.next < 0) return true;
-  const Carved carved = carve_sweep(state.volume, sweep.from, sweep.to, state.scene->burs[sweep.bur], sweep.axis,
-                                    sweep.start_carved, {sweep.next, bricks});
+  const Bur& bur = state.scene->burs[sweep.bur];
+  Carved carved;
+  if (!bur.head.ball())
+    carved = carve_sweep(state.volume, sweep.from, sweep.to, bur, sweep.axis, sweep.start_carved, {sweep.next, bricks});
+  else if (sweep.first >= 0)
+    carved = carve_run(state.volume, state.sweeps, {sweep.first, sweep.last}, {sweep.next, bricks});
+  else
+    carved = carve_sweep(state.volume, sweep.from, sweep.to, bur.radius_mm, {sweep.next, bricks});
   for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
   sweep.next = carved.next;
   const bool room = drop_crumbs(state, carved);
@@ -92,8 +94,9 @@ bool queue_sweep(StepState::Inner& state, std::uint16_t bur) noexcept {
   const bool room = carve_pending(state, kAllBricks);
   StepState::Inner::PendingSweep& sweep = state.pending_sweep;
   const bool goes_on = sweep.to == state.cut_from && sweep.axis == state.cut_axis && sweep.bur == bur;
-  sweep = {state.cut_from, state.cut_pose, state.cut_axis, bur, goes_on, 0};
+  sweep = {state.cut_from, state.cut_pose, state.cut_axis, bur, goes_on, state.cut_first, state.cut_last, 0};
   state.cut_from = state.cut_pose;
+  state.sweeps.seal();
   state.cut_pending = false;
   return room;
 }
@@ -104,27 +107,15 @@ bool carve_all(StepState::Inner& state, std::uint16_t bur) noexcept {
   return carve_pending(state, kAllBricks) && room;
 }
 
-/// The part of a ball's wear that enters in this tick. The golden ratio's multiples spread the steps evenly over ticks.
-double entering(double advance_mm, std::int64_t tick) noexcept {
-  if (!(advance_mm > 0.0) || advance_mm >= kEntersMm) return advance_mm;
-  const auto turn = static_cast<std::uint32_t>(static_cast<std::uint64_t>(tick) * 2654435769u);
-  return static_cast<double>(turn) * 0x1p-32 * kEntersMm < advance_mm ? kEntersMm : 0.0;
-}
-
-/// Moves a ball out of tissue that no stroke has carved, until it stands no deeper than allowed_mm.
-void depenetrate(const StepState::Inner& state, double radius_mm, Vec3 towards, double allowed_mm, Vec3& pose) noexcept {
-  PenetrationSearch place(state.volume, state.memory, radius_mm, pose, towards);
-  const auto push_by = [&](const Penetration& found) {
-    if (found.depth_mm > allowed_mm) pose -= found.towards * (found.depth_mm - allowed_mm);
-  };
-  const Penetration first = place.deepest(pose, towards, allowed_mm);
-  push_by(first);
-  if (first.along == Vec3(0.0)) return;
-  // Many crossing strokes leave a peak between each two of them.
-  for (const double aside : kAsideMm) {
-    const Vec3 start = first.towards + first.along * (aside / radius_mm);
-    push_by(place.deepest(pose, start / std::sqrt(glm::dot(start, start)), allowed_mm, true));
-  }
+/// What contact has to know of a ball's sweeps while it cuts.
+Cutting cutting_of(const StepState::Inner& state) noexcept {
+  Cutting out;
+  const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
+  if (state.cut_pending || sweep.next >= 0)
+    out.uncarved = {sweep.next >= 0 ? sweep.first : state.cut_first, state.cut_last};
+  if (out.uncarved.from < 0) out.uncarved = {};
+  out.end = out.uncarved.to >= out.uncarved.from ? out.uncarved.from : state.sweeps.size();
+  return out;
 }
 
 /// The device's motion in a tick, and the proxy's answer to it.
@@ -166,13 +157,13 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
   const double most = kOutrunTimes * moved + kOutrunMm;
   const bool led = !state.last.deferred && moved > 0.0;
 
-  surface.reset_budget();
+  surface.start_tick(cutting_of(state));
   // The tick that ends a stroke carves the rest of it; edges are resolved in later ticks.
   surface.resolve(state.volume, state.scene->burs[out.bur], tick.axis, state.proxy, !tick.cut && !state.cut_valid,
                   tick.fragment_leaves);
   Contact contact = surface.solve(state.volume, *state.scene, out.bur, tick.axis, state.proxy, tick.device, predicted, reach,
                                   led ? most : SurfaceContact::kAnyWay);
-  if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most)
+  if ((contact.active > 0 || contact.deferred) && led && !contact.in_steps && length_of(contact.pose_mm - state.proxy) > most)
     contact = solve_in_parts(state, tick, motion, out);
   add_flags(contact, out);
   return contact;
@@ -231,6 +222,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, Vec3 slid, Advance& 
   const double tau = slide_depth(bur, tick.axis, cut.direction, slid, cut.advance_mm);
   if (!(tau < kShallowTauMm)) return false;
   out.overflow = !carve_all(state, out.bur) || out.overflow;
+  state.surface->set_cutting(cutting_of(state));
   Vec3 out_pose;
   const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
   if (state.surface->push_out(state.volume, bur, tick.axis, cut.pose, shallow, out_pose)) {
@@ -239,16 +231,27 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, Vec3 slid, Advance& 
     cut.pose = state.proxy;
     cut.advance_mm = 0.0;
   }
-  if (bur.head.ball()) {
-    depenetrate(state, bur.radius_mm, cut.direction, shallow + kPenetrationMm, cut.pose);
-    out.cutting = cut.advance_mm > 0.0;
-    cut.advance_mm = entering(cut.advance_mm, static_cast<std::int64_t>(out.tick));
-  }
   cut.aim_at(tick.device);
   return true;
 }
 
-/// Stores the advance in the memory and lengthens the growing sweep, or queues it.
+/// Stores a way of the bur. True if the growing sweep is straight with it. A sweep that does not go on with it is queued.
+bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, StepOutput& out) noexcept {
+  const Bur& bur = state.scene->burs[out.bur];
+  if (bur.head.ball()) {
+    if (state.cut_pending && state.cut_last - state.cut_first + 1 >= kSweepsAtOnce)
+      out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+    state.cut_last = state.sweeps.add(from, to, bur.radius_mm);
+    if (!state.cut_pending) state.cut_first = state.cut_last;
+    return state.cut_last == state.cut_first;
+  }
+  if (state.cut_pending && !(state.cut_axis == tick.axis)) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+  const bool goes_on = state.memory.add(from, to, {out.bur, tick.axis});
+  if (state.cut_pending && !goes_on) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+  return state.memory.straight_from(state.cut_pending ? state.cut_from : from);
+}
+
+/// Stores the advance and lengthens the growing sweep, or queues it.
 void sweep_along(StepState::Inner& state, const Tick& tick, const Advance& cut, Vec3 old_pose, Vec3 next,
                  StepOutput& out) noexcept {
   const bool whole = state.cut_valid && swept_whole(length_of(next - old_pose), tick.dt_s);
@@ -256,20 +259,18 @@ void sweep_along(StepState::Inner& state, const Tick& tick, const Advance& cut, 
   if (!whole) {
     out.overflow = !carve_all(state, out.bur) || out.overflow;
     state.memory.break_path();
+    state.sweeps.break_path();
   }
-  if (state.cut_pending && !(state.cut_axis == tick.axis)) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
-  state.cut_axis = tick.axis;
-  const bool straight_on = state.memory.add(from, next, sweeper_of(state.scene->burs[out.bur], out.bur, tick.axis));
-  if (state.cut_pending && !straight_on) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+  const bool straight = store_way(state, tick, from, next, out);
   if (!state.cut_pending) state.cut_from = from;
+  state.cut_axis = tick.axis;
   state.cut_pose = next;
   state.cut_pending = true;
   out.cutting = true;
   out.advance_mm = cut.advance_mm;
-  const double longest_mm = state.memory.straight_from(state.cut_from)
-                                ? std::min(kLongestSweepMm, 0.5 * state.volume.grid().voxel_mm)
-                                : kLeastSweepMm;
+  const double longest_mm = straight ? std::min(kLongestSweepMm, 0.5 * state.volume.grid().voxel_mm) : kLeastSweepMm;
   if (length_of(next - state.cut_from) >= longest_mm) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+  state.surface->set_cutting(cutting_of(state));
 }
 
 /// Advances the bur into the tissue. Returns contact after it. touched: of `contact`. push_mm: from the device to the proxy.
@@ -292,6 +293,7 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
   if (state.pending_sweep.next >= 0) {
     const int bricks = bricks_a_tick(state);
     if (!carved || bricks != kAllBricks) out.overflow = !carve_pending(state, bricks) || out.overflow;
+    state.surface->set_cutting(cutting_of(state));
   }
   const Contact after =
       state.surface->after_cut(state.volume, *state.scene, out.bur, tick.axis, contact, tick.device, cut.advance_mm);
@@ -300,14 +302,10 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
   return after;
 }
 
-/// Coulomb force, regularised by the proxy's speed: at rest it is zero, so it feeds no energy.
 void add_friction(StepState::Inner& state, Vec3 proxy_before, double stiffness, double spring_mm, double dt_s,
                   StepOutput& out) noexcept {
   state.velocity = (state.proxy - proxy_before) / dt_s;
-  const double speed = length_of(state.velocity);
-  if (!(speed > 1e-9)) return;
-  const double share = speed < kFrictionSpeed ? speed / kFrictionSpeed : 1.0;
-  out.force_raw_n -= state.velocity * (state.scene->friction_coefficient * stiffness * spring_mm * share / speed);
+  out.force_raw_n += coulomb_n(state.velocity, state.scene->friction_coefficient, stiffness * spring_mm);
 }
 
 }  // namespace
@@ -317,6 +315,7 @@ bool end_stroke(StepState::Inner& state) noexcept {
   state.pending_sweep = {};
   state.cut_valid = false;
   state.memory.break_path();
+  state.sweeps.break_path();
   return room;
 }
 
@@ -337,7 +336,7 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   if (tick.cut && contact.active > 0 && push_mm > 1e-6 && !contact.deferred) {
     contact = cut_tissue(state, tick, contact, motion, touched, push_mm, out);
     if (contact.active > 0) touched.stiffness_n_per_mm = blended(scene, contact, touched.tissue);
-  } else if (state.cut_valid && (!tick.cut || contact.active == 0)) {
+  } else if (state.cut_valid && (!tick.cut || contact.active == 0 || contact.deferred)) {
     out.overflow = !end_stroke(state) || out.overflow;
   }
 

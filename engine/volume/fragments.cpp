@@ -139,6 +139,7 @@ void stamp_row(Volume& volume, const NearTissue& beside_tissue, IVec3 v, int len
         const IVec3 at(x, y, z);
         if (beside_tissue(at)) s = kBeside.at(dx, std::abs(dy), std::abs(dz));
         lower(to, s, at, out);
+        volume.forget_sweep(brick, brick_offset(x & 7, y & 7, z & 7));
       }
     }
 }
@@ -217,7 +218,10 @@ ChangedBox remove_voxels(Volume& volume, std::span<const IVec3> voxels) noexcept
   for (const IVec3& v : voxels) {
     const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
     std::uint16_t* values = volume.cut_for_writing(brick);
-    if (values != nullptr) lower(values[brick_offset(v.x & 7, v.y & 7, v.z & 7)], kBeside.at(0, 0, 0), v, out);
+    if (values == nullptr) continue;
+    const int offset = brick_offset(v.x & 7, v.y & 7, v.z & 7);
+    lower(values[offset], kBeside.at(0, 0, 0), v, out);
+    volume.forget_sweep(brick, offset);
   }
   if (voxels.empty()) return out;
   const NearTissue beside_tissue(volume, {voxels[0].x >> 3, voxels[0].y >> 3, voxels[0].z >> 3});

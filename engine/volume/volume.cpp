@@ -28,6 +28,8 @@ Volume::Volume(std::shared_ptr<const Specimen> specimen) : specimen_(std::move(s
   cut_order_.reserve(capacity_);
 }
 
+void Volume::keep_sweeps() { sweep_.assign(capacity_ * kBrickVoxels, kNoSweep); }
+
 std::uint16_t* Volume::cut_for_writing(int brick) noexcept {
   std::int16_t& slot = slot_[static_cast<std::size_t>(brick)];
   if (slot < 0) {
@@ -67,7 +69,7 @@ std::uint64_t Volume::hash() const noexcept {
 }
 
 std::size_t Volume::bytes() const noexcept {
-  return slot_.size() * sizeof(std::int16_t) + cut_.size() * sizeof(std::uint16_t) +
+  return slot_.size() * sizeof(std::int16_t) + cut_.size() * sizeof(std::uint16_t) + sweep_.size() * sizeof(std::int32_t) +
          capacity_ * (sizeof(std::uint32_t) + sizeof(std::int32_t));
 }
 
@@ -124,6 +126,7 @@ bool Volume::load_cuts(std::span<const std::byte> bytes) {
   }
   ++loaded_;
   std::fill(cut_.begin(), cut_.end(), kSolid);
+  std::fill(sweep_.begin(), sweep_.end(), kNoSweep);
   cut_order_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     std::uint16_t* values = cut_for_writing(static_cast<int>(get(4 + i * kEach, 4)));
@@ -131,6 +134,51 @@ bool Volume::load_cuts(std::span<const std::byte> bytes) {
       values[o] = static_cast<std::uint16_t>(get(8 + i * kEach + 2 * o, 2));
   }
   return true;
+}
+
+std::vector<std::byte> Volume::save_sweeps() const {
+  std::vector<std::byte> out;
+  if (!keeps_sweeps()) return out;
+  out.reserve(cut_order_.size() * kBrickVoxels * sizeof(std::int32_t));
+  for (const std::int32_t brick : sorted(cut_order_)) {
+    const std::int32_t* ids = sweeps_of(brick);
+    for (int o = 0; o < kBrickVoxels; ++o)
+      for (int i = 0; i < 4; ++i) out.push_back(static_cast<std::byte>(static_cast<std::uint32_t>(ids[o]) >> (8 * i)));
+  }
+  return out;
+}
+
+bool Volume::load_sweeps(std::span<const std::byte> bytes, std::int32_t count) {
+  const std::size_t wanted = keeps_sweeps() ? cut_order_.size() * kBrickVoxels : 0;
+  if (bytes.size() != 4 * wanted) return false;
+  std::vector<std::int32_t> ids(wanted);
+  for (std::size_t k = 0; k < wanted; ++k) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[4 * k + i]) << (8 * i);
+    ids[k] = static_cast<std::int32_t>(value);
+    if (ids[k] < kNoSweep || ids[k] >= count) return false;
+  }
+  const std::int32_t* from = ids.data();
+  for (const std::int32_t brick : sorted(cut_order_)) {
+    if (wanted == 0) break;
+    std::copy(from, from + kBrickVoxels, sweeps_for_writing(brick));
+    from += kBrickVoxels;
+  }
+  return true;
+}
+
+std::uint64_t Volume::sweeps_hash() const noexcept {
+  std::uint64_t sum = 0;
+  if (!keeps_sweeps()) return sum;
+  for (const std::int32_t brick : cut_order_) {
+    Hash64 h;
+    h.add(static_cast<std::uint64_t>(brick));
+    const std::int32_t* ids = sweeps_of(brick);
+    for (int o = 0; o < kBrickVoxels; o += 2)
+      h.add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(ids[o])) << 32 | static_cast<std::uint32_t>(ids[o + 1]));
+    sum += h.value();
+  }
+  return sum;
 }
 
 }  // namespace cusp::engine

@@ -75,6 +75,24 @@ class Volume {
   /// of a filled reading. nullptr if the reserved memory is used up: the step reports an overflow, and tests expect
   /// none.
   std::uint16_t* cut_for_writing(int brick) noexcept;
+  /// Id of the ball's sweep that comes nearest to a voxel, beside the cut field, for a scene whose contact reads it.
+  /// kNoSweep: nothing was cut here, or the last to cut here was no ball.
+  static constexpr std::int32_t kNoSweep = -1;
+  /// Not on the haptic thread: takes the memory for them.
+  void keep_sweeps();
+  bool keeps_sweeps() const noexcept { return !sweep_.empty(); }
+  /// The 512 ids of a brick; nullptr where nothing was cut and where no ids are kept.
+  const std::int32_t* sweeps_of(int brick) const noexcept {
+    const int slot = slot_[static_cast<std::size_t>(brick)];
+    return slot < 0 || sweep_.empty() ? nullptr : &sweep_[static_cast<std::size_t>(slot) * kBrickVoxels];
+  }
+  /// Haptic thread. A voxel that something other than a ball's sweep has lowered. Pre: has_cut(brick).
+  void forget_sweep(int brick, int offset) noexcept {
+    if (std::int32_t* ids = sweeps_for_writing(brick)) ids[offset] = kNoSweep;
+  }
+  /// Haptic thread. The ids of a brick, for writing.
+  std::int32_t* sweeps_for_writing(int brick) noexcept { return const_cast<std::int32_t*>(sweeps_of(brick)); }
+
   /// Haptic thread. To be called once after each write to a brick. Pre: has_cut(brick).
   void touched(int brick) noexcept { ++revision_[static_cast<std::size_t>(slot_[static_cast<std::size_t>(brick)])]; }
 
@@ -90,6 +108,12 @@ class Volume {
   /// Replaces the cuts. False, and unchanged, if the bytes do not fit this specimen.
   bool load_cuts(std::span<const std::byte> bytes);
 
+  /// The ids alone, as bytes: 512 of 4 bytes for each cut brick, in index order, little-endian.
+  std::vector<std::byte> save_sweeps() const;
+  /// Replaces the ids of the bricks that are cut. False, and unchanged, if the bytes do not fit, or an id is not below `count`.
+  bool load_sweeps(std::span<const std::byte> bytes, std::int32_t count);
+  std::uint64_t sweeps_hash() const noexcept;
+
  private:
   std::shared_ptr<const Specimen> specimen_;
   static constexpr std::int16_t kUncut = -1, kOutOfReach = -2;
@@ -97,6 +121,7 @@ class Volume {
 
   std::vector<std::int16_t> slot_;       // [brick]: place in cut_, kUncut, or kOutOfReach of any tissue
   std::vector<std::uint16_t> cut_;       // [slot][512]
+  std::vector<std::int32_t> sweep_;      // [slot][512]; empty unless kept
   std::vector<std::uint32_t> revision_;  // [slot]
   std::vector<std::int32_t> cut_order_;  // [slot]: its brick; capacity reserved
   std::size_t capacity_ = 0;             // slots

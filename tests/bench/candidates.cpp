@@ -16,9 +16,9 @@ std::int64_t answered_free(StepState& state) {
 }
 
 bool newest_sweep(StepState& state, Vec3& from_mm, Vec3& to_mm) {
-  const CutMemory& memory = state.inner().memory;
-  if (memory.size() == 0) return false;
-  const CutMemory::Segment& newest = memory.segment(memory.size() - 1);
+  const engine::Sweeps& sweeps = state.inner().sweeps;
+  if (sweeps.size() == 0) return false;
+  const engine::Sweep newest = sweeps[sweeps.size() - 1];
   from_mm = newest.a;
   to_mm = newest.b;
   return true;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/tool/heads.h"
 #include "engine/volume/fragments.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"
@@ -40,6 +41,10 @@ class ChangeOne {
     const std::int32_t brick = volume.cut_bricks().front();
     ++volume.cut_for_writing(brick)[100];
   }
+  void sweeps(const char* name, engine::Sweeps& sweeps, Volume& volume) {
+    if (volume.keeps_sweeps() && is_next(name)) sweeps.break_path(), sweeps.add({1, 1, 1}, {1.1, 1, 1}, 0.5);
+    if (volume.keeps_sweeps() && is_next("sweeps.ids")) volume.sweeps_for_writing(volume.cut_bricks().front())[100] = 0;
+  }
   void refuse() { ADD_FAILURE() << name_; }
 
   /// Of the field that was changed; empty beyond the last one.
@@ -70,6 +75,7 @@ std::shared_ptr<Scene> full_scene(Method method) {
   scene->guard = GuardSettings{};
   scene->phenomena = {Handpiece::turbine, true, true};
   scene->burs.push_back(scene->burs.front());
+  scene->burs.back().head = *flat_head(0.2, 0.2, 1.0);
   return scene;
 }
 
@@ -88,6 +94,7 @@ StepState busy_state(const std::shared_ptr<const Scene>& scene) {
   step(state, input_at({-0.9, 0.5, 1.8}));
   EXPECT_TRUE(cut_along(state, 0, {0.14, -0.6, -0.2}, {0.14, 0.6, -0.2}));
   EXPECT_TRUE(cut_along(state, 0, {0.14, -0.6, 0.2}, {0.14, 0.6, 0.2}));
+  EXPECT_TRUE(cut_along(state, 1, {-1.2, -0.9, 1.3}, {-1.2, -0.7, 1.3}));
   for (int k = 0; k < 330; ++k) step(state, over_the_block(k));
   const auto names = find_severed_fragments(state.volume(), state.volume().cut_bricks());
   EXPECT_EQ(names.size(), 1u);
@@ -134,7 +141,8 @@ TEST_P(StateFields, hashes_and_saves_every_field_of_the_list) {
   EXPECT_TRUE(fields.contains("fragment_removal.entry.voxels"));
   EXPECT_TRUE(fields.contains("phenomena.heat.rise_k"));
   EXPECT_TRUE(fields.contains("volume.cuts"));
-  EXPECT_EQ(fields.contains("memory.segment.by.axis"), GetParam() == Method::surface);
+  for (const char* name : {"memory.segment.by.axis", "sweeps", "sweeps.ids", "surface.found.centre"})
+    EXPECT_EQ(fields.contains(name), GetParam() == Method::surface) << name;
   EXPECT_EQ(fields.contains("surface.resolved"), GetParam() == Method::surface);
 }
 

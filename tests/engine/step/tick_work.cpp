@@ -1,5 +1,5 @@
-// Largest cost of a tick, counted and not timed: a cavity of many short strokes, a full memory of strokes, and a button
-// pressed and released again and again.
+// Largest cost of a tick, counted and not timed: a cavity of many short sweeps, and a button pressed and released again and
+// again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,17 +44,13 @@ StepInput digging(int k) {
 }
 constexpr int kDigging = 36000;
 
-TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_its_budget) {
+TEST(TickWork, a_dense_cavity_costs_a_tick_no_more_than_its_budget) {
   StepState state(work_scene());
-  // Nearly full of strokes elsewhere.
-  const Vec3 away(0.0, 0.0, 50.0);
-  state.inner().memory.load(std::vector<CutMemory::Segment>(CutMemory::kSegments - 3000, {away, away, {kWorkRadiusMm, CutMemory::Sweeper::kBall, Vec3(0.0)}}), false);
   step(state, input_at({0.0, 0.0, 2.6}));
   approach(state, {0.0, 0.0, 2.6}, {0.0, 0.0, 2.1});
   Work most, before = work_of(state);
   double worst = 0.0;
   int worst_at = 0;
-  bool full = false;
   for (int k = 0; k < kDigging; ++k) {
     step(state, digging(k));
     const Work now = work_of(state), tick = now - before;
@@ -64,18 +60,14 @@ TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_its_bud
       worst = tick.microseconds();
       worst_at = k;
     }
-    // Full once, it stays so: each segment takes the oldest one's place.
-    if (full) {
-      ASSERT_EQ(state.inner().memory.size(), CutMemory::kSegments) << k;
-    }
-    full = state.inner().memory.size() == CutMemory::kSegments;
   }
-  EXPECT_TRUE(full) << "of " << state.inner().memory.size();
+  EXPECT_GT(state.inner().sweeps.size(), 10000);
   EXPECT_GT(state.volume().cut_bricks().size(), 30u);
-  // Measured 26, 586, 11,021 and 430 us. A part of 32 cells is the most that is resolved at once; two searches may take all
+  // A part of 32 cells is the most that is resolved at once; two searches may take all
   // their candidates, the second where the proxy outruns its device.
   EXPECT_LE(most.resolved, 32u);
-  EXPECT_LE(most.made, 900u);
+  // Measured 966: a ball that leaves its own sweep needs the cells about it at once, and again once it has carved.
+  EXPECT_LE(most.made, 1000u);
   EXPECT_LE(most.visited, 2 * SurfaceContact::kMostCandidates);
   EXPECT_LT(worst, 500.0) << "in tick " << worst_at;
 }

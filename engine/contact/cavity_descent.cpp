@@ -1,0 +1,223 @@
+// From a place of what is left to the nearest place of its wall, ridge or corner: steps along the planes of the sides about it.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/cavity_walls.h"
+#include "engine/contact/plane_search.h"
+
+namespace cusp::engine {
+
+namespace {
+
+constexpr double kFalseMm = 1e-4;          // a place that stands so far above its feature lies in the void
+constexpr double kSameMm = 1e-4;           // features nearer to each other are one
+constexpr int kDescentPasses = 10;
+constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
+constexpr double kGainMm = 1e-7;           // each step comes nearer by this: half of the rounding of the sweeps' places
+constexpr double kStepVoxels = 1.0, kLeastStepMm = 1e-3;  // longest and shortest step
+constexpr double kSideReachVoxels = 0.6;   // a side that leaves a place so deep under it owns nothing near it
+constexpr double kFarVoxels = 5.0;         // a feature lies no further from its place
+constexpr double kLeastCurved = 0.05;      // below, a ridge is bent about the ball's centre
+constexpr double kInVoidMm = 1e-3;         // a place deeper in the void is none of what is left
+constexpr std::int64_t kDescentWork = 16;  // units of 25 ns
+
+double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
+
+/// I - n n^T.
+glm::dmat3 across(Vec3 n) noexcept { return glm::dmat3(1.0) - glm::outerProduct(n, n); }
+
+}  // namespace
+
+void CavityWalls::add_run(SweepRun run, Descent& d) const noexcept {
+  int k = 0;
+  while (k < d.runs && (run.from > d.run[k].to || run.to < d.run[k].from)) ++k;
+  if (k == Descent::kMostRuns) return;
+  if (k == d.runs) d.run[d.runs++] = run;
+  d.run[k] = {std::min(d.run[k].from, run.from), std::max(d.run[k].to, run.to)};
+}
+
+/// False where the cell is not known.
+bool CavityWalls::add_runs(const Volume& volume, const Cutting& cutting, Descent& d) noexcept {
+  const SweptRuns& runs = void_.runs_at(volume, d.x, cutting.end);
+  if (!runs.known) return false;
+  if (runs.cell == d.cell) return true;
+  d.cell = runs.cell;
+  d.near_base = d.near_base || runs.near_base;
+  if (d.runs == 0 && cutting.any()) add_run(cutting.uncarved, d);
+  for (int i = 0; i < runs.count; ++i) add_run(runs.run[i], d);
+  return true;
+}
+
+/// The surfaces about where it stands.
+int CavityWalls::sides_at(const Volume& volume, const Descent& d, Side* out) noexcept {
+  const Vec3 x = d.x;
+  int count = 0;
+  double deepest = -1e300;
+  for (int k = 0; k < d.runs; ++k) {
+    const Sweeps::Deepest deep = sweeps_.deepest(d.run[k], x);
+    out[count++] = {deep.inwards, deep.on, deep.depth_mm, deep.sweep};
+    deepest = std::max(deepest, deep.depth_mm);
+  }
+  if (d.near_base) {
+    const FieldPoint base = void_.base(volume, x);
+    if (base.known) {
+      out[count++] = {base.normal, Vec3(0.0), base.d_mm, Sweeps::kNone};
+      deepest = std::max(deepest, base.d_mm);
+    }
+  }
+  int kept = 0;
+  for (int k = 0; k < count; ++k)
+    if (out[k].depth_mm > deepest - kSideReachVoxels * voxel_mm_) out[kept++] = out[k];
+  return kept;
+}
+
+/// One step towards the place nearest to the ball's centre that all sides leave standing. False if there is none nearby.
+bool CavityWalls::step_of_descent(const Ball& ball, const Side* side, int sides, Descent& d, Vec3& step) const noexcept {
+  Plane plane[Descent::kMostRuns + 1];
+  for (int k = 0; k < sides; ++k) plane[k] = {-side[k].inwards, side[k].depth_mm, k};
+  const PlaneSearch found = closest_point(ball.at - d.x, {plane, static_cast<std::size_t>(sides)}, 1e-9);
+  if (!found.feasible || found.active == 0) return false;
+  d.active = found.active;
+  for (int a = 0; a < found.active; ++a) d.side[a] = side[found.index[a]];
+  step = found.y;
+  if (found.active == 1 && d.side[0].sweep != Sweeps::kNone) {
+    // A tube's nearest place is where the way's nearest place looks past the ball's centre.
+    const Sweep sweep = sweeps_[d.side[0].sweep];
+    const Vec3 on = sweep.nearest_on(ball.at), off = ball.at - on;
+    const double distance = length_of(off);
+    if (distance < kNoWayMm) return false;
+    if (distance < sweep.radius_mm) step = on + off * (sweep.radius_mm / distance) - d.x;
+    d.side[0].on = on;
+  }
+  if (found.active != 2) return true;
+  d.along = glm::cross(d.side[0].inwards, d.side[1].inwards);
+  const double length = length_of(d.along);
+  if (length < 1e-4) return false;
+  d.along /= length;
+  d.curved = 1.0;
+  for (int a = 0; a < 2; ++a) {
+    if (d.side[a].sweep == Sweeps::kNone) continue;
+    const Sweep sweep = sweeps_[d.side[a].sweep];
+    const double distance = sweep.radius_mm - d.side[a].depth_mm;
+    double turns = 1.0;
+    if (d.side[a].on != sweep.a && d.side[a].on != sweep.b) {
+      const Vec3 way = sweep.b - sweep.a;
+      const double way_along = glm::dot(way, d.along);
+      turns -= way_along * way_along / glm::dot(way, way);
+    }
+    d.curved -= found.weight[a] * turns / distance;
+  }
+  // Bent about the ball's centre, a ridge is nearest at its end.
+  const double along = glm::dot(step, d.along);
+  const double to_end = std::copysign(kStepVoxels * voxel_mm_, along);
+  step += d.along * ((d.curved > kLeastCurved ? along / d.curved : to_end) - along);
+  return true;
+}
+
+/// Moves along the line to the ball's centre until what is left begins. False where no side faces it.
+bool CavityWalls::to_surface(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept {
+  constexpr int kMost = 3;
+  for (int pass = 0; pass < kMost; ++pass) {
+    visited_ += kDescentWork;
+    if (!add_runs(volume, cutting, d)) return false;
+    d.sides = sides_at(volume, d, d.all);
+    Vec3 to = ball.at - d.x;
+    to /= length_of(to);
+    double least = 1e300;
+    for (int k = 0; k < d.sides; ++k) {
+      const double facing = glm::dot(to, d.all[k].inwards);
+      if (facing > kLeastFacing) least = std::min(least, -d.all[k].depth_mm / facing);
+    }
+    if (least > voxel_mm_) return false;
+    d.x += to * least;
+    for (int k = 0; k < d.sides; ++k) d.all[k].depth_mm += least * glm::dot(to, d.all[k].inwards);
+    if (std::fabs(least) < kPlaceMetMm) break;
+  }
+  for (int k = 0; k < d.sides; ++k) d.in_void = d.in_void || d.all[k].depth_mm > kInVoidMm;
+  return !d.in_void;
+}
+
+void CavityWalls::descend(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept {
+  const Vec3 start = d.x;
+  if (!to_surface(volume, ball, cutting, d)) return;
+  d.arrived = true;
+  double trust = kStepVoxels * voxel_mm_;
+  for (int pass = 0; pass < kDescentPasses; ++pass) {
+    Vec3 step(0.0);
+    if (!step_of_descent(ball, d.all, d.sides, d, step)) break;
+    const double length = length_of(step);
+    d.at_rest = length < kDescendedMm;
+    if (d.at_rest) break;
+    const Vec3 before = d.x;
+    d.x += length > trust ? step * (trust / length) : step;
+    if (!to_surface(volume, ball, cutting, d) || length_of(d.x - ball.at) > length_of(before - ball.at) - kGainMm) {
+      d.x = before;
+      d.in_void = false;
+      trust = 0.25 * std::min(length, trust);
+      if (trust < kLeastStepMm) break;
+      if (!to_surface(volume, ball, cutting, d)) return;
+      d.in_void = false;
+      continue;
+    }
+    const Vec3 off = d.x - start;
+    if (glm::dot(off, off) > kFarVoxels * kFarVoxels * voxel_mm_ * voxel_mm_) break;
+  }
+}
+
+CavityConstraint CavityWalls::constraint_of(const Ball& ball, const Descent& d) const noexcept {
+  const Vec3 off = ball.at - d.x;
+  const double distance = length_of(off);
+  const Vec3 n = off / distance;
+  CavityConstraint out{n, glm::dot(n, d.x) + ball.radius_mm, across(n) * (-1.0 / distance), d.x, ball.at, true};
+  if (d.active == 1 && d.at_rest && d.side[0].sweep != Sweeps::kNone) {
+    const Sweep sweep = sweeps_[d.side[0].sweep];
+    const Vec3 on = d.side[0].on;
+    const double from_way = length_of(ball.at - on);
+    out.bend = across(n);
+    if (on != sweep.a && on != sweep.b) {
+      Vec3 along = sweep.b - sweep.a;
+      along -= n * glm::dot(n, along);
+      const double length = length_of(along);
+      if (length > kNoWayMm) out.bend -= glm::outerProduct(along / length, along / length);
+    }
+    out.bend /= from_way;
+  } else if (d.active == 1) {
+    out.bend = glm::dmat3(0.0);
+  } else if (d.active == 2 && d.curved > 0.1) {
+    Vec3 along = d.along - n * glm::dot(n, d.along);
+    const double length = length_of(along);
+    if (length > kNoWayMm) out.bend += glm::outerProduct(along / length, along / length) * (1.0 / (distance * std::min(1.0, d.curved)));
+  }
+  return out;
+}
+
+double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint) noexcept {
+  const CavityConstraint from = constraints_[constraint];
+  if (from.seen) {
+    const Vec3 moved = ball.at - from.seen_from;
+    if (glm::dot(moved, moved) < kSeenMm * kSeenMm) return glm::dot(from.n, ball.at) - from.c;
+  }
+  Descent d;
+  d.x = from.foot;
+  descend(volume, ball, cutting, d);
+  const double far = length_of(ball.at - d.x);
+  if (!d.arrived && d.in_void) {
+    if (from.sampled) places_[static_cast<std::size_t>(from.from)].dropped = true;
+    else features_[static_cast<std::size_t>(from.from)] = features_[--feature_count_];
+  }
+  if (!d.arrived || far < kNoWayMm) return 0.0;
+  CavityConstraint made = constraint_of(ball, d);
+  std::size_t at = from.sampled ? feature_count_ : static_cast<std::size_t>(from.from);
+  for (std::size_t i = 0; i < feature_count_; ++i) {
+    const Vec3 off = features_[i].foot - made.foot;
+    if (glm::dot(off, off) < kSameMm * kSameMm) at = i;
+  }
+  if (at == kMostFeatures) return 0.0;
+  features_[at] = made;
+  if (at == feature_count_) ++feature_count_;
+  const double slack = glm::dot(made.n, ball.at) - made.c;
+  if (from.sampled && glm::dot(from.n, ball.at) - from.c < slack - kFalseMm) places_[static_cast<std::size_t>(from.from)].dropped = true;
+  return slack;
+}
+
+}  // namespace cusp::engine

@@ -1,0 +1,60 @@
+// The search of a ball that one sweep holds, where neck and shank are free: in its own hole, at its own front while it cuts, and
+// in wider cuts.
+#include <cmath>
+
+#include "engine/contact/surface_contact.h"
+
+namespace cusp::engine {
+
+namespace {
+
+constexpr double kShankAheadMm[] = {0.1, 0.03, 0.0};  // looked for so far beyond what is asked for, for what is to come
+constexpr double kBesideMm = 0.01;       // that neck and shank must be free beyond the way
+constexpr double kWays = 1.5, kWayMm = 0.02;  // a longer way than so many of the device's and so much is no slide
+
+double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
+
+}  // namespace
+
+/// True if nothing stands within within_mm of neck and shank.
+bool SurfaceContact::shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept {
+  const ShankFree& known = shank_free_;
+  if (known.bur == tool.bur && known.axis == tool.axis && length_of(pose - known.centre) + within_mm <= known.margin_mm) return true;
+  const std::size_t at_hand = count_;
+  for (const double ahead : kShankAheadMm) {
+    const double margin = within_mm + ahead;
+    count_ = gathered_.valid ? ball_count_ + shank_count_ : 0;
+    const std::size_t before = count_;
+    gather_shank(volume, tool, pose, margin);
+    const bool free = count_ == before;
+    count_ = at_hand;
+    if (!free) continue;
+    shank_free_ = {pose, tool.axis, margin, tool.bur};
+    return true;
+  }
+  return false;
+}
+
+/// False if the sweeps about the ball do not answer alone.
+bool SurfaceContact::solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm,
+                                    Contact& out) noexcept {
+  const std::int64_t before = walls_.visited();
+  const CavityWalls::Held held = walls_.held_by_sweep(volume, {from, tool.bur->radius_mm - tool.thin_cut, 0.0}, device, cutting_);
+  candidates_left_ -= static_cast<int>(walls_.visited() - before);
+  if (!held.held) return false;
+  const double way = length_of(held.pose - from);
+  if (way > kWays * moved_mm + kWayMm || !shank_free(volume, tool, from, way + kBesideMm)) return false;
+  active_set_.fresh = false;
+  out = Contact{};
+  out.pose_mm = held.pose;
+  out.in_steps = true;
+  if (held.gap_mm <= 0.0) return true;
+  out.active = 1;
+  out.normal[0] = held.n;
+  out.weight[0] = held.gap_mm;
+  const Vec3 under = (held.foot - volume.grid().origin_mm) / voxel_mm_ - 0.5 * held.n;
+  out.tissue[0] = volume.tissue(cell_of_voxels(under + 0.5));
+  return true;
+}
+
+}  // namespace cusp::engine

@@ -1,0 +1,227 @@
+#include "engine/contact/sweeps.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "engine/base/lanes.h"
+
+namespace cusp::engine {
+
+namespace {
+constexpr std::size_t kEntryBytes = 3 * 4 + 1;  // a place as saved
+}  // namespace
+
+Sweeps::Sweeps(Vec3 middle, std::size_t room) : middle_(middle), room_(room) {
+  // Four lanes read up to four places beyond a run.
+  for (std::vector<float>* axis : {&x_, &y_, &z_}) axis->assign(room + 8, 0.0f);
+  by_.assign(room + 8, 0);
+  radii_.reserve(kMostRadii);
+}
+
+std::uint8_t Sweeps::number_of(double radius_mm) noexcept {
+  for (std::size_t i = 0; i < radii_.size(); ++i)
+    if (radii_[i] == radius_mm) return static_cast<std::uint8_t>(i);
+  if (radii_.size() == kMostRadii) return kGap;
+  radii_.push_back(radius_mm);
+  return static_cast<std::uint8_t>(radii_.size() - 1);
+}
+
+std::int32_t Sweeps::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
+  const std::uint8_t by = number_of(radius_mm);
+  if (by == kGap) return kNone;
+  const Vec3f start(from - middle_), end(to - middle_);
+  const auto end_at = static_cast<std::size_t>(count_);
+  const bool goes_on = open_ && count_ > 0 && by_[end_at - 1] == by && start == Vec3f(x_[end_at], y_[end_at], z_[end_at]);
+  if (goes_on && !sealed_) {
+    const Sweep last = (*this)[count_ - 1];
+    const Sweep longer{last.a, Vec3(end) + middle_, radius_mm};
+    const Vec3 off = longer.nearest_on(last.b) - last.b, way = longer.b - longer.a;
+    if (glm::dot(way, way) <= kLongestMm * kLongestMm && glm::dot(off, off) <= kStraightMm * kStraightMm) {
+      put(end_at, end, by);
+      return count_ - 1;
+    }
+  }
+  if (end_at + 2 >= room_) return kNone;
+  if (!goes_on) {
+    if (count_ > 0) by_[static_cast<std::size_t>(count_++)] = kGap;
+    put(static_cast<std::size_t>(count_), start, by);
+  }
+  by_[static_cast<std::size_t>(count_)] = by;
+  ++count_;
+  put(static_cast<std::size_t>(count_), end, by);
+  open_ = true;
+  sealed_ = false;
+  settle();
+  return count_ - 1;
+}
+
+SweepRun Sweeps::about(std::int32_t id, int before, int after) const noexcept {
+  const std::uint8_t by = by_[static_cast<std::size_t>(id)];
+  SweepRun run{id, id};
+  while (run.from > 0 && id - run.from < before && by_[static_cast<std::size_t>(run.from) - 1] == by) --run.from;
+  while (run.to + 1 < count_ && run.to - id < after && by_[static_cast<std::size_t>(run.to) + 1] == by) ++run.to;
+  return run;
+}
+
+/// Squared distances of q, seen from the middle, to the ways of four sweeps from i on. The last ones may be beyond the run.
+inline Lanes Sweeps::four_distances2(Vec3f q, std::int32_t i) const noexcept {
+  const auto load = [](const std::vector<float>& from, std::int32_t at) {
+    Lanes out;
+    __builtin_memcpy(&out, &from[static_cast<std::size_t>(at)], sizeof out);
+    return out;
+  };
+  const Lanes ax = load(x_, i), ay = load(y_, i), az = load(z_, i);
+  const Lanes wx = load(x_, i + 1) - ax, wy = load(y_, i + 1) - ay, wz = load(z_, i + 1) - az;
+  const Lanes px = q.x - ax, py = q.y - ay, pz = q.z - az;
+  Lanes t = (px * wx + py * wy + pz * wz) / (wx * wx + wy * wy + wz * wz + 1e-20f);
+  t = most_of(least_of(t, all_lanes(1.0f)), Lanes{});
+  const Lanes dx = px - t * wx, dy = py - t * wy, dz = pz - t * wz;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// The sweep of a run that comes nearest to q; d2: its squared distance.
+std::int32_t Sweeps::nearest_of(SweepRun run, Vec3f q, float& d2) const noexcept {
+  Lanes least = all_lanes(1e30f);
+  LaneMask where{0, 0, 0, 0};
+  for (std::int32_t i = run.from; i <= run.to; i += kLanes) {
+    const Lanes distances2 = four_distances2(q, i);
+    const LaneMask index = LaneMask{0, 1, 2, 3} + i;
+    const LaneMask nearer = (distances2 < least) & (index <= run.to);
+    least = nearer ? distances2 : least;
+    where = nearer ? index : where;
+  }
+  int best = 0;
+  for (int i = 1; i < kLanes; ++i)
+    if (least[i] < least[best] || (least[i] == least[best] && where[i] < where[best])) best = i;
+  d2 = least[best];
+  return where[best];
+}
+
+Sweeps::Nearest Sweeps::nearest(SweepRun run, Vec3 p) const noexcept {
+  float d2;
+  Nearest out;
+  out.sweep = nearest_of(run, Vec3f(p - middle_), d2);
+  const Sweep sweep = (*this)[out.sweep];
+  out.on = sweep.nearest_on(p);
+  const Vec3 off = out.on - p;
+  out.distance_mm = std::sqrt(glm::dot(off, off));
+  return out;
+}
+
+float Sweeps::distances2(SweepRun run, Vec3 p, float* out) const noexcept {
+  const Vec3f q(p - middle_);
+  Lanes least = all_lanes(1e30f);
+  for (std::int32_t i = run.from; i <= run.to; i += kLanes, out += kLanes) {
+    const Lanes d2 = four_distances2(q, i);
+    __builtin_memcpy(out, &d2, sizeof d2);
+    const LaneMask index = LaneMask{0, 1, 2, 3} + i;
+    least = (index <= run.to) & (d2 < least) ? d2 : least;
+  }
+  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+}
+
+Sweeps::Deepest Sweeps::deepest(std::span<const SweepRun> runs, Vec3 p) const noexcept {
+  const Vec3f q(p - middle_);
+  double most = -1e300;
+  Deepest out;
+  for (const SweepRun& run : runs) {
+    float d2;
+    const std::int32_t sweep = nearest_of(run, q, d2);
+    const double depth = radius_mm(sweep) - std::sqrt(static_cast<double>(d2));
+    if (depth <= most) continue;
+    most = depth;
+    out.sweep = sweep;
+  }
+  if (out.sweep == kNone) return out;
+  const Sweep sweep = (*this)[out.sweep];
+  out.on = sweep.nearest_on(p);
+  const Vec3 off = out.on - p;
+  const double distance = std::sqrt(glm::dot(off, off));
+  out.depth_mm = sweep.radius_mm - distance;
+  if (distance > 1e-12) out.inwards = off / distance;
+  return out;
+}
+
+bool Sweeps::holds(SweepRun run, Vec3 p, double tolerance_mm) const noexcept {
+  const Vec3f q(p - middle_);
+  const double within = radius_mm(run.from) - tolerance_mm;
+  const auto within2 = static_cast<float>(within * within);
+  for (std::int32_t i = run.from; i <= run.to; i += kLanes) {
+    const LaneMask index = LaneMask{0, 1, 2, 3} + i;
+    if (bits_of((four_distances2(q, i) < within2) & (index <= run.to)) != 0) return true;
+  }
+  return false;
+}
+
+void Sweeps::add_to(Hash64& hash, std::size_t i) const noexcept {
+  hash.add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(x_[i])) << 32 | std::bit_cast<std::uint32_t>(y_[i]));
+  hash.add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(z_[i])) << 32 | by_[i]);
+}
+
+std::uint64_t Sweeps::hash() const noexcept {
+  Hash64 out = settled_;
+  const std::size_t places = count_ == 0 ? 0 : static_cast<std::size_t>(count_) + 1;
+  for (std::size_t i = hashed_; i < places; ++i) add_to(out, i);
+  for (const double radius : radii_) out.add_double(radius);
+  out.add((open_ ? 1 : 0) | (sealed_ ? 2 : 0));
+  return out.value();
+}
+
+std::vector<std::byte> Sweeps::save() const {
+  std::vector<std::byte> out;
+  const auto put = [&out](std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::byte>(value >> (8 * i)));
+  };
+  const std::size_t places = count_ == 0 ? 0 : static_cast<std::size_t>(count_) + 1;
+  out.reserve(6 + 8 * radii_.size() + kEntryBytes * places);
+  put((open_ ? 1 : 0) | (sealed_ ? 2 : 0), 1);
+  put(radii_.size(), 1);
+  for (const double radius : radii_) put(std::bit_cast<std::uint64_t>(radius), 8);
+  put(places, 4);
+  for (std::size_t i = 0; i < places; ++i) {
+    for (const float value : {x_[i], y_[i], z_[i]}) put(std::bit_cast<std::uint32_t>(value), 4);
+    put(by_[i], 1);
+  }
+  return out;
+}
+
+bool Sweeps::load(std::span<const std::byte> bytes) {
+  std::size_t at = 0;
+  const auto left = [&] { return bytes.size() - at; };
+  const auto get = [&](int n) {
+    std::uint64_t value = 0;
+    for (int i = 0; i < n; ++i) value |= static_cast<std::uint64_t>(bytes[at++]) << (8 * i);
+    return value;
+  };
+  count_ = 0;
+  open_ = sealed_ = false;
+  radii_.clear();
+  settled_ = Hash64();
+  hashed_ = 0;
+  if (left() < 2) return false;
+  const std::uint64_t open = get(1), radii = get(1);
+  if (open > 3 || radii > kMostRadii || left() < 8 * radii + 4) return false;
+  for (std::uint64_t i = 0; i < radii; ++i) radii_.push_back(std::bit_cast<double>(get(8)));
+  const std::size_t places = get(4);
+  if (places == 1 || places > room_ || left() != kEntryBytes * places) return false;
+  for (std::size_t i = 0; i < places; ++i) {
+    Vec3f p(0.0f);
+    for (int axis = 0; axis < 3; ++axis) p[axis] = std::bit_cast<float>(static_cast<std::uint32_t>(get(4)));
+    const auto by = static_cast<std::uint8_t>(get(1));
+    if (!(glm::dot(p, p) < 1e12f) || (by != kGap && by >= radii)) return false;
+    put(i, p, by);
+  }
+  count_ = places == 0 ? 0 : static_cast<std::int32_t>(places) - 1;
+  open_ = (open & 1) != 0;
+  sealed_ = (open & 2) != 0;
+  settle();
+  return true;
+}
+
+/// The newest sweep's end may still move: all places before it are settled.
+void Sweeps::settle() noexcept {
+  for (; hashed_ + 1 < static_cast<std::size_t>(count_); ++hashed_) add_to(settled_, hashed_);
+}
+
+}  // namespace cusp::engine

@@ -1,0 +1,132 @@
+/// The ways of all balls that have cut: one store of straight sweeps in the order of time. Each voxel near a cut keeps the id
+/// of its nearest sweep (Volume::sweeps_of). Nothing is forgotten; once the store is full, what is cut has no id.
+/// Frame: specimen, mm. Thread: haptic. Wait-free; the constructor takes all memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/lanes.h"
+#include "engine/base/vec.h"
+#include "engine/volume/hash.h"
+
+namespace cusp::engine {
+
+/// A ball that moved from a to b.
+struct Sweep {
+  Vec3 a{0.0}, b{0.0};
+  double radius_mm = 0.0;
+  /// The place of its way that is nearest to p.
+  Vec3 nearest_on(Vec3 p) const noexcept {
+    const Vec3 way = b - a;
+    const double square = glm::dot(way, way);
+    double t = square > 0.0 ? glm::dot(p - a, way) / square : 0.0;
+    t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+    return a + way * t;
+  }
+};
+
+/// Sweeps that follow each other without a gap, by ids; both ends belong to it.
+struct SweepRun {
+  std::int32_t from = 0, to = -1;
+};
+
+class Sweeps {
+ public:
+  static constexpr std::int32_t kNone = -1;
+  static constexpr std::size_t kMost = std::size_t{1} << 20;  // 17 minutes at 1,000 a second; a hand makes 250 to 800
+  static constexpr double kStraightMm = 5e-5;  // a way is lengthened while it stays straight to this
+  static constexpr double kLongestMm = 0.1;
+
+  /// middle: places are kept as floats relative to it, so within 8 mm to 0.5 nm.
+  /// room: sweeps at most.
+  Sweeps(Vec3 middle, std::size_t room);
+
+  /// A place as the store keeps it.
+  Vec3 rounded(Vec3 p) const noexcept { return Vec3(Vec3f(p - middle_)) + middle_; }
+  /// A ball has cut from `from` to `to`. Lengthens the newest sweep, or begins another. Returns its id, or kNone if full.
+  std::int32_t add(Vec3 from, Vec3 to, double radius_mm) noexcept;
+  /// The same of a piece that is whole: it goes on from the newest sweep if it begins there, and is not lengthened.
+  std::int32_t add_apart(Vec3 from, Vec3 to, double radius_mm) noexcept {
+    open_ = sealed_ = true;
+    const std::int32_t id = add(from, to, radius_mm);
+    sealed_ = true;
+    return id;
+  }
+  /// The next add() begins another way.
+  void break_path() noexcept { open_ = false; }
+  /// The newest sweep is not lengthened any more. The way goes on.
+  void seal() noexcept { sealed_ = true; }
+
+  std::int32_t size() const noexcept { return count_; }
+  Sweep operator[](std::int32_t id) const noexcept {
+    const auto i = static_cast<std::size_t>(id);
+    return {place(i), place(i + 1), radius_mm(id)};
+  }
+  double radius_mm(std::int32_t id) const noexcept { return radii_[by_[static_cast<std::size_t>(id)]]; }
+  /// An id of the gap between two ways is no sweep.
+  bool gap(std::int32_t id) const noexcept { return by_[static_cast<std::size_t>(id)] == kGap; }
+
+  /// The run of at most so many sweeps before and after one.
+  SweepRun about(std::int32_t id, int before, int after) const noexcept;
+
+  struct Nearest {
+    std::int32_t sweep = kNone;
+    Vec3 on{0.0};             // of its way
+    double distance_mm = 0.0;
+  };
+  /// The sweep of a run that comes nearest to p. Pre: the run is not empty.
+  Nearest nearest(SweepRun run, Vec3 p) const noexcept;
+  struct Deepest {
+    std::int32_t sweep = kNone;
+    Vec3 on{0.0};             // of its way
+    Vec3 inwards{0.0};        // unit, to there; 0 on the way itself
+    double depth_mm = -1e300; // negative in what is left
+  };
+  /// How deep p lies in what a run, or runs, have swept.
+  Deepest deepest(SweepRun run, Vec3 p) const noexcept { return deepest({&run, 1}, p); }
+  Deepest deepest(std::span<const SweepRun> runs, Vec3 p) const noexcept;
+  /// Squared distances of p to the ways of a run's sweeps, in order, four at a time; the least of them.
+  float distances2(SweepRun run, Vec3 p, float* out) const noexcept;
+  /// True if a run holds p deeper than tolerance_mm.
+  bool holds(SweepRun run, Vec3 p, double tolerance_mm) const noexcept;
+
+  /// Of all that save() keeps, kept up with each add().
+  std::uint64_t hash() const noexcept;
+  /// Little-endian: whether the way goes on, and in another sweep; radii, places.
+  std::vector<std::byte> save() const;
+  /// False, and empty, if the bytes are no store or one with more than the room.
+  bool load(std::span<const std::byte> bytes);
+
+ private:
+  static constexpr std::size_t kMostRadii = 64;
+  static constexpr std::uint8_t kGap = 255;
+
+  Lanes four_distances2(Vec3f q, std::int32_t i) const noexcept;
+  std::int32_t nearest_of(SweepRun run, Vec3f q, float& d2) const noexcept;
+  Vec3 place(std::size_t i) const noexcept { return Vec3(x_[i], y_[i], z_[i]) + middle_; }
+  void put(std::size_t i, Vec3f p, std::uint8_t by) noexcept {
+    x_[i] = p.x;
+    y_[i] = p.y;
+    z_[i] = p.z;
+    by_[i] = by;
+  }
+  void settle() noexcept;
+  void add_to(Hash64& hash, std::size_t i) const noexcept;
+  std::uint8_t number_of(double radius_mm) noexcept;
+
+  Vec3 middle_;
+  std::vector<float> x_, y_, z_;    // [id]: where a sweep begins, and the one before it ends
+  std::vector<std::uint8_t> by_;    // [id]: number of its radius, or kGap
+  std::vector<double> radii_;
+  std::size_t room_;
+  std::int32_t count_ = 0;          // sweeps and gaps
+  Hash64 settled_;                  // of all entries that no add() changes any more
+  std::size_t hashed_ = 0;          // how many those are
+  bool open_ = false;               // the way goes on
+  bool sealed_ = false;             // but in another sweep
+};
+
+}  // namespace cusp::engine
