@@ -41,13 +41,12 @@ Stored<std::vector<BaselineEntry>> seals_of_all(Database& db) {
                            "found " + std::to_string(row.integer(1)) + ' ' + hex(row.hash(2))};
     }));
   }
-  for (const SealedTable table : kSealedTables) {
-    if (!done) break;
-    done = take(db.all(select_sealed(table), [&](Row row) {
-      return BaselineEntry{baseline_action(table), row.uuid(0), hex(row_seal(db, table, row))};
-    }));
-  }
   if (!done) return std::unexpected(done.error());
+  for (const SealedTable table : kSealedTables) {
+    const auto rows = row_seals(db, table);
+    if (!rows) return std::unexpected(rows.error());
+    for (const RowSeal& row : *rows) out.push_back({baseline_action(table), row.subject, hex(row.seal)});
+  }
   return out;
 }
 
@@ -131,14 +130,12 @@ void log_account(StorageContext& context, Transaction& transaction, UserId actor
 
 void log_row(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action,
              SealedTable table, const Uuid& id) {
-  const auto seal = transaction.first(
-      select_sealed(table) + "WHERE id = ?1",
-      [&](Row row) {
-        return std::pair{row.uuid(0), hex(row_seal(context.db, table, row))};
-      },
-      id);
-  if (!seal) return;
-  log_event(context, transaction, {.actor = actor, .action = action, .subject = seal->first, .detail = seal->second});
+  if (!transaction.ok()) return;
+  const auto rows = row_seals(context.db, table, id);
+  if (!rows) return transaction.refuse(rows.error());
+  for (const auto& [subject, seal] : *rows) {
+    log_event(context, transaction, {.actor = actor, .action = action, .subject = subject, .detail = hex(seal)});
+  }
 }
 
 void log_session(StorageContext& context, Transaction& transaction, UserId actor, SessionId session,

@@ -4,10 +4,10 @@
 /// |---|---|---|
 /// | session_sealed | session | event, entries of its chain, last link |
 /// | account_created, account_renamed, role_changed, ..., person_sealed | user | the six fields of account_seal() |
-/// | commented, comment_sealed | session | row_seal() of the comment |
-/// | cohort_created, cohort_sealed | cohort | row_seal() |
-/// | assigned, assignment_sealed | assignment | row_seal() |
-/// | version_published, version_kept, version_sealed | version | row_seal() |
+/// | commented, comment_sealed | session | row_seals() of the comment |
+/// | cohort_created, cohort_sealed | cohort | row_seals() |
+/// | assigned, assignment_sealed | assignment | row_seals() |
+/// | version_published, version_kept, version_sealed | version | row_seals() |
 /// | sealing_began | station | number of rows from before; the entries after it seal them |
 /// | rolled_back, counter_missing, counter_broken, log_damaged | station | an incident; stays a finding for good |
 #pragma once

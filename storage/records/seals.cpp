@@ -13,6 +13,7 @@ std::string secret_seal(const Uuid& id, const std::string& record) {
   return hex(Blake2b{}.add_text("cusp secret 1").add_uuid(id).add_text(record).finish());
 }
 
+/// The subject of the row's entries first, then every other column.
 constexpr std::string_view columns_of(SealedTable table) noexcept {
   switch (table) {
     case SealedTable::comments:
@@ -62,25 +63,31 @@ std::string_view name_of(SealedTable table) noexcept {
   return names[static_cast<std::size_t>(table)];
 }
 
-std::string select_sealed(SealedTable table) {
-  return "SELECT " + std::string(columns_of(table)) + " FROM " + std::string(name_of(table)) + ' ';
-}
-
-Hash256 row_seal(Database& db, SealedTable table, Row row) {
-  Blake2b seal;
-  seal.add_text(name_of(table)).add_hash(row.content_hash());
-  if (table == SealedTable::scenario_versions) {
+Stored<std::vector<RowSeal>> row_seals(Database& db, SealedTable table, const std::optional<Uuid>& id) {
+  Stored<void> files_read;
+  const auto add_files = [&](Blake2b& seal, const Uuid& version) {
     const auto files = db.all(
         "SELECT name, blob FROM version_files WHERE version = ?1 ORDER BY name",
         [](Row file) {
           return std::pair{file.text(0), file.hash(1)};
         },
-        row.uuid(0));
-    for (const auto& [name, blob] : files.value_or(std::vector<std::pair<std::string, Hash256>>{})) {
-      seal.add_text(name).add_hash(blob);
+        version);
+    if (!files) {
+      files_read = std::unexpected(files.error());
+      return;
     }
-  }
-  return seal.finish();
+    for (const auto& [name, blob] : *files) seal.add_text(name).add_hash(blob);
+  };
+  const auto seal_of = [&](Row row) {
+    Blake2b seal;
+    seal.add_text(name_of(table)).add_hash(row.content_hash());
+    if (table == SealedTable::scenario_versions) add_files(seal, row.uuid(0));
+    return RowSeal{row.uuid(0), seal.finish()};
+  };
+  const std::string sql = "SELECT " + std::string(columns_of(table)) + " FROM " + std::string(name_of(table));
+  auto seals = id ? db.all(sql + " WHERE id = ?1", seal_of, *id) : db.all(sql, seal_of);
+  if (seals && !files_read) return std::unexpected(files_read.error());
+  return seals;
 }
 
 }  // namespace cusp::storage

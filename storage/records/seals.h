@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "storage/sqlite/database.h"
 
@@ -30,9 +31,11 @@ enum class SealedTable : std::uint8_t { comments, cohorts, assignments, scenario
 inline constexpr std::array kSealedTables = {SealedTable::comments, SealedTable::cohorts, SealedTable::assignments,
                                              SealedTable::scenario_versions};
 std::string_view name_of(SealedTable table) noexcept;
-/// Selects the subject of the row's entries first, then every column. A caller appends "WHERE id = ?1".
-std::string select_sealed(SealedTable table);
-/// Pre: select_sealed() gave the row. The seal of a version covers its files.
-Hash256 row_seal(Database& db, SealedTable table, Row row);
+struct RowSeal {
+  Uuid subject;  // of the row's entries in the audit log
+  Hash256 seal;
+};
+/// The seal of each row, or of the row `id` alone: none if it is not there. The seal of a version covers its files.
+Stored<std::vector<RowSeal>> row_seals(Database& db, SealedTable table, const std::optional<Uuid>& id = {});
 
 }  // namespace cusp::storage

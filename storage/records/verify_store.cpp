@@ -200,16 +200,14 @@ class StoreVerifier {
 
   void check_comments() {
     auto left = log_.comments;
-    const auto rows = db_.all(select_sealed(SealedTable::comments), [&](Row row) {
-      return std::pair{row.uuid(0), row_seal(db_, SealedTable::comments, row)};
-    });
+    const auto rows = row_seals(db_, SealedTable::comments);
     if (!readable(rows, "comments")) return;
-    for (const auto& key : *rows) {
-      const auto last = left.find(key);
+    for (const auto& [session, seal] : *rows) {
+      const auto last = left.find({session, seal});
       if (last != left.end() && last->second.seal > 0) {
         --last->second.seal;
       } else if (sealed()) {
-        find(FindingCode::row_added, "comments", key.first);
+        find(FindingCode::row_added, "comments", session);
       }
     }
     for (const auto& [key, last] : left) {
@@ -242,9 +240,7 @@ class StoreVerifier {
   void check_rows(SealedTable table) {
     if (table == SealedTable::comments) return;  // by session, in check_comments()
     const auto& logged = log_.rows[static_cast<std::size_t>(table)];
-    const auto rows = db_.all(select_sealed(table), [&](Row row) {
-      return std::pair{row.uuid(0), row_seal(db_, table, row)};
-    });
+    const auto rows = row_seals(db_, table);
     if (!readable(rows, name_of(table))) return;
     std::set<Uuid> there;
     for (const auto& [id, seal] : *rows) {
