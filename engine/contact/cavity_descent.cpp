@@ -19,12 +19,20 @@ constexpr double kSideReachVoxels = 0.6;   // a side that leaves a place so deep
 constexpr double kFarVoxels = 5.0;         // a feature lies no further from its place
 constexpr double kLeastCurved = 0.05;      // below, a ridge is bent about the ball's centre
 constexpr double kInVoidMm = 1e-3;         // a place deeper in the void is none of what is left
+constexpr double kGoneMm = 1e9;            // where no ball reaches
 constexpr std::int64_t kDescentWork = 16;  // units of 25 ns
 
 double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
 /// I - n n^T.
 glm::dmat3 across(Vec3 n) noexcept { return glm::dmat3(1.0) - glm::outerProduct(n, n); }
+
+/// In the place of a feature that is none: the others keep their numbers until keep() leaves it out.
+CavityConstraint gone() noexcept {
+  CavityConstraint out;
+  out.foot = Vec3(kGoneMm);
+  return out;
+}
 
 }  // namespace
 
@@ -203,7 +211,7 @@ double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting
   const double far = length_of(ball.at - d.x);
   if (!d.arrived && d.in_void) {
     if (from.sampled) places_[static_cast<std::size_t>(from.from)].dropped = true;
-    else features_[static_cast<std::size_t>(from.from)] = features_[--feature_count_];
+    else features_[static_cast<std::size_t>(from.from)] = gone();
   }
   if (!d.arrived || far < kNoWayMm) return 0.0;
   CavityConstraint made = constraint_of(ball, d);

@@ -12,7 +12,8 @@ namespace {
 constexpr int kAbout = 16;            // sweeps before and after the wall's owner among which the ball's holder is looked for
 constexpr int kMostAlong = 64;        // sweeps that the ball passes in a tick
 constexpr int kHops = 8;              // owners of walls that are tried
-constexpr double kHoldsMm = 5e-3;     // a pose that stands so far outside is led back in
+constexpr double kAtDeviceMm = 1e-6;  // a ball so near to the device is pulled nowhere
+constexpr double kHoldsMm = 5e-3;     // kTieMm of the step: the cut pose, so the sweep, lies within it of the proxy
 constexpr double kOtherWayMm = 0.05;  // another owner lies no further along the way
 constexpr std::int64_t kHopWork = 16; // units of 25 ns
 
@@ -56,11 +57,12 @@ CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& b
   Held out;
   const Vec3 way = device - ball.at;
   const double far = length_of(way);
-  if (far < 1e-6) return out;
-  const SweptRuns& first = void_.runs_at(volume, ball.at + way * (ball.radius_mm / far), cutting.end);
+  if (far < kAtDeviceMm) return out;
+  const Vec3 front = ball.at + way * (ball.radius_mm / far);
+  const SweptRuns& first = void_.runs_at(volume, front, cutting.end);
   if (!first.known) return out;
   visited_ += kHopWork;
-  std::int32_t sweep = deepest(first, cutting, ball.at + way * (ball.radius_mm / far)).sweep;
+  std::int32_t sweep = deepest(first, cutting, front).sweep;
   if (sweep == Sweeps::kNone) return out;
   sweep = holder(ball, sweep, cutting);
   if (sweep == Sweeps::kNone || !along_way(ball, device, sweep)) return out;
@@ -88,8 +90,7 @@ CavityWalls::Held CavityWalls::held_by_sweep(const Volume& volume, const Ball& b
     if (high - low > kAbout || sweeps_.about(low, 0, high - low).to != high) return out;
     double along = 0.0;
     for (std::int32_t id = low; id < high; ++id) along += length_of(sweeps_[id].b - sweeps_[id].a);
-    if (along > kOtherWayMm || deep.sweep == sweep) return out;
-    if (sweeps_.radius_mm(deep.sweep) < ball.radius_mm) return out;
+    if (along > kOtherWayMm || sweeps_.radius_mm(deep.sweep) < ball.radius_mm) return out;
     sweep = deep.sweep;
   }
   return out;

@@ -165,8 +165,7 @@ void SurfaceContact::note_in_cavity(const Volume& volume, const PlaneSearch& fou
       continue;
     }
     const CavityConstraint& wall = walls_.constraints()[static_cast<std::size_t>(-1 - origin.candidate)];
-    const Vec3 under = (wall.foot - volume.grid().origin_mm) / voxel_mm_ - 0.5 * wall.n;
-    out.tissue[a] = volume.tissue(cell_of_voxels(under + 0.5));
+    out.tissue[a] = tissue_under(volume, wall.foot, wall.n);
   }
 }
 

@@ -96,13 +96,10 @@ void SurfaceContact::forget() noexcept {
   free_pause_ = 0;
 }
 
-void SurfaceContact::relax_by_past(std::size_t from, std::size_t to, double slack_mm) noexcept {
+void SurfaceContact::relax_by_past(std::size_t from, std::size_t to) noexcept {
   // Neck and shank do not cut, so the head's past poses leave them no room.
-  planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, slack_mm, from, to,
-                    [&](std::size_t i) {
-                      const std::int32_t c = origins_[i].candidate;
-                      return candidates_[static_cast<std::size_t>(c)].kind != Kind::shank;
-                    },
+  planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
+                    [&](std::size_t i) { return candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind != Kind::shank; },
                     [&](std::size_t i) { origins_[i].relaxed = true; });
 }
 
@@ -126,6 +123,12 @@ PlaneSearch SurfaceContact::search_planes(Vec3 y, Vec3 device, bool& infeasible)
   active_set_.count = found.active;
   for (int a = 0; a < found.active; ++a) active_set_.plane[a] = found.index[a];
   return found;
+}
+
+/// Of the voxel half a voxel under a place of the surface.
+Tissue SurfaceContact::tissue_under(const Volume& volume, Vec3 place, Vec3 outwards) const noexcept {
+  const Vec3 under = (place - volume.grid().origin_mm) / voxel_mm_ - 0.5 * outwards;
+  return volume.tissue(cell_of_voxels(under + 0.5));
 }
 
 void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept {

@@ -275,7 +275,7 @@ class SurfaceContact {
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
   bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void find_past(const Tool& tool, Vec3 at) noexcept;
-  void relax_by_past(std::size_t from, std::size_t to, double slack_mm = kMemorySlack) noexcept;
+  void relax_by_past(std::size_t from, std::size_t to) noexcept;
   static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;
   Vec3 leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
@@ -299,6 +299,7 @@ class SurfaceContact {
   void note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;
   bool clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept;
   bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
+  Tissue tissue_under(const Volume& volume, Vec3 place, Vec3 outwards) const noexcept;
 
   double voxel_mm_;
   const CutMemory& memory_;

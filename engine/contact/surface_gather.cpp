@@ -255,8 +255,7 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
       own.other_d_mm = static_cast<float>(other.d_mm);
       own.other_normal = Vec3f(other.normal);
     }
-    const Vec3 under = (candidate.point - at.normal * (0.5 * voxel_mm_) - volume.grid().origin_mm) / voxel_mm_;
-    candidate.tissue = volume.tissue(cell_of_voxels(under + 0.5));
+    candidate.tissue = tissue_under(volume, candidate.point, at.normal);
     add(candidate, &own);
   }
 }

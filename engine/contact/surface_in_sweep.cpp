@@ -52,8 +52,7 @@ bool SurfaceContact::solve_in_sweep(const Volume& volume, const Tool& tool, Vec3
   out.active = 1;
   out.normal[0] = held.n;
   out.weight[0] = held.gap_mm;
-  const Vec3 under = (held.foot - volume.grid().origin_mm) / voxel_mm_ - 0.5 * held.n;
-  out.tissue[0] = volume.tissue(cell_of_voxels(under + 0.5));
+  out.tissue[0] = tissue_under(volume, held.foot, held.n);
   return true;
 }
 
