@@ -97,7 +97,7 @@ bool CavityWalls::sample_at(const Volume& volume, const Cutting& cutting, Vec3 a
       }
     }
     x -= inwards * depth;
-    // What another sweep takes of so short a way is a tenth of it.
+    // What another sweep takes of so short a way is a tenth of it. A place that is not met yet stays: refine() corrects it.
     if (std::fabs(depth) < kPlaceMetMm) break;
   }
   const Vec3 off = x - sampled_.centre;
