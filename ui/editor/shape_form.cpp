@@ -47,39 +47,50 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(12), px(16), px(16));
   column->setSpacing(px(6));
-  const auto number = [&](const QString& name, double least, double most, auto take) {
-    return new NumberBox(model_, name, u"mm"_qs, least, most, 0.05, 2, take);
-  };
-  const auto target = [this]() -> const Outline& { return model_.scenario().target.outline; };
-
   title_ = make_label({}, TextRole::section, Weight::bold);
   column->addWidget(title_);
   composed_ = make_label(composed_text(), TextRole::body, Weight::regular, "text2");
   composed_->setWordWrap(true);
   column->addWidget(composed_);
-  auto* const whole = column;
-  drawn_ = group(&column);
-  whole->addWidget(drawn_);
-  depth_ = number(tr("Depth"), 0.05, kMostDepthMm, [this](double v) { return model_.set_depth_mm(v); });
+  QVBoxLayout* drawn = nullptr;
+  drawn_ = group(&drawn);
+  column->addWidget(drawn_);
+  make_size(drawn);
+  make_points(drawn);
+  make_tolerances(column);
+  column->addStretch();
+  connect(&model_, &EditorModel::changed, this, &ShapeForm::follow_model);
+  follow_model();
+}
+
+NumberBox* ShapeForm::length(const QString& name, Range mm, std::function<bool(double)> take) {
+  return new NumberBox(model_, name, u"mm"_qs, mm.least, mm.most, 0.05, 2, std::move(take));
+}
+
+void ShapeForm::make_size(QVBoxLayout* column) {
+  const auto target = [this]() -> const Outline& { return model_.scenario().target.outline; };
+  depth_ = length(tr("Depth"), {0.05, kMostDepthMm}, [this](double v) { return model_.set_depth_mm(v); });
   add_row(column, tr("Depth"), depth_);
   QVBoxLayout* rows = nullptr;
   slot_rows_ = group(&rows);
-  width_ = number(tr("Width"), 0.1, kMostSizeMm, [this](double v) { return model_.set_width_mm(v); });
+  width_ = length(tr("Width"), {0.1, kMostSizeMm}, [this](double v) { return model_.set_width_mm(v); });
   add_row(rows, tr("Width"), width_);
   column->addWidget(slot_rows_);
   box_rows_ = group(&rows);
-  length_ = number(tr("Length"), 0.1, kMostSizeMm,
+  length_ = length(tr("Length"), {0.1, kMostSizeMm},
                    [=, this](double v) { return model_.set_box_size_mm(v, target().box_size_mm.y); });
-  box_width_ = number(tr("Width"), 0.1, kMostSizeMm,
+  box_width_ = length(tr("Width"), {0.1, kMostSizeMm},
                       [=, this](double v) { return model_.set_box_size_mm(target().box_size_mm.x, v); });
   add_row(rows, tr("Length"), length_);
   add_row(rows, tr("Width"), box_width_);
   column->addWidget(box_rows_);
-  top_ = number(tr("Measured from height"), -kReachMm, kReachMm, [this](double v) { return model_.set_top_mm(v); });
+  top_ = length(tr("Measured from height"), {-kReachMm, kReachMm}, [this](double v) { return model_.set_top_mm(v); });
   top_label_ = add_row(column, tr("Measured from height"), top_);
-  corner_ = number(tr("Corner radius"), 0, 5, [this](double v) { return model_.set_corner_radius_mm(v); });
+  corner_ = length(tr("Corner radius"), {0, 5}, [this](double v) { return model_.set_corner_radius_mm(v); });
   add_row(column, tr("Corner radius"), corner_);
+}
 
+void ShapeForm::make_points(QVBoxLayout* column) {
   column->addSpacing(px(8));
   point_ = new QComboBox;
   point_->setAccessibleName(tr("Point"));
@@ -87,10 +98,10 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   add_row(column, tr("Point"), point_);
   const auto path = [this] { return static_cast<std::size_t>(point_->currentData().toPoint().x()); };
   const auto at = [this] { return static_cast<std::size_t>(point_->currentData().toPoint().y()); };
-  x_ = number(tr("Along the arch"), -kReachMm, kReachMm, [=, this](double v) {
+  x_ = length(tr("Along the arch"), {-kReachMm, kReachMm}, [=, this](double v) {
     return point_->count() > 0 && model_.set_point_mm(path(), at(), v, y_->value());
   });
-  y_ = number(tr("Towards the cheek"), -kReachMm, kReachMm, [=, this](double v) {
+  y_ = length(tr("Towards the cheek"), {-kReachMm, kReachMm}, [=, this](double v) {
     return point_->count() > 0 && model_.set_point_mm(path(), at(), x_->value(), v);
   });
   add_row(column, tr("Along the arch"), x_);
@@ -115,8 +126,9 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   connect(add_, &QPushButton::clicked, this, [=, this] { model_.add_point(path()); });
   connect(branch_, &QPushButton::clicked, this, [this] { model_.add_path(); });
   connect(remove_, &QPushButton::clicked, this, [=, this] { model_.remove_point(path(), at()); });
+}
 
-  column = whole;
+void ShapeForm::make_tolerances(QVBoxLayout* column) {
   column->addSpacing(px(8));
   column->addWidget(make_rule());
   column->addSpacing(px(8));
@@ -130,9 +142,9 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
     model_.set_leeway(mm, mm);
     model_.end_gesture();
   });
-  floor_ = number(tr("Tolerance zone, floor"), 0, 5,
+  floor_ = length(tr("Tolerance zone, floor"), {0, 5},
                   [this](double v) { return model_.set_leeway(v, model_.scenario().leeway.side_mm); });
-  side_ = number(tr("Tolerance zone, sides"), 0, 5,
+  side_ = length(tr("Tolerance zone, sides"), {0, 5},
                  [this](double v) { return model_.set_leeway(model_.scenario().leeway.floor_mm, v); });
   add_row(column, tr("Tolerance zone, floor"), floor_);
   add_row(column, tr("Tolerance zone, sides"), side_);
@@ -143,9 +155,6 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
                         [this](double v) { return model_.set_time_limit_s(v); });
   time_->setSpecialValueText(tr("none"));
   add_row(column, tr("Time limit"), time_);
-  column->addStretch();
-  connect(&model_, &EditorModel::changed, this, &ShapeForm::follow_model);
-  follow_model();
 }
 
 void ShapeForm::follow_model() {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 #include "ui/editor/editor_model.h"
 
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -21,6 +23,13 @@ class ShapeForm : public QWidget {
   explicit ShapeForm(EditorModel& model, QWidget* parent = nullptr);
 
  private:
+  struct Range {
+    double least, most;
+  };
+  NumberBox* length(const QString& name, Range mm, std::function<bool(double)> take);
+  void make_size(QVBoxLayout* column);
+  void make_points(QVBoxLayout* column);
+  void make_tolerances(QVBoxLayout* column);
   void follow_model();
   void show_point();
 
