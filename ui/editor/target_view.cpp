@@ -236,6 +236,7 @@ void TargetView::place_all() {
   tools_->move(px(12), px(12));
   legend_->adjustSize();
   legend_->move(width() - legend_->width() - px(12), px(12));
+  hint_->setVisible(model_.has_drawn_target());
   hint_->adjustSize();
   hint_->setMaximumWidth(width() - px(24));
   hint_->move(px(12), height() - hint_->height() - px(12));
@@ -245,6 +246,12 @@ void TargetView::place_all() {
     const int y = grown_ ? hint_->y() - centre_->height() - px(12) : (height() - centre_->height()) / 2;
     centre_->move((width() - centre_->width()) / 2, y);
   }
+  place_handles();
+  for (HandleKnob* knob : knobs_) knob->raise();
+  if (centre_) centre_->raise();
+}
+
+void TargetView::place_handles() {
   const Outline& t = model_.scenario().target.outline;
   handles_ = grown_ && model_.has_drawn_target() ? handles_of(t) : std::vector<TargetHandle>();
   while (knobs_.size() < handles_.size()) knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
@@ -302,8 +309,6 @@ void TargetView::place_all() {
                                                                                                                   : nullptr;
     if (tag && tag->isVisibleTo(this)) place_tag(tag, knobs_[i]->geometry().center());
   }
-  for (HandleKnob* knob : knobs_) knob->raise();
-  if (centre_) centre_->raise();
 }
 
 void TargetView::place_tag(QLabel* tag, QPoint at) {

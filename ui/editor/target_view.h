@@ -42,6 +42,7 @@ class TargetView : public QWidget {
   friend class HandleKnob;
   void follow_model();
   void place_all();
+  void place_handles();
   void place_tag(QLabel* tag, QPoint at);
   void look_at_target();
   void show_scenery();

@@ -180,43 +180,6 @@ TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing)
   EXPECT_EQ(model.stack().count(), 0);
 }
 
-/// channel-1 with its outline and a ball in a union, and a tolerance zone of its own for one face.
-EditorStart composed_start() {
-  EditorStart start;
-  start.draft = *load_builtin("channel-1");
-  Region ball;
-  ball.kind = RegionKind::sphere;
-  ball.from_mm = {1, 0, -1};
-  ball.radius_mm = 1;
-  Region both;
-  both.kind = RegionKind::joined;
-  both.parts = {start.draft.target, ball};
-  start.draft.target = both;
-  start.draft.leeway.faces = {{FaceName::gingival_floor, 0.1}};
-  return start;
-}
-
-TEST(editor_model, a_tree_of_shapes_stays_as_it_is) {
-  EditorModel model(composed_start());
-  const Region before = model.scenario().target;
-  EXPECT_FALSE(model.has_drawn_target());
-  EXPECT_FALSE(model.set_target(Outline{}, QStringLiteral("handle/0")));
-  EXPECT_FALSE(model.set_shape("box"));
-  EXPECT_FALSE(model.set_depth_mm(1.5));
-  EXPECT_FALSE(model.set_width_mm(1.5));
-  EXPECT_FALSE(model.set_top_mm(0.5));
-  EXPECT_FALSE(model.set_corner_radius_mm(0.2));
-  EXPECT_FALSE(model.set_box_size_mm(2, 2));
-  EXPECT_FALSE(model.set_point_mm(0, 0, 1, 1));
-  EXPECT_FALSE(model.add_point(0));
-  EXPECT_FALSE(model.add_path());
-  EXPECT_EQ(model.stack().count(), 0);
-  EXPECT_TRUE(model.set_title("de", QStringLiteral("Anders")));
-  EXPECT_TRUE(model.set_leeway(0.2, 0.25));
-  EXPECT_EQ(model.scenario().target, before);
-  EXPECT_EQ(model.scenario().leeway.faces, (std::map<FaceName, double>{{FaceName::gingival_floor, 0.1}})) << "the zones of single faces stay";
-}
-
 TEST(editor_model, a_target_keeps_at_least_one_line) {
   EditorModel model(class_one());
   ASSERT_TRUE(model.set_shape("channel"));

@@ -19,7 +19,7 @@
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/editor/editor_pages.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/handle_knob.h"
@@ -34,97 +34,6 @@
 
 namespace cusp::test {
 namespace {
-
-constexpr int kGrowsWithinMs = 60'000;  // a coarse block takes a moment; waited for, never decided by
-
-struct EditorPages : ::testing::Test {
-  test::DeskRecords records;
-  QTemporaryDir folder;
-  Ports ports = Ports::of_the_system();
-  Account instructor;
-  QString file;
-  void SetUp() override {
-    instructor = *records.store().accounts.create(records.administrator().actor(),
-                                             {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
-    ports.pick_file = [this](QWidget*, const FileWish&, std::function<void(const QString&)> then) { then(file); };
-  }
-  /// channel-1 at 0.4 mm, so that it grows at once.
-  EditorStart coarse() const {
-    EditorStart start;
-    start.published = *load_builtin("channel-1");
-    start.published->specimen.voxel_mm = 0.4;
-    start.draft = *start.published;
-    start.draft.version = start.published->version + 1;
-    start.folder = drafts_folder(records.file(), start.draft.id).string();
-    return start;
-  }
-  std::unique_ptr<EditorPage> open() { return open(coarse()); }
-  std::unique_ptr<EditorPage> open(const EditorStart& start) {
-    auto page = std::make_unique<EditorPage>(records.store(), instructor.actor(), ports, start);
-    page->resize(1280, 800);
-    QSignalSpy ready(page.get(), &EditorPage::ready);
-    page->show();
-    EXPECT_TRUE(page->grown() || ready.wait(kGrowsWithinMs));
-    return page;
-  }
-  void leave_pictures(const EditorStart& start);
-};
-
-/// In the order of handles_of().
-std::vector<HandleKnob*> knobs_of(const TargetView& stage) {
-  std::vector<HandleKnob*> out;
-  for (HandleKnob* knob : stage.findChildren<HandleKnob*>())
-    if (!knob->isHidden()) out.push_back(knob);
-  return out;
-}
-
-template <class W>
-W* named(QWidget& page, const char* name) {
-  for (W* w : page.findChildren<W*>()) {
-    if (w->accessibleName() == QLatin1String(name)) return w;
-  }
-  return nullptr;
-}
-
-/// The page in each language and look, into the folder CUSP_PICTURES if it is set.
-void EditorPages::leave_pictures(const EditorStart& start) {
-  const QString to = QString::fromUtf8(qgetenv("CUSP_PICTURES"));
-  if (to.isEmpty()) return;
-  for (const char* language : {"de", "en"})
-    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
-      install_language(*qApp, QLatin1String(language));
-      apply_theme(*qApp, scheme, 100);
-      const auto page = open(start);
-      QTest::qWait(2000);  // the view draws the target when it rests
-      EXPECT_TRUE(page->grab().save(QStringLiteral("%1/editor-tree-%2-%3.png").arg(to, QLatin1String(language), QLatin1String(look))));
-    }
-  install_language(*qApp, QStringLiteral("en"));
-  apply_theme(*qApp, ColourScheme::light, 100);
-}
-
-TEST_F(EditorPages, a_tree_of_shapes_is_shown_with_a_sentence_and_nothing_to_change_it) {
-  EditorStart start = coarse();
-  Region ball;
-  ball.kind = RegionKind::sphere;
-  ball.from_mm = {1, 0, -1};
-  ball.radius_mm = 1;
-  Region both;
-  both.kind = RegionKind::joined;
-  both.parts = {start.draft.target, ball};
-  start.draft.target = both;
-  const auto page = open(start);
-  bool said = false;
-  for (const QLabel* label : page->findChildren<QLabel*>())
-    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed of several shapes.")));
-  EXPECT_TRUE(said);
-  EXPECT_FALSE(named<NumberField>(*page, "Depth")->isVisible());
-  EXPECT_TRUE(knobs_of(*page->findChild<TargetView*>()).empty());
-  EXPECT_EQ(page->model().scenario().target, both);
-  leave_pictures(start);
-  const auto drawn = open();
-  for (const QLabel* label : drawn->findChildren<QLabel*>())
-    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed"))) << "an outline can be changed";
-}
 
 TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   const auto page = open();

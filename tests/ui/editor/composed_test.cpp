@@ -1,0 +1,90 @@
+// A target that is a tree of shapes: the editor shows it, says that it cannot change it, and loses nothing of it.
+#include <QLabel>
+#include <QTest>
+
+#include "tests/ui/editor/editor_pages.h"
+#include "ui/text/language.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::test {
+namespace {
+
+struct ComposedTarget : EditorPages {
+  /// Joins a ball to the drawn target.
+  static void compose(Scenario& draft) {
+    Region ball;
+    ball.kind = RegionKind::sphere;
+    ball.from_mm = {1, 0, -1};
+    ball.radius_mm = 1;
+    Region both;
+    both.kind = RegionKind::joined;
+    both.parts = {draft.target, ball};
+    draft.target = both;
+  }
+  void leave_pictures(const EditorStart& start);
+};
+
+/// The page in each language and look, into the folder CUSP_PICTURES if it is set.
+void ComposedTarget::leave_pictures(const EditorStart& start) {
+  const QString to = QString::fromUtf8(qgetenv("CUSP_PICTURES"));
+  if (to.isEmpty()) return;
+  for (const char* language : {"de", "en"})
+    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
+      install_language(*qApp, QLatin1String(language));
+      apply_theme(*qApp, scheme, 100);
+      const auto page = open(start);
+      QTest::qWait(2000);  // the view draws the target when it rests
+      EXPECT_TRUE(page->grab().save(QStringLiteral("%1/editor-tree-%2-%3.png").arg(to, QLatin1String(language), QLatin1String(look))));
+    }
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST_F(ComposedTarget, is_shown_with_a_sentence_and_nothing_to_change_it) {
+  EditorStart start = coarse();
+  compose(start.draft);
+  const Region both = start.draft.target;
+  const auto page = open(start);
+  bool said = false;
+  for (const QLabel* label : page->findChildren<QLabel*>())
+    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed of several shapes.")));
+  EXPECT_TRUE(said);
+  EXPECT_FALSE(named<NumberField>(*page, "Depth")->isVisible());
+  EXPECT_TRUE(knobs_of(*page->findChild<TargetView*>()).empty());
+  for (const QLabel* label : page->findChildren<QLabel*>())
+    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("Drag a handle"))) << "there is none";
+  EXPECT_EQ(page->model().scenario().target, both);
+  leave_pictures(start);
+  const auto drawn = open();
+  for (const QLabel* label : drawn->findChildren<QLabel*>())
+    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed"))) << "an outline can be changed";
+}
+
+TEST_F(ComposedTarget, stays_as_it_is) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  compose(start.draft);
+  start.draft.leeway.faces = {{FaceName::gingival_floor, 0.1}};
+  EditorModel model(start);
+  const Region before = model.scenario().target;
+  EXPECT_FALSE(model.has_drawn_target());
+  EXPECT_FALSE(model.set_target(Outline{}, QStringLiteral("handle/0")));
+  EXPECT_FALSE(model.set_shape("box"));
+  EXPECT_FALSE(model.set_depth_mm(1.5));
+  EXPECT_FALSE(model.set_width_mm(1.5));
+  EXPECT_FALSE(model.set_top_mm(0.5));
+  EXPECT_FALSE(model.set_corner_radius_mm(0.2));
+  EXPECT_FALSE(model.set_box_size_mm(2, 2));
+  EXPECT_FALSE(model.set_point_mm(0, 0, 1, 1));
+  EXPECT_FALSE(model.add_point(0));
+  EXPECT_FALSE(model.add_path());
+  EXPECT_EQ(model.stack().count(), 0);
+  EXPECT_TRUE(model.set_title("de", QStringLiteral("Anders")));
+  EXPECT_TRUE(model.set_leeway(0.2, 0.25));
+  EXPECT_EQ(model.scenario().target, before);
+  EXPECT_EQ(model.scenario().leeway.faces, (std::map<FaceName, double>{{FaceName::gingival_floor, 0.1}})) << "the zones of single faces stay";
+}
+
+}  // namespace
+}  // namespace cusp::test
