@@ -182,13 +182,21 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
   }
   if (clear_path(volume, tool, from, device)) return out;
   overflow_ = false;
-  double step = std::min(kLongestStep, std::max(0.004, reach_mm));
+  const double step = std::min(kLongestStep, std::max(0.004, reach_mm));
   const bool swept = tool.ball() && sweeps_.size() > 0;
   if (swept && (solve_in_sweep(volume, tool, from, device, reach_mm, out) || near_cavity(volume, tool, from, step))) {
     if (!out.in_steps) out = solve_in_cavity(volume, tool, from, device, reach_mm);
-    if (out.active == 0 && !out.deferred && !out.infeasible) look_for_free(volume, tool, out.pose_mm);
-    return out;
+  } else {
+    out = solve_by_planes(volume, tool, from, device, predicted, step, most_mm);
   }
+  if (out.active == 0 && !out.deferred && !out.infeasible) look_for_free(volume, tool, out.pose_mm);
+  return out;
+}
+
+/// Searches of a step each, made of passes that build constraints, solve them and polish the answer.
+Contact SurfaceContact::solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
+                                        double most_mm) noexcept {
+  Contact out;
   Vec3 y = from;
   bool arrived = false;
   bool with_foot = false;
@@ -324,7 +332,6 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
   out.pose_mm = y;
   out.deferred = !arrived;
   out.overflow = overflow_;
-  if (out.active == 0 && arrived && !out.infeasible) look_for_free(volume, tool, y);
   return out;
 }
 

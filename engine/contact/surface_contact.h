@@ -290,6 +290,8 @@ class SurfaceContact {
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
   bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found) noexcept;
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
+  Contact solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
+                          double most_mm) noexcept;
   bool shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept;
   bool solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm, Contact& out) noexcept;
   Contact solve_in_cavity(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm) noexcept;
