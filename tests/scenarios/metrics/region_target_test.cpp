@@ -9,6 +9,7 @@
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
 #include "tests/scenarios/metrics/box_exercise.h"
+#include "tests/scenarios/regions.h"
 
 namespace cusp::test {
 namespace {
@@ -36,23 +37,9 @@ Outline isthmus(double width, double depth) {
 
 /// A class II: a slot 2 mm deep, and a box at its end whose gingival floor lies at `deep` mm.
 Region class_two(double deep, double width = 1.2) {
-  Region box;
-  box.kind = RegionKind::box;
-  box.from_mm = {3, 0, 0.5 - 0.5 * deep};
-  box.size_mm = {2, 2.4, deep + 1};
-  box.faces = {{"z_low", FaceName::gingival_floor}, {"x_low", FaceName::axial_wall}};
-  Region out;
-  out.kind = RegionKind::joined;
-  out.parts = {region_of(isthmus(width, 2)), box};
-  return out;
-}
-
-Region ball(Vec3 centre, double radius) {
-  Region out;
-  out.kind = RegionKind::sphere;
-  out.from_mm = centre;
-  out.radius_mm = radius;
-  return out;
+  Region proximal = box_region({3, 0, 0.5 - 0.5 * deep}, {2, 2.4, deep + 1});
+  proximal.faces = {{"z_low", FaceName::gingival_floor}, {"x_low", FaceName::axial_wall}};
+  return node(RegionKind::joined, {region_of(isthmus(width, 2)), proximal});
 }
 
 Scenario exercise(Region target) {
@@ -106,7 +93,7 @@ TEST(TreeTarget, DepthIsThatOfThePulpalFloorAlone) {
 }
 
 TEST(TreeTarget, WithoutAnOutlineHasNoDepth) {
-  const Region target = ball({0, 0, 0}, 1.5);
+  const Region target = sphere({0, 0, 0}, 1.5);
   const auto measures = measured(exercise(target), exactly(target));
   EXPECT_FALSE(get(measures, "depth_mean").measured);
   EXPECT_GT(get(measures, "target_removed").value, 99.0);
@@ -165,7 +152,7 @@ TEST(ProtectedPart, ATissueIsDamagedAtItsSeverity) {
 }
 
 TEST(ProtectedPart, ARegionIsDamagedAtItsSeverity) {
-  Region below = ball({0, 0, -4}, 1.5);  // its top lies at z = -2.5
+  Region below = sphere({0, 0, -4}, 1.5);  // its top lies at z = -2.5
   const auto of = [&](Damage severity, double depth_mm, double cut_mm) {
     Protected part(below, severity);
     part.depth_mm = depth_mm;
@@ -181,7 +168,7 @@ TEST(ProtectedPart, ARegionIsDamagedAtItsSeverity) {
 
 TEST(ProtectedPart, ARegionsRemovedVolumeIsThatOfTheSolid) {
   // The whole of a ball of 0.5 mm that the slot holds: 4/3 pi r3.
-  const auto measures = slot_into_dentine(Protected(ball({0, 0, -1}, 0.4)), 2);
+  const auto measures = slot_into_dentine(Protected(sphere({0, 0, -1}, 0.4)), 2);
   const Measure m = get(measures, "protected_removed");
   EXPECT_NEAR(m.value, 4.0 / 3.0 * 3.14159265 * 0.064, 0.005);
 }

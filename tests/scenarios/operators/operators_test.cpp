@@ -12,6 +12,7 @@
 #include "scenarios/specimens/specimens.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
+#include "tests/scenarios/regions.h"
 #include "tests/scenarios/operators/attempt.h"
 
 namespace cusp::test {
@@ -131,10 +132,7 @@ TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
 TEST(Plan, IsEmptyForATreeOfShapesAndSaysSo) {
   Scenario s = small_slot();
   EXPECT_TRUE(can_be_planned(s));
-  Region both;
-  both.kind = RegionKind::joined;
-  both.parts = {s.target, s.target};
-  s.target = both;
+  s.target = node(RegionKind::joined, {s.target, s.target});
   EXPECT_FALSE(can_be_planned(s));
   EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
 }

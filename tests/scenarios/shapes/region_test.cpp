@@ -6,41 +6,11 @@
 
 #include "scenarios/shapes/place.h"
 #include "tests/modules.h"
+#include "tests/scenarios/regions.h"
 
 namespace cusp::test {
 namespace {
 
-Region box(Vec3 centre, Vec3 size) {
-  Region out;
-  out.kind = RegionKind::box;
-  out.from_mm = centre;
-  out.size_mm = size;
-  return out;
-}
-Region along(RegionKind kind, Vec3 from, Vec3 to, double radius, double end_radius = 0) {
-  Region out;
-  out.kind = kind;
-  out.from_mm = from;
-  out.to_mm = to;
-  out.radius_mm = radius;
-  out.end_radius_mm = end_radius;
-  return out;
-}
-Region sphere(Vec3 centre, double radius) { return along(RegionKind::sphere, centre, Vec3(0), radius); }
-Region half_space(Vec3 at, Vec3 out_of_it) {
-  Region out;
-  out.kind = RegionKind::half_space;
-  out.from_mm = at;
-  out.z_axis = out_of_it;
-  return out;
-}
-Region node(RegionKind kind, std::vector<Region> parts, double amount = 0) {
-  Region out;
-  out.kind = kind;
-  out.parts = std::move(parts);
-  (kind == RegionKind::offset ? out.by_mm : out.rounding_mm) = amount;
-  return out;
-}
 Outline slot(double taper_deg) {
   Outline out;
   out.paths = {{Vec3(-2, 0, -2), Vec3(2, 0.5, -2)}};
@@ -50,7 +20,7 @@ Outline slot(double taper_deg) {
   return out;
 }
 Region turned_box() {
-  Region out = box({0.3, 0, -1}, {2, 1, 1.5});
+  Region out = box_region({0.3, 0, -1}, {2, 1, 1.5});
   out.x_axis = {3, 1, 0};  // of any length, and not at a right angle to the other
   out.z_axis = {0.2, 0, 2};
   return out;
@@ -63,10 +33,10 @@ struct Named {
 };
 
 std::vector<Named> leaves() {
-  Region ellipsoid = box({0, 0, -1}, {3, 2, 1});
+  Region ellipsoid = box_region({0, 0, -1}, {3, 2, 1});
   ellipsoid.kind = RegionKind::ellipsoid;
   return {
-      {"box", box({0, 0, -1}, {2, 1, 1.5}), [](Vec3 p) { return std::fabs(p.x) < 1 && std::fabs(p.y) < 0.5 && std::fabs(p.z + 1) < 0.75; }},
+      {"box", box_region({0, 0, -1}, {2, 1, 1.5}), [](Vec3 p) { return std::fabs(p.x) < 1 && std::fabs(p.y) < 0.5 && std::fabs(p.z + 1) < 0.75; }},
       {"cylinder", along(RegionKind::cylinder, {0, 0, -2}, {0, 0, 1}, 0.8), [](Vec3 p) { return p.z > -2 && p.z < 1 && p.x * p.x + p.y * p.y < 0.64; }},
       {"cone", along(RegionKind::cone, {0, 0, -2}, {0, 0, 1}, 0.5, 1.4),
        [](Vec3 p) { return p.z > -2 && p.z < 1 && std::sqrt(p.x * p.x + p.y * p.y) < 0.5 + 0.3 * (p.z + 2); }},
@@ -89,7 +59,7 @@ std::vector<Region> trees() {
   drawn.box_size_mm = {2, 1, 0};
   out.push_back(region_of(drawn));
   for (const double rounding : {0.0, 0.4}) {
-    out.push_back(node(RegionKind::joined, {region_of(slot(3)), box({2, 0, -2}, {1, 2, 3})}, rounding));
+    out.push_back(node(RegionKind::joined, {region_of(slot(3)), box_region({2, 0, -2}, {1, 2, 3})}, rounding));
     out.push_back(node(RegionKind::common, {sphere({0, 0, 0}, 2), half_space({0, 0, -0.5}, {0, 0.2, 1}), turned_box()}, rounding));
     out.push_back(node(RegionKind::difference, {turned_box(), sphere({0, 0, 0}, 1), along(RegionKind::capsule, {-1, 0, -1}, {1, 0, -1}, 0.3)}, rounding));
   }
@@ -195,7 +165,7 @@ TEST(Region, ATaperedWallLeansByItsDegrees) {
 }
 
 TEST(Region, APlaceBelongsToTheNamedFaceThatItIsNearestTo) {
-  Region proximal = box({3, 0, -2}, {1.5, 3, 4});
+  Region proximal = box_region({3, 0, -2}, {1.5, 3, 4});
   proximal.faces = {{"z_low", FaceName::gingival_floor}, {"x_low", FaceName::axial_wall}, {"y_low", FaceName::buccal_wall}};
   Outline isthmus = slot(0);
   isthmus.paths = {{Vec3(-2, 0, -2), Vec3(3, 0, -2)}};

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "ui/text/language.h"
 #include "ui/widgets/number_field.h"
@@ -12,16 +13,7 @@ namespace {
 
 struct ComposedTarget : EditorPages {
   /// Joins a ball to the drawn target.
-  static void compose(Scenario& draft) {
-    Region ball;
-    ball.kind = RegionKind::sphere;
-    ball.from_mm = {1, 0, -1};
-    ball.radius_mm = 1;
-    Region both;
-    both.kind = RegionKind::joined;
-    both.parts = {draft.target, ball};
-    draft.target = both;
-  }
+  static void compose(Scenario& draft) { draft.target = node(RegionKind::joined, {draft.target, sphere({1, 0, -1}, 1)}); }
   void leave_pictures(const EditorStart& start);
 };
 
