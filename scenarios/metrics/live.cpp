@@ -16,14 +16,15 @@ void LiveMetrics::reset() {
 void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> changed) {
   if (changed.empty()) return;
 
-  // A brick's cells read its 26 neighbours.
+  // A brick's cells read that brick and those beyond its upper faces; a filled voxel's faces read both sides.
   const Specimen& specimen = volume.specimen();
+  const int above = specimen.reading() == Reading::filled ? 1 : 0;
   dirty_.clear();
   for (const std::int32_t brick : changed) {
     const IVec3 at = specimen.brick_at(brick);
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
+    for (int z = -1; z <= above; ++z)
+      for (int y = -1; y <= above; ++y)
+        for (int x = -1; x <= above; ++x) {
           const int b = specimen.brick_index(at + IVec3(x, y, z));
           if (b >= 0) dirty_.push_back(b);
         }

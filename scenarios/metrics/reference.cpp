@@ -25,6 +25,8 @@ class TargetSum final : public RegionClassifier {
   }
 };
 
+constexpr std::size_t kLeafVoxels = 16;  // a search looks at each voxel of the leaves that it enters
+
 double box_gap_squared(Vec3 p, Vec3 low, Vec3 high) noexcept {
   const Vec3 off = glm::max(glm::max(low - p, p - high), Vec3(0.0));
   return glm::dot(off, off);
@@ -39,31 +41,32 @@ PulpIndex::PulpIndex(const Specimen& specimen) : grid_(specimen.grid()) {
     return specimen.tissue(v) == Tissue::pulp &&
            (specimen.reading() == Reading::filled ? specimen.s(v) > 0 : specimen.s(v) >= kHalf);
   };
+  const auto outermost = [&](IVec3 v) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (int step = -1; step <= 1; step += 2) {
+        IVec3 next = v;
+        next[axis] += step;
+        if (!is_pulp(next)) return true;
+      }
+    return false;
+  };
+  int leaf_of = -1;  // brick of the last leaf
   for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
     if (specimen.uniform(b) && specimen.tissue_in(b, 0) != Tissue::pulp) continue;
     const IVec3 corner = specimen.brick_at(b) * kBrickEdge;
-    Node bin{Vec3(0.0), Vec3(0.0), voxels_.size(), voxels_.size()};
-    IVec3 low = corner + kBrickEdge, high = corner;
     for (int o = 0; o < kBrickVoxels; ++o) {
       const IVec3 v = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
-      if (!is_pulp(v)) continue;
-      bool outermost = false;
-      for (int axis = 0; axis < 3; ++axis)
-        for (int step = -1; step <= 1; step += 2) {
-          IVec3 next = v;
-          next[axis] += step;
-          outermost = outermost || !is_pulp(next);
-        }
-      if (!outermost) continue;
+      if (!is_pulp(v) || !outermost(v)) continue;
+      const Vec3 low = grid_.centre_mm(v) - 0.5 * grid_.voxel_mm, high = grid_.centre_mm(v) + 0.5 * grid_.voxel_mm;
+      if (leaves.empty() || leaf_of != b || leaves.back().last - leaves.back().first == kLeafVoxels)
+        leaves.push_back({low, high, voxels_.size(), voxels_.size()});
+      leaf_of = b;
+      Node& leaf = leaves.back();
+      leaf.low = glm::min(leaf.low, low);
+      leaf.high = glm::max(leaf.high, high);
       voxels_.push_back(v);
-      low = glm::min(low, v);
-      high = glm::max(high, v);
+      leaf.last = voxels_.size();
     }
-    bin.last = voxels_.size();
-    if (bin.last == bin.first) continue;
-    bin.low = grid_.centre_mm(low) - 0.5 * grid_.voxel_mm;
-    bin.high = grid_.centre_mm(high) + 0.5 * grid_.voxel_mm;
-    leaves.push_back(bin);
   }
   if (!leaves.empty()) root_ = grow(leaves);
 }
