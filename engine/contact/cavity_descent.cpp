@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFalseMm = 1e-4;          // a place that stands so far above its feature lies in the void
 constexpr double kSameMm = 1e-4;           // features nearer to each other are one
+constexpr double kJumpMm = 1e-3;           // a place further from its last one is another place
 constexpr int kDescentPasses = 10;
 constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
 constexpr double kGainMm = 1e-7;           // each step comes nearer by this: half of the rounding of the sweeps' places
@@ -199,7 +200,8 @@ CavityConstraint CavityWalls::constraint_of(const Ball& ball, const Descent& d) 
   return out;
 }
 
-double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint) noexcept {
+double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint,
+                           Jump jump) noexcept {
   const CavityConstraint from = constraints_[constraint];
   if (from.seen) {
     const Vec3 moved = ball.at - from.seen_from;
@@ -215,7 +217,9 @@ double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting
   }
   if (!d.arrived || far < kNoWayMm) return 0.0;
   CavityConstraint made = constraint_of(ball, d);
-  std::size_t at = from.sampled ? feature_count_ : static_cast<std::size_t>(from.from);
+  const bool apart = from.sampled || (jump == Jump::keeps_both && length_of(made.foot - from.foot) > kJumpMm);
+  if (apart && !from.sampled) features_[static_cast<std::size_t>(from.from)].seen = false;
+  std::size_t at = apart ? feature_count_ : static_cast<std::size_t>(from.from);
   for (std::size_t i = 0; i < feature_count_; ++i) {
     const Vec3 off = features_[i].foot - made.foot;
     if (glm::dot(off, off) < kSameMm * kSameMm) at = i;

@@ -260,12 +260,17 @@ void CavityWalls::add_place(const Ball& ball, const Cutting& cutting, std::int32
 
 /// Looks for the surface where what was found does not reach.
 void CavityWalls::look(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {
-  if (room_mm(ball) < ball.slack_mm) {
+  const bool further = room_mm(ball) < ball.slack_mm;
+  if (further) {
     const double margin = std::clamp(ball.slack_mm, kMarginMm, kMostMarginMm);
     sampled_ = {ball.at, ball.radius_mm, ball.slack_mm + margin, cutting.any() ? cutting.uncarved.to : -1};
     places_made_ = false;
   }
-  if (!places_made_) sample(volume, cutting);
+  if (places_made_) return;
+  const std::int64_t before = visited_;
+  sample(volume, cutting);
+  // Places that a discarded cache held were counted when they were looked for.
+  if (!further) visited_ = before;
 }
 
 bool CavityWalls::near(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept {

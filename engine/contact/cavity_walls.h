@@ -41,9 +41,11 @@ class CavityWalls {
   /// Builds the constraints.
   void build(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
   std::span<const CavityConstraint> constraints() const noexcept { return {constraints_.data(), count_}; }
+  /// Whether a feature whose place jumps gives up its old place, which holds a ball as well.
+  enum class Jump : std::uint8_t { replaces, keeps_both };
   /// Makes the feature that a constraint of the last build() is a place of, for a ball at `at`. The next build() has it.
   /// How far the ball is off it; negative: it enters.
-  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint) noexcept;
+  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump) noexcept;
   /// Where one sweep alone holds a ball: it stands within what a ball as wide or wider has swept.
   struct Held {
     bool held = false;    // else that sweep alone does not answer

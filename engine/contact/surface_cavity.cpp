@@ -20,9 +20,7 @@ constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to wh
 constexpr double kKeptMm = 0.03;  // features within this of a pose are where the next tick looks first
 constexpr double kEntersMm = 1e-5;  // less far into a feature, the pose holds: the next tick would move on by as much
 constexpr double kLeastMetric = 0.05;     // below, there is no minimum nearby: a plain step goes on
-constexpr double kTurnsBack = 0.35, kGoesOn = 1.3;  // shares of the step when it reverses, and when it does not
-constexpr int kFreeTurns = 1;  // after more, the share grows no more: the search closes in
-constexpr int kPasses = 20;
+constexpr int kPasses = 20, kPassesCutting = 14;  // a tick that cuts solves twice, and makes cells anew
 
 double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
@@ -178,14 +176,15 @@ bool SurfaceContact::near_cavity(const Volume& volume, const Tool& tool, Vec3 fr
 }
 
 /// Goes from the places that hold the ball to the features that they are of. True if the ball at `at` enters one.
-bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found) noexcept {
+bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found,
+                                      CavityWalls::Jump jump) noexcept {
   const std::int64_t before = walls_.visited();
   bool enters = false;
   for (int a = 0; a < found.active; ++a) {
     const std::int32_t candidate = origins_[static_cast<std::size_t>(found.index[a])].candidate;
     if (candidate >= 0) continue;
     const auto i = static_cast<std::size_t>(-1 - candidate);
-    const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, cutting_, i);
+    const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, cutting_, i, jump);
     enters = enters || slack < -kEntersMm;
   }
   candidates_left_ -= static_cast<int>(walls_.visited() - before);
@@ -196,12 +195,13 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
   Contact out;
   overflow_ = active_set_.fresh = false;
   Vec3 y = from, last_way(0.0);
-  double trust = std::clamp(kTrustMoved * moved_mm + kTrustMovedMm, kLeastTrustMm, kMostTrustMm), share = 1.0;
+  double trust = std::clamp(kTrustMoved * moved_mm + kTrustMovedMm, kLeastTrustMm, kMostTrustMm);
   Metric metric;
   glm::dmat3 bend(0.0);
   bool arrived = false;
-  int turns = 0;
-  for (int pass = 0; pass < kPasses && !arrived && (pass == 0 || candidates_left_ > 0); ++pass) {
+  auto jump = CavityWalls::Jump::replaces;
+  const int passes = cutting_.any() ? kPassesCutting : kPasses;
+  for (int pass = 0; pass < passes && !arrived && (pass == 0 || candidates_left_ > 0); ++pass) {
     --passes_left_;
     candidates_left_ -= kCandidatesOfPass;
     const double room = walls_.room_mm({y, tool.bur->radius_mm - tool.thin_cut, 0.0}) - kBeyondTrustMm;
@@ -225,14 +225,13 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
     note_in_cavity(volume, found, out);
     const Vec3 way = found.y - y;
     const double far = length_of(way);
-    const bool back = pass > 1 && glm::dot(way, last_way) < 0.0;
-    turns += back;
-    share = back ? share * kTurnsBack : turns > kFreeTurns ? share : std::min(1.0, share * kGoesOn);
+    // A search that turns back goes to and fro between two places of a feature: both count from now on.
+    if (pass > 1 && glm::dot(way, last_way) < 0.0) jump = CavityWalls::Jump::keeps_both;
     last_way = way;
-    const double longest = trust * share;
-    y = far > longest ? y + way * (longest / far) : found.y;
-    arrived = !refine_in_cavity(volume, tool, y, found) && std::min(far, longest) < kSettledMm;
-    trust = std::clamp(far >= longest ? (turns > 0 ? trust : kTrustGrows * trust) : kTrustFalls * far, kLeastTrustMm, kMostTrustMm);
+    y = far > trust ? y + way * (trust / far) : found.y;
+    arrived = !refine_in_cavity(volume, tool, y, found, jump) && std::min(far, trust) < kSettledMm;
+    const double grows = jump == CavityWalls::Jump::replaces ? kTrustGrows : 1.0;
+    trust = std::clamp(far >= trust ? grows * trust : kTrustFalls * far, kLeastTrustMm, kMostTrustMm);
   }
   out.pose_mm = y;
   out.in_steps = true;

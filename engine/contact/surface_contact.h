@@ -288,7 +288,7 @@ class SurfaceContact {
   void add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
   PlaneSearch nearest_in_metric(const Metric& metric, Vec3 y, Vec3 z, bool& infeasible) noexcept;
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
-  bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found) noexcept;
+  bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found, CavityWalls::Jump jump) noexcept;
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
   Contact solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
                           double most_mm) noexcept;
