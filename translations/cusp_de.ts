@@ -1678,8 +1678,8 @@
         <translation>--as gehört zu einer Datenbank; --volume braucht kein Konto.</translation>
     </message>
     <message>
-        <source>A scripted operator cannot drill a target of several shapes yet.</source>
-        <translation>Ein automatischer Operateur kann ein Ziel aus mehreren Formen noch nicht bearbeiten.</translation>
+        <source>No bur of the exercise fits into its target.</source>
+        <translation>Kein Bohrer der Übung passt in ihr Ziel.</translation>
     </message>
 </context>
 <context>

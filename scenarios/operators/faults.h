@@ -21,11 +21,16 @@ enum class OperatorFault : std::uint8_t {
   dry,          // the right path without coolant
 };
 
+/// Key of scripts and records; "fair" is read as "competent": records of earlier versions hold it.
+[[nodiscard]] std::optional<OperatorFault> fault_by_name(std::string_view name) noexcept;
+
+/// How the fault changes the path.
+[[nodiscard]] PlanErrors errors_of(OperatorFault fault, const Scenario& scenario);
+
 [[nodiscard]] ScriptedOperator faulty(OperatorFault fault, const Scenario& scenario, const Specimen& specimen,
                                       std::uint64_t seed = 1);
 
-/// "expert", "novice", "competent", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"; nullopt for any
-/// other name. "fair" is read as "competent": records of earlier versions hold it.
+/// "expert", or a fault's key; nullopt for any other name.
 [[nodiscard]] std::optional<ScriptedOperator> operator_by_name(std::string_view name, const Scenario& scenario,
                                                                const Specimen& specimen, std::uint64_t seed = 1);
 

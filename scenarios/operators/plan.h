@@ -31,13 +31,10 @@ struct PlanErrors {
   bool drill_to_pulp = false; // at last, from the floor down into the pulp's nearest place
 };
 
-/// Whether plan_target() knows a path: the target is one outline. Of a tree nobody has drawn one yet.
-[[nodiscard]] inline bool can_be_planned(const Scenario& scenario) noexcept { return scenario.target.kind == RegionKind::outline; }
-
-/// Layer by layer from the highest tissue within the outline, each layer as loops inside the outline so that the bur's
-/// side draws the wall, the last layer at the floor; lifts above the specimen between paths. The largest bur that fits
-/// the width and the corner. An empty plan (no strokes) when target or instruments are missing, or the target
-/// cannot be planned.
+/// Of a lone upright outline: layer by layer from the highest tissue within it, each layer as loops inside it so that the
+/// bur's side draws the wall, the last layer at the floor; lifts above the specimen between paths. The largest bur that fits
+/// the width and the corner. Of any other target: region_plan.h, with the largest bur that leaves little of it, or else with
+/// the one that leaves least. No strokes if target or instruments are missing, or no bur fits into the target.
 [[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {});
 
 }  // namespace cusp::scenarios

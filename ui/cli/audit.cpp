@@ -9,7 +9,6 @@
 #include "scenarios/audit/audit_json.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
-#include "scenarios/operators/plan.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
@@ -77,7 +76,6 @@ int audit_verb(const AuditOptions& o) {
   if (!o.apply && !o.out.empty()) return wrong_usage(CliText::tr("-o FILE belongs to --apply."));
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
-  if (!can_be_planned(loaded->scenario)) return failed(no_plan_text());
   std::filesystem::path file(o.out.empty() ? o.scenario : o.out);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";

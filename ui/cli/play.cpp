@@ -7,7 +7,6 @@
 #include "scenarios/library/library.h"
 #include "scenarios/operators/faults.h"
 #include "scenarios/operators/operator_port.h"
-#include "scenarios/operators/plan.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
@@ -51,17 +50,17 @@ DeviceChoice device_of(const std::string& text) {
 /// What stands against playing live; nullopt: nothing.
 std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const SessionPlan& plan) {
   if (!can_play_live(device)) return wrong_usage(CliText::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
-  if (device.kind == "emulated-falcon" && !operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    return wrong_usage(CliText::tr("An emulated Falcon needs a scripted operator by name: expert, novice and so on."));
-  }
-  if (device.kind == "emulated-falcon" && !can_be_planned(plan.scenario)) return failed(no_plan_text());
+  if (device.kind != "emulated-falcon") return std::nullopt;
+  const auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed);
+  if (!scripted) return wrong_usage(CliText::tr("An emulated Falcon needs a scripted operator by name: expert, novice and so on."));
+  if (scripted->plan().strokes.empty()) return failed(no_plan_text());
   return std::nullopt;
 }
 
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
 std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
   if (auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    if (!can_be_planned(plan.scenario)) return failed(no_plan_text());
+    if (scripted->plan().strokes.empty()) return failed(no_plan_text());
     port = std::make_unique<OperatorPort>(std::move(*scripted));
     plan.operator_name = o.script;
     return std::nullopt;

@@ -112,7 +112,7 @@ QString finding_text(const ChainFinding& f) {
   return where;
 }
 
-QString no_plan_text() { return CliText::tr("A scripted operator cannot drill a target of several shapes yet."); }
+QString no_plan_text() { return CliText::tr("No bur of the exercise fits into its target."); }
 
 QString proof_text(const ReplayProof& proof) {
   if (!proof.chain.intact()) return finding_text(proof.chain.findings.front());

@@ -21,7 +21,7 @@ inline std::string help(const QString& text) { return text.toStdString(); }
 QString finding_text(const ChainFinding& finding);
 /// What is wrong with a scenario, with its place.
 QString finding_text(const Finding& finding);
-/// Why a scripted operator has nothing to do: a target that cannot be planned.
+/// Why a scripted operator has nothing to do.
 QString no_plan_text();
 /// Why a proof does not hold.
 QString proof_text(const ReplayProof& proof);

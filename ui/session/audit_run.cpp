@@ -299,7 +299,7 @@ void Player::drop_unused(const AuditRun& run) {
 
 Result<std::optional<AuditAttempt>, AuditFailure> Player::felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on) {
   auto scripted = operator_by_name(who.name, table.scenario, *table.specimen, who.seed);
-  if (!scripted) return fail(AuditError::unplayable, who.name);
+  if (!scripted || scripted->plan().strokes.empty()) return fail(AuditError::unplayable, who.name);
   Swaying port(std::move(*scripted), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
   return play(table, port, go_on);
 }

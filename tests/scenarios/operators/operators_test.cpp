@@ -12,7 +12,6 @@
 #include "scenarios/specimens/specimens.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
-#include "tests/scenarios/regions.h"
 #include "tests/scenarios/operators/attempt.h"
 
 namespace cusp::test {
@@ -127,14 +126,6 @@ TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
   s.target.outline.paths.clear();
   EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
   EXPECT_TRUE(expert(s, *small_block()).done());
-}
-
-TEST(Plan, IsEmptyForATreeOfShapesAndSaysSo) {
-  Scenario s = small_slot();
-  EXPECT_TRUE(can_be_planned(s));
-  s.target = node(RegionKind::joined, {s.target, s.target});
-  EXPECT_FALSE(can_be_planned(s));
-  EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
 }
 
 TEST(Plan, FollowsTheReadingOfTheMethod) {

@@ -1,0 +1,63 @@
+/// Poses of an upright bur that take nothing but the target: its head, neck and shank lie within the target or in air.
+/// Frame: specimen; a pose is the pivot's place (engine/tool/bur.h). Millimetres. Immutable; any thread.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/tool/bur.h"
+#include "engine/volume/specimen.h"
+#include "scenarios/modules.h"
+#include "scenarios/shapes/target.h"
+
+namespace cusp::scenarios {
+
+/// A place is sampled so densely on the bur that a flat wall lies at most so far from what poses take of it; mm.
+inline constexpr double kPoseErrorMm = 0.004;
+
+class Poses {
+ public:
+  /// `moved_mm`: the target is looked for this far from where it is drawn. `wider_mm`: walls and floors may be passed by so
+  /// much. `shape` and `specimen` outlive the poses. A filled specimen has no surface to measure air by: there air counts
+  /// as tissue.
+  Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm = Vec3(0.0), double wider_mm = 0.0);
+
+  /// How far the bur stands out into tissue that is not the target's; 0 or less: nowhere. Never more than the true length,
+  /// and changes by no more than the pose.
+  double blocked_mm(Vec3 pivot) const noexcept;
+  /// How far pivot and tip are out of the target: a pose further off has nothing to do there.
+  double beside_mm(Vec3 pivot) const noexcept;
+  /// The greater of both: the pose is allowed at 0 or less.
+  double out_mm(Vec3 pivot) const noexcept;
+  /// Lowest point of the head at a distance from its axis, from the pivot; nothing below it: a large number.
+  double underside_mm(double from_axis) const noexcept;
+  /// Signed distance of a place from the target, where it is looked for.
+  double target_mm(Vec3 p) const noexcept { return shape_->distance_mm(p - moved_) - wider_; }
+  /// Box about it, in plan, and its lowest place.
+  Vec2 low() const noexcept { return shape_->low() + Vec2(moved_.x, moved_.y) - wider_; }
+  Vec2 high() const noexcept { return shape_->high() + Vec2(moved_.x, moved_.y) + wider_; }
+  double floor_mm() const noexcept { return shape_->floor_mm() + moved_.z - wider_; }
+  const Specimen& specimen() const noexcept { return *specimen_; }
+  double radius_mm() const noexcept { return radius_; }
+  double low_mm() const noexcept { return low_; }    // of the head below the pivot, negative
+  /// Height of the ridges that passes so far above one another leave on an upright wall.
+  double ridge_mm(double apart_mm) const noexcept;
+
+ private:
+  double place_out(Vec3 p) const noexcept;
+  void add_ring(double t, double rho, int count, std::vector<Vec3>& to) const;
+  void sample_ball();
+  void sample_head(const Profile& head);
+
+  const TargetShape* shape_;
+  const Specimen* specimen_;
+  Vec3 moved_;
+  double wider_, radius_, low_, reach_;
+  std::optional<double> narrows_;  // of a straight flank, mm a mm of height; a head without one has none
+  bool air_ = false;
+  Profile head_;
+  std::vector<Vec3> coarse_, fine_;  // places on the bur, from the pivot
+};
+
+}  // namespace cusp::scenarios
