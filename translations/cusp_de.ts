@@ -1626,18 +1626,6 @@
         <translation>ein Versuch, der das Ziel trifft, verliert Punkte</translation>
     </message>
     <message>
-        <source>Give a database and a session, or a scenario and --volume.</source>
-        <translation>Geben Sie eine Datenbank und einen Versuch an, oder eine Übung und --volume.</translation>
-    </message>
-    <message>
-        <source>Run a stored session again and grade it as it stands, or grade a volume; an interrupted session keeps its grade</source>
-        <translation>Einen gespeicherten Versuch erneut rechnen und bewerten, wie er ist, oder ein Volumen bewerten; ein unterbrochener Versuch behält seine Bewertung</translation>
-    </message>
-    <message>
-        <source>Database; with --volume a scenario.json, its folder, or a built-in one</source>
-        <translation>Datenbank; mit --volume eine scenario.json, ihr Ordner oder eine eingebaute</translation>
-    </message>
-    <message>
         <source>Grade this prepared volume of the scenario&apos;s specimen (NRRD). Shown, not stored</source>
         <translation>Dieses präparierte Volumen des Präparats der Übung bewerten (NRRD). Wird gezeigt, nicht gespeichert</translation>
     </message>
@@ -1674,12 +1662,32 @@
         <translation>Verletzung von Geschütztem lässt den Versuch scheitern, und nichts ist geschützt</translation>
     </message>
     <message>
-        <source>--as belongs to a database; --volume needs no account.</source>
-        <translation>--as gehört zu einer Datenbank; --volume braucht kein Konto.</translation>
-    </message>
-    <message>
         <source>No bur of the exercise fits into its target.</source>
         <translation>Kein Bohrer der Übung passt in ihr Ziel.</translation>
+    </message>
+    <message>
+        <source>--as belongs to a database; --volume and --operator need no account.</source>
+        <translation>--as gehört zu einer Datenbank; --volume und --operator brauchen kein Konto.</translation>
+    </message>
+    <message>
+        <source>Give a database and a session, or a scenario and either --volume or --operator.</source>
+        <translation>Geben Sie eine Datenbank und einen Versuch an, oder eine Übung und entweder --volume oder --operator.</translation>
+    </message>
+    <message>
+        <source>Run a stored session again and grade it as it stands, or grade a volume or an operator&apos;s cuts; an interrupted session keeps its grade</source>
+        <translation>Einen gespeicherten Versuch erneut rechnen und bewerten, wie er ist, oder ein Volumen oder den Abtrag eines automatischen Operateurs bewerten; ein unterbrochener Versuch behält seine Bewertung</translation>
+    </message>
+    <message>
+        <source>Database; with --volume or --operator a scenario.json, its folder, or a built-in one</source>
+        <translation>Datenbank; mit --volume oder --operator eine scenario.json, ihr Ordner oder eine eingebaute</translation>
+    </message>
+    <message>
+        <source>Cut the scenario&apos;s specimen as this operator would, at once, and grade that: reference, competent, novice, too_deep, too_shallow, off_outline or pulp. Shown, not stored</source>
+        <translation>Das Präparat der Übung auf einmal so abtragen, wie dieser Operateur es täte, und das bewerten: reference, competent, novice, too_deep, too_shallow, off_outline oder pulp. Wird gezeigt, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>More is cut than a volume of this exercise can keep.</source>
+        <translation>Es ist mehr abgetragen, als ein Volumen dieser Übung fassen kann.</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,13 @@ def databases(desk):
     refused(desk, "volume of finer voxels", "grade", "channel-1", "--volume", desk.path("paper.nrrd"), names=("paper.nrrd",))
     refused(desk, "no volume", "grade", scenario, "--volume", desk.path("text.db"))
     refused(desk, "missing prepared volume", "grade", scenario, "--volume", desk.path("none.nrrd"), names=("none.nrrd",))
+    def too_narrow(s):
+        s["target"] = {"kind": "box", "from_mm": [0, 0, -1], "size_mm": [3, 0.4, 4]}
+        s["format"] = 2
+    narrow = desk.small_exercise("narrow.json", too_narrow)
+    refused(desk, "target that no bur fits", "grade", narrow, "--operator", "reference")
+    refused(desk, "target that no bur fits, played", "play", narrow, "--script", "expert", "--out", desk.path("o"))
+    refused(desk, "missing exercise", "grade", desk.path("none.json"), "--operator", "reference", names=("none.json",))
     refused(desk, "folder that is a file", "play", scenario, "--script", script, "--out", desk.path("text.db"), names=("text.db",))
     refused(desk, "volume into no folder", "specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("none", "b.nrrd"))
     refused(desk, "missing mesh", "import", desk.path("none.obj"), "--tissue", "a=dentine", "-o", desk.path("v.nrrd"),
@@ -136,7 +143,10 @@ def usage(desk):
                       ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
                       ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0"),
                       ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd"),
-                      ("grade", "channel-1", "--volume", "x.nrrd", "--as", "demo")):
+                      ("grade", "channel-1", "--volume", "x.nrrd", "--as", "demo"), ("grade", "channel-1", "--operator", "nobody"),
+                      ("grade", "channel-1", "--operator", "expert"), ("grade", "channel-1", "--operator", "reference", "--as", "demo"),
+                      ("grade", "channel-1", "--operator", "reference", "--volume", "x.nrrd"),
+                      ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--operator", "reference")):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))

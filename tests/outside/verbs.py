@@ -72,6 +72,19 @@ with Desk(sys.argv[1]) as desk:
     check(status == 0 and "points" in out and err == "", f"grade --volume: {status} {out} {err}")
     with open(desk.path("of file", "report.json"), encoding="utf-8") as f:
         check(json.load(f) == of_file, "report.json is what --json prints")
+    # Cut along a path without a session: the expert's result without its hand.
+    started = time.monotonic()
+    status, out, err = desk.run("grade", scenario, "--operator", "reference", "--out", desk.path("reference"))
+    check(status == 0 and "points" in out and err == "", f"grade --operator: {status} {out} {err}")
+    print(f"reference in {time.monotonic() - started:.1f} s")
+    with open(desk.path("reference", "report.json"), encoding="utf-8") as f:
+        reference = json.load(f)
+    check(reference["hand"] == "reference" and reference["passed"], str(reference))
+    check([c["id"] for c in reference["criteria"] if not c["measured"] and c["id"] not in ("time", "force_peak", "force_mean")] == [],
+          str(reference))
+    with open(desk.path("reference", "tooth.png"), "rb") as f:
+        check(f.read(8) == b"\x89PNG\r\n\x1a\n", "tooth.png is a PNG")
+    check(desk.json("grade", scenario, "--operator", "novice")["score"] < reference["score"], "the novice's cuts are worse")
     # The same text in another language; JSON and statuses stay.
     english = desk.run("grade", database, session)[1]
     german = desk.run("grade", database, session, LC_ALL="de_DE.UTF-8", LC_MESSAGES="de_DE.UTF-8", LANG="de_DE.UTF-8")[1]

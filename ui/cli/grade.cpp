@@ -1,4 +1,4 @@
-// cusp grade DB SESSION [--rubric FILE], cusp grade SCENARIO --volume FILE [--rubric FILE]
+// cusp grade DB SESSION [--rubric FILE], cusp grade SCENARIO --volume FILE|--operator NAME [--rubric FILE]
 
 #include <nlohmann/json.hpp>
 
@@ -18,16 +18,18 @@ namespace cusp::ui {
 namespace {
 
 struct GradeOptions {
-  std::string db, session, rubric, volume, out;
+  std::string db, session, rubric, volume, cuts_of, out;
   AccountOption account;
   JsonOption json;
 };
 
 int grade_verb(const GradeOptions& o) {
-  if (!o.volume.empty() && !o.account.number.empty()) return wrong_usage(CliText::tr("--as belongs to a database; --volume needs no account."));
-  if (!o.volume.empty() && o.session.empty()) return grade_volume({o.db, o.volume, o.rubric, o.out}, o.json);
-  if (!o.volume.empty() || o.session.empty())
-    return wrong_usage(CliText::tr("Give a database and a session, or a scenario and --volume."));
+  const bool of_scenario = !o.volume.empty() || !o.cuts_of.empty();
+  if (of_scenario && !o.account.number.empty()) return wrong_usage(CliText::tr("--as belongs to a database; --volume and --operator need no account."));
+  if (of_scenario == o.session.empty() && o.volume.empty() != o.cuts_of.empty())
+    return grade_volume({o.db, o.rubric, o.volume, o.cuts_of, o.out}, o.json);
+  if (of_scenario || o.session.empty())
+    return wrong_usage(CliText::tr("Give a database and a session, or a scenario and either --volume or --operator."));
   const auto id = SessionId::parse(o.session);
   if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   std::vector<std::filesystem::path> outputs;
@@ -75,13 +77,18 @@ int grade_verb(const GradeOptions& o) {
 void add_grade(CLI::App& program, Job& job) {
   auto o = std::make_shared<GradeOptions>();
   CLI::App* verb = program.add_subcommand(
-      "grade", help(CliText::tr("Run a stored session again and grade it as it stands, or grade a volume; an interrupted session "
+      "grade", help(CliText::tr("Run a stored session again and grade it as it stands, or grade a volume or an operator's cuts; an interrupted session "
                                 "keeps its grade")));
-  verb->add_option("DB", o->db, help(CliText::tr("Database; with --volume a scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("DB", o->db, help(CliText::tr("Database; with --volume or --operator a scenario.json, its folder, or a built-in one")))->required();
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")));
   verb->add_option("--volume", o->volume,
                    help(CliText::tr("Grade this prepared volume of the scenario's specimen (NRRD). Shown, not stored")))
       ->type_name("FILE");
+  verb->add_option("--operator", o->cuts_of,
+                   help(CliText::tr("Cut the scenario's specimen as this operator would, at once, and grade that: reference, competent, "
+                                     "novice, too_deep, too_shallow, off_outline or pulp. Shown, not stored")))
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"reference", "competent", "novice", "too_deep", "too_shallow", "off_outline", "pulp"}));
   verb->add_option("--rubric", o->rubric,
                    help(CliText::tr("Another rubric: a scenario.json or its rubric alone. Shown, not stored")))
       ->type_name("FILE");

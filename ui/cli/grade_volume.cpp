@@ -11,16 +11,16 @@
 #include "engine/volume/specimen.h"
 #include "scenarios/format/content_hash.h"
 #include "scenarios/grading/grader.h"
-#include "scenarios/grading/report_json.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/metrics/recover_cut.h"
-#include "scenarios/specimens/specimens.h"
+#include "scenarios/operators/fast_cut.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/session/scene_builder.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 
@@ -61,26 +61,46 @@ std::map<std::string, std::vector<std::byte>> files_beside(const LoadedScenario&
   return {{name, {begin, begin + bytes.size()}}};
 }
 
-std::string report_of(const LoadedScenario& loaded, const Volume& volume, const Grade& grade) {
+std::filesystem::path report_of(const std::string& folder) { return std::filesystem::path(folder) / "report.json"; }
+std::filesystem::path picture_of(const std::string& folder) { return std::filesystem::path(folder) / "tooth.png"; }
+
+std::string report_of(const LoadedScenario& loaded, const SessionResult& result) {
   ReportHead head;
   head.scenario_id = loaded.scenario.id.text();
   head.scenario_version = loaded.scenario.version;
   head.scenario_hash = content_hash(loaded.scenario, files_beside(loaded)).hex();
+  head.operator_name = result.operator_name;
   head.state = "finished";
   char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(volume.hash()));
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(result.volume_hash));
   head.volume_hash = hash;
-  ReportTexts texts;
-  texts.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
-  texts.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
-  return report_json(head, grade, texts);
+  return report_json(head, result.grade, report_texts());
+}
+
+Result<Volume, Message> volume_of_file(const std::string& file, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
+  const auto prepared = read_nrrd(file);
+  if (!prepared) return std::unexpected(describe(prepared.error()));
+  auto volume = recover_cut(std::move(specimen), *prepared);
+  if (!volume) return std::unexpected(describe_mismatch(volume.error(), QString::fromStdString(file), scenario));
+  return std::move(*volume);
+}
+
+Result<Volume, Message> volume_of_operator(const std::string& name, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
+  const auto plan = plan_by_name(name, scenario, *specimen);
+  if (!plan || plan->strokes.empty()) return std::unexpected(Message{no_plan_text(), {}});
+  Volume volume(std::move(specimen));
+  if (!cut_along(*plan, scenario, volume)) return std::unexpected(Message{CliText::tr("More is cut than a volume of this exercise can keep."), {}});
+  return volume;
 }
 
 }  // namespace
 
 int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
-  const std::filesystem::path report = o.out.empty() ? std::filesystem::path() : std::filesystem::path(o.out) / "report.json";
-  if (const auto no = refuse_outputs({report, json.file})) return failed(*no);
+  const bool cuts = !o.operator_name.empty();
+  std::vector<std::filesystem::path> outputs = {json.file};
+  if (!o.out.empty()) outputs.push_back(report_of(o.out));
+  if (!o.out.empty() && cuts) outputs.push_back(picture_of(o.out));
+  if (const auto no = refuse_outputs(outputs)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
   Scenario& scenario = loaded->scenario;
@@ -89,20 +109,25 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
     if (!rubric) return failed(rubric.error());
     scenario.rubric = std::move(*rubric);
   }
-  const auto prepared = read_nrrd(o.volume);
-  if (!prepared) return failed(describe(prepared.error()));
-  const auto untouched = make_specimen(scenario.specimen, loaded->folder);
-  if (!untouched) return failed(describe(untouched.error()));
-  const auto specimen = Specimen::build(*untouched, reading_of(scenario.method));
-  const auto volume = recover_cut(specimen, *prepared);
-  if (!volume) return failed(describe_mismatch(volume.error(), QString::fromStdString(o.volume), scenario));
-  const Grade result = grade(scenario, measure(Reference(scenario, specimen), *volume, Process()));
-  const std::string text = report_of(*loaded, *volume, result);
-  if (!o.out.empty() && (!writable_folder(o.out) || !write_whole(report, text)))
-    return failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(report.string())));
+  auto specimen = build_specimen(scenario, loaded->folder);
+  if (!specimen) return failed(describe(specimen.error()));
+  auto volume = cuts ? volume_of_operator(o.operator_name, scenario, *specimen) : volume_of_file(o.volume, scenario, *specimen);
+  if (!volume) return failed(volume.error());
+  SessionResult result;
+  result.scenario = scenario;
+  result.operator_name = o.operator_name;
+  result.volume = std::make_shared<const Volume>(std::move(*volume));
+  result.volume_hash = result.volume->hash();
+  result.measures = measure(Reference(scenario, *specimen), *result.volume, Process());
+  result.grade = grade(scenario, result.measures);
+  const std::string text = report_of(*loaded, result);
+  if (!o.out.empty()) {
+    if (!writable_folder(o.out) || !write_whole(report_of(o.out), text)) return failed(cannot_write(report_of(o.out)));
+    if (auto drawn = cuts ? write_tooth(picture_of(o.out), result) : Result<void, Message>{}; !drawn) return failed(drawn.error());
+  }
   if (!json.write(nlohmann::ordered_json::parse(text))) return kFailed;
   if (json.on_stdout()) return kDone;
-  print_grade(result);
+  print_grade(result.grade);
   return kDone;
 }
 

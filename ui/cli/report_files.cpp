@@ -3,7 +3,6 @@
 #include <QBuffer>
 
 #include "scenarios/grading/maxima.h"
-#include "scenarios/grading/report_json.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
@@ -23,11 +22,27 @@ std::string hex(std::uint64_t value) {
   return text;
 }
 
+Result<void, Message> write_picture(const std::filesystem::path& file, const DrawnTooth& tooth) {
+  if (!tooth) return std::unexpected(Message{picture_failure_text(tooth.error()), CliText::tr("The record and the report are kept.")});
+  QByteArray png;
+  QBuffer buffer(&png);
+  buffer.open(QIODevice::WriteOnly);
+  if (!tooth->image.save(&buffer, "PNG") || !write_whole(file, png.toStdString())) return std::unexpected(cannot_write(file));
+  return {};
+}
+
+}  // namespace
+
 Message cannot_write(const std::filesystem::path& file) {
   return {CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
 }
 
-}  // namespace
+ReportTexts report_texts() {
+  ReportTexts out;
+  out.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
+  out.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
+  return out;
+}
 
 std::string report_text(const SessionResult& result, Store& store, const Account& student) {
   ReportHead head;
@@ -45,10 +60,7 @@ std::string report_text(const SessionResult& result, Store& store, const Account
   head.duration_s = result.seconds;
   head.state = result.interrupted ? "interrupted" : "finished";
   head.volume_hash = hex(result.volume_hash);
-  ReportTexts texts;
-  texts.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
-  texts.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
-  return report_json(head, result.grade, texts);
+  return report_json(head, result.grade, report_texts());
 }
 
 void print_criteria(const Grade& grade, const std::string& indent) {
@@ -85,16 +97,11 @@ Result<void, Message> write_report_files(const std::filesystem::path& folder, co
   const DrawnTooth tooth = draw_report_tooth(result, kPictureSidePx, places_on_paper(data));
   const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth);
   if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf"));
-  if (!tooth) {
-    return std::unexpected(Message{picture_failure_text(tooth.error()), CliText::tr("The record and the report are kept.")});
-  }
-  QByteArray png;
-  QBuffer buffer(&png);
-  buffer.open(QIODevice::WriteOnly);
-  if (!tooth->image.save(&buffer, "PNG") || !write_whole(folder / "tooth.png", png.toStdString())) {
-    return std::unexpected(cannot_write(folder / "tooth.png"));
-  }
-  return {};
+  return write_picture(folder / "tooth.png", tooth);
+}
+
+Result<void, Message> write_tooth(const std::filesystem::path& file, const SessionResult& result) {
+  return write_picture(file, draw_report_tooth(result, kPictureSidePx));
 }
 
 }  // namespace cusp::ui

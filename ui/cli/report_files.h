@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "scenarios/grading/report_json.h"
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
@@ -15,6 +16,11 @@ namespace cusp::ui {
 
 /// The text of report.json: keys are fixed, names in the installed language.
 std::string report_text(const SessionResult& result, Store& store, const Account& student);
+
+/// Names and reasons of a report's criteria, in the installed language.
+ReportTexts report_texts();
+/// "report.json cannot be written."
+Message cannot_write(const std::filesystem::path& file);
 
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
 void print_criteria(const Grade& grade, const std::string& indent);
@@ -28,5 +34,8 @@ std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& 
 /// Each file whole or not at all. Needs a QGuiApplication for the page.
 Result<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
                                          const Account& student);
+
+/// The tooth of an attempt that nobody recorded. Needs a QGuiApplication.
+Result<void, Message> write_tooth(const std::filesystem::path& file, const SessionResult& result);
 
 }  // namespace cusp::ui
