@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "scenarios/operators/fast_cut.h"
 #include "scenarios/operators/region_plan.h"
 #include "scenarios/shapes/target.h"
 
@@ -27,9 +28,8 @@ constexpr double kLoopRadii = 0.5;
 constexpr double kThinMm = 0.02;
 /// Free height above the specimen for moves from one path to the next.
 constexpr double kClearMm = 1.0;
-/// Share of the target that may be left by a bur that is taken because it is wide: rounded inner corners, and the error of
-/// the estimate, at most 5 % in tests/scenarios/operators/region_plan_test.cpp.
-constexpr double kLittle = 0.06;
+/// A narrower bur has to leave less by this share of the target.
+constexpr double kLittle = 0.01;
 /// A bur that leaves more than this share does not fit.
 constexpr double kMuch = 0.8;
 constexpr double kArcStep = std::numbers::pi / 6.0;
@@ -255,7 +255,27 @@ Plan plan_outline(const Scenario& scenario, const Specimen& specimen, const Targ
   return plan;
 }
 
-/// Of all burs, from the widest down, the first that leaves little, or the one that leaves least.
+/// Tissue of the target that stands after a plan's cuts, of all that stood.
+double share_left(const Plan& plan, const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen, const Poses& poses) {
+  Volume volume(specimen);
+  static_cast<void>(cut_along(plan, scenario, volume));
+  const Grid& grid = specimen->grid();
+  const auto voxel = [&](Vec3 p) { return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm)); };
+  const IVec3 low = glm::max(voxel(Vec3(poses.low(), poses.floor_mm())), IVec3(0));
+  const IVec3 high = glm::min(voxel(Vec3(poses.high(), 0.0)) + 1, grid.size - 1);
+  double before = 0.0, after = 0.0;
+  IVec3 v;
+  for (v.z = low.z; v.z < grid.size.z; ++v.z)
+    for (v.y = low.y; v.y <= high.y; ++v.y)
+      for (v.x = low.x; v.x <= high.x; ++v.x) {
+        if (specimen->s(v) < kHalf || poses.target_mm(grid.centre_mm(v)) > 0.0) continue;
+        before += 1.0;
+        after += std::clamp(0.5 - distance_from_solid(volume.s(v)), 0.0, 1.0);
+      }
+  return before > 0.0 ? after / before : 1.0;
+}
+
+/// Each bur's plan is cut; the widest bur is taken of those that leave about the least.
 Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetShape& shape, const PlanErrors& errors) {
   std::vector<std::uint16_t> burs(scenario.instruments.size());
   std::iota(burs.begin(), burs.end(), std::uint16_t{0});
@@ -263,15 +283,19 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   // What is wider is deeper too: that is not asked here.
   const Vec3 moved(errors.shift_mm.x, errors.shift_mm.y, errors.wider_mm - errors.deeper_mm);
   const RegionPlanStyle style{.layer_radii = errors.bolder * layer_radii_of(scenario)};
+  const std::shared_ptr<const Specimen> borrowed(std::shared_ptr<const Specimen>(), &specimen);
   Plan best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kMuch;
   for (const std::uint16_t bur : burs) {
     const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm);
-    RegionPlan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style);
-    if (plan.strokes.empty() || plan.left_mm3 >= std::min(least, kMuch * plan.target_mm3)) continue;
-    least = plan.left_mm3;
-    best = {plan.start_mm, bur, std::move(plan.strokes)};
-    if (least <= kLittle * plan.target_mm3) break;
+    Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style);
+    if (plan.strokes.empty()) continue;
+    plan.bur = bur;
+    const double left = share_left(plan, scenario, borrowed, poses);
+    if (left >= least - kLittle) continue;
+    least = left;
+    best = std::move(plan);
+    if (least <= kLittle) break;
   }
   return best;
 }

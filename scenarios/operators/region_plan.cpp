@@ -24,7 +24,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 /// Strokes, in as few straight lines as they are.
 class Path {
  public:
-  Path(RegionPlan& plan, double above) : plan_(plan), above_(above) {}
+  Path(Plan& plan, double above) : plan_(plan), above_(above) {}
   bool empty() const noexcept { return plan_.strokes.empty(); }
   Vec3 here() const noexcept { return plan_.strokes.back().to_mm; }
   void cut(Vec3 to) { add(to, true); }
@@ -53,7 +53,7 @@ class Path {
     }
     strokes.push_back({to, cuts});
   }
-  RegionPlan& plan_;
+  Plan& plan_;
   double above_;
 };
 
@@ -62,7 +62,7 @@ class RegionPlanner {
   RegionPlanner(const Poses& poses, double above, const RegionPlanStyle& style)
       : specimen_(poses.specimen()), poses_(poses), style_(style), path_(plan_, above) {}
 
-  RegionPlan make() {
+  Plan make() {
     lay_grid();
     find_tissue();
     if (!(top_ > -kNone)) return plan_;
@@ -76,7 +76,6 @@ class RegionPlanner {
  private:
   void lay_grid();
   void find_tissue();
-  double target_floor(Vec2 p, double z) const;
   std::vector<char> worth_at(double z) const;
   void work_layers();
   void work_floors();
@@ -91,10 +90,10 @@ class RegionPlanner {
   const Specimen& specimen_;
   const Poses& poses_;
   RegionPlanStyle style_;
-  RegionPlan plan_;
+  Plan plan_;
   Path path_;
   PlanGrid grid_;
-  std::vector<double> tissue_top_, tissue_floor_;  // of the target's tissue below a node; +- kNone without any
+  std::vector<double> tissue_top_;                 // of the target below a node; -kNone without any
   std::vector<double> worth_top_;                  // highest of those within the bur's radius
   std::vector<double> lowest_;                     // pose that the bur reaches from above; kNone: none, or not needed
   std::vector<char> open_;
@@ -116,23 +115,18 @@ void RegionPlanner::lay_grid() {
 void RegionPlanner::find_tissue() {
   const Grid& voxels = specimen_.grid();
   tissue_top_.assign(grid_.size(), -kNone);
-  tissue_floor_.assign(grid_.size(), kNone);
   lowest_.assign(grid_.size(), kNone);
   open_.assign(grid_.size(), 1);
-  double mm3 = 0.0;
   for (std::size_t node = 0; node < grid_.size(); ++node) {
     const Vec2 p = grid_.at(node);
     IVec3 v(glm::floor((Vec3(p, poses_.floor_mm()) - voxels.origin_mm) / voxels.voxel_mm + 0.5));
     for (v.z = std::max(v.z, 0); v.z < voxels.size.z; ++v.z) {
       const double z = voxels.centre_mm(v).z;
       if (specimen_.s(v) < kHalf || poses_.target_mm({p.x, p.y, z}) > 0.0) continue;
-      if (!(tissue_floor_[node] < kNone)) tissue_floor_[node] = target_floor(p, z);
       tissue_top_[node] = z;  // of a voxel's centre: a bur that stands on the surface has nothing to do
-      mm3 += voxels.voxel_mm;
     }
     top_ = std::max(top_, tissue_top_[node] + 0.5 * voxels.voxel_mm);
   }
-  plan_.target_mm3 = mm3 * grid_.step_mm * grid_.step_mm;
   const int reach = static_cast<int>(std::ceil(poses_.radius_mm() / grid_.step_mm));
   worth_top_ = tissue_top_;
   for (std::size_t node = 0; node < grid_.size(); ++node)
@@ -142,17 +136,6 @@ void RegionPlanner::find_tissue() {
         if (i >= 0 && j >= 0 && i < grid_.nx && j < grid_.ny && di * di + dj * dj <= reach * reach)
           worth_top_[node] = std::max(worth_top_[node], tissue_top_[grid_.index(i, j)]);
       }
-}
-
-/// Where the target ends below a place within it.
-double RegionPlanner::target_floor(Vec2 p, double z) const {
-  const double low = z - specimen_.grid().voxel_mm;
-  while (z > low) {
-    const double d = poses_.target_mm({p.x, p.y, z});
-    if (d >= -kLevelMm) break;
-    z += d;
-  }
-  return z;
 }
 
 std::vector<char> RegionPlanner::worth_at(double z) const {
@@ -328,8 +311,8 @@ void RegionPlanner::finish_row(int j) {
   }
 }
 
-/// The bur's underside over all lowest poses against the target's floor: what it leaves, and which poses shape the floor.
-/// One that rests on the edge of the cavity, or on a wall above deeper ones, shapes nothing.
+/// The bur's underside over all lowest poses: which of them shape the floor. One that rests on the edge of the cavity, or on a
+/// wall above deeper ones, shapes nothing.
 void RegionPlanner::keep_needed() {
   const double step = grid_.step_mm;
   const int reach = static_cast<int>(std::ceil(poses_.radius_mm() / step)), side = 2 * reach + 1;
@@ -341,7 +324,7 @@ void RegionPlanner::keep_needed() {
   }
   std::vector<char> needed(grid_.size(), 0);
   for (std::size_t node = 0; node < grid_.size(); ++node) {
-    if (!(tissue_floor_[node] < kNone)) continue;
+    if (!(tissue_top_[node] > -kNone)) continue;
     double cut = kNone;
     std::size_t by = node;
     for (int k = 0; k < side * side; ++k) {
@@ -354,7 +337,6 @@ void RegionPlanner::keep_needed() {
       }
     }
     if (cut < tissue_top_[node]) needed[by] = 1;
-    plan_.left_mm3 += step * step * std::max(0.0, std::min(cut, tissue_top_[node]) - tissue_floor_[node]);
   }
   for (std::size_t node = 0; node < grid_.size(); ++node)
     if (!needed[node]) lowest_[node] = kNone;
@@ -362,7 +344,7 @@ void RegionPlanner::keep_needed() {
 
 }  // namespace
 
-RegionPlan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style) {
+Plan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style) {
   return RegionPlanner(poses, above_mm, style).make();
 }
 

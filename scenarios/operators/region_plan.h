@@ -1,8 +1,6 @@
 /// Strokes that remove a target of any shape with one bur, from above downwards.
 #pragma once
 
-#include <optional>
-
 #include "scenarios/operators/plan.h"
 #include "scenarios/operators/poses.h"
 
@@ -17,14 +15,8 @@ struct RegionPlanStyle {
 /// One bur's path. Layers from the highest tissue of the target down: each clears its area by rows, then follows the area's
 /// edge. Then the edge at the height of each level floor, and rows along the lowest poses: the floor, level or not. Within a
 /// layer the bur stays in allowed poses; between areas it lifts above the specimen. What lies under an overhang is reached
-/// from the side, in layers. `left_mm3`: what the head cannot reach of the target from above, by estimate.
-struct RegionPlan {
-  Vec3 start_mm{0.0};
-  std::vector<Stroke> strokes;
-  double target_mm3 = 0, left_mm3 = 0;
-};
-
-/// Seconds for a fine target. No strokes where no pose is allowed. `above_mm`: height of moves above the specimen.
-[[nodiscard]] RegionPlan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style);
+/// from the side, in layers. Seconds for a fine target. No strokes where no pose is allowed. `above_mm`: height of moves
+/// above the specimen.
+[[nodiscard]] Plan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style);
 
 }  // namespace cusp::scenarios
