@@ -44,15 +44,14 @@ Poses::Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur,
   add_ring(bur.neck_length_mm, bur.shank_radius_mm, 2 * kCoarse, coarse_);
 }
 
-void Poses::add_ring(double t, double rho, int count, std::vector<Vec3>& to) const {
-  if (rho < 1e-6) {
-    to.push_back({0.0, 0.0, t});
-    return;
-  }
+void Poses::add_ring(double t, double rho, int count, std::vector<Ring>& to) const {
+  Ring& ring = to.emplace_back();
+  if (rho < 1e-6) count = 1;
   for (int i = 0; i < count; ++i) {
     const double angle = kTurn * i / count;
-    to.push_back({rho * std::cos(angle), rho * std::sin(angle), t});
+    ring.places.push_back({rho * std::cos(angle), rho * std::sin(angle), t});
   }
+  ring.apart_mm = std::max(1e-6, kTurn * rho / count);
 }
 
 void Poses::sample_ball() {
@@ -125,11 +124,15 @@ double Poses::blocked_mm(Vec3 pivot) const noexcept {
   const double whole = target_mm(pivot) + reach_;
   if (whole <= 0.0) return whole;
   double most = -1e9;
-  for (const std::vector<Vec3>* places : {&coarse_, &fine_})
-    for (const Vec3& place : *places) {
-      most = std::max(most, place_out(pivot + place));
-      if (most > kSurelyOutMm) return most;
-    }
+  for (const std::vector<Ring>* rings : {&coarse_, &fine_})
+    for (const Ring& ring : *rings)
+      for (std::size_t i = 0; i < ring.places.size();) {
+        const double out = place_out(pivot + ring.places[i]);
+        most = std::max(most, out);
+        if (most > kSurelyOutMm) return most;
+        // Within that of a place inside nothing stands out.
+        i += 1 + static_cast<std::size_t>(std::max(0.0, -out) / ring.apart_mm);
+      }
   return most;
 }
 

@@ -45,8 +45,13 @@ class Poses {
   double ridge_mm(double apart_mm) const noexcept;
 
  private:
+  /// Places round the bur's axis, from the pivot, at equal angles.
+  struct Ring {
+    std::vector<Vec3> places;
+    double apart_mm = 0.0;
+  };
   double place_out(Vec3 p) const noexcept;
-  void add_ring(double t, double rho, int count, std::vector<Vec3>& to) const;
+  void add_ring(double t, double rho, int count, std::vector<Ring>& to) const;
   void sample_ball();
   void sample_head(const Profile& head);
 
@@ -57,7 +62,7 @@ class Poses {
   std::optional<double> narrows_;  // of a straight flank, mm a mm of height; a head without one has none
   bool air_ = false;
   Profile head_;
-  std::vector<Vec3> coarse_, fine_;  // places on the bur, from the pivot
+  std::vector<Ring> coarse_, fine_;
 };
 
 }  // namespace cusp::scenarios
