@@ -1689,6 +1689,62 @@
         <source>More is cut than a volume of this exercise can keep.</source>
         <translation>Es ist mehr abgetragen, als ein Volumen dieser Übung fassen kann.</translation>
     </message>
+    <message>
+        <source>%1 is no template: cusp template list names them.</source>
+        <translation>%1 ist keine Vorlage: cusp template list nennt sie.</translation>
+    </message>
+    <message>
+        <source>Tooth %1 is no premolar or molar.</source>
+        <translation>Zahn %1 ist kein Prämolar oder Molar.</translation>
+    </message>
+    <message>
+        <source>The template has no parameter %1.</source>
+        <translation>Die Vorlage hat keinen Parameter %1.</translation>
+    </message>
+    <message>
+        <source>%1 has to be within %2.</source>
+        <translation>%1 muss innerhalb von %2 liegen.</translation>
+    </message>
+    <message>
+        <source>The tooth lacks what the template is laid along: %1.</source>
+        <translation>Dem Zahn fehlt, woran sich die Vorlage ausrichtet: %1.</translation>
+    </message>
+    <message>
+        <source>These values make no exercise: %1 (%2).</source>
+        <translation>Diese Werte ergeben keine Übung: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The template is broken at %1 (%2).</source>
+        <translation>Die Vorlage ist bei %1 fehlerhaft (%2).</translation>
+    </message>
+    <message>
+        <source>Exercises from templates: a preparation fitted to a tooth by its landmarks</source>
+        <translation>Übungen aus Vorlagen: eine Präparation, nach seinen Landmarken an einen Zahn angepasst</translation>
+    </message>
+    <message>
+        <source>The templates, and the parameters of each</source>
+        <translation>Die Vorlagen und die Parameter einer jeden</translation>
+    </message>
+    <message>
+        <source>Write the exercise of a template on a tooth: scenario.json in DIR</source>
+        <translation>Die Übung einer Vorlage an einem Zahn schreiben: scenario.json in DIR</translation>
+    </message>
+    <message>
+        <source>The template&apos;s key</source>
+        <translation>Der Schlüssel der Vorlage</translation>
+    </message>
+    <message>
+        <source>FDI number of a premolar or molar</source>
+        <translation>FDI-Nummer eines Prämolaren oder Molaren</translation>
+    </message>
+    <message>
+        <source>A parameter&apos;s value; may be given many times</source>
+        <translation>Der Wert eines Parameters; kann mehrmals angegeben werden</translation>
+    </message>
+    <message>
+        <source>Folder for scenario.json</source>
+        <translation>Ordner für scenario.json</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Compass</name>

@@ -41,7 +41,7 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
     {"device", {"pointer", "scripted", "falcon", "hid", "inverse", "."}},
     {"scenarios",
      {"tissues", "burs", "teeth", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",
-      "checks", "audit"}},
+      "checks", "templates", "audit"}},
     {"storage", {"base", "sqlite", "records", "repositories", "cache", "summary", "export", "."}},
     {"ui",
      {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "student", "report", "editor",

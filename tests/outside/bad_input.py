@@ -130,6 +130,14 @@ def databases(desk):
     narrow = desk.small_exercise("narrow.json", too_narrow)
     refused(desk, "target that no bur fits", "grade", narrow, "--operator", "reference")
     refused(desk, "target that no bur fits, played", "play", narrow, "--script", "expert", "--out", desk.path("o"))
+    for what, arguments, names in (("unknown template", ("class-9", "--tooth", "36"), ("class-9",)),
+                                   ("incisor", ("class-1-adhesive", "--tooth", "11"), ("11",)),
+                                   ("unknown parameter", ("class-1-adhesive", "--tooth", "36", "--set", "dept=2"), ("dept",)),
+                                   ("parameter out of range", ("class-1-adhesive", "--tooth", "36", "--set", "depth=9"), ("depth", "2.6")),
+                                   ("class II without a box", ("class-2-adhesive", "--tooth", "36", "--set", "mesial=0"), ("/target",))):
+        refused(desk, what, "template", "fit", *arguments, "--out", desk.path("fitted"), names=names)
+    check(not os.path.exists(desk.path("fitted", "scenario.json")), "a refused template was written")
+    refused(desk, "template into a file", "template", "fit", "class-1-adhesive", "--tooth", "36", "--out", desk.path("text.db"))
     refused(desk, "missing exercise", "grade", desk.path("none.json"), "--operator", "reference", names=("none.json",))
     refused(desk, "folder that is a file", "play", scenario, "--script", script, "--out", desk.path("text.db"), names=("text.db",))
     refused(desk, "volume into no folder", "specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("none", "b.nrrd"))
@@ -145,13 +153,17 @@ def usage(desk):
                       ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd"),
                       ("grade", "channel-1", "--volume", "x.nrrd", "--as", "demo"), ("grade", "channel-1", "--operator", "nobody"),
                       ("grade", "channel-1", "--operator", "expert"), ("grade", "channel-1", "--operator", "reference", "--as", "demo"),
-                      ("grade", "channel-1", "--operator", "reference", "--volume", "x.nrrd"),
+                      ("grade", "channel-1", "--operator", "reference", "--volume", "x.nrrd"), ("template",), ("template", "fit"),
+                      ("template", "fit", "class-1-adhesive", "--tooth", "36"), ("template", "fit", "class-1-adhesive", "--out", "x"),
+                      ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth", "--out", "x"),
+                      ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth=2mm", "--out", "x"),
                       ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--operator", "reference")):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))
-    for verb in ("play", "replay", "grade", "validate", "import", "specimen", "audit", "history"):
-        status, out, err = desk.run(verb, "--help")
+    for verb in (("play",), ("replay",), ("grade",), ("validate",), ("import",), ("specimen",), ("audit",), ("history",),
+                 ("template", "list"), ("template", "fit")):
+        status, out, err = desk.run(*verb, "--help")
         check(status == 0 and "--json" in out and not err, f"{verb} --help: {status} {err}")
 
 

@@ -85,6 +85,12 @@ with Desk(sys.argv[1]) as desk:
     with open(desk.path("reference", "tooth.png"), "rb") as f:
         check(f.read(8) == b"\x89PNG\r\n\x1a\n", "tooth.png is a PNG")
     check(desk.json("grade", scenario, "--operator", "novice")["score"] < reference["score"], "the novice's cuts are worse")
+    # A template on a tooth is an exercise that every verb takes.
+    templates = desk.json("template", "list")
+    check([t["key"] for t in templates][:2] == ["class-1-adhesive", "class-1-classical"] and templates[0]["parameters"], str(templates))
+    made = desk.json("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.5", "--out", desk.path("made"))
+    check(made["scenario"] == desk.path("made", "scenario.json"), str(made))
+    check(desk.json("validate", desk.path("made")) == {"valid": True, "findings": []}, "a fitted exercise has no finding")
     # The same text in another language; JSON and statuses stay.
     english = desk.run("grade", database, session)[1]
     german = desk.run("grade", database, session, LC_ALL="de_DE.UTF-8", LC_MESSAGES="de_DE.UTF-8", LANG="de_DE.UTF-8")[1]

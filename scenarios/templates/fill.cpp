@@ -1,0 +1,169 @@
+#include "scenarios/templates/fill.h"
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "scenarios/specimens/specimens.h"
+#include "scenarios/templates/outline_paths.h"
+
+namespace cusp::scenarios {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Hundredths of a millimetre: what a bur can keep, and a file can be read in.
+double rounded(double value) noexcept { return std::floor(100.0 * value + 0.5) / 100.0; }
+
+class Filler {
+ public:
+  Filler(const ToothLandmarks& landmarks, const Scope& scope) : landmarks_(landmarks), scope_(scope) {}
+
+  /// Strings at `keys_kept` stay; every other one is an expression.
+  Json filled(const Json& node, const std::string& where);
+  bool wanted(const Json& node, const std::string& where) {
+    return !node.is_object() || !node.contains("when") || number(node.at("when"), where + "/when") != 0.0;
+  }
+  const std::optional<FitFailure>& failure() const noexcept { return failure_; }
+
+ private:
+  double number(const Json& node, const std::string& where) {
+    if (node.is_number()) return node.get<double>();
+    const auto value = evaluate(node.get<std::string>(), scope_);
+    if (value) return *value;
+    refuse({FitError::bad_template, where, value.error().where});
+    return 0.0;
+  }
+  Json paths(const Json& node, double floor, const std::string& where);
+  Json object(const Json& node, const std::string& where);
+  void refuse(FitFailure failure) {
+    if (!failure_) failure_ = std::move(failure);
+  }
+
+  const ToothLandmarks& landmarks_;
+  const Scope& scope_;
+  std::optional<FitFailure> failure_;
+};
+
+Json Filler::paths(const Json& node, double floor, const std::string& where) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const Json& item = node.at(i);
+    const std::string at = where + "/" + std::to_string(i);
+    if (!wanted(item, at)) continue;
+    std::vector<std::vector<Vec3>> lines;
+    if (item.contains("fissures")) {
+      FissurePaths asked;
+      for (const Json& name : item.at("fissures")) asked.names.push_back(name.get<std::string>());
+      if (item.contains("most_x")) asked.most_x = number(item.at("most_x"), at + "/most_x");
+      if (item.contains("least_x")) asked.least_x = number(item.at("least_x"), at + "/least_x");
+      if (item.contains("longest_mm")) asked.longest_mm = number(item.at("longest_mm"), at + "/longest_mm");
+      lines = fissure_paths(landmarks_, asked);
+      if (lines.empty() && item.value("needed", false)) refuse({FitError::missing_landmark, asked.names.front(), {}});
+    } else {
+      auto& line = lines.emplace_back();
+      for (const Json& point : item.at("points")) line.emplace_back(number(point.at(0), at), number(point.at(1), at), 0.0);
+    }
+    for (const auto& line : lines) {
+      Json points = Json::array();
+      for (const Vec3& p : line) points.push_back({rounded(p.x), rounded(p.y), floor});
+      out.push_back(std::move(points));
+    }
+  }
+  return out;
+}
+
+Json Filler::object(const Json& node, const std::string& where) {
+  static const std::set<std::string, std::less<>> kWords = {"kind", "shape", "metric", "tissue", "faces", "severity"};
+  Json out = Json::object();
+  for (const auto& [key, value] : node.items()) {
+    if (key == "when" || key == "paths") continue;
+    out[key] = kWords.contains(key) ? value : filled(value, where + "/" + key);
+  }
+  if (node.contains("paths")) {
+    const double floor = rounded(out.value("top_mm", 0.0) - out.value("depth_mm", 0.0));
+    out["paths"] = paths(node.at("paths"), floor, where + "/paths");
+  }
+  if (out.contains("parts") && out["parts"].size() == 1 && out.value("kind", "") != "offset") return out["parts"][0];
+  return out;
+}
+
+Json Filler::filled(const Json& node, const std::string& where) {
+  if (node.is_object()) return object(node, where);
+  if (node.is_string()) return rounded(number(node, where));
+  if (!node.is_array()) return node;
+  Json out = Json::array();
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const std::string at = where + "/" + std::to_string(i);
+    if (wanted(node.at(i), at)) out.push_back(filled(node.at(i), at));
+  }
+  return out;
+}
+
+std::string replaced(std::string text, const std::map<std::string, std::string>& marks) {
+  for (const auto& [mark, value] : marks)
+    for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size())) text.replace(at, mark.size(), value);
+  return text;
+}
+
+/// Title or briefing in each language.
+Json texts(const Json& node, const FitRequest& request, const Scope& scope) {
+  Json out = Json::object();
+  const auto on = [&](const char* box) { return scope.contains(box) && scope.at(box) != 0.0; };
+  const std::string boxes = std::string(on("mesial") ? "M" : "") + "O" + (on("distal") ? "D" : "");
+  for (const auto& [language, text] : node.items()) {
+    std::map<std::string, std::string> marks = {{"{tooth}", std::to_string(request.fdi)},
+                                                {"{boxes}", boxes == "OD" && language == "en" ? "DO" : boxes}};
+    for (const auto& [name, value] : scope) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.1f", value);
+      std::string figure = digits;
+      if (language == "de") std::ranges::replace(figure, '.', ',');
+      marks["{" + name + "}"] = figure;
+    }
+    out[language] = replaced(text.get<std::string>(), marks);
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Json, FitFailure> fill_template(const Json& body, const Json& common, const FitRequest& request, const ToothLandmarks& landmarks,
+                                       const Scope& scope) {
+  Filler filler(landmarks, scope);
+  Json out = Json::object();
+  out["format"] = 2;
+  out["id"] = request.id.text();
+  out["version"] = 1;
+  out["title"] = texts(body.at("title"), request, scope);
+  out["briefing"] = texts(body.at("briefing"), request, scope);
+  SpecimenSource source;
+  source.generator = "tooth";
+  source.fdi = request.fdi;
+  source.seed = request.seed;
+  source.around = body.at("around").get<std::vector<std::string>>();
+  source.voxel_mm = common.at("voxel_mm").get<double>();
+  out["specimen"] = {{"generator", "tooth"}, {"fdi", source.fdi}, {"seed", source.seed}, {"voxel_mm", source.voxel_mm}};
+  if (!source.around.empty()) out["specimen"]["around"] = source.around;
+  out["tissues"] = Json::array();
+  for (const Tissue tissue : tissues_of(source)) {
+    const std::size_t code = index_of(tissue);
+    const std::string key = code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code);
+    Json one = common.at("tissues").at(key);
+    one["tissue"] = key;
+    out["tissues"].push_back(std::move(one));
+  }
+  out["instruments"] = body.at("instruments");
+  for (const char* key : {"device", "method", "phenomena", "limits", "tolerance"}) out[key] = common.at(key);
+  for (const char* key : {"target", "leeway", "protected", "rubric"}) out[key] = Json();
+  out["target"] = filler.filled(body.at("target"), "/target");
+  out["leeway"] = body.at("leeway");
+  out["protected"] = filler.filled(body.at("protected"), "/protected");
+  out["rubric"] = filler.filled(Json{{"pass", body.at("rubric").at("pass")}, {"criteria", body.at("rubric").at("criteria")}}, "/rubric");
+  out["rubric"]["critical"] = body.at("rubric").at("critical");
+  if (filler.failure()) return std::unexpected(*filler.failure());
+  return out;
+}
+
+}  // namespace cusp::scenarios

@@ -1,0 +1,20 @@
+/// A template's body to a scenario.json in the table's frame: expressions to numbers, fissures to lines, marks in texts to
+/// figures. Thread: any.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "scenarios/teeth/landmarks.h"
+#include "scenarios/templates/expression.h"
+#include "scenarios/templates/templates.h"
+
+namespace cusp::scenarios {
+
+/// `common`: tissues, device and the like of every template. A part or criterion with "when" is left out where that is 0; a
+/// node with one part left is that part. In texts "{depth}" is the parameter with a digit after the decimal sign, "{tooth}"
+/// the number, "{boxes}" MO, MOD, and DO in English, OD elsewhere.
+[[nodiscard]] Result<nlohmann::ordered_json, FitFailure> fill_template(const nlohmann::ordered_json& body,
+                                                                       const nlohmann::ordered_json& common, const FitRequest& request,
+                                                                       const ToothLandmarks& landmarks, const Scope& scope);
+
+}  // namespace cusp::scenarios

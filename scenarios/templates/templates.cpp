@@ -1,0 +1,116 @@
+#include "scenarios/templates/templates.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/format/read.h"
+#include "scenarios/templates/fill.h"
+#include "scenarios/templates/scope.h"
+#include "scenarios/teeth/tooth.h"
+
+// template_list.inc: CUSP_TEMPLATE(class_1_adhesive) and so on, written by CMakeLists.txt.
+namespace cusp::scenarios {
+namespace embedded {
+extern const std::string_view template_common;
+#define CUSP_TEMPLATE(symbol) extern const std::string_view symbol;
+#include "template_list.inc"
+#undef CUSP_TEMPLATE
+}  // namespace embedded
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Entry {
+  ExerciseTemplate head;
+  Json body;
+};
+
+LocalText text_of(const Json& node) {
+  LocalText out;
+  for (const auto& [language, text] : node.items()) out[language] = text.get<std::string>();
+  return out;
+}
+
+Entry entry_of(std::string_view text) {
+  Entry out;
+  out.body = Json::parse(text);
+  out.head.key = out.body.at("key").get<std::string>();
+  out.head.name = text_of(out.body.at("name"));
+  out.head.about = text_of(out.body.at("about"));
+  for (const Json& one : out.body.at("parameters"))
+    out.head.parameters.push_back({one.at("key").get<std::string>(), text_of(one.at("name")), one.at("unit").get<std::string>(),
+                                   one.at("range").at(0).get<double>(), one.at("range").at(1).get<double>(),
+                                   one.at("default").get<std::string>(), one.at("source").get<std::string>()});
+  return out;
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = [] {
+    std::vector<Entry> out;
+#define CUSP_TEMPLATE(symbol) out.push_back(entry_of(embedded::symbol));
+#include "template_list.inc"
+#undef CUSP_TEMPLATE
+    return out;
+  }();
+  return all;
+}
+
+const Entry* entry(std::string_view key) {
+  for (const Entry& one : entries())
+    if (one.head.key == key) return &one;
+  return nullptr;
+}
+
+/// Adds the parameters to the scope: as asked for, or by default.
+Result<void, FitFailure> add_parameters(const ExerciseTemplate& of, const std::map<std::string, double>& values, Scope& scope) {
+  for (const auto& [key, value] : values)
+    if (std::ranges::find(of.parameters, key, &TemplateParameter::key) == of.parameters.end())
+      return fail(FitError::unknown_parameter, key);
+  for (const TemplateParameter& one : of.parameters) {
+    const auto asked = values.find(one.key);
+    double value = 0.0;
+    if (asked != values.end()) {
+      value = asked->second;
+      if (!(value >= one.least && value <= one.most))
+        return fail(FitError::out_of_range, one.key, Json(one.least).dump() + ".." + Json(one.most).dump());
+    } else {
+      const auto computed = evaluate(one.value, scope);
+      if (!computed) return fail(FitError::bad_template, "/parameters/" + one.key, computed.error().where);
+      value = std::clamp(*computed, one.least, one.most);
+    }
+    scope[one.key] = value;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<const ExerciseTemplate> exercise_templates() {
+  static const std::vector<ExerciseTemplate> heads = [] {
+    std::vector<ExerciseTemplate> out;
+    for (const Entry& one : entries()) out.push_back(one.head);
+    return out;
+  }();
+  return heads;
+}
+
+Result<Scenario, FitFailure> fit_template(const FitRequest& request) {
+  const Entry* const of = entry(request.key);
+  if (of == nullptr) return fail(FitError::unknown_template, request.key);
+  const int place = request.fdi % 10, quadrant = request.fdi / 10;
+  if (quadrant < 1 || quadrant > 4 || place < 4 || place > 8) return fail(FitError::unsuitable_tooth, std::to_string(request.fdi));
+  const auto grown = tooth_landmarks({.fdi = request.fdi, .seed = request.seed});
+  if (!grown) return fail(FitError::unsuitable_tooth, std::to_string(request.fdi));
+  const ToothLandmarks landmarks = mesial_forward(*grown, request.fdi);
+  auto scope = scope_of(landmarks, request.fdi);
+  if (!scope) return std::unexpected(scope.error());
+  if (auto added = add_parameters(of->head, request.values, *scope); !added) return std::unexpected(added.error());
+  auto filled = fill_template(of->body, Json::parse(embedded::template_common), request, landmarks, *scope);
+  if (!filled) return std::unexpected(filled.error());
+  auto scenario = read_scenario(filled->dump());
+  if (!scenario) return fail(FitError::does_not_fit, scenario.error().where, std::string(key_of(scenario.error().code)));
+  if (mesial_x(request.fdi) < 0) mirror_x(scenario->target);
+  return std::move(*scenario);
+}
+
+}  // namespace cusp::scenarios

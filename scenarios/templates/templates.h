@@ -1,0 +1,64 @@
+/// Templates of exercises: a preparation in parameters, fitted to a tooth by its landmarks.
+/// A template is a JSON file of this folder (README.md); the program holds them all. Thread: any.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/modules.h"
+
+namespace cusp::scenarios {
+
+struct TemplateParameter {
+  std::string key;    // "depth"
+  LocalText name;
+  std::string unit;   // "mm", "deg"; empty: 0 or 1
+  double least = 0, most = 0;
+  std::string value;  // default: an expression of the tooth and of the parameters before it
+  std::string source; // "dental.md 2.2", or "[M]": general knowledge that nobody verified
+};
+
+struct ExerciseTemplate {
+  std::string key;  // "class-2-adhesive"
+  LocalText name, about;
+  std::vector<TemplateParameter> parameters;
+};
+
+/// In the order in which they are offered. The first call reads them.
+[[nodiscard]] std::span<const ExerciseTemplate> exercise_templates();
+
+enum class FitError : std::uint8_t {
+  unknown_template,   // where: the key
+  unsuitable_tooth,   // where: the number; no premolar or molar
+  unknown_parameter,  // where: its key
+  out_of_range,       // where: the parameter; detail: "0.8..2.5"
+  missing_landmark,   // where: what the tooth has none of
+  does_not_fit,       // where: JSON pointer into the exercise; detail: code of the format's refusal
+  bad_template,       // a broken build; where: JSON pointer or expression
+};
+using FitFailure = Failure<FitError>;
+inline constexpr std::string_view key_of(FitError error) noexcept {
+  constexpr std::string_view kKeys[] = {"unknown_template", "unsuitable_tooth", "unknown_parameter", "out_of_range",
+                                        "missing_landmark", "does_not_fit",     "bad_template"};
+  return kKeys[static_cast<std::size_t>(error)];
+}
+
+struct FitRequest {
+  std::string key;
+  int fdi = 36;
+  std::uint64_t seed = 0;              // of the tooth (scenarios/teeth/tooth.h)
+  std::map<std::string, double> values{};  // of parameters; those left out have their defaults
+  ScenarioId id{};                     // of the exercise
+};
+
+/// The exercise of a template on a tooth: target, rubric, burs, texts. It has neither key nor version of its own: 1.
+/// Some 50 ms. The result passes validate(); whether it suits its specimen is for scenarios/checks.
+[[nodiscard]] Result<Scenario, FitFailure> fit_template(const FitRequest& request);
+
+}  // namespace cusp::scenarios

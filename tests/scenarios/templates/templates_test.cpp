@@ -1,0 +1,211 @@
+// Templates on every premolar and molar, their arithmetic, and what they refuse.
+
+#include "scenarios/templates/templates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/format/validate.h"
+#include "scenarios/shapes/target.h"
+#include "scenarios/teeth/landmarks.h"
+#include "scenarios/teeth/tooth.h"
+#include "scenarios/templates/expression.h"
+#include "scenarios/templates/outline_paths.h"
+#include "tests/modules.h"
+
+namespace cusp::test {
+namespace {
+
+std::vector<int> posterior_teeth() {
+  std::vector<int> out;
+  for (const int quadrant : {10, 20, 30, 40})
+    for (int place = 4; place <= 8; ++place) out.push_back(quadrant + place);
+  return out;
+}
+
+Result<Scenario, FitFailure> fitted(const std::string& key, int fdi, std::map<std::string, double> values = {}) {
+  return fit_template({.key = key, .fdi = fdi, .seed = 0, .values = std::move(values), .id = {}});
+}
+std::string text_of(const FitFailure& f) { return std::string(key_of(f.code)) + " " + f.where + " " + f.detail; }
+
+TEST(Templates, FitEveryPremolarAndMolarWithoutAFinding) {
+  ASSERT_EQ(exercise_templates().size(), 4u);
+  for (const ExerciseTemplate& one : exercise_templates())
+    for (const int fdi : posterior_teeth()) {
+      const auto scenario = fitted(one.key, fdi);
+      EXPECT_TRUE(scenario) << one.key << " " << fdi << ": " << (scenario ? "" : text_of(scenario.error()));
+      if (!scenario) continue;
+      for (const Finding& f : validate(*scenario)) ADD_FAILURE() << one.key << " " << fdi << ": " << f.path << " " << f.code;
+      for (const auto& [language, text] : scenario->briefing) {
+        EXPECT_EQ(text.find('{'), std::string::npos) << one.key << ": a mark was not filled in: " << text;
+        EXPECT_EQ(text.find("[M]"), std::string::npos) << one.key;
+        EXPECT_NE(text.find(std::to_string(fdi)), std::string::npos) << one.key;
+      }
+      EXPECT_TRUE(scenario->title.contains("en") && scenario->title.contains("de")) << one.key;
+    }
+}
+
+TEST(Templates, MirrorATargetOnTheOtherSideOfTheMouth) {
+  for (const ExerciseTemplate& one : exercise_templates()) {
+    const auto left = fitted(one.key, 36), right = fitted(one.key, 46);
+    ASSERT_TRUE(left && right) << one.key;
+    const TargetShape a(left->target), b(right->target);
+    for (double x = -6; x <= 6; x += 0.7)
+      for (double y = -4; y <= 4; y += 0.6)
+        for (double z = 1; z <= 6; z += 0.5) {
+          const Near p = a.near({x, y, z}), q = b.near({-x, y, z});
+          // Lines are rounded to hundredths of a millimetre, half of one up.
+          EXPECT_NEAR(p.distance_mm, q.distance_mm, 0.02) << one.key << " at " << x << " " << y << " " << z;
+        }
+  }
+}
+
+TEST(Templates, NameTheFacesOnEitherSideOfTheMouth) {
+  for (const int fdi : {36, 46}) {
+    const auto landmarks = tooth_landmarks({.fdi = fdi});
+    const auto box = fitted("class-2-adhesive", fdi, {{"axial", 1.4}}), fissures = fitted("class-1-classical", fdi);
+    ASSERT_TRUE(landmarks && box && fissures);
+    const Vec3 contact = landmarks->mesial_contact, mesial(mesial_x(fdi), 0, 0);
+    // Beside the box, towards buccal and away from the slot; between its floors.
+    const Vec3 axial = contact - 1.5 * mesial + Vec3(0, 1.0, -1.5), gingival = contact - 0.7 * mesial + Vec3(0, 0, -3.0);
+    EXPECT_EQ(TargetShape(box->target).near(axial).face, FaceName::axial_wall) << fdi;
+    EXPECT_EQ(TargetShape(box->target).near(gingival).face, FaceName::gingival_floor) << fdi;
+    EXPECT_EQ(TargetShape(fissures->target).near(contact).face, FaceName::mesial_wall) << fdi;
+  }
+}
+
+TEST(Templates, OpenTheBoxesThatAreAskedFor) {
+  const auto landmarks = tooth_landmarks({.fdi = 36});
+  ASSERT_TRUE(landmarks);
+  struct Row {
+    double mesial, distal;
+    const char* name;
+  };
+  for (const Row& row : {Row{1, 0, "MO"}, Row{0, 1, "DO"}, Row{1, 1, "MOD"}}) {
+    const auto scenario = fitted("class-2-adhesive", 36, {{"mesial", row.mesial}, {"distal", row.distal}});
+    ASSERT_TRUE(scenario) << row.name;
+    const TargetShape target(scenario->target);
+    // A millimetre inside the contact, at its height.
+    const Vec3 mesial = landmarks->mesial_contact - Vec3(1, 0, 0), distal = landmarks->distal_contact + Vec3(1, 0, 0);
+    EXPECT_EQ(target.distance_mm(mesial) < 0.0, row.mesial != 0) << row.name;
+    EXPECT_EQ(target.distance_mm(distal) < 0.0, row.distal != 0) << row.name;
+    EXPECT_NE(scenario->title.at("en").find(row.name), std::string::npos) << scenario->title.at("en");
+  }
+}
+
+TEST(Templates, EndABoxAboveTheJunctionAndBelowThePulpalFloor) {
+  for (const int fdi : posterior_teeth()) {
+    const auto landmarks = tooth_landmarks({.fdi = fdi});
+    const auto scenario = fitted("class-2-classical", fdi, {{"mesial", 1}, {"distal", 1}});
+    ASSERT_TRUE(scenario && landmarks) << fdi;
+    const double neck = std::ranges::max(landmarks->cej, {}, [](const Vec3& p) { return p.z; }).z;
+    EXPECT_GT(TargetShape(scenario->target).floor_mm(), 0.0) << fdi << ": the buccal CEJ is z = 0";
+    for (const Region& part : scenario->target.parts) {
+      if (part.kind != RegionKind::common) continue;
+      const double floor = TargetShape(part).floor_mm();
+      const bool mesial = (part.parts.back().from_mm.x > 0) == (mesial_x(fdi) > 0);
+      EXPECT_GE(floor, (mesial ? neck : 0.0) + 0.9) << fdi;
+      EXPECT_LT(floor, scenario->target.parts.front().outline.top_mm - scenario->target.parts.front().outline.depth_mm) << fdi;
+    }
+  }
+}
+
+TEST(Templates, TakeTheValuesOfParameters) {
+  const auto scenario = fitted("class-1-adhesive", 46, {{"depth", 2.1}, {"width", 1.3}});
+  ASSERT_TRUE(scenario);
+  EXPECT_DOUBLE_EQ(scenario->target.outline.depth_mm, 2.1);
+  EXPECT_DOUBLE_EQ(scenario->target.outline.width_mm, 1.3);
+  EXPECT_NE(scenario->briefing.at("de").find("2,1 mm"), std::string::npos);
+  EXPECT_NE(scenario->briefing.at("en").find("2.1 mm"), std::string::npos);
+}
+
+TEST(Templates, KeepTheMarginalRidges) {
+  const auto landmarks = tooth_landmarks({.fdi = 36});
+  const auto scenario = fitted("class-1-classical", 36, {{"ridge", 3.0}});
+  ASSERT_TRUE(scenario && landmarks);
+  for (const auto& path : scenario->target.outline.paths)
+    for (const Vec3& p : path) {
+      EXPECT_LE(p.x + 0.5 * scenario->target.outline.width_mm, landmarks->mesial_contact.x - 3.0);
+      EXPECT_GE(p.x - 0.5 * scenario->target.outline.width_mm, landmarks->distal_contact.x + 3.0);
+    }
+}
+
+TEST(Templates, GiveEachParameterARangeAUnitAndASource) {
+  for (const ExerciseTemplate& one : exercise_templates())
+    for (const TemplateParameter& p : one.parameters) {
+      EXPECT_LT(p.least, p.most) << one.key << " " << p.key;
+      EXPECT_FALSE(p.source.empty()) << one.key << " " << p.key;
+      EXPECT_TRUE(p.unit == "mm" || p.unit == "deg" || p.unit.empty()) << one.key << " " << p.key;
+      EXPECT_TRUE(p.name.contains("en") && p.name.contains("de")) << one.key << " " << p.key;
+    }
+}
+
+struct Refusal {
+  const char* key;
+  int fdi;
+  std::map<std::string, double> values;
+  FitError code;
+  const char* where;
+};
+
+TEST(Templates, RefuseWhatTheyCannotFit) {
+  for (const Refusal& r : std::vector<Refusal>{{"class-9", 36, {}, FitError::unknown_template, "class-9"},
+                                               {"class-1-adhesive", 11, {}, FitError::unsuitable_tooth, "11"},
+                                               {"class-1-adhesive", 33, {}, FitError::unsuitable_tooth, "33"},
+                                               {"class-1-adhesive", 0, {}, FitError::unsuitable_tooth, "0"},
+                                               {"class-1-adhesive", 56, {}, FitError::unsuitable_tooth, "56"},
+                                               {"class-1-adhesive", -36, {}, FitError::unsuitable_tooth, "-36"},
+                                               {"class-1-adhesive", 36, {{"dept", 2}}, FitError::unknown_parameter, "dept"},
+                                               {"class-1-adhesive", 36, {{"depth", 9}}, FitError::out_of_range, "depth"},
+                                               {"class-1-adhesive", 36, {{"depth", NAN}}, FitError::out_of_range, "depth"},
+                                               {"class-2-adhesive", 36, {{"mesial", 0}}, FitError::does_not_fit, "/target/paths"}}) {
+    const auto scenario = fitted(r.key, r.fdi, r.values);
+    ASSERT_FALSE(scenario) << r.key << " " << r.fdi;
+    EXPECT_EQ(scenario.error().code, r.code) << r.key << " " << r.fdi << ": " << text_of(scenario.error());
+    EXPECT_EQ(scenario.error().where, r.where);
+  }
+}
+
+TEST(Expression, Reckons) {
+  const Scope scope = {{"a", 2.0}, {"contact.mesial.x", 5.5}};
+  const auto value = [&](const char* text) { return evaluate(text, scope).value_or(NAN); };
+  EXPECT_DOUBLE_EQ(value("1 + 2 * 3"), 7.0);
+  EXPECT_DOUBLE_EQ(value("(1 + a) * -3"), -9.0);
+  EXPECT_DOUBLE_EQ(value("contact.mesial.x - 0.5 * a"), 4.5);
+  EXPECT_DOUBLE_EQ(value("max(a, min(3, 9)) / 2"), 1.5);
+  EXPECT_DOUBLE_EQ(value(" 7 - 2 - 1 "), 4.0);
+}
+
+TEST(Expression, RefusesWhatItDoesNotUnderstand) {
+  const auto code = [](const std::string& text) {
+    const auto value = evaluate(text, {{"a", 1.0}});
+    return value ? std::optional<ExpressionError>() : std::optional(value.error().code);
+  };
+  for (const char* text : {"", "1 +", "(1", "1)", "1 2", "a b", "max(1)", "min(1, 2", "*3", "1 ! 2", "\xff"})
+    EXPECT_EQ(code(text), ExpressionError::syntax) << text;
+  EXPECT_EQ(code("b"), ExpressionError::unknown_name);
+  EXPECT_EQ(code("max"), ExpressionError::unknown_name);
+  EXPECT_EQ(code("1 / 0"), ExpressionError::not_finite);
+  EXPECT_EQ(code("1e999"), ExpressionError::not_finite);
+  EXPECT_EQ(code(std::string(100000, '(')), ExpressionError::syntax) << "deep, and the stack holds";
+  EXPECT_EQ(code(std::string(100000, '-')), ExpressionError::syntax);
+}
+
+TEST(FissurePaths, FollowAFissureBetweenItsBounds) {
+  ToothLandmarks tooth;
+  tooth.fissures = {{"central mesial", {{3, 0, 4}, {2, 0.01, 4}, {1, 0, 4}, {0, 0, 4}}}, {"lingual", {{0, 0, 4}, {0, -1, 4}, {0, -2, 4}}}};
+  const auto lines = fissure_paths(tooth, {.names = {"central*"}, .most_x = 2.5, .least_x = -9, .longest_mm = 99});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].size(), 2u) << "straight within 0.08 mm";
+  EXPECT_DOUBLE_EQ(lines[0].front().x, 2.0);
+  const auto arm = fissure_paths(tooth, {.names = {"lingual", "buccal"}, .most_x = 9, .least_x = -9, .longest_mm = 1.5});
+  ASSERT_EQ(arm.size(), 1u);
+  EXPECT_DOUBLE_EQ(arm[0].back().y, -1.0);
+  EXPECT_TRUE(fissure_paths(tooth, {.names = {"buccal"}, .most_x = 9, .least_x = -9, .longest_mm = 9}).empty());
+  EXPECT_TRUE(fissure_paths({}, {.names = {"central*"}, .most_x = 9, .least_x = -9, .longest_mm = 9}).empty());
+}
+
+}  // namespace
+}  // namespace cusp::test

@@ -1,0 +1,118 @@
+// cusp template list, cusp template fit KEY --tooth N [--set name=value ...] --out DIR
+
+#include <charconv>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/format/write.h"
+#include "scenarios/templates/templates.h"
+#include "ui/cli/outputs.h"
+#include "ui/cli/text.h"
+#include "ui/cli/verb.h"
+#include "ui/modules.h"
+#include "ui/text/names.h"
+#include "ui/widgets/format.h"
+
+namespace cusp::ui {
+
+namespace {
+
+struct TemplateOptions {
+  std::string key, out;
+  int tooth = 36;
+  std::uint64_t seed = 0;
+  std::vector<std::string> set;  // name=value
+  JsonOption json;
+};
+
+QString describe_fit(const FitFailure& failure) {
+  const QString where = QString::fromStdString(failure.where), detail = QString::fromStdString(failure.detail);
+  switch (failure.code) {
+    case FitError::unknown_template: return CliText::tr("%1 is no template: cusp template list names them.").arg(where);
+    case FitError::unsuitable_tooth: return CliText::tr("Tooth %1 is no premolar or molar.").arg(where);
+    case FitError::unknown_parameter: return CliText::tr("The template has no parameter %1.").arg(where);
+    case FitError::out_of_range: return CliText::tr("%1 has to be within %2.").arg(where, detail);
+    case FitError::missing_landmark: return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
+    case FitError::does_not_fit: return CliText::tr("These values make no exercise: %1 (%2).").arg(where, detail);
+    case FitError::bad_template: break;
+  }
+  return CliText::tr("The template is broken at %1 (%2).").arg(where, detail);
+}
+
+/// "depth=1.6".
+std::optional<std::pair<std::string, double>> assignment_of(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) return std::nullopt;
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + equals + 1, end, value);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  return std::pair{text.substr(0, equals), value};
+}
+
+nlohmann::ordered_json to_json(const ExerciseTemplate& one) {
+  nlohmann::ordered_json out;
+  out["key"] = one.key;
+  out["name"] = one.name;
+  out["about"] = one.about;
+  out["parameters"] = nlohmann::ordered_json::array();
+  for (const TemplateParameter& p : one.parameters)
+    out["parameters"].push_back({{"key", p.key}, {"name", p.name}, {"unit", p.unit}, {"range", {p.least, p.most}}, {"default", p.value}, {"source", p.source}});
+  return out;
+}
+
+int list(const JsonOption& json) {
+  if (const auto no = refuse_outputs({json.file})) return failed(*no);
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const ExerciseTemplate& one : exercise_templates()) out.push_back(to_json(one));
+  if (!json.write(out)) return kFailed;
+  if (json.on_stdout()) return kDone;
+  for (const ExerciseTemplate& one : exercise_templates()) {
+    print_line(one.key + "  " + plain(local(one.about)));
+    for (const TemplateParameter& p : one.parameters)
+      print_line(plain(u"  %1  %2: %3 … %4 %5"_qs.arg(QString::fromStdString(p.key), -11)
+                           .arg(local(p.name), format_number(p.least, 1), format_number(p.most, 1), QString::fromStdString(p.unit))));
+  }
+  return kDone;
+}
+
+int fit(const TemplateOptions& o) {
+  const std::filesystem::path file = std::filesystem::path(o.out) / "scenario.json";
+  if (const auto no = refuse_outputs({file, o.json.file})) return failed(*no);
+  FitRequest request;
+  request.key = o.key;
+  request.fdi = o.tooth;
+  request.seed = o.seed;
+  request.id = ScenarioId::make();
+  for (const std::string& text : o.set) request.values.insert(assignment_of(text).value());
+  const auto scenario = fit_template(request);
+  if (!scenario) return failed(describe_fit(scenario.error()));
+  if (!writable_folder(o.out) || !write_whole(file, write_scenario(*scenario)))
+    return failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())));
+  if (!o.json.write({{"scenario", file.string()}, {"id", scenario->id.text()}})) return kFailed;
+  if (!o.json.on_stdout()) print_line(file.string());
+  return kDone;
+}
+
+}  // namespace
+
+void add_template(CLI::App& program, Job& job) {
+  auto o = std::make_shared<TemplateOptions>();
+  CLI::App* verb = program.add_subcommand("template", help(CliText::tr("Exercises from templates: a preparation fitted to a tooth by its landmarks")));
+  verb->require_subcommand(1);
+  CLI::App* listed = verb->add_subcommand("list", help(CliText::tr("The templates, and the parameters of each")));
+  o->json.add_to(*listed);
+  listed->callback([&job, o] { job = [o] { return list(o->json); }; });
+  CLI::App* fitted = verb->add_subcommand("fit", help(CliText::tr("Write the exercise of a template on a tooth: scenario.json in DIR")));
+  fitted->add_option("KEY", o->key, help(CliText::tr("The template's key")))->required();
+  fitted->add_option("--tooth", o->tooth, help(CliText::tr("FDI number of a premolar or molar")))->required();
+  fitted->add_option("--seed", o->seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
+  fitted->add_option("--set", o->set, help(CliText::tr("A parameter's value; may be given many times")))
+      ->type_name("NAME=VALUE")
+      ->check([](const std::string& text) { return assignment_of(text) ? std::string() : text; });
+  fitted->add_option("--out", o->out, help(CliText::tr("Folder for scenario.json")))->type_name("DIR")->required();
+  o->json.add_to(*fitted);
+  fitted->callback([&job, o] { job = [o] { return fit(*o); }; });
+}
+
+}  // namespace cusp::ui
