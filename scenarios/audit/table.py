@@ -5,6 +5,9 @@
                                                  each, two at once, and writes their rows
   table.py --from FOLDER [KEY ...]               likewise, from what an earlier run of it has left there
 
+With --cuts KEY the exercise is audited by cuts alone (README.md): what reference, competent and novice cut at once, in the
+voxels that are set and in half of them. Minutes for a tooth between neighbours, where attempts would take hours.
+
 With --keep FOLDER the audits' reports stay there. `--was KEY=MM` audits an exercise in another size of voxels, as evidence
 of a change. Rows of exercises that are not named stay. Needs build/release/cusp-library-text.
 """
@@ -131,6 +134,37 @@ def audit(cusp, key, size, folder):
     return out
 
 
+def coarser_or_finer(key, size, folder):
+    """A folder with the exercise in voxels of that size."""
+    scenario = folder / f"{key}-{size:g}"
+    scenario.mkdir(parents=True, exist_ok=True)
+    (scenario / "scenario.json").write_text(re.sub(r'("voxel_mm": )[0-9.]+', rf"\g<1>{size:g}", text_of(key)))
+    return scenario
+
+
+def cut_score(cusp, key, size, operator, folder):
+    """Kept in the folder: --keep continues an audit that was cut off."""
+    report = coarser_or_finer(key, size, folder) / f"{operator}.json"
+    if not report.exists():
+        subprocess.run([cusp, "grade", str(report.parent), "--operator", operator, "--json", str(report)], check=True,
+                       stdout=subprocess.DEVNULL)
+    grade = json.loads(report.read_text())
+    print(key, mm(size), operator, f"{grade['score']:.1f}", flush=True)
+    return grade
+
+
+def cuts_row(cusp, key, folder):
+    size, points = voxel_of(key), json.loads(text_of(key))["tolerance"]["points"]
+    with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
+        pairs = list(pool.map(lambda operator: (cut_score(cusp, key, size, operator, folder), cut_score(cusp, key, size / 2, operator, folder)),
+                              ["reference", "competent", "novice"]))
+    changes = [half["score"] - now["score"] for now, half in pairs]
+    most = max(changes, key=abs)
+    text = f"{most:+.1f}" + ("" if all(now["passed"] == half["passed"] for now, half in pairs) else ", a pass or fail parts")
+    scores = ", ".join(f"{now['score']:.0f}" for now, half in pairs)
+    return f"| {key} | {mm(size)}; within {points:g} | {scores} | by cuts alone |  | {text} | as set |"
+
+
 def read_table():
     """By table: the rows that stand there, by key."""
     tables, rows = {ROW_HEAD: {}, WAS_HEAD: {}}, None
@@ -150,9 +184,10 @@ def main():
     parser.add_argument("--cusp", help="the program")
     parser.add_argument("--from", dest="reports", type=pathlib.Path, metavar="FOLDER")
     parser.add_argument("--keep", type=pathlib.Path, metavar="FOLDER")
+    parser.add_argument("--cuts", action="append", default=[], metavar="KEY")
     parser.add_argument("--was", action="append", default=[], metavar="KEY=MM")
     o = parser.parse_args()
-    if bool(o.cusp) == bool(o.reports):
+    if bool(o.cusp) == bool(o.reports) or (o.cuts and not o.cusp):
         parser.error("one of --cusp and --from")
 
     if o.reports:
@@ -160,7 +195,7 @@ def main():
     else:
         folder = o.keep or pathlib.Path(tempfile.mkdtemp(prefix="cusp-audit-"))
         folder.mkdir(parents=True, exist_ok=True)
-        jobs = [(key, None) for key in o.keys or ([] if o.was else keys())]
+        jobs = [(key, None) for key in o.keys or ([] if o.was or o.cuts else keys())]
         jobs += [(key, float(size)) for key, size in (was.split("=") for was in o.was)]
         with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
             files = list(pool.map(lambda job: audit(o.cusp, *job, folder), jobs))
@@ -177,6 +212,8 @@ def main():
             tables[ROW_HEAD][key] = row_of(report)
         else:
             tables[WAS_HEAD][key] = was_of(report, voxel_of(key), now_of.get(key))
+    for key in o.cuts:
+        tables[ROW_HEAD][key] = cuts_row(o.cusp, key, folder)
     for key in keys():
         if key not in tables[ROW_HEAD]:
             scenario = json.loads(text_of(key))
@@ -191,6 +228,7 @@ def main():
         "",
         "Change: of the score of the operator that it changes most, in points; over several attempts the mean and its standard error. "
         "A tick: median CPU time over the first 12 s of touch, in ticks of 1 ms (about a tooth most of them are in the air). "
+        "*By cuts alone*: what reference, competent and novice cut at once (`README.md`); no attempt was played. "
         "*Would do*: a coarser size that the search found (`README.md`) and that is not set.",
         "",
     ]

@@ -22,7 +22,8 @@ namespace {
 
 TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
-  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet", "class-1-36-jaw"};
+  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet", "class-1-36-jaw", "class-1-46",     "class-1-25",
+                                  "class-1-16",  "class-2-46-mo", "class-2-25-mod"};
   for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
     for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
   }
@@ -63,7 +64,8 @@ TEST(Library, EveryTextStandsAsTheProgramWritesIt) {
 }
 
 TEST(Library, EmbedsTheFilesAsTheyStand) {
-  for (const std::string_view key : {"class-1-36", "class-1-36-wet", "class-1-36-jaw", "paper-block"}) {
+  for (const std::string_view key : {"class-1-36", "class-1-36-wet", "class-1-36-jaw", "class-1-46", "class-1-25", "class-1-16",
+                                     "class-2-46-mo", "class-2-25-mod", "paper-block"}) {
     std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json",
                        std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -154,6 +156,11 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"class-1-36", "56d220166baaac98dfc2c7a8641e9b2d1c3c3979d23ecd965b8de08c513c6aa5"},
       {"class-1-36-wet", "48fe35df2775cdeabd10dd7b107112102021fedc756a8a34fff7e91d26f4c748"},
       {"class-1-36-jaw", "62d5275594af5fcea37172622bd597f3b3a03281220856b8514687ba4429ae32"},
+      {"class-1-46", "40da3908677afc83e73157c5340776ab2af95b1db113d06c4e19b9887f012150"},
+      {"class-1-25", "f853e9cbe4bdc6a069aa925770e9544e450a41f6442f4be74a4cd5c423b7d1bc"},
+      {"class-1-16", "f15410071924726dfd0d4e36a8311dbe059140d0cc4cc1c0c121547b2e93e0a9"},
+      {"class-2-46-mo", "bd0d03e27a097a4837d662c52e92b1d26a2c7368b07d49a5dc7b57def95cfee3"},
+      {"class-2-25-mod", "b41551238bcad8ce2dd737823ab5dc83f041c27d6f79d30318e806fc7cbd6a7e"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
       {"channel-2", "be02e9086351af9c6700ff3e3317484c0a5e60692f6cc157434c8eb5144b96ae"},
       {"channel-3", "84f71a9fa5df073e7b6f91b172fc44e9d823937eb6f239afe1b538f9efc7e4ab"},
