@@ -5,15 +5,16 @@
 #include <map>
 
 #include "scenarios/metrics/surface_search.h"
+#include "scenarios/teeth/own_tissues.h"
 
 namespace cusp::scenarios {
 
 namespace {
 
-/// A tooth's own hard tissue: not gums, bone or ligament, and no neighbour (scenarios/teeth/own_tissues.h: from 16).
+/// A tooth's own hard tissue: not gums, bone or ligament, and no neighbour's.
 bool own_hard(Tissue tissue) noexcept {
   return tissue != Tissue::empty && tissue != Tissue::bone && tissue != Tissue::gingiva && tissue != Tissue::ligament &&
-         index_of(tissue) < 16;
+         !is_neighbour(tissue);
 }
 
 struct Contour {

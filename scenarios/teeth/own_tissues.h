@@ -16,6 +16,9 @@ inline constexpr Tissue kNeighbourEnamel{29};
 inline constexpr Tissue kNeighbourDentine{30};  // with its cementum; its pulp is left out
 inline constexpr Tissue kFirmCariousDentine{31};
 
+/// Of a tooth beside the exercise's own. Pre: a grown tooth's specimen; a volume file names these codes as it likes.
+constexpr bool is_neighbour(Tissue tissue) noexcept { return tissue == kNeighbourEnamel || tissue == kNeighbourDentine; }
+
 inline const std::map<std::uint8_t, std::string>& own_tissue_names() {
   static const std::map<std::uint8_t, std::string> names = {
       {29, "neighbour enamel"}, {30, "neighbour dentine"}, {31, "firm carious dentine"}};

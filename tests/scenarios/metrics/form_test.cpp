@@ -18,6 +18,7 @@
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/shapes/distance.h"
+#include "scenarios/teeth/own_tissues.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
 #include "tests/scenarios/metrics/box_exercise.h"
@@ -265,6 +266,26 @@ TEST(Form, OfAMirroredToothNamesTheOtherSide) {
     EXPECT_EQ(measures[0].metric, "wall_angle_mesial");
     EXPECT_NEAR(measures[0].value, mesial, measures[0].uncertainty) << fdi;
   }
+}
+
+TEST(Form, ARidgeIsOfTheToothsOwnTissuesWhateverTheirCodes) {
+  Grid grid;
+  grid.size = IVec3(80, 60, 44);
+  grid.origin_mm = kBlockCentre - kBlockHalf - 0.5;
+  const auto ridge = [&](Tissue beyond_3_mm) {
+    const auto specimen = carved::specimen(grid, Reading::banded, block_of_tooth,
+                                           [&](Vec3 p) { return p.x > 3.0 ? beyond_3_mm : Tissue::dentine; });
+    Volume volume(specimen);
+    carved::carve(volume, [](Vec3 at) { return Preparation{.half_x = 1.2}.distance(at); });
+    std::vector<Measure> measures;
+    const Reference reference(exercise_on_36(), specimen);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
+    return *std::ranges::find(measures, "ridge_mesial", &Measure::metric);
+  };
+  for (const Tissue own : {Tissue::enamel, Tissue{16}, kFirmCariousDentine})
+    EXPECT_NEAR(ridge(own).value, 2.3, ridge(own).uncertainty) << index_of(own);
+  // Half a voxel: where a neighbour touches, the border is known to a voxel.
+  for (const Tissue neighbours : {kNeighbourEnamel, kNeighbourDentine}) EXPECT_NEAR(ridge(neighbours).value, 1.8, 0.06);
 }
 
 TEST(Angle, IsTheArcTangent) {
