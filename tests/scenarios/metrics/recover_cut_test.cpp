@@ -119,5 +119,30 @@ TEST(RecoverCut, RefusesTissueOutsideTheSpecimensGrid) {
   }
 }
 
+TEST(RecoverCut, RefusesMoreCutsThanAVolumeKeeps) {
+  // 27 x 27 x 24 bricks: 17,496, where a volume keeps 16,384. One voxel of each was cut.
+  Grid grid;
+  grid.size = IVec3(216, 216, 192);
+  VoxelVolume whole(grid);
+  std::ranges::fill(whole.s, kSolid);
+  std::ranges::fill(whole.tissue, Tissue::plastic);
+  const auto specimen = Specimen::build(whole, Reading::filled);
+  IVec3 v;
+  std::size_t cuts = 0;
+  for (v.z = 4; v.z < grid.size.z; v.z += 8)
+    for (v.y = 4; v.y < grid.size.y; v.y += 8)
+      for (v.x = 4; v.x < grid.size.x; v.x += 8) {
+        whole.s[grid.index(v)] = 0;
+        ++cuts;
+        if (cuts == kMostCutBricks) {
+          EXPECT_TRUE(recover_cut(specimen, whole)) << "as many as it keeps";
+        }
+      }
+  ASSERT_GT(cuts, kMostCutBricks);
+  const auto refused = recover_cut(specimen, whole);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, RecoverError::too_much_cut);
+}
+
 }  // namespace
 }  // namespace cusp::test
