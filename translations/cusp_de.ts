@@ -6621,8 +6621,16 @@ Ihr bester davor</translation>
         <translation>Zählt nur so weit, wie das Ziel abgetragen wurde: %1</translation>
     </message>
     <message>
-        <source>What stayed intact counts only as far as the target was cut: %1.</source>
-        <translation>Was unversehrt blieb, zählt nur so weit, wie das Ziel abgetragen wurde: %1.</translation>
+        <source>The rest counts only as far as the target was cut: %1.</source>
+        <translation>Das Übrige zählt nur so weit, wie das Ziel abgetragen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>Stored with marking %1: the same points.</source>
+        <translation>Gespeichert mit Bewertung %1: dieselben Punkte.</translation>
+    </message>
+    <message>
+        <source>Stored with marking %1: %2 points. What differs: %3.</source>
+        <translation>Gespeichert mit Bewertung %1: %2 Punkte. Unterschiede: %3.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>

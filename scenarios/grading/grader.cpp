@@ -16,33 +16,45 @@ const Measure* find(const std::vector<Measure>& measures, std::string_view metri
   return it == measures.end() ? nullptr : &*it;
 }
 
-/// Form is the bur's own after one plunge: its width, its taper, its level end (scenarios/metrics/form.h).
-bool is_of_form(std::string_view metric) {
-  constexpr std::array<std::string_view, 5> kForms = {"wall_angle_", "convergence_", "floor_", "isthmus_width", "ridge_"};
-  return std::ranges::any_of(kForms, [metric](std::string_view form) { return metric.starts_with(form); });
+/// Measured over the whole target or the whole lesion: a small hole lowers them by itself.
+bool is_of_the_whole(std::string_view metric) {
+  constexpr std::array<std::string_view, 4> kWhole = {"target_removed", "uncut_remainder", "surface_within_", "caries_left_"};
+  return std::ranges::any_of(kWhole, [metric](std::string_view key) { return metric.starts_with(key); });
 }
 
-/// Whether a tooth that nobody touched, or touched once, earns points here: the bur went nowhere it should not, because it went nowhere.
-/// Of an untouched tooth depth, excess, push and time are 0, and the dentine over the pulp is whole.
-bool earned_by_doing_nothing(const Criterion& criterion) {
+/// Whether a tooth that nobody touched, or touched once, earns points here. A single plunge has a depth, the bur's own width
+/// and taper, its push and its time; and it spoiled nothing. Tissue that the bands ask to be removed is earned by removing it.
+bool counts_with_target(const Criterion& criterion) {
   const std::string_view metric = criterion.metric;
-  if (metric == "remaining_over_pulp" || is_of_form(metric)) return true;
+  if (is_of_the_whole(metric)) return false;
+  return !metric.starts_with("removed_") || share_of_points(criterion.bands, 0.0) > 0.0;
+}
+
+/// The rule of evaluators 2 and 3: what a tooth earns that nobody touched.
+bool counted_with_target_before_4(const Criterion& criterion) {
+  constexpr std::array<std::string_view, 5> kForms = {"wall_angle_", "convergence_", "floor_", "isthmus_width", "ridge_"};
+  const std::string_view metric = criterion.metric;
+  if (metric == "remaining_over_pulp") return true;
+  if (std::ranges::any_of(kForms, [metric](std::string_view form) { return metric.starts_with(form); })) return true;
   if (metric == "target_removed" || metric == "uncut_remainder") return false;
   return share_of_points(criterion.bands, 0.0) > 0.0;
 }
 
-/// How much of the target that earns full points was drilled, 0 to 1; 1 where the rubric does not ask for it.
-double share_drilled(const Rubric& rubric, const std::vector<Measure>& measures) {
-  const auto asked = std::find_if(rubric.criteria.begin(), rubric.criteria.end(),
-                                  [](const Criterion& c) { return c.metric == "target_removed"; });
-  const Measure* removed = find(measures, "target_removed");
-  if (asked == rubric.criteria.end() || removed == nullptr || !removed->measured) return 1.0;
-  if (!(removed->value < asked->bands.ideal_lo)) return std::isfinite(removed->value) ? 1.0 : 0.0;
-  return std::max(0.0, removed->value) / asked->bands.ideal_lo;
+bool is_before_4(std::string_view evaluator) { return evaluator == "2" || evaluator == "3"; }
+
+/// Share of their points that the criteria have which count with the target. Up to half of its ideal_lo it is the removed
+/// share itself, so that a twentieth of the target earns a twentieth of the points. From there it rises in a straight line
+/// to 1 at ideal_lo.
+double share_drilled(const Bands& asked, double removed) {
+  const double ideal = asked.ideal_lo, half = 0.5 * ideal;
+  if (!(removed < ideal)) return std::isfinite(removed) ? 1.0 : 0.0;
+  if (removed <= half) return std::max(0.0, removed) / 100.0;
+  return half / 100.0 + (1.0 - half / 100.0) * ((removed - half) / (ideal - half));
 }
 
-bool asks_for_target(const Rubric& rubric) {
-  return std::ranges::any_of(rubric.criteria, [](const Criterion& c) { return c.metric == "target_removed"; });
+const Criterion* target_criterion(const Rubric& rubric) {
+  const auto it = std::ranges::find(rubric.criteria, "target_removed", &Criterion::metric);
+  return it == rubric.criteria.end() ? nullptr : &*it;
 }
 
 /// Weights to points of the score's maximum, over what was measured.
@@ -78,7 +90,7 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
   const double value = measure->value;
   out.points_max = criterion.weight;
   const double within_bands = criterion.weight * share_of_points(bands, value);
-  out.points = earned_by_doing_nothing(criterion) ? within_bands * share : within_bands;
+  out.points = counts_with_target(criterion) ? within_bands * share : within_bands;
   out.band = band_of(bands, value, measure->uncertainty);
   if (out.points == out.points_max) {
     out.reason_code = "full";
@@ -105,17 +117,27 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
 }  // namespace
 
 void mark_counted_with_target(Grade& grade, const Rubric& rubric) {
-  const bool asked = asks_for_target(rubric);
+  const bool asked = target_criterion(rubric) != nullptr, before_4 = is_before_4(grade.evaluator);
   for (CriterionGrade& c : grade.criteria) {
     const auto own = std::ranges::find_if(rubric.criteria, [&](const Criterion& r) { return r.metric == c.id; });
-    c.counts_with_target = asked && own != rubric.criteria.end() && earned_by_doing_nothing(*own);
+    c.counts_with_target = asked && own != rubric.criteria.end() && (before_4 ? counted_with_target_before_4(*own) : counts_with_target(*own));
   }
+}
+
+double share_counted(const Grade& grade, const Rubric& rubric) {
+  const Criterion* asked = target_criterion(rubric);
+  const auto removed = std::ranges::find(grade.criteria, "target_removed", &CriterionGrade::id);
+  if (asked == nullptr || removed == grade.criteria.end() || !removed->measure.measured) return 1.0;
+  if (!is_before_4(grade.evaluator)) return share_drilled(asked->bands, removed->measure.value);
+  return std::clamp(removed->measure.value / asked->bands.ideal_lo, 0.0, 1.0);
 }
 
 Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int device_dof) {
   Grade out;
   out.pass_mark = scenario.rubric.pass;
-  const double share = share_drilled(scenario.rubric, measures);
+  const Criterion* asked = target_criterion(scenario.rubric);
+  const Measure* removed = find(measures, "target_removed");
+  const double share = asked != nullptr && removed != nullptr && removed->measured ? share_drilled(asked->bands, removed->value) : 1.0;
   double points = 0, most = 0;
   for (const Criterion& criterion : scenario.rubric.criteria) {
     out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), share, device_dof));

@@ -14,10 +14,10 @@ inline constexpr int kAllAxes = 6;
 /// points_max 0 and is marked. The maxima of the others are their weights scaled to sum to 100. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
 /// happened when its measure is above its uncertainty. The order of `measures` does not matter.
 ///
-/// What is kept intact counts in proportion to what was drilled. Where the rubric asks for target_removed and that was
-/// measured, share = min(1, target_removed / its ideal_lo) scales the points of every criterion that a tooth nobody
-/// touched would earn: remaining_over_pulp, and whatever gives points at 0 (overcut_*, depth_most, force_*, time), but
-/// target_removed and uncut_remainder themselves. At share 1 nothing changes.
+/// A preparation that was begun counts in proportion to what was drilled. Where the rubric asks for target_removed and that
+/// was measured, a share scales the points of every other criterion, but of uncut_remainder, surface_within_*, caries_left_*,
+/// and of a tissue that the bands ask to be removed. Up to half of target_removed's ideal_lo the share is target_removed / 100;
+/// from there it rises in a straight line to 1 at ideal_lo. At share 1 nothing changes.
 ///
 /// reason_code: full, too_much, too_little (args value, limit = the ideal edge that was missed, lost = points),
 /// too_deep, too_shallow (the same, for depth_*), too_dry, too_warm (the same, for coolant), not_measured (no args), little_drilled (args share,
@@ -27,8 +27,11 @@ inline constexpr int kAllAxes = 6;
 /// points_max 0, as if it had not been measured: what the student could not do is not marked.
 [[nodiscard]] Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int device_dof = kAllAxes);
 
-/// Sets CriterionGrade::counts_with_target: true where share scales the criterion. grade() has called it; the records do
-/// not keep the mark, so a grade that was read from them needs it with its scenario's rubric.
+/// Sets CriterionGrade::counts_with_target: true where share scales the criterion, by the rule of the grade's evaluator.
+/// grade() has called it; the records do not keep the mark, so a grade that was read from them needs it with its rubric.
 void mark_counted_with_target(Grade& grade, const Rubric& rubric);
+
+/// That share, 0 to 1, by the rule of the grade's evaluator; 1 where the rubric does not ask for the target.
+[[nodiscard]] double share_counted(const Grade& grade, const Rubric& rubric);
 
 }  // namespace cusp::scenarios

@@ -322,7 +322,8 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   painter.setPen(t.text3);
   QString foot = PdfText::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
   if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
-  painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom, foot);
+  if (data.result.changes) foot = changes_text(*data.result.changes) + u'\n' + foot;
+  painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, foot);
 }
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,

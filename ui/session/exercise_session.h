@@ -14,7 +14,7 @@
 #include "engine/base/pedal_source.h"
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
-#include "scenarios/grading/grade.h"
+#include "scenarios/grading/changes.h"
 #include "scenarios/metrics/reference.h"
 #include "storage/repositories/sessions.h"
 #include "ui/modules.h"
@@ -46,6 +46,7 @@ struct SessionResult {
   bool interrupted = false;                  // it never came to its finish: graded as it stands
   Scenario scenario;
   Grade grade;
+  std::optional<GradeChanges> changes;       // of a grade that was made anew, against the stored one
   std::vector<Measure> measures;             // all that was measured, also without a criterion; empty for an old session
   std::shared_ptr<const Volume> volume;      // specimen and cuts, for the picture
   std::uint64_t volume_hash = 0;

@@ -107,6 +107,9 @@ Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* o
   result.volume_hash = result.volume->hash();
   result.measures = measure(reference, *result.volume, replay->process());
   result.grade = grade(result.scenario, result.measures, sensed_axes(result.device));
+  const auto stored = store.grades.newest(id);
+  if (!stored) return storage_failed(stored);
+  if (*stored && !other_rubric) result.changes = changes((*stored)->grade, result.grade);
   if (keep == Keep::grade) {
     auto kept = keep_grade(store, result, result.scenario.rubric, replay->state().last().tick, grader);
     if (!kept) return std::unexpected(kept.error());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/grading/grader.h"
 #include "ui/text/names.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
@@ -141,15 +142,17 @@ QString lost_text(const CriterionGrade& g, double lost) {
 
 QString counted_text(const Grade& grade, const Rubric& rubric) {
   if (std::ranges::none_of(grade.criteria, &CriterionGrade::counts_with_target)) return {};
-  for (const CriterionGrade& c : grade.criteria) {
-    if (c.id != "target_removed" || !c.measure.measured) continue;
-    for (const Criterion& asked : rubric.criteria) {
-      if (asked.metric != c.id || !(c.measure.value < asked.bands.ideal_lo)) continue;
-      const double share = std::max(0.0, c.measure.value) / asked.bands.ideal_lo;
-      return Text::tr("What stayed intact counts only as far as the target was cut: %1.").arg(share_text(share));
-    }
-  }
-  return {};
+  const double share = scenarios::share_counted(grade, rubric);
+  if (!(share < 1.0)) return {};
+  return Text::tr("The rest counts only as far as the target was cut: %1.").arg(share_text(share));
+}
+
+QString changes_text(const GradeChanges& c) {
+  const QString before = text(c.evaluator_before);
+  if (c.none()) return Text::tr("Stored with marking %1: the same points.").arg(before);
+  QStringList names;
+  for (const CriterionChange& one : c.criteria) names += metric_name(one.id);
+  return Text::tr("Stored with marking %1: %2 points. What differs: %3.").arg(before, format_points(c.score_before), names.join(u", "_qs));
 }
 
 QString advice_text(const CriterionGrade& g) {

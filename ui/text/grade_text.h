@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scenarios/format/scenario.h"
-#include "scenarios/grading/grade.h"
+#include "scenarios/grading/changes.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -26,6 +26,8 @@ QString lost_text(const CriterionGrade& grade, double lost);
 /// The one sentence about criteria that count only as far as the target was cut; empty where all of it was, or where no
 /// criterion counts so. The grade's criteria carry their mark (mark_counted_with_target).
 QString counted_text(const Grade& grade, const Rubric& rubric);
+/// A grade that was made anew against the stored one: its evaluator, its points, and the criteria that differ.
+QString changes_text(const GradeChanges& changes);
 /// What to do next time, for a criterion that lost points by what was done; empty for the others.
 QString advice_text(const CriterionGrade& grade);
 

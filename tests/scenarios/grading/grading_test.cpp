@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenarios/grading/bands.h"
+#include "scenarios/grading/changes.h"
 #include "scenarios/grading/default_bands.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/grading/report_json.h"
@@ -187,19 +188,40 @@ TEST(Grade, AToothThatNobodyTouchedEarnsNothing) {
   EXPECT_EQ(g.criteria[7].reason_args, (std::map<std::string, double>{{"share", 0.0}, {"lost", 5.0}}));
 }
 
-TEST(Grade, WhatIsKeptIntactCountsInProportionToWhatWasDrilled) {
-  // Kept intact: 10 + 5 + 5 + 15 + 15 + 5 = 55 points. 48.5 is half of the 97 that earn full points.
+TEST(Grade, EveryOtherCriterionCountsInProportionToWhatWasDrilled) {
+  // All but the target itself: 15 + 10 + 5 + 5 + 15 + 15 + 5 = 70 points. 48.5 is half of the 97 that earn full points.
   const Grade half = grade(class_one(), faultless(48.5));
-  EXPECT_NEAR(half.score, 55.0 / 2 + 15.0, 1e-12);
+  EXPECT_NEAR(half.score, 70.0 * 0.485, 1e-12);
   EXPECT_FALSE(half.passed);
   EXPECT_EQ(half.criteria[0].reason_code, "too_little");
-  EXPECT_EQ(half.criteria[1].reason_code, "full");  // an untouched tooth has no mean depth to be praised for
-  EXPECT_EQ(half.criteria[5].reason_code, "little_drilled");
-  EXPECT_DOUBLE_EQ(half.criteria[5].reason_args.at("share"), 0.5);
-  EXPECT_DOUBLE_EQ(half.criteria[5].reason_args.at("lost"), 7.5);
-  EXPECT_EQ(half.criteria[5].band, "ideal");  // the value itself is
-  // A scratch: 4.3 of 97, which scored 69 when what is kept intact counted whole.
-  EXPECT_NEAR(grade(class_one(), faultless(4.3)).score, 55.0 * 4.3 / 97 + 15.0, 1e-12);
+  for (std::size_t i : {1u, 2u, 5u}) {
+    EXPECT_EQ(half.criteria[i].reason_code, "little_drilled") << half.criteria[i].id;
+    EXPECT_DOUBLE_EQ(half.criteria[i].reason_args.at("share"), 0.485);
+    EXPECT_TRUE(half.criteria[i].counts_with_target);
+    EXPECT_EQ(half.criteria[i].band, "ideal");  // the value itself is
+  }
+  EXPECT_DOUBLE_EQ(half.criteria[5].reason_args.at("lost"), 15 * 0.515);
+  // Between half of the ideal and the ideal the share rises to 1 in a straight line: at 72.75 it is half way there.
+  EXPECT_NEAR(grade(class_one(), faultless(72.75)).score, 70.0 * (0.485 + 1.0) / 2, 1e-12);
+}
+
+TEST(Grade, ATwentiethOfTheTargetEarnsAtMostFivePointsAndFails) {
+  // Whatever the other criteria are, and however little of the target the rubric asks for: faultless in all of them.
+  for (const double ideal : {10.0, 40.0, 97.0, 100.0}) {
+    Scenario s;
+    s.rubric.pass = 6;
+    s.rubric.criteria = {{"target_removed", 1, {ideal - 4, ideal - 2, ideal, 100, 100, 100}}};
+    std::vector<Measure> m = {value("target_removed", 5)};
+    for (const char* metric : {"depth_least", "depth_mean", "depth_most", "isthmus_width", "wall_angle_buccal", "convergence_buccolingual",
+                               "floor_tilt", "ridge_mesial", "cavosurface_angle", "box_height", "clearance_gingival", "time", "force_mean"}) {
+      s.rubric.criteria.push_back({metric, 20, {0, 1, 2, 4, 5, 6}});
+      m.push_back(value(metric, 3));
+    }
+    const Grade g = grade(s, m);
+    EXPECT_LE(g.score, 5.0) << ideal;
+    EXPECT_GT(g.score, 4.0) << ideal;
+    EXPECT_FALSE(g.passed);
+  }
 }
 
 TEST(Grade, FromTheIdealOnTheShareChangesNothing) {
@@ -207,13 +229,14 @@ TEST(Grade, FromTheIdealOnTheShareChangesNothing) {
 }
 
 TEST(Grade, TheGreaterOfTheTwoLossesIsTheReason) {
-  std::vector<Measure> m = faultless(87.3);                  // share 0.9
+  const double share = 0.485 + 0.515 * (87.3 - 48.5) / 48.5;  // 0.897
+  std::vector<Measure> m = faultless(87.3);
   m[6] = value("overcut_beyond_side", 1.5);                  // half of 15 by its bands, then a tenth of that
   m[4] = value("overcut_leeway_side", 2.6);                  // 0.05 of 5 by its bands, a tenth of the rest by the share
   const Grade g = grade(class_one(), m);
-  EXPECT_NEAR(g.criteria[6].points, 7.5 * 0.9, 1e-12);
+  EXPECT_NEAR(g.criteria[6].points, 7.5 * share, 1e-12);
   EXPECT_EQ(g.criteria[6].reason_code, "too_much");
-  EXPECT_NEAR(g.criteria[6].reason_args.at("lost"), 15 - 6.75, 1e-12);  // all of it, not only the bands'
+  EXPECT_NEAR(g.criteria[6].reason_args.at("lost"), 15 - 7.5 * share, 1e-12);  // all of it, not only the bands'
   EXPECT_EQ(g.criteria[4].reason_code, "little_drilled");
 }
 
@@ -226,20 +249,21 @@ TEST(Grade, WithoutATargetCriterionOrItsMeasureNothingIsScaled) {
   EXPECT_EQ(grade(s, faultless(10)).score, 100.0);
 }
 
-TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleStudent) {
+TEST(Grade, WhatIsMeasuredOverTheWholeTargetOrLesionIsNotScaled) {
   Scenario s;
   s.rubric.criteria = {{"target_removed", 10, kRemoved},
                        {"time", 10, {0, 0, 0, 300, 400, 600}},
                        {"force_peak", 10, {0, 0, 0, 1.5, 2, 3}},
                        {"removed_enamel", 10, {0, 0, 0, 5, 8, 12}},
                        {"removed_carious_dentine", 10, {1, 2, 3, 5, 6, 8}},  // must be removed: its bands ask for it
+                       {"caries_left_periphery", 10, {0, 0, 0, 0.1, 1, 2}},
                        {"uncut_remainder", 10, {0, 0, 0, 1, 2, 4}}};
-  const Grade idle = grade(s, {value("target_removed", 0), value("time", 0), value("force_peak", 0),
-                               value("removed_enamel", 0), value("removed_carious_dentine", 0), value("uncut_remainder", 40)});
+  const Grade idle = grade(s, {value("target_removed", 0), value("time", 0), value("force_peak", 0), value("removed_enamel", 0),
+                               value("removed_carious_dentine", 0), value("caries_left_periphery", 5), value("uncut_remainder", 40)});
   EXPECT_EQ(idle.score, 0.0);
-  const Grade half = grade(s, {value("target_removed", 48.5), value("removed_carious_dentine", 4), value("uncut_remainder", 0.5)});
-  EXPECT_DOUBLE_EQ(half.criteria[4].points, 10.0 * 100 / 30);
-  EXPECT_DOUBLE_EQ(half.criteria[5].points, 10.0 * 100 / 30);
+  const Grade half = grade(s, {value("target_removed", 48.5), value("removed_carious_dentine", 4), value("caries_left_periphery", 0),
+                               value("uncut_remainder", 0.5)});
+  for (const std::size_t i : {4u, 5u, 6u}) EXPECT_DOUBLE_EQ(half.criteria[i].points, 10.0 * 100 / 40) << half.criteria[i].id;
 }
 
 TEST(Grade, FormAndRidgesOfASmallHoleAreNoMerit) {
@@ -252,7 +276,7 @@ TEST(Grade, FormAndRidgesOfASmallHoleAreNoMerit) {
                        {"ridge_mesial", 10, {1, 1.2, 1.6, 100, 100, 100}}};
   const Grade hole = grade(s, {value("target_removed", 4.85), value("wall_angle_buccal", 0), value("wall_angle_lingual", 4),
                                value("floor_flatness", 0), value("isthmus_width", 1), value("ridge_mesial", 2)});
-  EXPECT_DOUBLE_EQ(hole.score, 100.0 * 5 * 0.05 / 6);  // 5 % of each but the target's own, which earns none below 80 %
+  EXPECT_DOUBLE_EQ(hole.score, 100.0 * 5 * 0.0485 / 6);  // that share of each but the target's own, which earns none below 80 %
 }
 
 TEST(DefaultBands, AreOfferedForEachMeasurementOfFormAndRise) {
@@ -273,14 +297,40 @@ TEST(DefaultBands, AreOfferedForEachMeasurementOfFormAndRise) {
 }
 
 TEST(Grade, PointsRiseWithTheShareAndNeverJump) {
-  double last = 15.0;
+  double last = 0.0;
   for (double percent = 0.5; percent <= 100; percent += 0.5) {
     const double score = grade(class_one(), faultless(percent)).score;
     EXPECT_GE(score, last);
-    // Steepest between 90 and 97: 0.5 · (15/7 + 55/97) = 1.36; the first step starts from 15 for the depth.
+    // Steepest between 90 and 97: 0.5 (15 / 7 + 70 * 0.515 / 48.5) = 1.44.
     EXPECT_LT(score - last, 2.0) << percent;
     last = score;
   }
+}
+
+TEST(Changes, NameBothEvaluatorsAndEachCriterionThatDiffers) {
+  const std::vector<Measure> m = {value("target_removed", 98), value("depth_mean", 2.4), value("overcut_beyond_side", 2)};
+  const Grade now = grade(scenario(), m);
+  EXPECT_TRUE(changes(now, now).none());
+  Grade before = now;
+  before.evaluator = "3";
+  before.score -= 2;
+  before.passed = false;
+  before.criteria[1].points -= 2;
+  before.criteria[2].id = "depth_most";
+  const GradeChanges c = changes(before, now);
+  EXPECT_FALSE(c.none());
+  EXPECT_EQ(c.evaluator_before, "3");
+  EXPECT_EQ(c.evaluator_after, "4");
+  EXPECT_EQ(c.score_after - c.score_before, 2.0);
+  EXPECT_TRUE(!c.passed_before && c.passed_after);
+  ASSERT_EQ(c.criteria.size(), 3u);
+  EXPECT_EQ(c.criteria[0].id, "depth_mean");
+  EXPECT_EQ(c.criteria[0].value_before, c.criteria[0].value_after);
+  EXPECT_DOUBLE_EQ(*c.criteria[0].points_after - *c.criteria[0].points_before, 2.0);
+  EXPECT_EQ(c.criteria[1].id, "depth_most");
+  EXPECT_FALSE(c.criteria[1].value_after);
+  EXPECT_EQ(c.criteria[2].id, "overcut_beyond_side");
+  EXPECT_FALSE(c.criteria[2].value_before);
 }
 
 TEST(Grade, ACriterionBeyondTheDevicesAxesIsShownWithoutPoints) {

@@ -162,12 +162,26 @@ TEST(Grade, MarksWhatCountsOnlyAsFarAsTheTargetWasCut) {
     return out;
   };
   Grade g = grade(s, {});
-  EXPECT_THAT(marks(g), ElementsAre(false, true, false));
+  EXPECT_THAT(marks(g), ElementsAre(false, true, true));
   for (CriterionGrade& c : g.criteria) c.counts_with_target = false;  // as the records give it back
+  mark_counted_with_target(g, s.rubric);
+  EXPECT_THAT(marks(g), ElementsAre(false, true, true));
+  g.evaluator = "3";  // counted the depth whole
   mark_counted_with_target(g, s.rubric);
   EXPECT_THAT(marks(g), ElementsAre(false, true, false));
   s.rubric.criteria.erase(s.rubric.criteria.begin());
   EXPECT_THAT(marks(grade(s, {})), ElementsAre(false, false));
+}
+
+TEST(Grade, StatesTheShareByTheRuleOfItsEvaluator) {
+  Scenario s;
+  s.rubric.criteria = {{"target_removed", 50, {80, 90, 96, 100, 100, 100}}, {"depth_mean", 20, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
+  Grade g = grade(s, {{"target_removed", true, 24.0, 0.0, "%", {}}});
+  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric), 0.24);
+  g.evaluator = "3";
+  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric), 0.25);
+  s.rubric.criteria.erase(s.rubric.criteria.begin());
+  EXPECT_EQ(share_counted(g, s.rubric), 1.0);
 }
 
 TEST(LossReasons, PutTheOpenedPulpFirstThenTheGreatestLoss) {

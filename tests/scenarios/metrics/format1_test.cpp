@@ -1,5 +1,6 @@
 // Exercises of format 1 as their files stood (tests/scenarios/format/format1), measured and graded by this program. The
 // figures of format1.golden were written by the last program of format 1 (evaluator 3), as bits: equal means equal.
+// Evaluator 4 marks less of an attempt that leaves part of the target (scenarios/grading/grader.h).
 
 #include <gtest/gtest.h>
 
@@ -98,10 +99,66 @@ std::string figures_of(const Case& c) {
   return out.str();
 }
 
-TEST(Format1, GradesBitForBitAsTheProgramOfFormat1) {
-  std::string all;
-  for (const Case& c : cases()) all += figures_of(c);
-  EXPECT_EQ(all, text_of("metrics/format1.golden"));
+/// Lines of one attempt: its score, then its points and values.
+struct Attempt {
+  std::string score;
+  std::vector<std::string> points, values;
+};
+
+std::vector<Attempt> attempts_of(const std::string& figures) {
+  std::vector<Attempt> out;
+  std::istringstream lines(figures);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ")) out.push_back({line, {}, {}});
+    else (line.starts_with("  value") ? out.back().values : out.back().points).push_back(line);
+  }
+  return out;
+}
+
+double score_of(const Attempt& attempt) { return std::strtod(attempt.score.c_str() + attempt.score.find("score ") + 6, nullptr); }
+
+struct Both {
+  std::vector<Attempt> now, then;
+};
+const Both& both() {
+  static const Both out = [] {
+    std::string all;
+    for (const Case& c : cases()) all += figures_of(c);
+    return Both{attempts_of(all), attempts_of(text_of("metrics/format1.golden"))};
+  }();
+  return out;
+}
+
+TEST(Format1, MeasuresBitForBitAsTheProgramOfFormat1) {
+  ASSERT_EQ(both().now.size(), both().then.size());
+  for (std::size_t i = 0; i < both().now.size(); ++i) EXPECT_EQ(both().now[i].values, both().then[i].values) << both().then[i].score;
+}
+
+TEST(Format1, MarksBitForBitAsEvaluator3WhereTheTargetIsOut) {
+  int same = 0;
+  for (std::size_t i = 0; i < both().now.size(); ++i) {
+    const Attempt &now = both().now[i], &then = both().then[i];
+    if (!then.points.front().ends_with("ideal full")) continue;  // the first criterion of each is target_removed
+    EXPECT_EQ(now.score, then.score);
+    EXPECT_EQ(now.points, then.points);
+    ++same;
+  }
+  EXPECT_EQ(same, 2);
+}
+
+TEST(Format1, OfPartOfTheTargetMarksAllElseLowerThanEvaluator3) {
+  for (std::size_t i = 0; i < both().now.size(); ++i) {
+    const Attempt &now = both().now[i], &then = both().then[i];
+    if (then.points.front().ends_with("ideal full")) continue;
+    EXPECT_LT(score_of(now), score_of(then)) << then.score;
+    ASSERT_EQ(now.points.size(), then.points.size());
+    for (std::size_t k = 0; k < now.points.size(); ++k) {
+      const bool of_the_whole = then.points[k].starts_with("  points target_removed") || then.points[k].starts_with("  points undercut");
+      if (of_the_whole) {
+        EXPECT_EQ(now.points[k], then.points[k]);
+      }
+    }
+  }
 }
 
 }  // namespace

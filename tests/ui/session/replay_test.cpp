@@ -239,6 +239,29 @@ TEST(Replay, AnotherRubricGradesTheSameToothOtherwiseAndKeepsNothingUnlessAsked)
   EXPECT_EQ(store->grades.all(result->session)->size(), 1u);
 }
 
+TEST(Replay, AGradeMadeAnewNamesTheStoredEvaluatorAndWhatDiffers) {
+  const Workplace work;
+  DrillingPort port(1200);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->changes);
+  const auto store = work.store();
+  const auto again = grade_session(*store, result->session, nullptr, Keep::nothing);
+  ASSERT_TRUE(again && again->changes);
+  EXPECT_TRUE(again->changes->none()) << "the same program gives the same grade";
+  Grade older = result->grade;
+  older.evaluator = "3";
+  older.criteria.front().points += 1;
+  ASSERT_TRUE(store->grades.save(result->session, older, rubric_hash(work.plan().scenario.rubric), std::nullopt));
+  const auto anew = grade_session(*store, result->session, nullptr, Keep::nothing);
+  ASSERT_TRUE(anew && anew->changes);
+  EXPECT_EQ(anew->changes->evaluator_before, "3");
+  EXPECT_EQ(anew->changes->evaluator_after, anew->grade.evaluator);
+  ASSERT_EQ(anew->changes->criteria.size(), 1u);
+  EXPECT_EQ(anew->changes->criteria.front().id, older.criteria.front().id);
+  EXPECT_EQ(store->grades.newest(result->session)->value().grade.evaluator, "3") << "stored grades stay";
+}
+
 TEST(Replay, ASessionThatIsNotThereFails) {
   const Workplace work;
   const auto store = work.store();

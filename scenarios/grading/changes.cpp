@@ -1,0 +1,40 @@
+#include "scenarios/grading/changes.h"
+
+#include <algorithm>
+
+namespace cusp::scenarios {
+
+namespace {
+
+const CriterionGrade* find(const Grade& grade, const std::string& id) {
+  const auto it = std::ranges::find(grade.criteria, id, &CriterionGrade::id);
+  return it == grade.criteria.end() ? nullptr : &*it;
+}
+
+CriterionChange change_of(const std::string& id, const CriterionGrade* before, const CriterionGrade* after) {
+  CriterionChange out{id, {}, {}, {}, {}};
+  const auto fill = [](const CriterionGrade* from, std::optional<double>& value, std::optional<double>& points) {
+    if (from == nullptr || !from->measure.measured) return;
+    value = from->measure.value;
+    points = from->points;
+  };
+  fill(before, out.value_before, out.points_before);
+  fill(after, out.value_after, out.points_after);
+  return out;
+}
+
+}  // namespace
+
+GradeChanges changes(const Grade& before, const Grade& after) {
+  GradeChanges out{before.evaluator, after.evaluator, before.score, after.score, before.passed, after.passed, {}};
+  const auto add = [&](const std::string& id) {
+    const CriterionChange one = change_of(id, find(before, id), find(after, id));
+    if (one.value_before != one.value_after || one.points_before != one.points_after) out.criteria.push_back(one);
+  };
+  for (const CriterionGrade& c : before.criteria) add(c.id);
+  for (const CriterionGrade& c : after.criteria)
+    if (find(before, c.id) == nullptr) add(c.id);
+  return out;
+}
+
+}  // namespace cusp::scenarios
