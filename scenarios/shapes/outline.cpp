@@ -139,6 +139,33 @@ std::size_t OutlineShape::side_of(Vec2 p) const noexcept {
   return off.y < 0.0 ? 2 : 3;
 }
 
+std::size_t OutlineShape::faces_at(Vec3 p, const std::array<FaceName, 6>& faces, std::array<LeafFace, 6>& out) const noexcept {
+  out[0] = {faces[0], below_floor_mm(p.z), Vec3(0.0, 0.0, -1.0)};
+  const Vec2 flat(p.x, p.y);
+  if (!box_) {
+    Vec2 off(0.0);
+    double nearest = std::numeric_limits<double>::max();
+    for (const Segment& s : segments_) {
+      const Vec2 from = flat - (s.a + nearest_on_segment(flat, s.a, s.b) * (s.b - s.a));
+      if (glm::dot(from, from) >= nearest) continue;
+      nearest = glm::dot(from, from);
+      off = from;
+    }
+    if (!(nearest > 0.0)) return 1;  // on the line itself no wall is the nearer
+    out[1] = {faces[1 + side_of(flat)], wall_mm(p), Vec3(off / std::sqrt(nearest), 0.0)};
+    return 2;
+  }
+  const std::array<double, 4> spread = spread_at(p.z);
+  for (std::size_t side = 0; side < 4; ++side) {
+    const int axis = static_cast<int>(side / 2);
+    const double way = side % 2 == 0 ? -1.0 : 1.0, steep = std::sqrt(1.0 + slope_[side] * slope_[side]);
+    Vec3 normal(0.0, 0.0, -slope_[side] / steep);
+    normal[axis] = way / steep;
+    out[1 + side] = {faces[1 + side], (way * (flat[axis] - box_centre_[axis]) - box_half_[axis] - spread[side]) / steep, normal};
+  }
+  return 5;
+}
+
 Near OutlineShape::near(Vec3 p, const std::array<FaceName, 6>& faces) const noexcept {
   const double u = wall_mm(p), v = below_floor_mm(p.z);
   Near out{tapered_ ? blended_max(u, v, corner_mm_) : rounded_corner(u, v, corner_mm_), u, v, faces[0]};

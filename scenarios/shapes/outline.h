@@ -8,6 +8,7 @@
 
 #include "scenarios/format/region.h"
 #include "scenarios/shapes/distance.h"
+#include "scenarios/shapes/facing.h"
 #include "scenarios/shapes/near.h"
 
 namespace cusp::scenarios {
@@ -33,6 +34,8 @@ class OutlineShape {
   double distance_mm(Vec3 p) const noexcept;
   /// Distances and face. `faces`: in the order of face_slots(RegionKind::outline).
   Near near(Vec3 p, const std::array<FaceName, 6>& faces) const noexcept;
+  /// Its floor, and its four walls (a rectangle) or the wall beside the place (slots). Returns how many.
+  std::size_t faces_at(Vec3 p, const std::array<FaceName, 6>& faces, std::array<LeafFace, 6>& out) const noexcept;
 
   double top_mm() const noexcept { return top_mm_; }
   double floor_mm() const noexcept { return floor_mm_; }  // height of the floor

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "scenarios/shapes/facing.h"
 #include "scenarios/shapes/outline.h"
 
 namespace cusp::scenarios {
@@ -24,6 +26,9 @@ class RegionShape {
   /// ellipsoid, a leaning outline and any node are bounds. On the edge between parts of a node the face is that of the part
   /// that decides there; of equals the first.
   Near near(Vec3 p) const noexcept { return at(0, p); }
+  /// The face that a piece of cut surface belongs to, from its place and its normal into the void (of length 1). nullopt where
+  /// no face of the region leans like it.
+  std::optional<Facing> facing(Vec3 p, Vec3 into_void) const noexcept;
   const RegionBounds& bounds() const noexcept { return bounds_; }
 
  private:
@@ -41,6 +46,17 @@ class RegionShape {
   Near at(std::size_t node, Vec3 p) const noexcept;
   Near leaf(const Node& node, Vec3 p) const noexcept;
   RegionBounds bounds_of(std::size_t node) const noexcept;
+  struct Sought {
+    Vec3 p, into_void;
+  };
+  struct Found {
+    double off;  // mm2
+    Facing facing;
+  };
+  /// Fills one entry for each face of a leaf; returns how many.
+  std::size_t faces_of(const Node& node, Vec3 p, std::array<LeafFace, 6>& out) const noexcept;
+  /// `grown`: by the offsets above the node. `inverted`: it is taken off.
+  void offer_faces(const Sought& sought, std::size_t node, double grown, bool inverted, Found& best) const noexcept;
 
   std::vector<Node> nodes_;
   std::vector<OutlineShape> outlines_;

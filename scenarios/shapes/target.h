@@ -17,6 +17,7 @@ class TargetShape {
   /// The lone outline with upright walls that the target is; else nullptr. What is asked of it is bit for bit format 1's.
   const OutlineShape* upright() const noexcept { return upright_ ? &*upright_ : nullptr; }
   Near near(Vec3 p) const noexcept { return region_.near(p); }
+  std::optional<Facing> facing(Vec3 p, Vec3 into_void) const noexcept { return region_.facing(p, into_void); }
   /// Signed distance: exact or a lower bound.
   double distance_mm(Vec3 p) const noexcept { return upright_ ? upright_->distance_mm(p) : region_.near(p).distance_mm; }
   /// From the wall in plan, negative inside: of an upright outline; of any other target its distance at half its depth.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <random>
 
 #include "scenarios/shapes/place.h"
@@ -210,6 +212,80 @@ TEST(Region, ItsBoundsHoldIt) {
 TEST(Region, ATreeWithoutAnOutlineHasNoPlaneForDepth) {
   EXPECT_FALSE(TargetShape(sphere({0, 0, 0}, 1)).has_plane());
   EXPECT_TRUE(TargetShape(node(RegionKind::joined, {sphere({0, 0, 0}, 1), region_of(slot(2))})).has_plane());
+}
+
+constexpr Vec3 kUp(0, 0, 1);
+
+/// A slot 2 mm deep along x, and at its end a box 4 mm deep whose faces have names.
+Region slot_and_box() {
+  Region proximal = box_region({3, 0, -2}, {2, 2.4, 4});
+  proximal.faces = {{"z_low", FaceName::gingival_floor}, {"x_low", FaceName::axial_wall}, {"y_low", FaceName::lingual_wall}, {"y_high", FaceName::buccal_wall}};
+  return node(RegionKind::joined, {region_of(slot(0)), proximal});
+}
+
+TEST(Facing, AFloorThatWasCutShortBelongsToItsFloorWhicheverWallIsNearer) {
+  const RegionShape shape(slot_and_box());
+  const auto floor = shape.facing({3, 1.1, -3.2}, kUp);  // 0.8 mm short of the gingival floor, 0.1 mm off the buccal wall
+  ASSERT_TRUE(floor);
+  EXPECT_EQ(floor->face, FaceName::gingival_floor);
+  EXPECT_NEAR(floor->beyond_mm, -0.8, 1e-12);
+  EXPECT_NEAR(floor->beside_mm, 0.0, 1e-12);
+  EXPECT_NEAR(floor->wall_mm, -0.1, 1e-12);
+  const auto wall = shape.facing({3, 1.1, -3.2}, {0, -1, 0});  // the same place as a wall that looks lingually
+  ASSERT_TRUE(wall);
+  EXPECT_EQ(wall->face, FaceName::buccal_wall);
+  EXPECT_NEAR(wall->floor_mm, -0.8, 1e-12);
+  EXPECT_EQ(wall->floor, FaceName::gingival_floor);
+}
+
+TEST(Facing, AFloorIsThatOfThePartItLiesOver) {
+  const RegionShape shape(slot_and_box());
+  EXPECT_EQ(shape.facing({0, 0, -2.7}, kUp)->face, FaceName::pulpal_floor);
+  EXPECT_EQ(shape.facing({3.5, 0, -3.1}, kUp)->face, FaceName::gingival_floor) << "nearer to the height of the pulpal floor";
+  EXPECT_EQ(shape.facing({2.1, 0, -3.0}, {1, 0, 0})->face, FaceName::axial_wall);
+}
+
+TEST(Facing, NothingFacesACeiling) {
+  EXPECT_FALSE(RegionShape(region_of(slot(0))).facing({0, 0, -1}, {0, 0, -1}));
+}
+
+TEST(Facing, OfWhatIsTakenOffTheFacesAreTurned) {
+  // A ball of 1 mm stays in a box: what was cut about it looks outwards.
+  const RegionShape shape(node(RegionKind::difference, {box_region({0, 0, 0}, {6, 6, 6}), sphere({0, 0, 0}, 1)}));
+  const auto about = shape.facing({1.2, 0, 0}, {1, 0, 0});
+  ASSERT_TRUE(about);
+  EXPECT_NEAR(about->beyond_mm, -0.2, 1e-12) << "0.2 mm of the target stand on the ball";
+  const auto wall = shape.facing({2.9, 0, 0}, {-1, 0, 0});
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(wall->beyond_mm, -0.1, 1e-12);
+}
+
+TEST(Facing, OfAnOffsetTheFacesMoveWithIt) {
+  const RegionShape shape(node(RegionKind::offset, {sphere({0, 0, 0}, 1)}, 0.5));
+  EXPECT_NEAR(shape.facing({0, 0, -1.6}, kUp)->beyond_mm, 0.1, 1e-12);
+}
+
+TEST(Facing, EachFaceOfEachLeafIsFound) {
+  const auto out = [](const Region& region, Vec3 p, Vec3 into_void) {
+    const auto found = RegionShape(region).facing(p, into_void);
+    return found ? found->beyond_mm : 99.0;
+  };
+  const double s = std::sqrt(0.5);
+  EXPECT_NEAR(out(along(RegionKind::cylinder, {0, 0, -2}, {0, 0, 0}, 1), {0, 0, -2.1}, kUp), 0.1, 1e-12);
+  EXPECT_NEAR(out(along(RegionKind::cylinder, {0, 0, -2}, {0, 0, 0}, 1), {0.8, 0, -1}, {-1, 0, 0}), -0.2, 1e-12);
+  EXPECT_NEAR(out(along(RegionKind::cone, {0, 0, -1}, {0, 0, 0}, 1, 2), {1.5 - 0.1 * s, 0, -0.5 + 0.1 * s}, {-s, 0, s}), -0.1, 1e-12);
+  EXPECT_NEAR(out(along(RegionKind::capsule, {0, 0, -2}, {0, 0, 0}, 1), {0, 0, -3.1}, kUp), 0.1, 1e-12);
+  EXPECT_NEAR(out(half_space({0, 0, -1}, {0, 0, -1}), {5, 5, -0.8}, kUp), -0.2, 1e-12);
+  Region ellipsoid = box_region({0, 0, 0}, {4, 4, 2});
+  ellipsoid.kind = RegionKind::ellipsoid;
+  EXPECT_NEAR(out(ellipsoid, {0, 0, -1}, kUp), 0.0, 1e-12);
+  Region tapered = region_of(slot(0));
+  tapered.outline.shape = "box";
+  tapered.outline.paths = {{Vec3(0, 0, -2)}};
+  tapered.outline.box_size_mm = {4, 2, 0};
+  tapered.outline.taper_deg = {0, 10, 0, 0};
+  const double wall_x = 2 + 1 * std::tan(10 * std::numbers::pi / 180);  // a millimetre above the floor
+  EXPECT_NEAR(out(tapered, {wall_x, 0, -1}, {-1, 0, 0}), 0.0, 1e-12);
 }
 
 }  // namespace
