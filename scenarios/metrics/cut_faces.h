@@ -1,4 +1,4 @@
-/// The cut surface as triangles, sorted into floor and walls by their normals: what the measurements of form look at.
+/// The cut surface as triangles by the faces of the target: what the measurements of form look at.
 /// Frame: specimen. Millimetres. Not for the haptic thread.
 #pragma once
 
@@ -21,24 +21,30 @@ struct CutFace {
   Vec3 normal{0.0};    // of the cut field there: a sliver of a triangle has none of its own
 };
 
-/// Faces of one volume. The floor leans less than 45 degrees (dental.md 2.2) and lies where the target's floor is flat;
-/// a wall leans less than 45 degrees from the axis and lies above the rounded line angle, at most kWallReachMm off the
-/// target's outline. In a tree the floor is what lies nearest to the pulpal floor. A wall faces away from the side that names it, by the nearer of the two directions.
+/// Faces of one volume.
+///
+/// A lone upright outline has its faces by their normals: the floor leans less than 45 degrees (dental.md 2.2) and lies where the
+/// target's floor is flat; a wall leans less than 45 degrees from the axis and lies above the rounded line angle, at most
+/// kWallReachMm off the outline. A wall faces away from the side that names it, by the nearer of the two directions.
+///
+/// In a tree a triangle belongs to the face that it faces (scenarios/shapes/facing.h), at most kWallReachMm beyond it or beside it.
+/// A floor lies off the walls of its part by the rounded line angle, a wall above the floor that was cut there. What faces a
+/// side_wall, of no named side, is named by its normal; without a tooth's number it stays a side_wall.
 class CutFaces {
  public:
   /// Tens of milliseconds. A filled reading has steps for faces: it stays empty. `depth`: floor_depth() of the volume.
   CutFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth);
 
   const std::vector<CutFace>& of(FaceName name) const noexcept { return faces_[static_cast<std::size_t>(name)]; }
-  /// Without a tooth's number nobody knows where mesial is: the walls are then in of(), mirrored or not, but unnamed.
-  bool sides_known() const noexcept { return sides_known_; }
+  /// Without a tooth's number nobody knows where mesial is: walls named by their normals are then in of(), mirrored or not.
+  bool side_known(FaceName name) const noexcept { return side_known_[static_cast<std::size_t>(name)]; }
 
  private:
   std::array<std::vector<CutFace>, kFaceNames> faces_;
-  bool sides_known_ = false;
+  std::array<bool, kFaceNames> side_known_{};
 };
 
-/// Further off the outline a cut is damage and no wall, mm [M].
+/// Further off the target a cut is damage and none of its faces, mm [M].
 inline constexpr double kWallReachMm = 1.0;
 
 }  // namespace cusp::scenarios

@@ -99,10 +99,10 @@ class FilledColumn {
   const Volume& volume_;
 };
 
-/// Of a tree: nearest to its pulpal floor, and off the walls by the inset.
+/// Of a tree: a floor that faces its pulpal floor, and off that part's walls by the inset.
 bool on_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
-  const Near near = shape.near(p);
-  return near.face == FaceName::pulpal_floor && near.wall_mm <= -inset;
+  const std::optional<Facing> facing = shape.facing(p, Vec3(0.0, 0.0, 1.0));
+  return facing && facing->face == FaceName::pulpal_floor && facing->wall_mm <= -inset;
 }
 
 template <class Column>

@@ -35,7 +35,7 @@ void add_walls(const Reference& reference, const CutFaces& faces, std::vector<Me
                                 {FaceName::buccal_wall, "wall_angle_buccal"},
                                 {FaceName::lingual_wall, "wall_angle_lingual"}}};
   for (Wall& wall : walls) {
-    if (faces.sides_known()) wall.angle = wall_angle(faces, wall.name, reference.point_sigma_mm());
+    if (faces.side_known(wall.name)) wall.angle = wall_angle(faces, wall.name, reference.point_sigma_mm());
     if (wall.angle)
       out.push_back({wall.metric, true, wall.angle->deg, wall.angle->uncertainty_deg, "deg", wall.angle->at_mm});
     else

@@ -65,7 +65,7 @@ class ProximalContour {
 
 std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference, const Volume& volume,
                                               FaceName wall) {
-  if (!faces.sides_known() || faces.of(wall).empty()) return std::nullopt;
+  if (reference.mesial_x() == 0 || faces.of(wall).empty()) return std::nullopt;
   const int direction = wall == FaceName::mesial_wall ? reference.mesial_x() : -reference.mesial_x();
   // The wall's outermost place in each strip of half a voxel: no other of that strip can be nearer to the contour.
   std::map<int, Vec3> outermost;

@@ -33,8 +33,8 @@ std::optional<Isthmus> isthmus(const CutFaces& faces, const Volume& volume, doub
   SurfaceSearch search(volume, Solid::remaining);
   std::optional<Isthmus> best;
   double least = kWidestMm;
-  for (const FaceName wall :
-       {FaceName::mesial_wall, FaceName::distal_wall, FaceName::buccal_wall, FaceName::lingual_wall})
+  for (const FaceName wall : {FaceName::mesial_wall, FaceName::distal_wall, FaceName::buccal_wall, FaceName::lingual_wall,
+                              FaceName::side_wall})
     for (const CutFace& face : faces.of(wall)) {
       const Vec3 level(face.normal.x, face.normal.y, 0.0);
       const double length = std::sqrt(glm::dot(level, level));

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
@@ -133,6 +135,40 @@ TEST(TreeTarget, ATaperedWallHasItsAngle) {
     ASSERT_TRUE(m.measured) << metric;
     EXPECT_NEAR(m.value, deg, m.uncertainty) << metric;
   }
+}
+
+/// A box of named walls that stands turned about the axis; no wall's normal lies nearer to the direction of its name.
+Region turned_box(double turn_deg) {
+  Region out = box_region({0, 0, -0.5}, {3, 2, 3});
+  const double turn = turn_deg * std::numbers::pi / 180;
+  out.x_axis = {std::cos(turn), std::sin(turn), 0};
+  out.faces = {{"x_low", FaceName::distal_wall}, {"x_high", FaceName::mesial_wall}, {"y_low", FaceName::lingual_wall}, {"y_high", FaceName::buccal_wall}};
+  return out;
+}
+
+TEST(TreeTarget, AWallIsOfTheFaceThatNamesItAndNotOfItsNormal) {
+  const Region target = turned_box(60);
+  Region cut = target;
+  cut.z_axis = Vec3(0, std::sin(0.06), std::cos(0.06));
+  Scenario s = exercise(target);
+  s.specimen.generator = "block";  // the names need no tooth's number
+  const auto measures = measured(s, exactly(cut));
+  // The box leans by 0.06 rad about x: each wall by its normal's part along y.
+  const double turn = 60 * std::numbers::pi / 180;
+  const Vec3 z = cut.z_axis, x = glm::normalize(Vec3(std::cos(turn), std::sin(turn), 0) - std::sin(turn) * z.y * z), y = glm::cross(z, x);
+  const auto lean = [](Vec3 out) { return -std::asin(out.z) * 180 / std::numbers::pi; };
+  for (const auto& [metric, out] : {std::pair{"wall_angle_mesial", x}, {"wall_angle_distal", -x}, {"wall_angle_buccal", y}, {"wall_angle_lingual", -y}}) {
+    const Measure m = get(measures, metric);
+    ASSERT_TRUE(m.measured) << metric;
+    EXPECT_NEAR(m.value, lean(out), m.uncertainty) << metric;
+  }
+}
+
+TEST(TreeTarget, AFloorThatIsHalfCutIsStillItsFloor) {
+  // 0.9 mm short: the walls of the slot, 0.6 mm away at most, are nearer than the floor.
+  const Region target = class_two(4);
+  const auto measures = measured(exercise(target), exactly(region_of(isthmus(1.2, 1.1))));
+  EXPECT_NEAR(get(measures, "depth_mean").value, 1.1, 0.005);
 }
 
 /// A slot 3.3 mm deep takes 0.3 mm of the dentine below z = -3.
