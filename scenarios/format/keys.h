@@ -17,7 +17,7 @@ namespace cusp::scenarios {
 /// A quantity that a rubric may ask for. Besides these, "removed_<tissue>" (mm3) for every tissue key but "empty".
 struct MetricKey {
   std::string_view key;
-  std::string_view unit;  // "%", "mm3", "mm", "deg", "s", "N"
+  std::string_view unit;  // "%", "mm3", "mm", "deg", "s", "N", "K", "" for a yes (1) or no (0)
   double least = 0;       // values below or above cannot be measured; used to see whether points can be reached
   double most = 1e9;
 };
@@ -50,6 +50,52 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"force_mean", "N"},
     MetricKey{"dry_cutting_time", "s"},            // the bur worked without coolant; needs the phenomenon "heat"
     MetricKey{"temperature_rise_peak", "K"},       // likewise
+    // Groups of dentistry.md; definitions in scenarios/metrics: volume.h, surface.h, box.h, margin.h, proximal.h, caries.h.
+    MetricKey{"overcut_leeway_pulpal_floor", "mm3"},
+    MetricKey{"overcut_leeway_mesial_wall", "mm3"},
+    MetricKey{"overcut_leeway_distal_wall", "mm3"},
+    MetricKey{"overcut_leeway_buccal_wall", "mm3"},
+    MetricKey{"overcut_leeway_lingual_wall", "mm3"},
+    MetricKey{"overcut_leeway_gingival_floor", "mm3"},
+    MetricKey{"overcut_leeway_axial_wall", "mm3"},
+    MetricKey{"overcut_leeway_side_wall", "mm3"},
+    MetricKey{"overcut_beyond_pulpal_floor", "mm3"},
+    MetricKey{"overcut_beyond_mesial_wall", "mm3"},
+    MetricKey{"overcut_beyond_distal_wall", "mm3"},
+    MetricKey{"overcut_beyond_buccal_wall", "mm3"},
+    MetricKey{"overcut_beyond_lingual_wall", "mm3"},
+    MetricKey{"overcut_beyond_gingival_floor", "mm3"},
+    MetricKey{"overcut_beyond_axial_wall", "mm3"},
+    MetricKey{"overcut_beyond_side_wall", "mm3"},
+    MetricKey{"surface_within_100", "%", 0, 100},
+    MetricKey{"surface_within_200", "%", 0, 100},
+    MetricKey{"surface_within_300", "%", 0, 100},
+    MetricKey{"surface_within_400", "%", 0, 100},
+    MetricKey{"surface_within_500", "%", 0, 100},
+    MetricKey{"surface_rms", "mm"},
+    MetricKey{"surface_p95", "mm"},
+    MetricKey{"surface_greatest", "mm"},
+    MetricKey{"gingival_above_cej", "mm", -20, 20},
+    MetricKey{"box_height", "mm", -20, 20},
+    MetricKey{"axial_past_junction_least", "mm", -20, 20},  // below 0: still in enamel
+    MetricKey{"axial_past_junction_mean", "mm", -20, 20},
+    MetricKey{"axial_past_junction_most", "mm", -20, 20},
+    MetricKey{"cavosurface_angle", "deg", 0, 180},
+    MetricKey{"cavosurface_off", "%", 0, 100},
+    MetricKey{"contact_broken", "", 0, 1},
+    MetricKey{"clearance_buccal_gingival", "mm"},
+    MetricKey{"clearance_buccal_middle", "mm"},
+    MetricKey{"clearance_buccal_occlusal", "mm"},
+    MetricKey{"clearance_lingual_gingival", "mm"},
+    MetricKey{"clearance_lingual_middle", "mm"},
+    MetricKey{"clearance_lingual_occlusal", "mm"},
+    MetricKey{"clearance_gingival", "mm"},
+    MetricKey{"gingival_floor_mesiodistal", "mm"},
+    MetricKey{"caries_left_periphery", "mm3"},
+    MetricKey{"caries_left_pulp", "mm3"},
+    MetricKey{"caries_left_pulp_firm", "mm3"},
+    MetricKey{"caries_left_enamel", "mm3"},
+    MetricKey{"sound_lost", "mm3"},
 };
 
 /// Events that may fail an attempt whatever its score.

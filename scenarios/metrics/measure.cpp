@@ -6,6 +6,7 @@
 #include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/form.h"
+#include "scenarios/metrics/groups.h"
 #include "scenarios/metrics/protected_parts.h"
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/modules.h"
@@ -148,7 +149,8 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
   add_target(reference, volume, sum, out);
   const std::optional<FloorDepth> depth = floor_depth(reference, volume);
   add_depth(reference, depth, out);
-  add_form(CutFaces(reference, volume, depth), reference, volume, out);
+  const CutFaces faces(reference, volume, depth);
+  add_form(faces, reference, volume, out);
   for (const Tissue tissue : reference.tissues()) {
     const std::size_t i = index_of(tissue);
     if (!reference.has(tissue)) {
@@ -174,6 +176,7 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
     out.push_back(measured("protected_damage", damage->damaged, 0.0, "", damage->at_mm));
   }
   if (reference.heat()) add_heat(process, out);
+  add_groups(faces, reference, volume, out);
   return out;
 }
 

@@ -4,13 +4,19 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "engine/volume/specimen.h"
 #include "scenarios/format/scenario.h"
+#include "scenarios/metrics/target_surface.h"
 #include "scenarios/modules.h"
 #include "scenarios/shapes/place.h"
+#include "scenarios/shapes/voxel_index.h"
+#include "scenarios/teeth/landmarks.h"
 
 namespace cusp::scenarios {
 
@@ -18,31 +24,6 @@ namespace cusp::scenarios {
 inline constexpr double kBandedSigmaVoxels = 0.01;  // as a mean over a face
 inline constexpr double kBandedPointVoxels = 0.1;   // at one place, which may be a ridge between two passes
 inline constexpr double kFilledSigmaVoxels = 0.5;   // a voxel stands until the last of it is worn
-
-/// The pulp's outermost voxels, for the distance from a cut to it. The pulp is known to a voxel, as all tissues are.
-class PulpIndex {
- public:
-  explicit PulpIndex(const Specimen& specimen);
-  bool empty() const noexcept { return voxels_.empty(); }
-  /// Distance from a place to the nearest pulp voxel (as a cube), 0 inside it; at most `at_most_mm`, which is also the
-  /// answer without a pulp: the search stops there.
-  double distance_mm(Vec3 p, double at_most_mm) const noexcept;
-  const std::vector<IVec3>& surface_voxels() const noexcept { return voxels_; }
-
- private:
-  /// Box round what lies below; a leaf holds voxels, a branch its two halves.
-  struct Node {
-    Vec3 low, high;                     // mm, round the voxels' cubes
-    std::size_t first = 0, last = 0;    // leaf: in voxels_
-    std::int32_t left = -1, right = -1; // branch: in nodes_
-  };
-  std::int32_t grow(std::span<Node> leaves);
-
-  Grid grid_;
-  std::vector<IVec3> voxels_;
-  std::vector<Node> nodes_;
-  std::int32_t root_ = -1;
-};
 
 /// A tissue or a region that an attempt is to spare.
 struct ProtectedPart {
@@ -60,7 +41,7 @@ class Reference {
   const Specimen& specimen() const noexcept { return *specimen_; }
   const TargetShape& shape() const noexcept { return shape_; }
   const Leeway& leeway() const noexcept { return leeway_; }
-  const PulpIndex& pulp() const noexcept { return pulp_; }
+  const VoxelIndex& pulp() const noexcept { return pulp_; }
   /// 1 if mesial lies along +x, -1 if along -x, 0 if the specimen is no tooth of a known number.
   int mesial_x() const noexcept { return mesial_x_; }
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
@@ -69,6 +50,12 @@ class Reference {
   const std::vector<ProtectedPart>& protected_parts() const noexcept { return protected_parts_; }
   bool heat() const noexcept { return heat_; }  // the scenario reckons coolant and warmth
   bool has(Tissue tissue) const noexcept { return present_[index_of(tissue)]; }
+  /// Whether the rubric has a criterion or a critical event whose key begins so: what nobody asks for is not computed.
+  bool asks(std::string_view start) const noexcept;
+  /// Made at the first call, which may take tenths of a second; any thread. Of an empty target or a filled reading empty.
+  const std::vector<SurfacePatch>& target_surface() const;
+  /// Of the grown tooth; nullptr where the specimen is none. As above.
+  const ToothLandmarks* landmarks() const;
   double surface_sigma_mm() const noexcept;  // of a face's mean place
   double point_sigma_mm() const noexcept;    // of one place
 
@@ -76,11 +63,22 @@ class Reference {
   std::shared_ptr<const Specimen> specimen_;
   TargetShape shape_;
   Leeway leeway_;
-  PulpIndex pulp_;
+  VoxelIndex pulp_;
   std::vector<Tissue> tissues_;
   std::vector<ProtectedPart> protected_parts_;
   std::array<bool, kTissueCodes> present_{};
   double target_mm3_ = 0;
+  /// What is made once, when it is first asked for.
+  struct Later {
+    std::once_flag surface_once, landmarks_once;
+    std::vector<SurfacePatch> surface;
+    std::optional<ToothLandmarks> landmarks;
+  };
+
+  std::vector<std::string> asked_;
+  std::shared_ptr<Later> later_ = std::make_shared<Later>();
+  int fdi_ = 0;  // 0: no grown tooth
+  std::uint64_t seed_ = 0;
   bool heat_ = false;
   int mesial_x_ = 0;
 };

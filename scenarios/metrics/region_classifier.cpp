@@ -94,6 +94,7 @@ bool RegionClassifier::whole_tree(Vec3 c, double h) noexcept {
   const Near middle = shape_.near(c);
   const double reach = 0.8661 * h;
   place_ = place_of(middle, leeway_);
+  face_ = middle.face;
   if (place_ == Place::target) return middle.distance_mm < -reach;
   if (middle.distance_mm <= reach || std::fabs(middle.distance_mm - leeway_.of(middle.face)) <= reach) return false;
   // Which face is the nearest may change within the cell: its corners say whether it does.
@@ -127,7 +128,7 @@ Near RegionClassifier::near_at(Vec3 p) noexcept {
   const double u = outline_at(p);
   const double v = upright_->below_floor_mm(p.z);
   const FaceName face = v >= u ? FaceName::pulpal_floor : FaceName::side_wall;  // of all faces of its kind one leeway
-  return {rounded_corner(u, v, upright_->corner_mm()), u, v, face};
+  return {.distance_mm = rounded_corner(u, v, upright_->corner_mm()), .wall_mm = u, .floor_mm = v, .face = face};
 }
 
 Place RegionClassifier::place_at(Vec3 p, double& d) noexcept {
@@ -171,11 +172,13 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
     t[i] = {corners[i], near.wall_mm, near.floor_mm, near.distance_mm};
   }
   double floor_edge = leeway_.floor_mm, side_edge = leeway_.side_mm;
+  Near middle;
   if (upright_ == nullptr) {  // a tetrahedron has one floor and one wall: those that its middle is nearest to
-    const FaceName face = shape_.near(0.25 * (corners[0] + corners[1] + corners[2] + corners[3])).face;
-    (is_floor(face) ? floor_edge : side_edge) = leeway_.of(face);
+    middle = shape_.near(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
+    (is_floor(middle.face) ? floor_edge : side_edge) = leeway_.of(middle.face);
   }
   const auto split = [&](const Tetrahedron& part, double edge, Place near, Place far) {
+    face_ = near == Place::tolerated_floor ? middle.floor : middle.wall;
     divide(
         part, [&](const Corner& c) { return c.d - edge; },
         [&](const Tetrahedron& x) { solid(near, mm3_of(x), tissue); },

@@ -12,9 +12,11 @@ namespace cusp::scenarios {
 
 class RegionClassifier : public SolidSink {
  public:
+  /// Whether face_ is kept: then a lone upright outline is asked place by place too.
+  enum class ByFace : std::uint8_t { no, yes };
   /// Both outlive the sink.
-  RegionClassifier(const TargetShape& shape, const Leeway& leeway)
-      : shape_(shape), leeway_(leeway), upright_(leeway.faces.empty() ? shape.upright() : nullptr) {}
+  RegionClassifier(const TargetShape& shape, const Leeway& leeway, ByFace by_face = ByFace::no)
+      : shape_(shape), leeway_(leeway), upright_(leeway.faces.empty() && by_face == ByFace::no ? shape.upright() : nullptr) {}
 
   void cell(Vec3 low, Vec3 high) override;
   void box(Vec3 low, Vec3 high, Tissue tissue) override;
@@ -26,7 +28,8 @@ class RegionClassifier : public SolidSink {
   /// Place and distance from the target of a point in the current cell.
   Place place_at(Vec3 p, double& d) noexcept;
 
-  Vec3 low_{0.0}, high_{0.0};  // of the current cell
+  Vec3 low_{0.0}, high_{0.0};                  // of the current cell
+  FaceName face_ = FaceName::side_wall;        // nearest to the part that solid() is given, outside the target
 
  private:
   double outline_at(Vec3 p) noexcept;

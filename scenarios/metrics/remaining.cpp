@@ -11,12 +11,6 @@ namespace cusp::scenarios {
 
 namespace {
 
-/// A tooth's own hard tissue: not gums, bone or ligament, and no neighbour's.
-bool own_hard(Tissue tissue) noexcept {
-  return tissue != Tissue::empty && tissue != Tissue::bone && tissue != Tissue::gingiva && tissue != Tissue::ligament &&
-         !is_neighbour(tissue);
-}
-
 struct Contour {
   double x = 0;
   Vec3 at_mm{0.0};
@@ -44,7 +38,7 @@ class ProximalContour {
     const Specimen& specimen = volume_.specimen();
     const int last = direction_ > 0 ? grid.size.x - 1 : 0;
     for (v.x = last; v.x >= 0 && v.x < grid.size.x; v.x -= direction_) {
-      if (specimen.s(v) < kHalf || !own_hard(specimen.tissue(v))) continue;
+      if (specimen.s(v) < kHalf || !is_own_hard(specimen.tissue(v))) continue;
       const IVec3 next = v + IVec3(direction_, 0, 0);
       const bool sharp = specimen.s(next) < kHalf;
       Vec3 p = grid.centre_mm(v);

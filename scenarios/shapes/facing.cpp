@@ -77,7 +77,8 @@ void RegionShape::offer_faces(const Sought& sought, std::size_t index, double gr
   }
   std::array<LeafFace, 6> faces;
   const std::size_t count = faces_of(node, sought.p, faces);
-  Facing leaf{FaceName::side_wall, 0.0, 0.0, -kNoFaceMm, -kNoFaceMm, FaceName::pulpal_floor};
+  Facing leaf;
+  leaf.wall_mm = leaf.floor_mm = -kNoFaceMm;
   for (std::size_t i = 0; i < count; ++i) {
     faces[i].out_mm -= grown;
     const double out = inverted ? -faces[i].out_mm : faces[i].out_mm;
@@ -90,6 +91,7 @@ void RegionShape::offer_faces(const Sought& sought, std::size_t index, double gr
     if (glm::dot(into_void, sought.into_void) < kFacingCosine) continue;
     Facing one = leaf;
     one.face = faces[i].face;
+    one.into_void = into_void;
     one.beyond_mm = inverted ? -faces[i].out_mm : faces[i].out_mm;
     one.beside_mm = beside({faces.data(), count}, i);
     const double off = one.beyond_mm * one.beyond_mm + one.beside_mm * one.beside_mm;

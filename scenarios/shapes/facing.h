@@ -23,6 +23,7 @@ struct Facing {
   double wall_mm = 0;    // out of the nearest wall of the same leaf
   double floor_mm = 0;   // out of its nearest floor
   FaceName floor = FaceName::pulpal_floor;  // that floor's name
+  Vec3 into_void{0.0, 0.0, 1.0};            // the face's own normal there, of length 1
 };
 
 /// Cosine of 45 degrees.

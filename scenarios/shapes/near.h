@@ -12,6 +12,8 @@ struct Near {
   double wall_mm = 0;      // out of the nearest face that is a wall
   double floor_mm = 0;     // out of the nearest face that is a floor; it is the nearest of all where this is >= wall_mm
   FaceName face = FaceName::side_wall;
+  FaceName wall = FaceName::side_wall;      // the nearest face that is a wall
+  FaceName floor = FaceName::pulpal_floor;  // the nearest that is a floor
 };
 
 }  // namespace cusp::scenarios

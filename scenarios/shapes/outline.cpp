@@ -168,8 +168,10 @@ std::size_t OutlineShape::faces_at(Vec3 p, const std::array<FaceName, 6>& faces,
 
 Near OutlineShape::near(Vec3 p, const std::array<FaceName, 6>& faces) const noexcept {
   const double u = wall_mm(p), v = below_floor_mm(p.z);
-  Near out{tapered_ ? blended_max(u, v, corner_mm_) : rounded_corner(u, v, corner_mm_), u, v, faces[0]};
-  if (v < u) out.face = faces[1 + side_of({p.x, p.y})];
+  const FaceName bottom = faces[0], side = faces[1 + side_of({p.x, p.y})];
+  Near out{.distance_mm = tapered_ ? blended_max(u, v, corner_mm_) : rounded_corner(u, v, corner_mm_), .wall_mm = u, .floor_mm = v,
+           .face = v < u ? side : bottom};
+  for (const FaceName one : {bottom, side}) (is_floor(one) ? out.floor : out.wall) = one;
   // An author may call the bottom a wall, or a wall a floor.
   if (is_floor(out.face) != (v >= u)) std::swap(out.wall_mm, out.floor_mm);
   return out;

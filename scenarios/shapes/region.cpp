@@ -15,10 +15,11 @@ Vec3 unit(Vec3 v) noexcept {
 
 /// The nearest of a leaf's faces, from how far the place lies out of each.
 Near near_of(double d, std::span<const double> out, const std::array<FaceName, 6>& faces) noexcept {
-  Near near{d, d - kNoneMm, d - kNoneMm, faces[0]};
+  Near near{.distance_mm = d, .wall_mm = d - kNoneMm, .floor_mm = d - kNoneMm, .face = faces[0]};
   double most = out[0];
   for (std::size_t i = 0; i < out.size(); ++i) {
     double& side = is_floor(faces[i]) ? near.floor_mm : near.wall_mm;
+    if (out[i] > side) (is_floor(faces[i]) ? near.floor : near.wall) = faces[i];
     side = std::max(side, out[i]);
     if (out[i] > most) {
       most = out[i];

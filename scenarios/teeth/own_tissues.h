@@ -19,6 +19,12 @@ inline constexpr Tissue kFirmCariousDentine{31};
 /// Of a tooth beside the exercise's own. Pre: a grown tooth's specimen; a volume file names these codes as it likes.
 constexpr bool is_neighbour(Tissue tissue) noexcept { return tissue == kNeighbourEnamel || tissue == kNeighbourDentine; }
 
+/// Hard and the exercise's own tooth: no gums, bone or ligament, and no neighbour. Pre: as is_neighbour().
+constexpr bool is_own_hard(Tissue tissue) noexcept {
+  return tissue != Tissue::empty && tissue != Tissue::bone && tissue != Tissue::gingiva && tissue != Tissue::ligament &&
+         !is_neighbour(tissue);
+}
+
 inline const std::map<std::uint8_t, std::string>& own_tissue_names() {
   static const std::map<std::uint8_t, std::string> names = {
       {29, "neighbour enamel"}, {30, "neighbour dentine"}, {31, "firm carious dentine"}};

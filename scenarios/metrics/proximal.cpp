@@ -1,0 +1,241 @@
+#include "scenarios/metrics/proximal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "scenarios/metrics/surface_search.h"
+#include "scenarios/teeth/own_tissues.h"
+
+namespace cusp::scenarios {
+
+namespace {
+
+/// A neighbour's surface where it borders on air (measured: groups_test): a line towards its nearest voxel meets it aslant.
+constexpr double kNeighbourVoxels = 0.3;
+/// A margin faces a neighbour if its normal leans less than 60 degrees from mesial or distal.
+constexpr double kProximalCosine = 0.5;
+constexpr double kFurthestNeighbourMm = 5.0;
+
+TissueSet neighbours() noexcept {
+  TissueSet out{};
+  out[index_of(kNeighbourEnamel)] = out[index_of(kNeighbourDentine)] = true;
+  return out;
+}
+
+/// Sides of the tooth by the sign of x: [0] below 0, [1] above.
+std::size_t side_at(double x) noexcept { return x > 0.0 ? 1 : 0; }
+
+class Proximal {
+ public:
+  Proximal(const Reference& reference, const Volume& volume)
+      : reference_(reference), volume_(volume), search_(volume, Solid::remaining), neighbours_(reference.specimen(), neighbours()) {
+    find_contacts();
+  }
+  bool prepared(double x) const noexcept { return prepared_[side_at(x)]; }
+  bool any_prepared() const noexcept { return prepared_[0] || prepared_[1]; }
+  /// Where the tooth still touches a neighbour on a prepared side.
+  std::optional<Vec3> standing_contact() const {
+    for (const auto& [own, at] : contacts_)
+      if (prepared(at.x) && volume_.occupied(own)) return at;
+    return std::nullopt;
+  }
+  Vec3 first_contact() const {
+    for (const auto& [own, at] : contacts_)
+      if (prepared(at.x)) return at;
+    return Vec3(0.0);
+  }
+  /// From a place of the margin to the neighbour; nullopt where the tooth itself stands between, or none is near.
+  std::optional<double> clearance(Vec3 from) {
+    const Grid& grid = volume_.grid();
+    const double far = neighbours_.distance_mm(from, kFurthestNeighbourMm);
+    if (far >= kFurthestNeighbourMm) return std::nullopt;
+    const Vec3 way = towards(from, far);
+    const double step = 0.25 * grid.voxel_mm;
+    for (double mm = grid.voxel_mm; mm <= far + 2.0 * grid.voxel_mm; mm += step) {
+      const Vec3 p = from + mm * way;
+      if (!search_.inside(p)) continue;
+      if (!is_neighbour(volume_.tissue(nearest_voxel(grid, p)))) return std::nullopt;
+      return nearest_from(from, search_.between(p - grid.voxel_mm * way, p + 0.5 * grid.voxel_mm * way));
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// The teeth touch where less than a voxel lies between them: a contact is a point, and its gap may hold a voxel's centre.
+  void find_contacts() {
+    const Specimen& specimen = reference_.specimen();
+    const Grid& grid = specimen.grid();
+    for (const IVec3 v : neighbours_.surface_voxels())
+      for (int axis = 0; axis < 3; ++axis)
+        for (const int step : {-2, -1, 1, 2}) {
+          IVec3 own = v;
+          own[axis] += step;
+          if (!was_solid(specimen, own) || !is_own_hard(specimen.tissue(own))) continue;
+          const Vec3 at = grid.centre_mm(own);
+          contacts_.emplace_back(own, at);
+          if (reference_.shape().distance_mm(at) < 0.0) prepared_[side_at(at.x)] = true;
+        }
+  }
+  /// Distance to the surface about a place of it: the foot of a perpendicular, in a few steps along the surface.
+  double nearest_from(Vec3 from, Vec3 on) noexcept {
+    const auto length = [](Vec3 v) { return std::sqrt(glm::dot(v, v)); };
+    double best = length(on - from);
+    for (int pass = 0; pass < 6; ++pass) {
+      const FieldPoint field = cells_.at(volume_, Field::base, on);
+      if (!field.known) break;
+      on -= field.d_mm * field.normal;
+      if (std::fabs(field.d_mm) < 0.1 * volume_.grid().voxel_mm) best = std::min(best, length(on - from));
+      const Vec3 back = from - on;
+      on += back - glm::dot(back, field.normal) * field.normal;
+    }
+    return best;
+  }
+  /// Direction to the nearest place of the nearest voxel: the distance's own slope.
+  Vec3 towards(Vec3 p, double far) const noexcept {
+    const double step = 0.5 * volume_.grid().voxel_mm;
+    Vec3 slope(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 low = p, high = p;
+      low[axis] -= step;
+      high[axis] += step;
+      slope[axis] = neighbours_.distance_mm(low, far + 1.0) - neighbours_.distance_mm(high, far + 1.0);
+    }
+    const double length = std::sqrt(glm::dot(slope, slope));
+    return length > 0.0 ? slope / length : Vec3(0.0, 0.0, 1.0);
+  }
+
+  const Reference& reference_;
+  const Volume& volume_;
+  SurfaceSearch search_;
+  FieldCells cells_;
+  VoxelIndex neighbours_;
+  std::vector<std::pair<IVec3, Vec3>> contacts_;  // own voxels that touch a neighbour's
+  std::array<bool, 2> prepared_{};                // [side]
+};
+
+struct Clear {
+  Vec3 at_mm{0.0};
+  double mm = 0;
+};
+
+std::optional<MeasuredLength> least_of(const std::vector<Clear>& all, double low, double high, double sigma) {
+  std::optional<MeasuredLength> out;
+  for (const Clear& one : all)
+    if (one.at_mm.z >= low && one.at_mm.z <= high && (!out || one.mm < out->mm)) out = MeasuredLength{one.mm, sigma, one.at_mm};
+  return out;
+}
+
+std::array<std::optional<MeasuredLength>, 3> by_height(const std::vector<Clear>& all, double sigma) {
+  std::array<std::optional<MeasuredLength>, 3> out;
+  if (all.empty()) return out;
+  const auto [low, high] = std::ranges::minmax_element(all, {}, [](const Clear& c) { return c.at_mm.z; });
+  const double third = (high->at_mm.z - low->at_mm.z) / 3.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = least_of(all, low->at_mm.z + third * static_cast<double>(i), low->at_mm.z + third * static_cast<double>(i + 1), sigma);
+  return out;
+}
+
+struct NamedMargin {
+  MarginPoint point;
+  FaceName face;
+};
+
+/// The margin's places on the target's faces.
+std::vector<NamedMargin> named_margin(const std::vector<MarginPoint>& margin, const TargetShape& shape) {
+  std::vector<NamedMargin> out;
+  for (const MarginPoint& m : margin) {
+    const std::optional<Facing> facing = shape.facing(m.at_mm, m.into_void);
+    if (facing && facing->beside_mm <= kWallReachMm && facing->beyond_mm <= kWallReachMm) out.push_back({m, facing->face});
+  }
+  return out;
+}
+
+/// In strips of a voxel, from the margin of the gingival floor to the mean place of the axial wall.
+std::optional<MeasuredLength> floor_mesiodistal(const CutFaces& faces, const std::vector<NamedMargin>& margin, const Reference& reference) {
+  const std::vector<CutFace>& wall = faces.of(FaceName::axial_wall);
+  if (wall.empty()) return std::nullopt;
+  const double voxel = reference.specimen().grid().voxel_mm;
+  const auto strip_of = [voxel](double y) { return static_cast<int>(std::floor(y / voxel)); };
+  struct Strip {
+    double margin = 0, axial = 0, mm2 = 0;
+    int points = 0;
+  };
+  std::map<int, Strip> strips;
+  for (const CutFace& face : wall) {
+    Strip& s = strips[strip_of(face.middle_mm.y)];
+    const double mm2 = std::sqrt(glm::dot(face.area_mm2, face.area_mm2));
+    s.axial += mm2 * face.middle_mm.x;
+    s.mm2 += mm2;
+  }
+  Vec3 at(0.0);
+  double low = 0, high = 0;
+  bool any = false;
+  for (const NamedMargin& m : margin) {
+    const Vec3 p = m.point.at_mm;
+    if (m.face != FaceName::gingival_floor) continue;
+    low = any ? std::min(low, p.y) : p.y;
+    high = any ? std::max(high, p.y) : p.y;
+    any = true;
+    at = p;
+    Strip& s = strips[strip_of(p.y)];
+    s.margin += p.x;
+    ++s.points;
+  }
+  const double quarter = 0.25 * (high - low);
+  double sum = 0;
+  int count = 0;
+  for (const auto& [key, s] : strips) {
+    const double y = (key + 0.5) * voxel;
+    if (s.points == 0 || !(s.mm2 > 0.0) || y < low + quarter || y > high - quarter) continue;
+    sum += std::fabs(s.margin / s.points - s.axial / s.mm2);
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return MeasuredLength{sum / count, std::sqrt(2.0) * reference.point_sigma_mm(), at};
+}
+
+}  // namespace
+
+ProximalForm proximal_form(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume) {
+  ProximalForm out;
+  const std::vector<NamedMargin> named = named_margin(margin, reference.shape());
+  out.floor_mesiodistal = floor_mesiodistal(faces, named, reference);
+  if (reference.mesial_x() == 0 || volume.specimen().reading() == Reading::filled) return out;
+  Proximal proximal(reference, volume);
+  if (!proximal.any_prepared()) return out;
+  const std::optional<Vec3> standing = proximal.standing_contact();
+  out.contact_broken = !standing && !volume.cut_bricks().empty();
+  out.contact_at_mm = standing.value_or(proximal.first_contact());
+  std::map<FaceName, std::vector<Clear>> clear;
+  for (const auto& [m, face] : named) {
+    if (!proximal.prepared(m.at_mm.x) || m.out.x * (m.at_mm.x > 0.0 ? 1.0 : -1.0) < kProximalCosine) continue;
+    if (const auto mm = proximal.clearance(m.at_mm)) clear[face].push_back({m.at_mm, *mm});
+  }
+  const double border = kNeighbourVoxels * volume.grid().voxel_mm, place = std::sqrt(2.0) * reference.point_sigma_mm();
+  const double sigma = std::sqrt(border * border + place * place);
+  out.buccal = by_height(clear[FaceName::buccal_wall], sigma);
+  out.lingual = by_height(clear[FaceName::lingual_wall], sigma);
+  constexpr double kAnyHeight = 1e9;
+  out.gingival = least_of(clear[FaceName::gingival_floor], -kAnyHeight, kAnyHeight, sigma);
+  return out;
+}
+
+void add_proximal(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
+                  std::vector<Measure>& out) {
+  const ProximalForm form = proximal_form(faces, margin, reference, volume);
+  if (form.contact_broken) out.push_back({"contact_broken", true, *form.contact_broken ? 1.0 : 0.0, 0.0, "", form.contact_at_mm});
+  else out.push_back(not_measured("contact_broken", ""));
+  const auto add = [&](std::string key, const std::optional<MeasuredLength>& one) {
+    if (one) out.push_back({std::move(key), true, one->mm, one->uncertainty_mm, "mm", one->at_mm});
+    else out.push_back(not_measured(std::move(key), "mm"));
+  };
+  constexpr std::array<const char*, 3> kHeights = {"gingival", "middle", "occlusal"};
+  for (std::size_t i = 0; i < 3; ++i) add(std::string("clearance_buccal_") + kHeights[i], form.buccal[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(std::string("clearance_lingual_") + kHeights[i], form.lingual[i]);
+  add("clearance_gingival", form.gingival);
+  add("gingival_floor_mesiodistal", form.floor_mesiodistal);
+}
+
+}  // namespace cusp::scenarios

@@ -1,0 +1,43 @@
+/// A proximal box against the tooth beside it. Source: dentistry.md, group "proximal"; dental.md 2.2, row set B (class II box: 0.5 mm
+/// clearance buccal, lingual and gingival).
+///
+/// contact_broken (1 yes, 0 no): nothing of the tooth touches a neighbour any more, on each side where the target holds a contact.
+/// clearance_<buccal|lingual>_<gingival|middle|occlusal> (mm): least distance from that wall's proximal margin to the neighbour, in
+/// the lowest, middle and highest third of that margin.
+/// clearance_gingival (mm): least distance from the gingival floor's proximal margin to the neighbour.
+/// gingival_floor_mesiodistal (mm): mean depth of the gingival floor from its proximal margin to the axial wall, over the middle half of
+/// the floor's buccolingual width.
+/// Needs: a grown tooth, walls by name, a banded volume; all but the last a neighbour and a target that holds the contact.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/volume/volume.h"
+#include "scenarios/grading/grade.h"
+#include "scenarios/metrics/box.h"
+#include "scenarios/metrics/cut_faces.h"
+#include "scenarios/metrics/margin.h"
+#include "scenarios/metrics/reference.h"
+#include "scenarios/modules.h"
+
+namespace cusp::scenarios {
+
+enum class Height : std::uint8_t { gingival, middle, occlusal };
+
+struct ProximalForm {
+  std::optional<bool> contact_broken;
+  Vec3 contact_at_mm{0.0};  // where it still stands, or stood
+  std::array<std::optional<MeasuredLength>, 3> buccal, lingual;  // by Height
+  std::optional<MeasuredLength> gingival;
+  std::optional<MeasuredLength> floor_mesiodistal;
+};
+
+[[nodiscard]] ProximalForm proximal_form(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference,
+                                         const Volume& volume);
+
+void add_proximal(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
+                  std::vector<Measure>& out);
+
+}  // namespace cusp::scenarios
