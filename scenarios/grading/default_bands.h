@@ -8,8 +8,9 @@
 
 namespace cusp::scenarios {
 
-/// For walls, floor, isthmus and ridges (scenarios/metrics/form.h); nullopt for any other metric. `fdi`: the tooth, 0 for
-/// none; a molar's ridge is wider than a premolar's. Sources: dental.md 2.2, row sets A and B; each has an edge that is
+/// For form (scenarios/metrics/form.h) and the measurement groups (groups.h); nullopt for any other metric, as for over-cut and
+/// firm caries over the pulp, which the exercise decides. `fdi`: the tooth, 0 for
+/// none; a molar's ridge is wider than a premolar's. Sources: dental.md 2.2, row sets A and B, and 2.6; each has an edge that is
 /// general knowledge, [M], and the editor says so.
 [[nodiscard]] std::optional<Bands> default_bands(std::string_view metric, int fdi) noexcept;
 

@@ -93,7 +93,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
   connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", on); });
-  QLabel* note = make_label(tr("Bands of depth move with the target’s depth. Those offered for walls, floor, isthmus and ridges "
+  QLabel* note = make_label(tr("Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries "
                                "are not all verified."),
                              TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/grading/bands.h"
 #include "scenarios/grading/changes.h"
 #include "scenarios/grading/default_bands.h"
@@ -289,6 +290,13 @@ TEST(DefaultBands, AreOfferedForEachMeasurementOfFormAndRise) {
       const std::array edges = {b->fail_lo, b->acc_lo, b->ideal_lo, b->ideal_hi, b->acc_hi, b->fail_hi};
       EXPECT_TRUE(std::ranges::is_sorted(edges)) << metric;
     }
+  for (const MetricKey& key : kMetricKeys)
+    if (const auto b = default_bands(key.key, 36)) {
+      const std::array edges = {b->fail_lo, b->acc_lo, b->ideal_lo, b->ideal_hi, b->acc_hi, b->fail_hi};
+      EXPECT_TRUE(std::ranges::is_sorted(edges)) << key.key;
+    }
+  EXPECT_EQ(share_of_points(*default_bands("contact_broken", 36), 0.0), 0.0) << "a closed contact earns nothing";
+  EXPECT_EQ(share_of_points(*default_bands("surface_within_200", 36), 72.0), 0.5);
   EXPECT_FALSE(default_bands("target_removed", 36));
   EXPECT_FALSE(default_bands("", 0));
   // dental.md 2.2, class I: at least 2.0 mm on a molar, 1.6 on a premolar.
