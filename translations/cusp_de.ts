@@ -4675,8 +4675,8 @@
         <translation>Zahn überhitzt: nicht bestanden</translation>
     </message>
     <message>
-        <source>Bands of depth move with the target’s depth. Those offered for walls, floor, isthmus and ridges are not all verified.</source>
-        <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels. Die für Wände, Boden, Isthmus und Randleisten vorgeschlagenen sind nicht alle geprüft.</translation>
+        <source>Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries are not all verified.</source>
+        <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels. Die für Form, Kasten, Rand, Kontakt und Karies vorgeschlagenen sind nicht alle geprüft.</translation>
     </message>
 </context>
 <context>
@@ -5816,6 +5816,190 @@ Ihr bester davor</translation>
 </context>
 <context>
     <name>cusp::ui::Text</name>
+    <message>
+        <source>Distance from the target, root mean square</source>
+        <translation>Abstand vom Ziel, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Distance from the target, of 95 % of it</source>
+        <translation>Abstand vom Ziel, auf 95 % seiner Fläche</translation>
+    </message>
+    <message>
+        <source>Distance from the target, greatest</source>
+        <translation>Abstand vom Ziel, größter</translation>
+    </message>
+    <message>
+        <source>Gingival floor above the cemento-enamel junction</source>
+        <translation>Gingivaler Boden über der Schmelz-Zement-Grenze</translation>
+    </message>
+    <message>
+        <source>Box height, pulpal to gingival floor</source>
+        <translation>Kastenhöhe, pulpaler bis gingivaler Boden</translation>
+    </message>
+    <message>
+        <source>Axial wall in dentine, least</source>
+        <translation>Axiale Wand im Dentin, geringste Tiefe</translation>
+    </message>
+    <message>
+        <source>Axial wall in dentine, mean</source>
+        <translation>Axiale Wand im Dentin, mittlere Tiefe</translation>
+    </message>
+    <message>
+        <source>Axial wall in dentine, greatest</source>
+        <translation>Axiale Wand im Dentin, größte Tiefe</translation>
+    </message>
+    <message>
+        <source>Cavosurface angle, mean</source>
+        <translation>Präparationsrandwinkel, Mittel</translation>
+    </message>
+    <message>
+        <source>Margin below 80° or above 110° (band not verified)</source>
+        <translation>Rand unter 80° oder über 110° (Band nicht geprüft)</translation>
+    </message>
+    <message>
+        <source>Contact open (1 yes, 0 no)</source>
+        <translation>Kontakt offen (1 ja, 0 nein)</translation>
+    </message>
+    <message>
+        <source>Clearance, buccal, gingival third</source>
+        <translation>Abstand zum Nachbarn, bukkal, gingivales Drittel</translation>
+    </message>
+    <message>
+        <source>Clearance, buccal, middle third</source>
+        <translation>Abstand zum Nachbarn, bukkal, mittleres Drittel</translation>
+    </message>
+    <message>
+        <source>Clearance, buccal, occlusal third</source>
+        <translation>Abstand zum Nachbarn, bukkal, okklusales Drittel</translation>
+    </message>
+    <message>
+        <source>Clearance, lingual, gingival third</source>
+        <translation>Abstand zum Nachbarn, lingual, gingivales Drittel</translation>
+    </message>
+    <message>
+        <source>Clearance, lingual, middle third</source>
+        <translation>Abstand zum Nachbarn, lingual, mittleres Drittel</translation>
+    </message>
+    <message>
+        <source>Clearance, lingual, occlusal third</source>
+        <translation>Abstand zum Nachbarn, lingual, okklusales Drittel</translation>
+    </message>
+    <message>
+        <source>Clearance, gingival</source>
+        <translation>Abstand zum Nachbarn, gingival</translation>
+    </message>
+    <message>
+        <source>Gingival floor, mesiodistal depth</source>
+        <translation>Gingivaler Boden, mesiodistale Tiefe</translation>
+    </message>
+    <message>
+        <source>Caries left at the periphery</source>
+        <translation>Karies in der Peripherie belassen</translation>
+    </message>
+    <message>
+        <source>Soft caries left over the pulp</source>
+        <translation>Weiche Karies über der Pulpa belassen</translation>
+    </message>
+    <message>
+        <source>Firm caries left over the pulp</source>
+        <translation>Feste Karies über der Pulpa belassen</translation>
+    </message>
+    <message>
+        <source>Carious enamel left</source>
+        <translation>Kariöser Schmelz belassen</translation>
+    </message>
+    <message>
+        <source>Sound tissue lost</source>
+        <translation>Gesundes Gewebe verloren</translation>
+    </message>
+    <message>
+        <source>pulpal floor</source>
+        <translation>pulpaler Boden</translation>
+    </message>
+    <message>
+        <source>mesial wall</source>
+        <translation>mesiale Wand</translation>
+    </message>
+    <message>
+        <source>distal wall</source>
+        <translation>distale Wand</translation>
+    </message>
+    <message>
+        <source>buccal wall</source>
+        <translation>bukkale Wand</translation>
+    </message>
+    <message>
+        <source>lingual wall</source>
+        <translation>linguale Wand</translation>
+    </message>
+    <message>
+        <source>gingival floor</source>
+        <translation>gingivaler Boden</translation>
+    </message>
+    <message>
+        <source>axial wall</source>
+        <translation>axiale Wand</translation>
+    </message>
+    <message>
+        <source>other walls</source>
+        <translation>übrige Wände</translation>
+    </message>
+    <message>
+        <source>Over-cut within tolerance, %1</source>
+        <translation>Überpräpariert innerhalb der Toleranz, %1</translation>
+    </message>
+    <message>
+        <source>Over-cut, %1</source>
+        <translation>Überpräpariert, %1</translation>
+    </message>
+    <message>
+        <source>Target within %1 µm of the cut</source>
+        <translation>Ziel höchstens %1 µm vom Schnitt entfernt</translation>
+    </message>
+    <message>
+        <source>Look at the section and even out where the cut leaves the target.</source>
+        <translation>Den Schnitt ansehen und ausgleichen, wo die Präparation vom Ziel abweicht.</translation>
+    </message>
+    <message>
+        <source>Hold the bur at right angles to the tooth’s surface along the margin.</source>
+        <translation>Den Bohrer am Rand im rechten Winkel zur Zahnoberfläche halten.</translation>
+    </message>
+    <message>
+        <source>Open the box until nothing touches the neighbour.</source>
+        <translation>Den Kasten öffnen, bis nichts mehr den Nachbarn berührt.</translation>
+    </message>
+    <message>
+        <source>Widen the box until half a millimetre lies between the margin and the neighbour.</source>
+        <translation>Den Kasten erweitern, bis ein halber Millimeter zwischen Rand und Nachbarn liegt.</translation>
+    </message>
+    <message>
+        <source>Keep the box narrow: the margin lies far from the neighbour.</source>
+        <translation>Den Kasten schmal halten: Der Rand liegt weit vom Nachbarn entfernt.</translation>
+    </message>
+    <message>
+        <source>Carry the axial wall into dentine, along the outer contour.</source>
+        <translation>Die axiale Wand ins Dentin führen, der Außenkontur entlang.</translation>
+    </message>
+    <message>
+        <source>Stop the axial wall just inside the dentine.</source>
+        <translation>Die axiale Wand knapp im Dentin enden lassen.</translation>
+    </message>
+    <message>
+        <source>Compare the box with the bur’s length and width before you deepen it.</source>
+        <translation>Den Kasten mit Länge und Breite des Bohrers vergleichen, bevor er tiefer wird.</translation>
+    </message>
+    <message>
+        <source>Clear the caries along the dentino-enamel junction until it is hard.</source>
+        <translation>Die Karies an der Schmelz-Dentin-Grenze entfernen, bis es dort hart ist.</translation>
+    </message>
+    <message>
+        <source>Remove what is still carious there.</source>
+        <translation>Entfernen, was dort noch kariös ist.</translation>
+    </message>
+    <message>
+        <source>Keep to the lesion and its access.</source>
+        <translation>Bei der Läsion und ihrem Zugang bleiben.</translation>
+    </message>
     <message>
         <source>The record is not there.</source>
         <translation>Der Eintrag ist nicht da.</translation>

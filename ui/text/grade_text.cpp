@@ -5,6 +5,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
+#include "ui/text/metric_names.h"
 #include "ui/text/names.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
@@ -42,6 +43,7 @@ QString metric_name(const std::string& m) {
   if (m == "dry_cutting_time") return Text::tr("Cut without coolant");
   if (m == "temperature_rise_peak") return Text::tr("Tooth warmer by (not verified)");
   if (m == "dry_cutting") return Text::tr("Tooth overheated");
+  if (const QString name = group_metric_name(m); !name.isEmpty()) return name;
   if (m.starts_with("removed_")) {
     const std::string key = m.substr(8);
     if (const auto tissue = tissue_from_key(key)) return Text::tr("%1 removed").arg(tissue_name(*tissue));
@@ -178,6 +180,7 @@ QString advice_text(const CriterionGrade& g) {
   if (m == "floor_flatness" || m == "floor_tilt") return Text::tr("Go over the whole floor once more at one depth.");
   if (m == "isthmus_width") return Text::tr("Compare the width with the bur before you widen the outline.");
   if (m.starts_with("ridge_")) return Text::tr("Stop short of the marginal ridge; read its thickness from above.");
+  if (const QString advice = group_advice(m, g.reason_code == "too_little"); !advice.isEmpty()) return advice;
   if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");
   if (m == "time") return Text::tr("Plan the way of the bur before the first cut.");
   if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");
