@@ -637,6 +637,14 @@
 <context>
     <name>cusp::ui::Checks</name>
     <message>
+        <source>The target is made of %1, which this tooth does not have.</source>
+        <translation>Das Ziel besteht aus %1, das dieser Zahn nicht hat.</translation>
+    </message>
+    <message>
+        <source>The target follows a carious lesion, and this tooth has none.</source>
+        <translation>Das Ziel folgt einer kariösen Läsion, und dieser Zahn hat keine.</translation>
+    </message>
+    <message>
         <source>There is no bur to work with. Add one.</source>
         <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
     </message>

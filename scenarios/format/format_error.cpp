@@ -27,6 +27,7 @@ std::string_view key_of(FormatError code) noexcept {
     case FormatError::unknown_phenomenon: return "unknown_phenomenon";
     case FormatError::unknown_face: return "unknown_face";
     case FormatError::unknown_severity: return "unknown_severity";
+    case FormatError::unknown_hardness: return "unknown_hardness";
     case FormatError::unknown_bur: return "unknown_bur";
     case FormatError::unknown_builtin: return "unknown_builtin";
   }

@@ -55,6 +55,18 @@ void read_leaf(Object& object, Region& out) {
     out.outline = read_outline(object);
     return;
   }
+  if (k == RegionKind::tissue) {
+    out.tissue = read_tissue(object.need("tissue"));
+    return;
+  }
+  if (k == RegionKind::lesion) {
+    out.down_to = object.need("down_to").key(FormatError::unknown_hardness, [](std::string_view key) -> std::optional<Hardness> {
+      for (std::size_t i = 0; i < kHardnessKeys.size(); ++i)
+        if (kHardnessKeys[i] == key) return static_cast<Hardness>(i);
+      return std::nullopt;
+    });
+    return;
+  }
   out.from_mm = object.need("from_mm").point();
   if (ends) out.to_mm = object.need("to_mm").point();
   if (ends || k == RegionKind::sphere) out.radius_mm = object.need("radius_mm").number(kLength);

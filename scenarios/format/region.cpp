@@ -24,9 +24,18 @@ std::span<const std::string_view> face_slots(RegionKind kind) noexcept {
     case RegionKind::sphere:
     case RegionKind::capsule:
     case RegionKind::ellipsoid:
-    case RegionKind::half_space: return kOneSlot;
+    case RegionKind::half_space:
+    case RegionKind::tissue:
+    case RegionKind::lesion: return kOneSlot;
     default: return {};
   }
+}
+
+bool needs_voxels(const Region& region) noexcept {
+  if (is_of_voxels(region.kind)) return true;
+  for (const Region& part : region.parts)
+    if (needs_voxels(part)) return true;
+  return false;
 }
 
 FaceName default_face(RegionKind kind, std::size_t slot) noexcept {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/volume/tissue.h"
 #include "scenarios/modules.h"
 
 namespace cusp::scenarios {
@@ -64,15 +65,23 @@ enum class RegionKind : std::uint8_t {
   capsule,
   ellipsoid,
   half_space,
+  tissue,      // voxels of one tissue of the uncut specimen
+  lesion,      // its carious voxels, down to a hardness
   joined,      // "union"
   common,      // "intersection"
   difference,  // the first part less the others
   offset       // its one part, grown outwards by by_mm
 };
-inline constexpr std::array<std::string_view, 12> kRegionKeys = {"outline",    "box",   "cylinder",     "cone",       "sphere", "capsule",
-                                                                 "ellipsoid", "half-space", "union", "intersection", "difference", "offset"};
+inline constexpr std::array<std::string_view, 14> kRegionKeys = {"outline",   "box",        "cylinder", "cone",   "sphere", "capsule",      "ellipsoid",
+                                                                 "half-space", "tissue", "lesion",   "union", "intersection", "difference", "offset"};
 constexpr std::string_view key_of(RegionKind kind) noexcept { return kRegionKeys[static_cast<std::size_t>(kind)]; }
+/// Of the uncut specimen's voxels: nobody knows its place without them.
+constexpr bool is_of_voxels(RegionKind kind) noexcept { return kind == RegionKind::tissue || kind == RegionKind::lesion; }
 constexpr bool is_node(RegionKind kind) noexcept { return kind >= RegionKind::joined; }
+
+/// How far a lesion goes: its soft tissue (carious enamel and soft carious dentine), or firm carious dentine too.
+enum class Hardness : std::uint8_t { soft, firm };
+inline constexpr std::array<std::string_view, 2> kHardnessKeys = {"soft", "firm"};
 
 /// One leaf or node. Fields that its kind does not name stand at their defaults.
 struct Region {
@@ -86,6 +95,8 @@ struct Region {
   double end_radius_mm = 0;            // of the cone at its last end
   Vec3 x_axis{1.0, 0.0, 0.0};          // box: direction of size_mm.x; need not be of length 1
   Vec3 z_axis{0.0, 0.0, 1.0};          // box: direction of size_mm.z; half-space: out of it
+  Tissue tissue = Tissue::empty;       // of the leaf tissue
+  Hardness down_to = Hardness::firm;   // of the leaf lesion
   std::map<std::string, FaceName> faces;  // by face_slots(kind); those left out: default_face()
   double rounding_mm = 0;              // union, intersection, difference: radius at the edges between the parts
   double by_mm = 0;                    // offset
@@ -101,6 +112,8 @@ inline Region region_of(Outline outline) {
 }
 /// Faces of a leaf, by slot: "floor", "x_low", ... of an outline; none of a node.
 std::span<const std::string_view> face_slots(RegionKind kind) noexcept;
+/// Whether a leaf of the tree is of the specimen's voxels.
+bool needs_voxels(const Region& region) noexcept;
 /// Slot 0 of outline, box, cylinder and cone is the pulpal floor (it faces the deep end); any other a side_wall.
 FaceName default_face(RegionKind kind, std::size_t slot) noexcept;
 /// The region's outlines, first to last; a lone outline is its own.

@@ -36,7 +36,8 @@ SpecimenFacts facts_of(const VoxelVolume& volume);
 /// Errors first, then warnings; empty when all is well. Every number is held against ranges.h (out_of_range, not_finite).
 /// Codes besides those of FormatError and "schema":
 /// errors: no_instrument, no_target, path_count, point_count, empty_target, no_direction (an axis of no length, or a box
-///   whose axes are parallel), target_endless (a half-space alone),
+///   whose axes are parallel), target_endless (a half-space alone), target_tissue_missing (a leaf of a tissue that the exercise or
+///   the specimen does not have), lesion_missing (a leaf of a lesion without one),
 ///   nothing_protected (protected_damage fails the attempt, and nothing is protected), no_criteria, weight_zero,
 /// bands_not_ordered,
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/format/ranges.h"
 
 namespace cusp::scenarios {
@@ -34,7 +35,8 @@ bool ends(const Region& region) {
 
 class RegionChecks {
  public:
-  RegionChecks(const Scenario& scenario, std::vector<Finding>& out) : s_(scenario), out_(out) {}
+  RegionChecks(const Scenario& scenario, const SpecimenFacts* facts, std::vector<Finding>& out)
+      : s_(scenario), facts_(facts), out_(out) {}
 
   void tree(const Region& region, const std::string& where) {
     if (region.kind == RegionKind::outline) {
@@ -57,8 +59,10 @@ class RegionChecks {
   void paths(const Outline& t, const std::string& where);
   void size(const Outline& t, const std::string& where);
   void leaf(const Region& region, const std::string& where);
+  void of_voxels(const Region& region, const std::string& where);
 
   const Scenario& s_;
+  const SpecimenFacts* facts_;
   std::vector<Finding>& out_;
 };
 
@@ -106,6 +110,7 @@ void RegionChecks::size(const Outline& t, const std::string& where) {
 void RegionChecks::leaf(const Region& r, const std::string& where) {
   const auto length = [](Vec3 v) { return std::sqrt(glm::dot(v, v)); };
   const RegionKind k = r.kind;
+  if (is_of_voxels(k)) return of_voxels(r, where);
   const double least = range_of("/target/width_mm")->least;
   if (k == RegionKind::box || k == RegionKind::half_space) {
     if (!(length(r.z_axis) > 0.0)) return error(where + "/z_axis", "no_direction");
@@ -116,6 +121,21 @@ void RegionChecks::leaf(const Region& r, const std::string& where) {
   if (ends && k != RegionKind::capsule && below(length(r.to_mm - r.from_mm), least)) error(where + "/to_mm", "empty_target");
   if ((ends || k == RegionKind::sphere) && below(2 * std::max(r.radius_mm, r.end_radius_mm), least))
     error(where + "/radius_mm", "empty_target");
+}
+
+/// A tissue is one of the exercise's and occurs in the specimen; a lesion needs a grown tooth with one, or carious tissue.
+void RegionChecks::of_voxels(const Region& r, const std::string& where) {
+  const auto listed = [&](Tissue t) { return std::ranges::any_of(s_.tissues, [t](const ScenarioTissue& own) { return own.tissue == t; }); };
+  const auto occurs = [&](Tissue t) { return facts_ == nullptr || std::ranges::find(facts_->tissues, t) != facts_->tissues.end(); };
+  if (r.kind == RegionKind::tissue) {
+    if (!listed(r.tissue) || !occurs(r.tissue))
+      error(where + "/tissue", "target_tissue_missing", {}, std::string(key_of_scenario_tissue(r.tissue)));
+    return;
+  }
+  const auto carious = [&](Tissue t) { return listed(t) && occurs(t); };
+  const bool grown = s_.specimen.generator == "tooth";
+  if (grown ? s_.specimen.lesions.empty() : !carious(Tissue::carious_dentine) && !carious(Tissue::carious_enamel))
+    error(where, "lesion_missing");
 }
 
 /// A lone outline lies within the specimen.
@@ -141,7 +161,7 @@ void RegionChecks::within(const Outline& t, const SpecimenFacts& f, const std::s
 }  // namespace
 
 void check_target(const Scenario& scenario, const SpecimenFacts* specimen, std::vector<Finding>& out) {
-  RegionChecks checks(scenario, out);
+  RegionChecks checks(scenario, specimen, out);
   checks.tree(scenario.target, "/target");
   if (!ends(scenario.target)) checks.error("/target", "target_endless");
   if (specimen != nullptr && scenario.target.kind == RegionKind::outline) checks.within(scenario.target.outline, *specimen, "/target");

@@ -99,6 +99,14 @@ void put_leaf(const Region& region, Json& out) {
   const RegionKind k = region.kind;
   const bool ends = k == RegionKind::cylinder || k == RegionKind::cone || k == RegionKind::capsule;
   const Region plain;
+  if (k == RegionKind::tissue) {
+    out["tissue"] = key_of_scenario_tissue(region.tissue);
+    return;
+  }
+  if (k == RegionKind::lesion) {
+    out["down_to"] = kHardnessKeys[static_cast<std::size_t>(region.down_to)];
+    return;
+  }
   out["from_mm"] = json_of<Json>(region.from_mm);
   if (ends) out["to_mm"] = json_of<Json>(region.to_mm);
   if (ends || k == RegionKind::sphere) out["radius_mm"] = region.radius_mm;

@@ -110,6 +110,8 @@ QString check_message(const Finding& f) {
   if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
   if (c == u"no_target" || c == u"empty_target") return CheckText::tr("There is no target to cut.");
   if (c == u"no_direction") return CheckText::tr("A shape of the target has no direction: an axis has no length, or two are parallel.");
+  if (c == u"target_tissue_missing") return CheckText::tr("The target is made of %1, which this tooth does not have.").arg(tissue_of(f));
+  if (c == u"lesion_missing") return CheckText::tr("The target follows a carious lesion, and this tooth has none.");
   if (c == u"target_endless") return CheckText::tr("The target has no end on a side. Cut it with a shape that has one.");
   if (c == u"nothing_protected") return CheckText::tr("Damage of a protected part fails the attempt, and nothing is protected.");
   if (c == u"path_count" || c == u"point_count") return CheckText::tr("The target’s points do not fit its shape.");

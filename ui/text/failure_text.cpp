@@ -45,6 +45,7 @@ Message describe(const FormatFailure& f) {
     case FormatError::unknown_phenomenon:
     case FormatError::unknown_face:
     case FormatError::unknown_severity:
+    case FormatError::unknown_hardness:
     case FormatError::unknown_bur:
       return at(detail.isEmpty() ? Text::tr("%1 names something that is not known.").arg(where)
                                  : Text::tr("%1 names something that is not known: %2.").arg(where, detail));

@@ -91,6 +91,12 @@ class ScenarioMaker {
         continue;
       }
       Region& leaf = out.parts.emplace_back();
+      if (pick(4) == 0) {
+        leaf.kind = coin() ? RegionKind::tissue : RegionKind::lesion;
+        if (leaf.kind == RegionKind::tissue) leaf.tissue = coin() ? Tissue::pulp : Tissue{31};
+        else leaf.down_to = coin() ? Hardness::soft : Hardness::firm;
+        continue;
+      }
       leaf.kind = coin() ? RegionKind::box : RegionKind::sphere;
       leaf.from_mm = point();
       if (leaf.kind == RegionKind::box) leaf.size_mm = {between(1, 100), between(1, 100), between(1, 100)};
@@ -170,6 +176,8 @@ inline Region region_with_every_kind() {
     if (part.kind == RegionKind::cone) part.end_radius_mm = 1;
     if (part.kind == RegionKind::box || part.kind == RegionKind::ellipsoid) part.size_mm = {1, 1, 1};
     if (part.kind == RegionKind::offset) part.by_mm = 0.5;
+    if (part.kind == RegionKind::tissue) part.tissue = Tissue::plastic;
+    if (part.kind == RegionKind::lesion) part.down_to = Hardness::soft;
     if (part.kind == RegionKind::outline) {
       part.outline = sound_scenario().target.outline;
       part.outline.taper_deg = {1, 2, 3, 4};

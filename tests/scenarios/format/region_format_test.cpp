@@ -54,6 +54,8 @@ TEST(RegionFormat, ATreeIsHashedInFormat2AndEachOfItsValuesCounts) {
   differs([](Scenario& o) { o.target.rounding_mm = 0.3; });
   differs([](Scenario& o) { o.target.parts[0].outline.taper_deg[2] = 0; });
   differs([](Scenario& o) { o.target.parts[1].faces["z_high"] = FaceName::axial_wall; });
+  differs([](Scenario& o) { o.target.parts[8].tissue = Tissue::pulp; });
+  differs([](Scenario& o) { o.target.parts[9].down_to = Hardness::firm; });
   differs([](Scenario& o) { o.leeway.faces[FaceName::gingival_floor] = 0.2; });
   differs([](Scenario& o) { o.protected_parts[0].severity = Damage::touch; });
   differs([](Scenario& o) { o.rubric.criteria[0].needs_dof = 6; });
@@ -75,7 +77,7 @@ TEST(RegionFormat, WhatIsWrongIsRefusedWhereItStands) {
       {"/target/kind", "torus", FormatError::unknown_shape, "/target/kind"},
       {"/target/kind", 3, FormatError::wrong_type, "/target/kind"},
       {"/target/parts", json::array(), FormatError::out_of_range, "/target/parts"},
-      {"/target/parts/11/parts", json::array({document()["target"]["parts"][4], document()["target"]["parts"][4]}), FormatError::out_of_range, "/target/parts/11/parts"},
+      {"/target/parts/13/parts", json::array({document()["target"]["parts"][4], document()["target"]["parts"][4]}), FormatError::out_of_range, "/target/parts/13/parts"},
       {"/target/parts/4/size_mm", {1, 1, 1}, FormatError::unknown_key, "/target/parts/4/size_mm"},
       {"/target/parts/4/radius_mm", -1, FormatError::out_of_range, "/target/parts/4/radius_mm"},
       {"/target/parts/4/radius_mm", 1e300, FormatError::out_of_range, "/target/parts/4/radius_mm"},
@@ -84,6 +86,14 @@ TEST(RegionFormat, WhatIsWrongIsRefusedWhereItStands) {
       {"/target/parts/1/faces", {{"z_low", "bottom"}}, FormatError::unknown_face, "/target/parts/1/faces/z_low"},
       {"/target/parts/0/taper_deg", {{"x_low", 50}}, FormatError::out_of_range, "/target/parts/0/taper_deg/x_low"},
       {"/target/faces", json::object(), FormatError::unknown_key, "/target/faces"},
+      {"/target/parts/8/tissue", "gold", FormatError::unknown_tissue, "/target/parts/8/tissue"},
+      {"/target/parts/8/tissue", "empty", FormatError::unknown_tissue, "/target/parts/8/tissue"},
+      {"/target/parts/8/tissue", 5, FormatError::wrong_type, "/target/parts/8/tissue"},
+      {"/target/parts/8/from_mm", {0, 0, 0}, FormatError::unknown_key, "/target/parts/8/from_mm"},
+      {"/target/parts/9/down_to", "leathery", FormatError::unknown_hardness, "/target/parts/9/down_to"},
+      {"/target/parts/9/down_to", 1, FormatError::wrong_type, "/target/parts/9/down_to"},
+      {"/target/parts/9/tissue", "pulp", FormatError::unknown_key, "/target/parts/9/tissue"},
+      {"/target/parts/9/faces", {{"floor", "axial_wall"}}, FormatError::unknown_key, "/target/parts/9/faces/floor"},
       {"/leeway/faces", {{"floor", 0.1}}, FormatError::unknown_key, "/leeway/faces/floor"},
       {"/protected/0/severity", "scratch", FormatError::unknown_severity, "/protected/0/severity"},
       {"/rubric/criteria/0/needs_dof", 7, FormatError::out_of_range, "/rubric/criteria/0/needs_dof"},
@@ -172,6 +182,33 @@ TEST(RegionFormat, ShapesWithoutDirectionSizeOrEndAreFound) {
   Region outline = all;
   outline.parts[0].outline.paths.clear();
   EXPECT_THAT(codes(outline), Contains("/target/parts/0/paths no_target"));
+}
+
+TEST(RegionFormat, ALeafOfVoxelsNeedsItsTissueOrLesion) {
+  const Region all = region_with_every_kind();
+  EXPECT_THAT(codes(all.parts[8]), testing::IsEmpty()) << "the exercise's own plastic";
+  Region pulp = all.parts[8];
+  pulp.tissue = Tissue::pulp;
+  EXPECT_THAT(codes(pulp), Contains("/target/tissue target_tissue_missing"));
+  EXPECT_THAT(codes(all.parts[9]), Contains("/target lesion_missing"));
+  Scenario tooth = sound_scenario();
+  tooth.target = all.parts[9];
+  tooth.specimen.generator = "tooth";
+  tooth.specimen.fdi = 36;
+  const auto lesion_missing = [&] {
+    const auto found = validate(tooth);
+    return std::ranges::find(found, "lesion_missing", &Finding::code) != found.end();
+  };
+  EXPECT_TRUE(lesion_missing());
+  tooth.specimen.lesions = {{}};
+  EXPECT_FALSE(lesion_missing());
+  Scenario s = sound_scenario();
+  s.target = all.parts[8];
+  SpecimenFacts facts;
+  facts.voxel_mm = s.specimen.voxel_mm;
+  facts.tissues = {Tissue::enamel};
+  const auto found = validate(s, &facts);
+  EXPECT_NE(std::ranges::find(found, "target_tissue_missing", &Finding::code), found.end()) << "the specimen has none of it";
 }
 
 TEST(RegionFormat, DamageCannotFailAnAttemptThatProtectsNothing) {
