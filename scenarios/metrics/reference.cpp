@@ -34,7 +34,7 @@ TissueSet only(Tissue tissue) noexcept {
 }  // namespace
 
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
-    : specimen_(std::move(specimen)), shape_(scenario.target), leeway_(scenario.leeway), pulp_(*specimen_, only(Tissue::pulp)),
+    : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), leeway_(scenario.leeway), pulp_(*specimen_, only(Tissue::pulp)),
       fdi_(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0), seed_(scenario.specimen.seed),
       heat_(has_phenomenon(scenario.phenomena, "heat")),
       mesial_x_(scenarios::mesial_x(fdi_)) {
@@ -42,7 +42,7 @@ Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> s
   for (const std::string& key : scenario.rubric.critical) asked_.push_back(key);
   for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
   for (const Protected& one : scenario.protected_parts)
-    protected_parts_.push_back({one.tissue.value_or(Tissue::empty), one.region ? std::make_shared<const TargetShape>(*one.region) : nullptr,
+    protected_parts_.push_back({one.tissue.value_or(Tissue::empty), one.region ? std::make_shared<const TargetShape>(*one.region, specimen_) : nullptr,
                                 one.severity, one.depth_mm});
   const Grid& grid = specimen_->grid();
   const IVec3 bricks = specimen_->brick_count();

@@ -61,6 +61,10 @@ std::size_t RegionShape::faces_of(const Node& node, Vec3 p, std::array<LeafFace,
       const double t = std::clamp(glm::dot(q, node.axes[2]), 0.0, node.length);
       return one(leaf(node, p).distance_mm, q - t * node.axes[2]);
     }
+    case RegionKind::tissue:
+    case RegionKind::lesion:
+      if (!node.voxels || node.voxels->empty()) return 0;
+      return one(node.voxels->distance_mm(p), node.voxels->out_of(p));
     case RegionKind::sphere: return one(leaf(node, p).distance_mm, q);
     case RegionKind::ellipsoid: return one(leaf(node, p).distance_mm, q / (node.half * node.half));
     default: return one(leaf(node, p).distance_mm, node.axes[2]);

@@ -37,12 +37,12 @@ double capped(double side, double ends) noexcept {
 
 }  // namespace
 
-RegionShape::RegionShape(const Region& region) {
-  add(region);
+RegionShape::RegionShape(const Region& region, std::shared_ptr<const Specimen> specimen) {
+  add(region, specimen);
   bounds_ = bounds_of(0);
 }
 
-std::size_t RegionShape::add(const Region& region) {
+std::size_t RegionShape::add(const Region& region, const std::shared_ptr<const Specimen>& specimen) {
   const std::size_t index = nodes_.size();
   nodes_.emplace_back();
   Node node;
@@ -70,7 +70,8 @@ std::size_t RegionShape::add(const Region& region) {
     node.outline = outlines_.size();
     outlines_.emplace_back(region.outline);
   }
-  for (const Region& part : region.parts) node.parts.push_back(add(part));
+  if (is_of_voxels(region.kind) && specimen != nullptr) node.voxels = std::make_shared<const TissueShape>(specimen, tissues_of(region));
+  for (const Region& part : region.parts) node.parts.push_back(add(part, specimen));
   nodes_[index] = std::move(node);
   return index;
 }
@@ -96,6 +97,11 @@ Near RegionShape::leaf(const Node& node, Vec3 p) const noexcept {
       const std::array<double, 3> out = {-t, t - node.length, side};
       const double ends = std::max(out[0], out[1]);
       return near_of(cone ? std::max(side, ends) : capped(side, ends), out, node.faces);
+    }
+    case RegionKind::tissue:
+    case RegionKind::lesion: {
+      const double d = node.voxels ? node.voxels->distance_mm(p) : TissueShape::kFarMm;
+      return near_of(d, {&d, 1}, node.faces);
     }
     case RegionKind::sphere: {
       const double d = ball_distance(p, node.from, node.radius);
@@ -154,6 +160,8 @@ RegionBounds RegionShape::bounds_of(std::size_t index) const noexcept {
     }
     case RegionKind::ellipsoid: return {node.from - node.half, node.from + node.half};
     case RegionKind::half_space: return {-far, far};
+    case RegionKind::tissue:
+    case RegionKind::lesion: return node.voxels ? RegionBounds{node.voxels->low(), node.voxels->high()} : RegionBounds{};
     case RegionKind::joined: {
       RegionBounds out = bounds_of(node.parts.front());
       for (const std::size_t part : node.parts) {

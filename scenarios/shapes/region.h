@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "scenarios/shapes/facing.h"
 #include "scenarios/shapes/outline.h"
+#include "scenarios/shapes/tissue_shape.h"
 
 namespace cusp::scenarios {
 
@@ -19,8 +21,8 @@ inline constexpr double kEndlessMm = 1e4;
 
 class RegionShape {
  public:
-  /// Pre: validate() finds no error in the region.
-  explicit RegionShape(const Region& region);
+  /// `specimen`: uncut; a leaf of its voxels is nowhere without it. Pre: validate() finds no error in the region.
+  explicit RegionShape(const Region& region, std::shared_ptr<const Specimen> specimen = nullptr);
 
   /// The sign is exact; the distance is exact or a lower bound, and changes by no more than its place. A cone, an
   /// ellipsoid, a leaning outline and any node are bounds. On the edge between parts of a node the face is that of the part
@@ -40,9 +42,10 @@ class RegionShape {
     double length = 0, radius = 0, end_radius = 0, slant = 1;  // slant: of a cone, its length by its side's
     double rounding = 0, by = 0;
     std::array<FaceName, 6> faces{};
-    std::vector<std::size_t> parts;      // indices into nodes_
+    std::shared_ptr<const TissueShape> voxels;  // of a leaf of voxels, with a specimen
+    std::vector<std::size_t> parts;             // indices into nodes_
   };
-  std::size_t add(const Region& region);
+  std::size_t add(const Region& region, const std::shared_ptr<const Specimen>& specimen);
   Near at(std::size_t node, Vec3 p) const noexcept;
   Near leaf(const Node& node, Vec3 p) const noexcept;
   RegionBounds bounds_of(std::size_t node) const noexcept;

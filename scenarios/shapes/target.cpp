@@ -4,7 +4,8 @@
 
 namespace cusp::scenarios {
 
-TargetShape::TargetShape(const Region& region) : region_(region) {
+TargetShape::TargetShape(const Region& region, std::shared_ptr<const Specimen> specimen)
+    : region_(region, specimen), empty_(specimen == nullptr && needs_voxels(region)) {
   const std::vector<const Outline*> outlines = outlines_of(region);
   for (const Outline* one : outlines) corner_mm_ = std::max(corner_mm_, OutlineShape(*one).corner_mm());
   has_plane_ = !outlines.empty();

@@ -10,9 +10,10 @@ namespace cusp::scenarios {
 
 class TargetShape {
  public:
-  explicit TargetShape(const Region& region);
+  /// `specimen`: uncut; needed where a leaf is of its voxels.
+  explicit TargetShape(const Region& region, std::shared_ptr<const Specimen> specimen = nullptr);
 
-  /// An outline without a path.
+  /// An outline without a path, or a tree with a leaf of voxels and no specimen to have them from.
   bool empty() const noexcept { return empty_; }
   /// The lone outline with upright walls that the target is; else nullptr. What is asked of it is bit for bit format 1's.
   const OutlineShape* upright() const noexcept { return upright_ ? &*upright_ : nullptr; }

@@ -15,14 +15,11 @@ double box_gap_squared(Vec3 p, Vec3 low, Vec3 high) noexcept {
 }  // namespace
 
 VoxelIndex::VoxelIndex(const Specimen& specimen, const TissueSet& tissues) : grid_(specimen.grid()) {
-  std::vector<Node> leaves;
   const IVec3 bricks = specimen.brick_count();
   const auto is_one = [&](IVec3 v) { return tissues[index_of(specimen.tissue(v))] && was_solid(specimen, v); };
   for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
     if (specimen.uniform(b) && !tissues[index_of(specimen.tissue_in(b, 0))]) continue;
     const IVec3 corner = specimen.brick_at(b) * kBrickEdge;
-    Node bin{Vec3(0.0), Vec3(0.0), voxels_.size(), voxels_.size()};
-    IVec3 low = corner + kBrickEdge, high = corner;
     for (int o = 0; o < kBrickVoxels; ++o) {
       const IVec3 v = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
       if (!is_one(v)) continue;
@@ -33,16 +30,32 @@ VoxelIndex::VoxelIndex(const Specimen& specimen, const TissueSet& tissues) : gri
           next[axis] += step;
           outermost = outermost || !is_one(next);
         }
-      if (!outermost) continue;
-      voxels_.push_back(v);
-      low = glm::min(low, v);
-      high = glm::max(high, v);
+      if (outermost) voxels_.push_back(v);
     }
-    bin.last = voxels_.size();
-    if (bin.last == bin.first) continue;
-    bin.low = grid_.centre_mm(low) - 0.5 * grid_.voxel_mm;
-    bin.high = grid_.centre_mm(high) + 0.5 * grid_.voxel_mm;
-    leaves.push_back(bin);
+  }
+  index();
+}
+
+VoxelIndex::VoxelIndex(const Grid& grid, std::vector<IVec3> voxels) : grid_(grid), voxels_(std::move(voxels)) {
+  const auto key = [](IVec3 v) { return std::array{v.z, v.y, v.x}; };
+  std::ranges::sort(voxels_, {}, key);
+  voxels_.erase(std::unique(voxels_.begin(), voxels_.end()), voxels_.end());
+  index();
+}
+
+/// Blocks of four voxels along an edge become the tree's leaves.
+void VoxelIndex::index() {
+  const auto block = [](IVec3 v) { return std::array{v.z >> 2, v.y >> 2, v.x >> 2}; };
+  std::ranges::stable_sort(voxels_, {}, block);
+  std::vector<Node> leaves;
+  for (std::size_t i = 0; i < voxels_.size(); ++i) {
+    const Vec3 centre = grid_.centre_mm(voxels_[i]);
+    const Vec3 low = centre - 0.5 * grid_.voxel_mm, high = centre + 0.5 * grid_.voxel_mm;
+    if (i == 0 || block(voxels_[i]) != block(voxels_[i - 1])) leaves.push_back({low, high, i, i});
+    Node& leaf = leaves.back();
+    leaf.low = glm::min(leaf.low, low);
+    leaf.high = glm::max(leaf.high, high);
+    leaf.last = i + 1;
   }
   if (!leaves.empty()) root_ = grow(leaves);
 }

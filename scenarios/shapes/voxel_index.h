@@ -24,6 +24,8 @@ inline bool was_solid(const Specimen& specimen, IVec3 v) noexcept {
 class VoxelIndex {
  public:
   VoxelIndex(const Specimen& specimen, const TissueSet& tissues);
+  /// Of these voxels, each as a cube.
+  VoxelIndex(const Grid& grid, std::vector<IVec3> voxels);
   bool empty() const noexcept { return voxels_.empty(); }
   /// Distance from a place outside to the nearest of them, 0 in an outermost one; at most `at_most_mm`, which is also the
   /// answer where there is none: the search stops there.
@@ -37,6 +39,7 @@ class VoxelIndex {
     std::size_t first = 0, last = 0;    // leaf: in voxels_
     std::int32_t left = -1, right = -1; // branch: in nodes_
   };
+  void index();
   std::int32_t grow(std::span<Node> leaves);
 
   Grid grid_;

@@ -1,0 +1,77 @@
+#include "scenarios/shapes/tissue_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/teeth/own_tissues.h"
+
+namespace cusp::scenarios {
+
+namespace {
+
+/// Voxels outside a shape that share a face with one of its outermost.
+std::vector<IVec3> about(const Specimen& specimen, const TissueSet& tissues, const VoxelIndex& within) {
+  std::vector<IVec3> out;
+  for (const IVec3 v : within.surface_voxels())
+    for (int axis = 0; axis < 3; ++axis)
+      for (int step = -1; step <= 1; step += 2) {
+        IVec3 next = v;
+        next[axis] += step;
+        if (!tissues[index_of(specimen.tissue(next))] || !was_solid(specimen, next)) out.push_back(next);
+      }
+  return out;
+}
+
+}  // namespace
+
+TissueSet tissues_of(const Region& leaf) noexcept {
+  TissueSet out{};
+  if (leaf.kind == RegionKind::tissue) {
+    out[index_of(leaf.tissue)] = true;
+    return out;
+  }
+  out[index_of(Tissue::carious_dentine)] = out[index_of(Tissue::carious_enamel)] = true;
+  out[index_of(kFirmCariousDentine)] = leaf.down_to == Hardness::firm;
+  return out;
+}
+
+TissueShape::TissueShape(std::shared_ptr<const Specimen> specimen, const TissueSet& tissues)
+    : specimen_(std::move(specimen)), tissues_(tissues), within_(*specimen_, tissues_),
+      without_(specimen_->grid(), about(*specimen_, tissues_, within_)) {
+  const Grid& grid = specimen_->grid();
+  bool first = true;
+  for (const IVec3 v : within_.surface_voxels()) {
+    const Vec3 centre = grid.centre_mm(v);
+    low_ = first ? centre : glm::min(low_, centre);
+    high_ = first ? centre : glm::max(high_, centre);
+    first = false;
+  }
+  low_ -= 0.5 * grid.voxel_mm;
+  high_ += 0.5 * grid.voxel_mm;
+}
+
+bool TissueShape::inside(Vec3 p) const noexcept {
+  const Grid& grid = specimen_->grid();
+  const IVec3 v(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5));
+  return tissues_[index_of(specimen_->tissue(v))] && was_solid(*specimen_, v);
+}
+
+double TissueShape::distance_mm(Vec3 p) const noexcept {
+  if (within_.empty()) return kFarMm;
+  return inside(p) ? -without_.distance_mm(p, kFarMm) : within_.distance_mm(p, kFarMm);
+}
+
+Vec3 TissueShape::out_of(Vec3 p) const noexcept {
+  const double step = specimen_->grid().voxel_mm;
+  Vec3 slope(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 low = p, high = p;
+    low[axis] -= step;
+    high[axis] += step;
+    slope[axis] = distance_mm(high) - distance_mm(low);
+  }
+  const double length = std::sqrt(glm::dot(slope, slope));
+  return length > 0.0 ? slope / length : Vec3(0.0, 0.0, 1.0);
+}
+
+}  // namespace cusp::scenarios
