@@ -637,6 +637,10 @@
 <context>
     <name>cusp::ui::Checks</name>
     <message>
+        <source>An attempt that cuts a twentieth of the target gets %1 points. Give full points for the target only where most of it is removed.</source>
+        <translation>Ein Versuch, der ein Zwanzigstel des Ziels abträgt, erhält %1 Punkte. Volle Punkte für das Ziel nur dort geben, wo das meiste abgetragen ist.</translation>
+    </message>
+    <message>
         <source>The target is made of %1, which this tooth does not have.</source>
         <translation>Das Ziel besteht aus %1, das dieser Zahn nicht hat.</translation>
     </message>

@@ -10,6 +10,8 @@ namespace cusp::scenarios {
 namespace {
 
 constexpr double kTokenShare = 0.05;
+/// Points that such a cut may earn at most (dentistry.md, "Templates and library").
+constexpr double kMostTokenPoints = 5.0;
 /// Points: rounding of a sum, not a merit.
 constexpr double kNoPoints = 1e-9;
 /// Duration of the idle attempt: time counts, force does not.
@@ -94,14 +96,17 @@ std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<co
   // A tree without outlines is touched at its middle.
   const bool drawn = !outlines.empty() && !outlines.front()->paths.empty() && !outlines.front()->paths.front().empty();
   const Vec3 first = drawn ? outlines.front()->paths.front().front() : Vec3(middle, 0.0);
-  double most = -1.0;
+  double passes = -1.0, earns = 0.0;
   for (const bool shaft : {false, true}) {
     const Volume volume = token(reference, specimen, {shaft, {first.x, first.y}});
     const Grade token_grade = grade(scenario, measure(reference, volume, process));
-    if (token_grade.passed) most = std::max(most, token_grade.score);
+    if (token_grade.passed) passes = std::max(passes, token_grade.score);
+    earns = std::max(earns, token_grade.score);
   }
-  if (most >= 0.0)
-    out.push_back({Severity::error, "/rubric/criteria", "token_passes", {{"value", most}, {"limit", scenario.rubric.pass}}, {}});
+  if (passes >= 0.0)
+    out.push_back({Severity::error, "/rubric/criteria", "token_passes", {{"value", passes}, {"limit", scenario.rubric.pass}}, {}});
+  else if (earns > kMostTokenPoints + kNoPoints)
+    out.push_back({Severity::warning, "/rubric/criteria", "token_earns", {{"value", earns}, {"limit", kMostTokenPoints}}, {}});
   return out;
 }
 

@@ -21,7 +21,7 @@ namespace cusp::scenarios {
 
 /// The scenario's own rubric on the untouched specimen and on two that lack a twentieth of the target: its top, and a
 /// shaft to the floor. Some tenths of a second. Errors: idle_earns (value points: nothing was cut), token_passes (value
-/// points). Pre: has_error(validate(scenario)) is false, and the specimen is the scenario's in its method's reading.
+/// points). Warning: token_earns (value: points, limit: what such a cut may earn). Pre: has_error(validate(scenario)) is false, and the specimen is the scenario's in its method's reading.
 [[nodiscard]] std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<const Specimen> specimen);
 
 /// Title and briefing, in every language there is, against those of `patterns`: what an author began from. Warnings:

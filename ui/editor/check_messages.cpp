@@ -78,6 +78,10 @@ QString exercise_message(const Finding& f, double value, double limit) {
     return CheckText::tr("An attempt that cuts a twentieth of the target passes, with %1 points. Grade how much of the target is removed.")
         .arg(format_points(value));
   }
+  if (c == u"token_earns") {
+    return CheckText::tr("An attempt that cuts a twentieth of the target gets %1 points. Give full points for the target only where most of it is removed.")
+        .arg(format_points(value));
+  }
   if (c == u"weight_vanishes") {
     return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail));
   }

@@ -139,6 +139,8 @@ TEST(Attempts, ATokenThatPassesIsAnError) {
   u.scenario.rubric.criteria = {{"target_removed", 10, {0, 1, 2, 100, 100, 100}}};
   EXPECT_THAT(u.attempts(), ElementsAre("error /rubric/criteria token_passes"));
   u.scenario.rubric.criteria[0].bands = {0, 8, 20, 100, 100, 100};
+  EXPECT_THAT(u.attempts(), ElementsAre("warning /rubric/criteria token_earns")) << "31 points";
+  u.scenario.rubric.criteria[0].bands = {10, 15, 20, 100, 100, 100};
   EXPECT_THAT(u.attempts(), IsEmpty());
 }
 
