@@ -4,6 +4,7 @@
 
 #include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
+#include "ui/editor/check_messages.h"
 #include "ui/text/language.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/theme.h"
@@ -51,6 +52,24 @@ TEST_F(ComposedTarget, is_shown_with_a_sentence_and_nothing_to_change_it) {
   const auto drawn = open();
   for (const QLabel* label : drawn->findChildren<QLabel*>())
     EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed"))) << "an outline can be changed";
+}
+
+TEST_F(ComposedTarget, of_a_lesion_or_a_tissue_is_shown_and_checked) {
+  EditorStart start = coarse();
+  Region lesion, pulp;
+  lesion.kind = RegionKind::lesion;
+  pulp.kind = RegionKind::tissue;
+  pulp.tissue = Tissue::pulp;
+  start.draft.target = node(RegionKind::joined, {start.draft.target, lesion, node(RegionKind::offset, {pulp}, 0.5)});
+  const Region whole = start.draft.target;
+  const auto page = open(start);
+  EXPECT_EQ(page->model().scenario().target, whole);
+  bool missing = false;
+  for (const Finding& f : page->model().findings()) {
+    missing = missing || f.code == "lesion_missing";
+    EXPECT_FALSE(check_message(f).startsWith(QStringLiteral("Something is wrong at"))) << f.code;
+  }
+  EXPECT_TRUE(missing) << "the tooth of the draft has no lesion";
 }
 
 TEST_F(ComposedTarget, stays_as_it_is) {

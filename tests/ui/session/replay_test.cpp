@@ -12,6 +12,7 @@
 #include "storage/records/trace_codec.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/play_through.h"
+#include "ui/session/session_setup.h"
 
 namespace cusp::test {
 namespace {
