@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "scenarios/metrics/surface_search.h"
 #include "scenarios/teeth/own_tissues.h"
@@ -28,6 +29,29 @@ double mean_z(const std::vector<CutFace>& faces) noexcept {
   return sum / area;
 }
 
+/// The triangles of each voxel as one face at their middle, in the voxels' order.
+std::vector<CutFace> by_voxel(const std::vector<CutFace>& faces, const Grid& grid) {
+  struct Sum {
+    CutFace face;
+    double mm2 = 0;
+  };
+  std::map<std::array<int, 3>, Sum> voxels;
+  for (const CutFace& face : faces) {
+    const IVec3 v = nearest_voxel(grid, face.middle_mm);
+    Sum& sum = voxels[{v.z, v.y, v.x}];
+    sum.face.area_mm2 += face.area_mm2;
+    sum.face.middle_mm += mm2_of(face) * face.middle_mm;
+    sum.mm2 += mm2_of(face);
+  }
+  std::vector<CutFace> out;
+  for (auto& [voxel, sum] : voxels) {
+    if (!(sum.mm2 > 0.0)) continue;
+    sum.face.middle_mm /= sum.mm2;
+    out.push_back(sum.face);
+  }
+  return out;
+}
+
 /// Height of a closed line beside a place: at its point that is nearest in plan.
 double line_height(const std::vector<Vec3>& line, Vec3 p) noexcept {
   double nearest = std::numeric_limits<double>::max(), z = 0;
@@ -48,7 +72,7 @@ bool is_dentine(Tissue t) noexcept { return t == Tissue::dentine || t == Tissue:
 /// Length along a line until its tissue changes from dentine to enamel, or the other way; nullopt where another tissue or the
 /// air comes first.
 std::optional<double> to_change(const Specimen& specimen, Vec3 from, Vec3 way, bool from_dentine) noexcept {
-  const double step = 0.1 * specimen.grid().voxel_mm;
+  const double step = 0.25 * specimen.grid().voxel_mm;
   for (double mm = 0.0; mm <= kFurthestJunctionMm; mm += step) {
     const IVec3 v = nearest_voxel(specimen.grid(), from + mm * way);
     const Tissue t = specimen.tissue(v);
@@ -106,11 +130,10 @@ std::optional<MeasuredLength> box_height(const CutFaces& faces, const Reference&
 }
 
 std::optional<AxialDepth> axial_past_junction(const CutFaces& faces, const Reference& reference) {
-  const std::vector<CutFace>& wall = faces.of(FaceName::axial_wall);
   const double voxel = reference.specimen().grid().voxel_mm;
   std::optional<AxialDepth> out;
   double sum = 0, area = 0;
-  for (const CutFace& face : wall) {
+  for (const CutFace& face : by_voxel(faces.of(FaceName::axial_wall), reference.specimen().grid())) {
     const double mm2 = mm2_of(face);
     const std::optional<Facing> target = mm2 > 0.0 ? reference.shape().facing(face.middle_mm, face.area_mm2 / mm2) : std::nullopt;
     const std::optional<double> mm = target ? depth_in_dentine(reference.specimen(), face.middle_mm, target->into_void) : std::nullopt;
@@ -122,7 +145,7 @@ std::optional<AxialDepth> axial_past_junction(const CutFaces& faces, const Refer
     sum += mm2 * *mm;
     area += mm2;
   }
-  if (out) out->mean = {sum / area, kJunctionVoxels * voxel, wall.front().middle_mm};
+  if (out) out->mean = {sum / area, kJunctionVoxels * voxel, out->least.at_mm};
   return out;
 }
 

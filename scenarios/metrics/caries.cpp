@@ -1,5 +1,6 @@
 #include "scenarios/metrics/caries.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -26,16 +27,10 @@ bool is_carious(Tissue t) noexcept {
 }
 bool is_sound(Tissue t) noexcept { return t == Tissue::enamel || t == Tissue::dentine || t == Tissue::cementum; }
 
-TissueSet shell() noexcept {
-  TissueSet out{};
-  for (const Tissue t : {Tissue::enamel, Tissue::carious_enamel, Tissue::cementum}) out[index_of(t)] = true;
-  return out;
-}
-
 /// Which part of the lesion a voxel belongs to.
 class Parts {
  public:
-  explicit Parts(const Specimen& specimen) : specimen_(specimen), shell_(specimen, shell()) {}
+  explicit Parts(const Reference& reference) : specimen_(reference.specimen()), shell_(reference.shell()) {}
   Part of(IVec3 v) const noexcept {
     const Tissue t = specimen_.tissue(v);
     if (t == Tissue::carious_enamel) return Part::enamel;
@@ -47,7 +42,7 @@ class Parts {
 
  private:
   const Specimen& specimen_;
-  VoxelIndex shell_;
+  const VoxelIndex& shell_;
 };
 
 /// Adds up a solid by the parts of its voxels: a piece of a cell belongs to the voxel that is nearest to its middle.
@@ -75,13 +70,37 @@ class PartSink final : public SolidSink {
 
  private:
   void add(Vec3 p, double volume) noexcept {
-    const Part part = parts_.of(nearest_voxel(specimen_.grid(), p));
-    if (part != Part::none) mm3[static_cast<std::size_t>(part)] += volume;
+    const IVec3 v = nearest_voxel(specimen_.grid(), p);
+    if (v != last_) part_ = parts_.of(v);
+    last_ = v;
+    if (part_ != Part::none) mm3[static_cast<std::size_t>(part_)] += volume;
   }
   const Specimen& specimen_;
   const Parts& parts_;
   double surface_sigma_mm_;
+  IVec3 last_{-1};  // whose part was asked last: pieces of one voxel follow each other
+  Part part_ = Part::none;
 };
+
+/// Bricks whose cells may hold carious tissue, ascending: a brick's cells read the voxels beyond its high sides.
+std::vector<int> carious_bricks(const Specimen& specimen) {
+  const auto holds = [&](int brick) {
+    if (specimen.uniform(brick)) return is_carious(specimen.tissue_in(brick, 0));
+    for (int o = 0; o < kBrickVoxels; ++o)
+      if (is_carious(specimen.tissue_in(brick, o))) return true;
+    return false;
+  };
+  const IVec3 bricks = specimen.brick_count();
+  std::vector<int> out;
+  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
+    if (!holds(b)) continue;
+    for (int i = 0; i < 8; ++i)
+      if (const int low = specimen.brick_index(specimen.brick_at(b) - IVec3(i & 1, i >> 1 & 1, i >> 2)); low >= 0) out.push_back(low);
+  }
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
 
 /// Borders of what is left of each part with other tissues, and a place of it.
 void add_borders(const Parts& parts, const Volume& volume, int brick, std::array<CariesPart*, kParts> out) {
@@ -132,17 +151,17 @@ class SoundSink final : public RegionClassifier {
 
 CariesLeft caries_left(const Reference& reference, const Volume& volume) {
   const Specimen& specimen = reference.specimen();
-  const Parts parts(specimen);
   CariesLeft out;
+  const std::vector<int> lesion = carious_bricks(specimen);
+  if (lesion.empty()) return out;
+  const Parts parts(reference);
   const std::array<CariesPart*, kParts> all = {&out.periphery, &out.pulp_soft, &out.pulp_firm, &out.enamel};
   PartSink before(specimen, parts, 0.0), removed(specimen, parts, reference.surface_sigma_mm());
-  const IVec3 bricks = specimen.brick_count();
-  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
-    if (specimen.uniform(b) && !is_carious(specimen.tissue_in(b, 0))) continue;
-    emit_specimen(specimen, b, before);
-    add_borders(parts, volume, b, all);
+  for (const int brick : lesion) {
+    emit_specimen(specimen, brick, before);
+    emit_removed(volume, brick, removed);
+    add_borders(parts, volume, brick, all);
   }
-  for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, removed);
   const double voxel = volume.grid().voxel_mm;
   for (std::size_t i = 0; i < kParts; ++i) {
     all[i]->before_mm3 = before.mm3[i];

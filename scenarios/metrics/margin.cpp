@@ -95,7 +95,7 @@ double chord_sigma_deg(double point_sigma_mm) noexcept { return std::sqrt(2.0) *
 
 std::vector<MarginPoint> margin_points(const Volume& volume) {
   std::vector<MarginPoint> out;
-  if (volume.specimen().reading() == Reading::filled) return out;
+  if (volume.specimen().reading() == Reading::filled || 2.0 * volume.grid().voxel_mm > kChordMm) return out;
   Margin margin(volume);
   for (const int brick : bricks_to_measure(volume)) {
     const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;

@@ -4,7 +4,7 @@
 /// cavosurface_angle (deg): angle of the tooth that is left, between chords of 0.3 mm along the cut and along the original surface,
 /// at right angles to the margin; mean over the margin's length.
 /// cavosurface_off (%): share of the margin where it is below 80 or above 110 degrees [M].
-/// Needs: a banded volume, a margin on the exercise's own hard tissue.
+/// Needs: a banded volume whose voxels are at most half a chord, a margin on the exercise's own hard tissue.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct MarginPoint {
   std::optional<double> angle_deg;  // none at a line angle, and where a chord has no room
 };
 
-/// In the order of the bricks. Tens of milliseconds. Empty for a filled reading.
+/// In the order of the bricks. Tens of milliseconds. Empty for a filled reading, and where a chord is not resolved.
 [[nodiscard]] std::vector<MarginPoint> margin_points(const Volume& volume);
 
 struct Cavosurface {

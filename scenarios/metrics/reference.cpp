@@ -77,6 +77,15 @@ const std::vector<SurfacePatch>& Reference::target_surface() const {
   return later_->surface;
 }
 
+const VoxelIndex& Reference::shell() const {
+  std::call_once(later_->shell_once, [&] {
+    TissueSet tissues{};
+    for (const Tissue t : {Tissue::enamel, Tissue::carious_enamel, Tissue::cementum}) tissues[index_of(t)] = true;
+    later_->shell.emplace(*specimen_, tissues);
+  });
+  return *later_->shell;
+}
+
 const ToothLandmarks* Reference::landmarks() const {
   std::call_once(later_->landmarks_once, [&] {
     if (fdi_ == 0) return;

@@ -54,6 +54,8 @@ class Reference {
   bool asks(std::string_view start) const noexcept;
   /// Made at the first call, which may take tenths of a second; any thread. Of an empty target or a filled reading empty.
   const std::vector<SurfacePatch>& target_surface() const;
+  /// Enamel and cementum, sound or carious: what dentine lies under. As above.
+  const VoxelIndex& shell() const;
   /// Of the grown tooth; nullptr where the specimen is none. As above.
   const ToothLandmarks* landmarks() const;
   double surface_sigma_mm() const noexcept;  // of a face's mean place
@@ -70,8 +72,9 @@ class Reference {
   double target_mm3_ = 0;
   /// What is made once, when it is first asked for.
   struct Later {
-    std::once_flag surface_once, landmarks_once;
+    std::once_flag surface_once, shell_once, landmarks_once;
     std::vector<SurfacePatch> surface;
+    std::optional<VoxelIndex> shell;
     std::optional<ToothLandmarks> landmarks;
   };
 

@@ -27,6 +27,8 @@ class RegionClassifier : public SolidSink {
   virtual void solid(Place place, double mm3, Tissue tissue) = 0;
   /// Place and distance from the target of a point in the current cell.
   Place place_at(Vec3 p, double& d) noexcept;
+  /// Whether the current cell lies wholly in one place.
+  bool whole() const noexcept { return whole_; }
 
   Vec3 low_{0.0}, high_{0.0};                  // of the current cell
   FaceName face_ = FaceName::side_wall;        // nearest to the part that solid() is given, outside the target

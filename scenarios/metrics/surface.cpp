@@ -34,6 +34,24 @@ struct Distance {
   double mm, mm2;
 };
 
+/// Distances of places that lie beside each other: the last one bounds the next.
+class Nearest {
+ public:
+  explicit Nearest(const TriangleIndex& index) : index_(index) {}
+  double from(Vec3 p) noexcept {
+    const Vec3 way = p - at_;
+    constexpr double kRounding = 1e-9;
+    const double bound = std::min(kFarMm, mm_ + std::sqrt(glm::dot(way, way)) + kRounding);
+    at_ = p;
+    return mm_ = index_.distance_mm(p, bound);
+  }
+
+ private:
+  const TriangleIndex& index_;
+  Vec3 at_{0.0};
+  double mm_ = kFarMm;
+};
+
 /// Share of the area whose distance is at most x. Pre: `sorted` by distance.
 double share_within(const std::vector<Distance>& sorted, const std::vector<double>& up_to, double x) {
   const auto end = std::ranges::upper_bound(sorted, x, {}, &Distance::mm);
@@ -53,16 +71,17 @@ std::optional<SurfaceMatch> surface_match(const Reference& reference, const Volu
   SurfaceMatch out;
   std::vector<Distance> all;
   double squares = 0, area = 0;
+  Nearest nearest(cut);
   for (const SurfacePatch& patch : target) {
     const Vec3 middle = patch.middle();
-    const double mm = cut.distance_mm(middle, kFarMm);
+    const double mm = nearest.from(middle);
     all.push_back({mm, patch.mm2});
     squares += patch.mm2 * mm * mm;
     area += patch.mm2;
     for (const Vec3& corner : patch.corners) {
       const Vec3 off = corner - middle;
       if (mm + std::sqrt(glm::dot(off, off)) <= out.greatest_mm) continue;  // a distance changes by no more than its place
-      const double there = cut.distance_mm(corner, kFarMm);
+      const double there = nearest.from(corner);
       if (there <= out.greatest_mm) continue;
       out.greatest_mm = there;
       out.greatest_at_mm = corner;

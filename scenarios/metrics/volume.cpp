@@ -13,7 +13,7 @@ namespace {
 constexpr double kEdgeShare = 0.1;
 
 /// A single face has its line angles alone, which lose more than the mean of a cavity's surface does.
-constexpr double kFaceFactor = 4.0;
+constexpr double kFaceFactor = 2.0;
 
 class FaceVolumes final : public RegionClassifier {
  public:
@@ -33,9 +33,11 @@ class FaceVolumes final : public RegionClassifier {
     sum.at_mm = middle;
   }
   void tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) override {
-    const FaceName first = reference_.shape().near(corners[0]).face;
     on_edge_ = false;
-    for (std::size_t i = 1; i < 4; ++i) on_edge_ = on_edge_ || reference_.shape().near(corners[i]).face != first;
+    if (!whole()) {
+      const FaceName first = reference_.shape().near(corners[0]).face;
+      for (std::size_t i = 1; i < 4; ++i) on_edge_ = on_edge_ || reference_.shape().near(corners[i]).face != first;
+    }
     RegionClassifier::tetrahedron(corners, mm3, tissue);
     on_edge_ = false;
   }

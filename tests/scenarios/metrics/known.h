@@ -73,6 +73,13 @@ inline Rubric whole_rubric() {
   return out;
 }
 
+/// One that asks for these alone.
+inline Rubric rubric_of(const std::map<std::string, double>& truth) {
+  Rubric out;
+  for (const auto& [metric, value] : truth) out.criteria.push_back({metric, 1, {}});
+  return out;
+}
+
 /// One seed for each kind of preparation; printed where a test fails.
 struct Draw {
   std::mt19937_64 random;
