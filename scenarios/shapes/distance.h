@@ -45,11 +45,14 @@ inline double rounded_corner(double u, double v, double radius) noexcept {
   return std::max(u, v);
 }
 
+/// Two distances that differ by more than this share of the radius are not blended: 4 (1 - 1/sqrt 2).
+inline constexpr double kBlendReach = 1.1715728752538099;
+
 /// The greater of two, blended where they differ by little: a round edge of about `radius` between two faces at a right
 /// angle (a parabola that passes the middle of the round one). Of distances that change by no more than their place it is
 /// one again, whatever the angle.
 inline double blended_max(double a, double b, double radius) noexcept {
-  const double reach = 1.1715728752538099 * radius;  // 4 (1 - 1/sqrt 2)
+  const double reach = kBlendReach * radius;
   const double within = reach - std::fabs(a - b);
   return std::max(a, b) + (within > 0.0 ? within * within / (4.0 * reach) : 0.0);
 }

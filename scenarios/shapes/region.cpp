@@ -134,6 +134,12 @@ Near RegionShape::at(std::size_t index, Vec3 p) const noexcept {
     return out;
   }
   for (std::size_t i = 1; i < node.parts.size(); ++i) {
+    const Node& part = nodes_[node.parts[i]];
+    // Voxels are asked only where a union may come to them.
+    if (node.kind == RegionKind::joined && part.voxels) {
+      const double least = part.voxels->least_mm(p);
+      if (least > 0.0 && least >= out.distance_mm + kBlendReach * node.rounding) continue;
+    }
     Near next = at(node.parts[i], p);
     if (node.kind == RegionKind::difference) next.distance_mm = -next.distance_mm;
     const bool joined = node.kind == RegionKind::joined;

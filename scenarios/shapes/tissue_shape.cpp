@@ -50,15 +50,35 @@ TissueShape::TissueShape(std::shared_ptr<const Specimen> specimen, const TissueS
   high_ += 0.5 * grid.voxel_mm;
 }
 
-bool TissueShape::inside(Vec3 p) const noexcept {
+double TissueShape::beside(Vec3 p, IVec3 v, bool belongs) const noexcept {
   const Grid& grid = specimen_->grid();
-  const IVec3 v(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5));
-  return tissues_[index_of(specimen_->tissue(v))] && was_solid(*specimen_, v);
+  const Vec3 off = (p - grid.centre_mm(v)) / grid.voxel_mm;  // within half a voxel
+  double nearest = kFarMm * kFarMm;
+  for (int z = -1; z <= 1; ++z)
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) {
+        const Vec3 gap = glm::max(glm::abs(Vec3(x, y, z) - off) - 0.5, Vec3(0.0));
+        const double square = glm::dot(gap, gap) * grid.voxel_mm * grid.voxel_mm;
+        if (square < nearest && has(v + IVec3(x, y, z)) == belongs) nearest = square;
+      }
+  return std::sqrt(nearest);
 }
 
 double TissueShape::distance_mm(Vec3 p) const noexcept {
   if (within_.empty()) return kFarMm;
-  return inside(p) ? -without_.distance_mm(p, kFarMm) : within_.distance_mm(p, kFarMm);
+  const Grid& grid = specimen_->grid();
+  const IVec3 v(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5));
+  const bool inside = has(v);
+  // No voxel but the 26 lies nearer than a voxel; further off their distance bounds the search.
+  double mm = least_mm(p) > 2.0 * grid.voxel_mm ? kFarMm : beside(p, v, !inside);
+  if (mm > grid.voxel_mm) mm = (inside ? without_ : within_).distance_mm(p, mm);
+  return inside ? -mm : mm;
+}
+
+double TissueShape::least_mm(Vec3 p) const noexcept {
+  if (within_.empty()) return kFarMm;
+  const Vec3 off = glm::max(glm::max(low_ - p, p - high_), Vec3(0.0));
+  return std::sqrt(glm::dot(off, off));
 }
 
 Vec3 TissueShape::out_of(Vec3 p) const noexcept {

@@ -24,13 +24,17 @@ class TissueShape {
   double distance_mm(Vec3 p) const noexcept;
   /// Out of the shape, by differences over a voxel; of length 1.
   Vec3 out_of(Vec3 p) const noexcept;
+  /// No distance outside its box is below this.
+  double least_mm(Vec3 p) const noexcept;
   Vec3 low() const noexcept { return low_; }  // the box about it
   Vec3 high() const noexcept { return high_; }
 
   static constexpr double kFarMm = 100.0;
 
  private:
-  bool inside(Vec3 p) const noexcept;
+  bool has(IVec3 v) const noexcept { return tissues_[index_of(specimen_->tissue(v))] && was_solid(*specimen_, v); }
+  /// Distance to the nearest of the 26 voxels about v that belongs to it, or does not; kFarMm where there is none.
+  double beside(Vec3 p, IVec3 v, bool belongs) const noexcept;
 
   std::shared_ptr<const Specimen> specimen_;
   TissueSet tissues_;

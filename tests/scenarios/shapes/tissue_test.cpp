@@ -95,6 +95,43 @@ TEST(TissueLeaf, ItsDistanceIsThatToTheBall) {
   }
 }
 
+TEST(TissueLeaf, ItsDistanceIsThatToTheNearestCube) {
+  constexpr std::uint64_t kSeed = 53;
+  std::mt19937_64 random(kSeed);
+  const auto specimen = block();
+  const Grid& grid = specimen->grid();
+  std::vector<Vec3> pulp, other;  // centres
+  IVec3 v;
+  for (v.z = 0; v.z < grid.size.z; ++v.z)
+    for (v.y = 0; v.y < grid.size.y; ++v.y)
+      for (v.x = 0; v.x < grid.size.x; ++v.x)
+        (was_solid(*specimen, v) && specimen->tissue(v) == Tissue::pulp ? pulp : other).push_back(grid.centre_mm(v));
+  const auto nearest = [&](Vec3 p, const std::vector<Vec3>& centres) {
+    double out = 1e9;
+    for (const Vec3& c : centres) out = std::min(out, glm::length(glm::max(glm::abs(p - c) - 0.5 * grid.voxel_mm, Vec3(0.0))));
+    return out;
+  };
+  const RegionShape shape(tissue(Tissue::pulp), specimen);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = 0.6 * random_place(random) + Vec3(0, 0, -0.6);
+    const double to_pulp = nearest(p, pulp);
+    EXPECT_NEAR(shape.near(p).distance_mm, to_pulp > 0.0 ? to_pulp : -nearest(p, other), 1e-12) << "seed " << kSeed;
+  }
+}
+
+TEST(TissueLeaf, InAUnionItIsAskedWhereverItMatters) {
+  constexpr std::uint64_t kSeed = 54;
+  std::mt19937_64 random(kSeed);
+  const auto specimen = block();
+  const RegionShape pulp(tissue(Tissue::pulp), specimen), ball(sphere({0, 0, 0.4}, 1)),
+      both(node(RegionKind::joined, {sphere({0, 0, 0.4}, 1), tissue(Tissue::pulp)}, 0.3), specimen);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p = random_place(random);
+    const double want = -blended_max(-ball.near(p).distance_mm, -pulp.near(p).distance_mm, 0.3);
+    EXPECT_EQ(both.near(p).distance_mm, want) << "seed " << kSeed;
+  }
+}
+
 TEST(TissueLeaf, AnOffsetIsSoFarIntoItOrAboutIt) {
   const auto specimen = block();
   const RegionShape about(node(RegionKind::offset, {tissue(Tissue::pulp)}, 1.0), specimen);
