@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "scenarios/metrics/surface_search.h"
 #include "scenarios/teeth/own_tissues.h"
@@ -27,29 +26,6 @@ double mean_z(const std::vector<CutFace>& faces) noexcept {
     area += mm2_of(face);
   }
   return sum / area;
-}
-
-/// The triangles of each voxel as one face at their middle, in the voxels' order.
-std::vector<CutFace> by_voxel(const std::vector<CutFace>& faces, const Grid& grid) {
-  struct Sum {
-    CutFace face;
-    double mm2 = 0;
-  };
-  std::map<std::array<int, 3>, Sum> voxels;
-  for (const CutFace& face : faces) {
-    const IVec3 v = nearest_voxel(grid, face.middle_mm);
-    Sum& sum = voxels[{v.z, v.y, v.x}];
-    sum.face.area_mm2 += face.area_mm2;
-    sum.face.middle_mm += mm2_of(face) * face.middle_mm;
-    sum.mm2 += mm2_of(face);
-  }
-  std::vector<CutFace> out;
-  for (auto& [voxel, sum] : voxels) {
-    if (!(sum.mm2 > 0.0)) continue;
-    sum.face.middle_mm /= sum.mm2;
-    out.push_back(sum.face);
-  }
-  return out;
 }
 
 /// Height of a closed line beside a place: at its point that is nearest in plan.
@@ -133,7 +109,7 @@ std::optional<AxialDepth> axial_past_junction(const CutFaces& faces, const Refer
   const double voxel = reference.specimen().grid().voxel_mm;
   std::optional<AxialDepth> out;
   double sum = 0, area = 0;
-  for (const CutFace& face : by_voxel(faces.of(FaceName::axial_wall), reference.specimen().grid())) {
+  for (const CutFace& face : faces.of(FaceName::axial_wall)) {
     const double mm2 = mm2_of(face);
     const std::optional<Facing> target = mm2 > 0.0 ? reference.shape().facing(face.middle_mm, face.area_mm2 / mm2) : std::nullopt;
     const std::optional<double> mm = target ? depth_in_dentine(reference.specimen(), face.middle_mm, target->into_void) : std::nullopt;

@@ -107,7 +107,7 @@ std::vector<MarginPoint> margin_points(const Volume& volume) {
 
 std::optional<Cavosurface> cavosurface(const std::vector<MarginPoint>& margin, double point_sigma_mm) {
   const double sigma = chord_sigma_deg(point_sigma_mm);
-  double sum = 0, all = 0, off = 0, uncertain = 0, without = 0, worst = -1;
+  double sum = 0, all = 0, off = 0, uncertain = 0, without = 0, worst = -180;
   Cavosurface out;
   for (const MarginPoint& m : margin) {
     if (!m.angle_deg) {

@@ -248,6 +248,32 @@ TEST(Groups, AreComputedOnlyWhereTheRubricAsksForThem) {
   EXPECT_FALSE(measured("cavosurface_off", "surface_rms"));
 }
 
+TEST(Groups, EachPlaceLiesOnTheSurfaceThatItsMeasureIsOf) {
+  Draw draw{std::mt19937_64(33)};
+  BoxCut box;
+  box.further = {0.3, -0.1, 0.25, 0.1, 0.3};
+  const Scenario s = exercise(box.region(false));
+  const Block block;
+  const auto specimen = specimen_of(block, 0.1, draw);
+  const RegionShape target(box.region(false)), cut(box.region(true));
+  Volume volume(specimen);
+  carved::carve(volume, [&](Vec3 p) { return cut.near(p).distance_mm; });
+  int places = 0;
+  for (const Measure& m : measure(Reference(s, specimen), volume, {})) {
+    const bool overcut = m.metric.starts_with("overcut_") && (m.metric.ends_with("_wall") || m.metric.ends_with("pulpal_floor"));
+    const bool margin = m.metric.starts_with("cavosurface_"), surface = m.metric.starts_with("surface_");
+    if (!m.measured || !(m.value > 0.0) || !(overcut || margin || surface)) continue;
+    ASSERT_TRUE(m.where_mm) << m.metric;
+    const double off = surface ? target.near(*m.where_mm).distance_mm : cut.near(*m.where_mm).distance_mm;
+    EXPECT_NEAR(off, 0.0, 0.05) << m.metric << ": half a voxel";
+    if (margin) {
+      EXPECT_NEAR(block(*m.where_mm), 0.0, 0.05) << m.metric;
+    }
+    ++places;
+  }
+  EXPECT_GE(places, 10);
+}
+
 TEST(Groups, AChordThatTheVoxelsDoNotResolveIsNotMeasured) {
   const Scenario s = exercise(BoxCut{}.region(false));
   for (const auto& [voxel_mm, measured] : {std::pair{0.15, true}, {0.2, false}}) {

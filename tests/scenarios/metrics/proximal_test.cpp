@@ -159,6 +159,24 @@ TEST(Proximal, AContactThatStandsIsNotBroken) {
   EXPECT_EQ(get(measure(reference, Volume(specimen), {}), "contact_broken").value, 0.0) << "untouched";
 }
 
+TEST(Proximal, AClearanceIsShownOnTheMarginThatItIsOf) {
+  Draw draw{std::mt19937_64(2)};
+  const auto specimen = two_teeth(0.1, draw, tissue_at);
+  const Box box;
+  Volume volume(specimen);
+  carved::carve(volume, [&](Vec3 p) { return box.distance(p); });
+  int places = 0;
+  for (const Measure& m : measure(Reference(exercise(), specimen), volume, {})) {
+    if (!m.metric.starts_with("clearance_")) continue;
+    ASSERT_TRUE(m.measured && m.where_mm) << m.metric;
+    EXPECT_NEAR(own_tooth(*m.where_mm), 0.0, 0.05) << m.metric;
+    EXPECT_NEAR(box.distance(*m.where_mm), 0.0, 0.05) << m.metric;
+    EXPECT_NEAR(Box::clearance(*m.where_mm), m.value, m.uncertainty) << m.metric;
+    ++places;
+  }
+  EXPECT_EQ(places, 7);
+}
+
 TEST(Proximal, WithoutAContactInTheTargetNothingIsSaidOfIt) {
   Draw draw{std::mt19937_64(1)};
   Scenario s = exercise();
