@@ -63,7 +63,8 @@ bool meet(const BrickVoxelSet& a, const BrickVoxelSet& b) {
 
 class Search {
  public:
-  explicit Search(const Volume& volume) : volume_(volume), specimen_(volume.specimen()) {}
+  explicit Search(const Volume& volume)
+      : volume_(volume), specimen_(volume.specimen()), voxel_mm3_(volume.grid().voxel_mm * volume.grid().voxel_mm * volume.grid().voxel_mm) {}
 
   std::vector<std::uint32_t> run(std::span<const std::int32_t> changed) {
     std::vector<std::int32_t> bricks = around(changed);
@@ -203,7 +204,7 @@ class Search {
         if (rank(g) > rank(stays)) stays = g;
       }
       for (const int g : groups)
-        if (g != stays) severed.push_back(g);
+        if (g != stays && size_[g] * voxel_mm3_ <= kMostFragmentMm3) severed.push_back(g);
     }
     std::map<int, std::uint32_t> name;  // [group]
     for (const Part& part : parts_) {
@@ -226,6 +227,7 @@ class Search {
 
   const Volume& volume_;
   const Specimen& specimen_;
+  double voxel_mm3_;
   std::map<int, std::vector<int>> opened_;     // [brick]: its parts
   std::vector<Part> parts_;
   Groups groups_;

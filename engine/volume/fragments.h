@@ -19,6 +19,8 @@
 namespace cusp::engine {
 
 inline constexpr int kCrumbVoxels = 27;
+/// A larger part stays: its root or a vice holds it. A molar's crown has 300 mm³, a cusp less than 60 [M].
+inline constexpr double kMostFragmentMm3 = 150.0;
 
 /// Which voxels of a brick: bit x | y << 3 of slice z.
 struct BrickVoxelSet {
@@ -174,8 +176,8 @@ class FragmentRemoval {
   std::uint16_t half_ = 0;
 };
 
-/// Off the haptic thread. Names of the fragments of each component of the specimen, all but the largest; empty if
-/// nothing is severed. changed_bricks: all since the last call; if one is left out, a fragment may be missed. Cost: the
+/// Off the haptic thread. Names of the fragments of each component of the specimen: all but the largest, and none above
+/// kMostFragmentMm3. Empty if nothing is severed. changed_bricks: all since the last call; if one is left out, a fragment may be missed. Cost: the
 /// changed bricks, and the smaller fragments' voxels.
 std::vector<std::uint32_t> find_severed_fragments(const Volume& volume, std::span<const std::int32_t> changed_bricks);
 

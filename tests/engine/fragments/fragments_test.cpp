@@ -141,6 +141,18 @@ TEST_P(EveryReading, solids_that_stood_apart_at_the_start_both_stay) {
   EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
 }
 
+/// Neighbouring teeth meet at a contact point, which an exercise may open.
+TEST_P(EveryReading, a_part_as_large_as_a_tooth_stays_when_its_contact_is_cut) {
+  const Grid wide{IVec3(200, 80, 80), 0.1, Vec3(-9.95, -3.95, -3.95)};
+  const auto teeth = [](Vec3 p) {
+    return std::min(std::min(box(p, Vec3(-4.0, 0, 0), Vec3(3.5, 3.0, 3.0)), box(p, Vec3(4.0, 0, 0), Vec3(3.5, 3.0, 3.0))),
+                    box(p, Vec3(0.0), Vec3(0.6, 0.4, 0.4)));
+  };
+  Volume volume(carved::specimen(wide, GetParam(), teeth, [](Vec3) { return Tissue::enamel; }));
+  carved::carve(volume, [](Vec3 p) { return box(p, Vec3(0.0), Vec3(0.2, 1.0, 1.0)); });
+  EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
+}
+
 TEST_P(EveryReading, an_overhang_stays) {
   Volume volume(block(GetParam()));
   // Undercut from one side: a roof of 0.5 mm that hangs on the far side alone.
