@@ -298,7 +298,11 @@ TEST(Faults, TheCompetentOperatorLosesSomeMarks) {
   const attempt::Result competent = bench.run("competent");
   EXPECT_LT(competent.grade.score, bench.run("expert").grade.score - 3.0);
   EXPECT_GT(competent.grade.score, bench.run("novice").grade.score + 3.0);
-  EXPECT_NEAR(competent.get("depth_mean").value, 0.8 + 0.6 * bench.scenario.leeway.floor_mm, 0.05);
+  // Attempts differ by some 0.02 mm, by where the hand retracts and sets down again.
+  constexpr int kAttempts = 3;
+  double depth = competent.get("depth_mean").value;
+  for (std::uint64_t seed = 2; seed <= kAttempts; ++seed) depth += bench.run("competent", seed).get("depth_mean").value;
+  EXPECT_NEAR(depth / kAttempts, 0.8 + 0.6 * bench.scenario.leeway.floor_mm, 0.05);
 }
 
 /// An attempt that fails, with this reason for each of these criteria.
