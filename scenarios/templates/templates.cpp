@@ -61,6 +61,26 @@ const Entry* entry(std::string_view key) {
   return nullptr;
 }
 
+/// A template on a tooth, before its parameters.
+struct Ground {
+  const Entry& of;
+  ToothLandmarks landmarks;  // mesial_forward
+  Scope scope;
+};
+
+Result<Ground, FitFailure> ground_of(std::string_view key, int fdi, std::uint64_t seed) {
+  const Entry* const of = entry(key);
+  if (of == nullptr) return fail(FitError::unknown_template, std::string(key));
+  const int place = fdi % 10, quadrant = fdi / 10;
+  if (quadrant < 1 || quadrant > 4 || place < 4 || place > 8) return fail(FitError::unsuitable_tooth, std::to_string(fdi));
+  const auto grown = tooth_landmarks({.fdi = fdi, .seed = seed});
+  if (!grown) return fail(FitError::unsuitable_tooth, std::to_string(fdi));
+  ToothLandmarks landmarks = mesial_forward(*grown, fdi);
+  auto scope = scope_of(landmarks, fdi);
+  if (!scope) return std::unexpected(scope.error());
+  return Ground{*of, std::move(landmarks), std::move(*scope)};
+}
+
 /// Adds the parameters to the scope: as asked for, or by default.
 Result<void, FitFailure> add_parameters(const ExerciseTemplate& of, const std::map<std::string, double>& values, Scope& scope) {
   for (const auto& [key, value] : values)
@@ -94,18 +114,20 @@ std::span<const ExerciseTemplate> exercise_templates() {
   return heads;
 }
 
+Result<std::map<std::string, double>, FitFailure> template_defaults(std::string_view key, int fdi, std::uint64_t seed) {
+  auto ground = ground_of(key, fdi, seed);
+  if (!ground) return std::unexpected(ground.error());
+  if (auto added = add_parameters(ground->of.head, {}, ground->scope); !added) return std::unexpected(added.error());
+  std::map<std::string, double> out;
+  for (const TemplateParameter& one : ground->of.head.parameters) out[one.key] = ground->scope.at(one.key);
+  return out;
+}
+
 Result<Scenario, FitFailure> fit_template(const FitRequest& request) {
-  const Entry* const of = entry(request.key);
-  if (of == nullptr) return fail(FitError::unknown_template, request.key);
-  const int place = request.fdi % 10, quadrant = request.fdi / 10;
-  if (quadrant < 1 || quadrant > 4 || place < 4 || place > 8) return fail(FitError::unsuitable_tooth, std::to_string(request.fdi));
-  const auto grown = tooth_landmarks({.fdi = request.fdi, .seed = request.seed});
-  if (!grown) return fail(FitError::unsuitable_tooth, std::to_string(request.fdi));
-  const ToothLandmarks landmarks = mesial_forward(*grown, request.fdi);
-  auto scope = scope_of(landmarks, request.fdi);
-  if (!scope) return std::unexpected(scope.error());
-  if (auto added = add_parameters(of->head, request.values, *scope); !added) return std::unexpected(added.error());
-  auto filled = fill_template(of->body, Json::parse(embedded::template_common), request, landmarks, *scope);
+  auto ground = ground_of(request.key, request.fdi, request.seed);
+  if (!ground) return std::unexpected(ground.error());
+  if (auto added = add_parameters(ground->of.head, request.values, ground->scope); !added) return std::unexpected(added.error());
+  auto filled = fill_template(ground->of.body, Json::parse(embedded::template_common), request, ground->landmarks, ground->scope);
   if (!filled) return std::unexpected(filled.error());
   auto scenario = read_scenario(filled->dump());
   if (!scenario) return fail(FitError::does_not_fit, scenario.error().where, std::string(key_of(scenario.error().code)));

@@ -121,6 +121,25 @@ TEST(Templates, TakeTheValuesOfParameters) {
   EXPECT_NE(scenario->briefing.at("en").find("2.1 mm"), std::string::npos);
 }
 
+TEST(Templates, NameTheDefaultsThatTheyTake) {
+  for (const ExerciseTemplate& one : exercise_templates())
+    for (const int fdi : {14, 36, 48}) {
+      const auto defaults = template_defaults(one.key, fdi);
+      ASSERT_TRUE(defaults) << one.key << " " << fdi;
+      EXPECT_EQ(defaults->size(), one.parameters.size());
+      for (const TemplateParameter& p : one.parameters) {
+        EXPECT_GE(defaults->at(p.key), p.least) << one.key << " " << p.key;
+        EXPECT_LE(defaults->at(p.key), p.most) << one.key << " " << p.key;
+      }
+      const auto asked = fitted(one.key, fdi, *defaults), left_out = fitted(one.key, fdi, {});
+      ASSERT_TRUE(asked && left_out) << one.key << " " << fdi;
+      EXPECT_TRUE(*asked == *left_out) << one.key << " " << fdi;
+    }
+  EXPECT_DOUBLE_EQ(template_defaults("class-1-adhesive", 36)->at("ridge"), 2.0);  // of a molar, in the JSON
+  EXPECT_DOUBLE_EQ(template_defaults("class-1-adhesive", 14)->at("ridge"), 1.6);  // of a premolar
+  EXPECT_EQ(template_defaults("class-1-adhesive", 11).error().code, FitError::unsuitable_tooth);
+}
+
 TEST(Templates, KeepTheMarginalRidges) {
   const auto landmarks = tooth_landmarks({.fdi = 36});
   const auto scenario = fitted("class-1-classical", 36, {{"ridge", 3.0}});
