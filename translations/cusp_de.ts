@@ -3908,6 +3908,14 @@
         <source>It was not discarded. The list shows it as it is now.</source>
         <translation>Er wurde nicht verworfen. Die Liste zeigt ihn, wie er jetzt ist.</translation>
     </message>
+    <message>
+        <source>Empty</source>
+        <translation>Leer</translation>
+    </message>
+    <message>
+        <source>From a template…</source>
+        <translation>Aus einer Vorlage…</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::MeshForm</name>
@@ -5824,6 +5832,101 @@ Ihr bester davor</translation>
     <message>
         <source>Tolerance zone</source>
         <translation>Toleranzzone</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::TemplateDialog</name>
+    <message>
+        <source>New exercise from a template</source>
+        <translation>Neue Übung aus einer Vorlage</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Make the exercise</source>
+        <translation>Übung anlegen</translation>
+    </message>
+    <message>
+        <source>These values make an exercise on tooth %1.</source>
+        <translation>Diese Werte ergeben eine Übung an Zahn %1.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Source: free choice</source>
+        <translation>Quelle: freie Wahl</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Quelle: %1</translation>
+    </message>
+    <message>
+        <source>Source: general knowledge, not verified [M]</source>
+        <translation>Quelle: allgemeines Wissen, nicht geprüft [M]</translation>
+    </message>
+    <message>
+        <source>Source: %1; the figure is not verified [M]</source>
+        <translation>Quelle: %1; die Zahl ist nicht geprüft [M]</translation>
+    </message>
+    <message>
+        <source>Default: yes</source>
+        <translation>Voreinstellung: ja</translation>
+    </message>
+    <message>
+        <source>Default: no</source>
+        <translation>Voreinstellung: nein</translation>
+    </message>
+    <message>
+        <source>%1, default %2</source>
+        <translation>%1, Voreinstellung %2</translation>
+    </message>
+    <message>
+        <source>%1: a number is needed here, %2.</source>
+        <translation>%1: Hier wird eine Zahl gebraucht, %2.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is no number. Possible: %3.</source>
+        <translation>%1: „%2“ ist keine Zahl. Möglich: %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is outside %3.</source>
+        <translation>%1: %2 liegt außerhalb von %3.</translation>
+    </message>
+    <message>
+        <source>%1 has to lie within %2.</source>
+        <translation>%1 muss innerhalb von %2 liegen.</translation>
+    </message>
+    <message>
+        <source>Tooth %1 is no premolar or molar.</source>
+        <translation>Zahn %1 ist kein Prämolar oder Molar.</translation>
+    </message>
+    <message>
+        <source>With these values nothing is left of the fissures that the preparation follows. A narrower marginal ridge leaves more.</source>
+        <translation>Mit diesen Werten bleibt nichts von den Fissuren, denen die Präparation folgt. Eine schmalere Randleiste lässt mehr davon.</translation>
+    </message>
+    <message>
+        <source>With these values nothing is left of the preparation.</source>
+        <translation>Mit diesen Werten bleibt nichts von der Präparation.</translation>
+    </message>
+    <message>
+        <source>These values together make no exercise. Values nearer to their defaults do.</source>
+        <translation>Diese Werte zusammen ergeben keine Übung. Näher an den Voreinstellungen gelingt es.</translation>
+    </message>
+    <message>
+        <source>The template cannot be used: it is broken at %1.</source>
+        <translation>Die Vorlage ist nicht verwendbar: Sie ist fehlerhaft bei %1.</translation>
     </message>
 </context>
 <context>

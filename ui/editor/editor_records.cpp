@@ -67,6 +67,10 @@ EditorStart open_draft(const Scenario& draft, const std::string& json, const fs:
   return {draft, std::nullopt, drafts_folder(database, draft.id).string(), json};
 }
 
+EditorStart open_new(const Scenario& exercise, const fs::path& database) {
+  return {exercise, std::nullopt, drafts_folder(database, exercise.id).string(), std::nullopt};
+}
+
 Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,
                                   const fs::path& database, const fs::path& cache) {
   EditorStart start;

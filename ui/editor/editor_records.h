@@ -20,6 +20,9 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
 /// Opens a draft of an exercise that was never published. `json`: the draft in the records.
 EditorStart open_draft(const Scenario& draft, const std::string& json, const std::filesystem::path& database);
 
+/// Opens an exercise that was made just now and is grown, not read from a volume. Its draft is not in the records yet.
+EditorStart open_new(const Scenario& exercise, const std::filesystem::path& database);
+
 /// Makes a new exercise, with a new id, from another one. Copies its volume beside the draft.
 Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,
                                   const std::filesystem::path& database, const std::filesystem::path& cache);

@@ -1,10 +1,13 @@
 #include "ui/instructor/library_page.h"
 
 #include <QBoxLayout>
+#include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 
 #include "scenarios/library/library.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
@@ -35,7 +38,7 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   QPushButton* import = make_button(tr("Import a specimen"), ButtonKind::standard, u"import"_qs);
   QPushButton* copy = make_button(tr("Copy"), ButtonKind::standard, u"copy"_qs);
   copy->setAccessibleName(tr("Copy the chosen exercise"));
-  QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
+  QPushButton* fresh = make_new_button();
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
   discard_ = make_button(tr("Discard the draft"), ButtonKind::erase, u"trash"_qs);
   connect(discard_, &QPushButton::clicked, this, &LibraryPage::discard_draft);
@@ -53,13 +56,30 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   outer->addWidget(card, 1);
   connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
   connect(copy, &QPushButton::clicked, this, &LibraryPage::copy_chosen);
-  connect(fresh, &QPushButton::clicked, this, &LibraryPage::begin_new);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
   connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &LibraryPage::fit_buttons);
   read();
   fit_buttons();
   setFocusProxy(table_);
+}
+
+/// A button with a menu: empty, or from a template.
+QPushButton* LibraryPage::make_new_button() {
+  QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
+  auto* menu = new QMenu(fresh);
+  connect(menu->addAction(tr("Empty")), &QAction::triggered, this, &LibraryPage::begin_new);
+  connect(menu->addAction(tr("From a template…")), &QAction::triggered, this, &LibraryPage::begin_from_template);
+  fresh->setMenu(menu);
+  auto* chevron = new QLabel;
+  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, devicePixelRatioF()));
+  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* inside = new QHBoxLayout(fresh);
+  inside->setContentsMargins(0, 0, px(8), 0);
+  inside->addStretch();
+  inside->addWidget(chevron);
+  fresh->setMinimumWidth(fresh->sizeHint().width() + px(24));
+  return fresh;
 }
 
 void LibraryPage::read() {
@@ -137,6 +157,12 @@ void LibraryPage::begin_new() {
   if (!pattern) return;
   // Content of the exercise, in each language of the pattern's briefing; tr() translates the screen only.
   begin_as_copy({*pattern, {}, 1, {}}, {{"en", "New exercise"}, {"de", "Neue Übung"}});
+}
+
+void LibraryPage::begin_from_template() {
+  auto* dialog = new TemplateDialog(this);
+  connect(dialog, &TemplateDialog::made, this, [this](const Scenario& exercise) { Q_EMIT edit_wanted(open_new(exercise, database_)); });
+  dialog->open();
 }
 
 void LibraryPage::begin_as_copy(const Exercise& pattern, const LocalText& title) {

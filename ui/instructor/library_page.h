@@ -1,4 +1,4 @@
-/// The instructor's exercises: opens one in the editor, begins a new one or a copy, imports a specimen. Thread: GUI.
+/// The instructor's exercises: opens one in the editor, begins a new one, empty, from a template or as a copy, imports a specimen. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -9,6 +9,8 @@
 #include "ui/instructor/library_model.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
+
+class QPushButton;
 
 namespace cusp::ui {
 
@@ -28,7 +30,10 @@ class LibraryPage : public QWidget {
  public Q_SLOTS:
   void open_chosen();
   void copy_chosen();
+  /// A channel in the plain block.
   void begin_new();
+  /// Asks for template, tooth and parameters.
+  void begin_from_template();
   /// Asks first; the published version stays.
   void discard_draft();
 
@@ -39,6 +44,7 @@ class LibraryPage : public QWidget {
  private:
   void read();
   void fit_buttons();
+  QPushButton* make_new_button();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
   void show_failure(const StorageFailure& failure);
 
@@ -49,7 +55,7 @@ class LibraryPage : public QWidget {
   LibraryModel* model_;
   Table* table_ = nullptr;
   Band* band_ = nullptr;
-  class QPushButton* discard_ = nullptr;
+  QPushButton* discard_ = nullptr;
 };
 
 }  // namespace cusp::ui
