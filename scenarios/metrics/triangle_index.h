@@ -2,12 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/base/vec.h"
 #include "scenarios/modules.h"
+#include "scenarios/shapes/box_tree.h"
 
 namespace cusp::scenarios {
 
@@ -24,17 +23,8 @@ class TriangleIndex {
   double distance_mm(Vec3 p, double at_most_mm) const noexcept;
 
  private:
-  static constexpr std::size_t kLeaf = 8;
-  struct Node {
-    Vec3 low{0.0}, high{0.0};           // round the triangles below
-    std::size_t first = 0, last = 0;    // leaf: in triangles_
-    std::int32_t left = -1, right = -1; // branch: in nodes_
-  };
-  std::int32_t grow(std::size_t first, std::size_t last);
-
   std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
-  std::int32_t root_ = -1;
+  BoxTree tree_;
 };
 
 }  // namespace cusp::scenarios

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/volume/specimen.h"
 #include "scenarios/modules.h"
+#include "scenarios/shapes/box_tree.h"
 
 namespace cusp::scenarios {
 
@@ -33,19 +32,11 @@ class VoxelIndex {
   const std::vector<IVec3>& surface_voxels() const noexcept { return voxels_; }
 
  private:
-  /// Box round what lies below; a leaf holds voxels, a branch its two halves.
-  struct Node {
-    Vec3 low, high;                     // mm, round the voxels' cubes
-    std::size_t first = 0, last = 0;    // leaf: in voxels_
-    std::int32_t left = -1, right = -1; // branch: in nodes_
-  };
   void index();
-  std::int32_t grow(std::span<Node> leaves);
 
   Grid grid_;
   std::vector<IVec3> voxels_;
-  std::vector<Node> nodes_;
-  std::int32_t root_ = -1;
+  BoxTree tree_;
 };
 
 }  // namespace cusp::scenarios
