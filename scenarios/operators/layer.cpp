@@ -187,14 +187,11 @@ std::vector<int> Layer::areas() const {
     while (!waiting.empty()) {
       const std::size_t node = waiting.front();
       waiting.pop_front();
-      const int i = grid_.column(node), j = grid_.row(node);
-      for (const auto& [x, y] : {std::pair{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}}) {
-        if (x < 0 || y < 0 || x >= grid_.nx || y >= grid_.ny) continue;
-        const std::size_t next = grid_.index(x, y);
-        if (!allowed(next) || area[next] != 0) continue;
+      grid_.each_beside(node, [&](std::size_t next) {
+        if (!allowed(next) || area[next] != 0) return;
         area[next] = count;
         waiting.push_back(next);
-      }
+      });
     }
   }
   return area;
@@ -224,14 +221,11 @@ std::vector<std::size_t> Layer::way(std::size_t from, std::size_t to) const {
   while (!waiting.empty() && before[to] == kNoNode) {
     const std::size_t node = waiting.front();
     waiting.pop_front();
-    const int i = grid_.column(node), j = grid_.row(node);
-    for (const auto& [x, y] : {std::pair{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}}) {
-      if (x < 0 || y < 0 || x >= grid_.nx || y >= grid_.ny) continue;
-      const std::size_t next = grid_.index(x, y);
-      if (!allowed(next) || before[next] != kNoNode) continue;
+    grid_.each_beside(node, [&](std::size_t next) {
+      if (!allowed(next) || before[next] != kNoNode) return;
       before[next] = node;
       waiting.push_back(next);
-    }
+    });
   }
   if (before[to] == kNoNode) return {};
   std::vector<std::size_t> whole{to};

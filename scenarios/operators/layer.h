@@ -22,6 +22,15 @@ struct PlanGrid {
   int column(std::size_t node) const noexcept { return static_cast<int>(node % static_cast<std::size_t>(nx)); }
   int row(std::size_t node) const noexcept { return static_cast<int>(node / static_cast<std::size_t>(nx)); }
   Vec2 at(std::size_t node) const noexcept { return low + step_mm * Vec2(column(node), row(node)); }
+  /// visit(node) of the two to four nodes beside one.
+  template <class Visit>
+  void each_beside(std::size_t node, Visit&& visit) const {
+    const int i = column(node), j = row(node);
+    if (i > 0) visit(node - 1);
+    if (i + 1 < nx) visit(node + 1);
+    if (j > 0) visit(index(i, j - 1));
+    if (j + 1 < ny) visit(index(i, j + 1));
+  }
 };
 
 /// A line of poses; `node` is an allowed node beside its first one.
