@@ -4,6 +4,7 @@
 
 #include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
+#include "tests/ui/looks.h"
 #include "ui/editor/check_messages.h"
 #include "ui/text/language.h"
 #include "ui/widgets/number_field.h"
@@ -18,20 +19,14 @@ struct ComposedTarget : EditorPages {
   void leave_pictures(const EditorStart& start);
 };
 
-/// The page in each language and look, into the folder CUSP_PICTURES if it is set.
+/// The page in each language and look, if pictures are wanted.
 void ComposedTarget::leave_pictures(const EditorStart& start) {
-  const QString to = QString::fromUtf8(qgetenv("CUSP_PICTURES"));
-  if (to.isEmpty()) return;
-  for (const char* language : {"de", "en"})
-    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
-      install_language(*qApp, QLatin1String(language));
-      apply_theme(*qApp, scheme, 100);
-      const auto page = open(start);
-      QTest::qWait(2000);  // the view draws the target when it rests
-      EXPECT_TRUE(page->grab().save(QStringLiteral("%1/editor-tree-%2-%3.png").arg(to, QLatin1String(language), QLatin1String(look))));
-    }
-  install_language(*qApp, QStringLiteral("en"));
-  apply_theme(*qApp, ColourScheme::light, 100);
+  if (!pictures_wanted()) return;
+  in_each_look([&](const QString& look) {
+    const auto page = open(start);
+    QTest::qWait(2000);  // the view draws the target when it rests
+    leave_picture(*page, QStringLiteral("editor-tree-") + look);
+  });
 }
 
 TEST_F(ComposedTarget, is_shown_with_a_sentence_and_nothing_to_change_it) {

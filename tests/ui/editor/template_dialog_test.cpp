@@ -9,6 +9,7 @@
 
 #include "scenarios/templates/templates.h"
 #include "tests/ui/editor/editor_pages.h"
+#include "tests/ui/looks.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/template_messages.h"
 #include "ui/instructor/library_page.h"
@@ -57,32 +58,27 @@ struct TemplateDialogs : EditorPages {
   Scenario made() const { return wanted->at(0).at(0).value<EditorStart>().draft; }
 };
 
-/// Library and dialog in each language and look, and the editor with a class II, into the folder CUSP_PICTURES if it is set.
+/// Library and dialog in each language and look, and the editor with a class II, if pictures are wanted.
 void TemplateDialogs::leave_pictures() {
-  const QString to = QString::fromUtf8(qgetenv("CUSP_PICTURES"));
-  if (to.isEmpty()) return;
-  for (const char* language : {"de", "en"})
-    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
-      install_language(*qApp, QLatin1String(language));
-      apply_theme(*qApp, scheme, 100);
-      const QString which = QStringLiteral("%1-%2.png").arg(QLatin1String(language), QLatin1String(look));
-      for (const int index : {0, 3}) {
-        show_library();
-        ask();
-        dialog->findChildren<QComboBox*>().at(0)->setCurrentIndex(index);
-        NumberField* depth = dialog->findChildren<NumberField*>().at(1);
-        depth->selectAll();
-        if (index == 0) QTest::keyClicks(depth, QStringLiteral("9"));
-        QTest::qWait(500);
-        EXPECT_TRUE(dialog->grab().save(QStringLiteral("%1/template-%2-%3").arg(to).arg(index).arg(which)));
-      }
-      EXPECT_TRUE(page->grab().save(QStringLiteral("%1/library-%2").arg(to, which)));
+  if (!pictures_wanted()) return;
+  in_each_look([&](const QString& look) {
+    for (const int index : {0, 3}) {
+      show_library();
+      ask();
+      dialog->findChildren<QComboBox*>().at(0)->setCurrentIndex(index);
+      NumberField* depth = dialog->findChildren<NumberField*>().at(1);
+      depth->selectAll();
+      if (index == 0) QTest::keyClicks(depth, QStringLiteral("9"));
+      QTest::qWait(500);
+      leave_picture(*dialog, QStringLiteral("template-%1-%2").arg(index).arg(look));
     }
+    leave_picture(*page, QStringLiteral("library-") + look);
+  });
   apply_theme(*qApp, ColourScheme::light, 200);
   show_library();
   ask();
   QTest::qWait(500);
-  EXPECT_TRUE(dialog->grab().save(to + QStringLiteral("/template-200.png")));
+  leave_picture(*dialog, QStringLiteral("template-200"));
   install_language(*qApp, QStringLiteral("en"));
   apply_theme(*qApp, ColourScheme::light, 100);
   show_library();
@@ -91,7 +87,7 @@ void TemplateDialogs::leave_pictures() {
   dialog->accept();
   const auto editor = open(wanted->at(0).at(0).value<EditorStart>());
   QTest::qWait(2000);  // the view draws the target when it rests
-  EXPECT_TRUE(editor->grab().save(to + QStringLiteral("/template-editor.png")));
+  leave_picture(*editor, QStringLiteral("template-editor"));
 }
 
 TEST_F(TemplateDialogs, make_a_draft_that_opens_in_the_editor_and_is_kept_like_any_other) {

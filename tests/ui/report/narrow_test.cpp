@@ -10,6 +10,7 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/looks.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
@@ -100,36 +101,25 @@ QStringList cut_names(const ReportPage& page) {
   return out;
 }
 
-/// Into the folder CUSP_PICTURES, if it is set.
-void leave_picture(ReportPage& page, const std::string& name) {
-  const QByteArray to = qgetenv("CUSP_PICTURES");
-  if (to.isEmpty()) return;
-  EXPECT_TRUE(page.grab().save(QString::fromUtf8(to) + u'/' + QString::fromStdString(name) + QStringLiteral(".png")));
-}
-
 TEST(ReportPage, ShowsEveryCriterionsNameWholeInEachLanguage) {
   const Ports ports = Ports::of_the_system();
-  for (const std::string language : {"de", "en"}) {
-    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
-      install_language(*qApp, QString::fromStdString(language));
-      apply_theme(*qApp, scheme, 100);
-      for (const char* key : {"channel-1", "class-1-36-wet"}) {  // criteria of a block and of a tooth
-        const std::string name = std::string(key) + "-" + language + "-" + look;
-        SCOPED_TRACE(name);
-        ReportPage page(whole_report(key), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
-        page.resize(1280, 800);
-        page.show();
-        QTest::qWait(0);
-        EXPECT_EQ(cut_names(page).join(u"; ").toStdString(), "");
-        EXPECT_GE(page.table()->viewport()->width(), page.table()->whole_width());  // each in one line
-        leave_picture(page, name + "-1280");
-        page.resize(853, 533);  // 1280x800 at 150 %
-        QTest::qWait(0);
-        EXPECT_EQ(cut_names(page).join(u"; ").toStdString(), "");
-        leave_picture(page, name + "-853");
-      }
+  in_each_look([&](const QString& look) {
+    for (const char* key : {"channel-1", "class-1-36-wet"}) {  // criteria of a block and of a tooth
+      const QString name = QLatin1String(key) + u'-' + look;
+      SCOPED_TRACE(name.toStdString());
+      ReportPage page(whole_report(key), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+      page.resize(1280, 800);
+      page.show();
+      QTest::qWait(0);
+      EXPECT_EQ(cut_names(page).join(u"; ").toStdString(), "");
+      EXPECT_GE(page.table()->viewport()->width(), page.table()->whole_width());  // each in one line
+      leave_picture(page, name + QStringLiteral("-1280"));
+      page.resize(853, 533);  // 1280x800 at 150 %
+      QTest::qWait(0);
+      EXPECT_EQ(cut_names(page).join(u"; ").toStdString(), "");
+      leave_picture(page, name + QStringLiteral("-853"));
     }
-  }
+  });
   install_language(*qApp, QStringLiteral("en"));
   apply_theme(*qApp, ColourScheme::light, 100);
 }

@@ -1,0 +1,34 @@
+// Pages in each language and colour scheme, and pictures of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QWidget>
+
+#include "tests/modules.h"
+#include "ui/text/language.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::test {
+
+/// visit("de-light") and so on, each with its language and scheme set.
+template <class Visit>
+void in_each_look(Visit&& visit) {
+  for (const char* language : {"de", "en"})
+    for (const auto& [scheme, look] : {std::pair{ColourScheme::light, "light"}, {ColourScheme::dark, "dark"}}) {
+      install_language(*qApp, QLatin1String(language));
+      apply_theme(*qApp, scheme, 100);
+      visit(QStringLiteral("%1-%2").arg(QLatin1String(language), QLatin1String(look)));
+    }
+}
+
+inline bool pictures_wanted() { return qEnvironmentVariableIsSet("CUSP_PICTURES"); }
+
+/// name.png in the folder CUSP_PICTURES, if that is set.
+inline void leave_picture(QWidget& widget, const QString& name) {
+  if (!pictures_wanted()) return;
+  EXPECT_TRUE(widget.grab().save(qEnvironmentVariable("CUSP_PICTURES") + u'/' + name + QStringLiteral(".png")));
+}
+
+}  // namespace cusp::test
