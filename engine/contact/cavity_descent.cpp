@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/contact/cavity_walls.h"
-#include "engine/contact/plane_search.h"
 
 namespace cusp::engine {
 
@@ -12,7 +11,7 @@ namespace {
 constexpr double kFalseMm = 1e-4;          // a place that stands so far above its feature lies in the void
 constexpr double kSameMm = 1e-4;           // features nearer to each other are one
 constexpr double kJumpMm = 1e-3;           // a place further from its last one is another place
-constexpr int kDescentPasses = 10;
+constexpr int kDescentPasses = 10, kSettlePasses = 6;
 constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
 constexpr double kGainMm = 1e-7;           // each step comes nearer by this: half of the rounding of the sweeps' places
 constexpr double kStepVoxels = 1.0, kLeastStepMm = 1e-3;  // longest and shortest step
@@ -80,11 +79,34 @@ int CavityWalls::sides_at(const Volume& volume, const Descent& d, Side* out) noe
   return kept;
 }
 
-/// One step towards the place nearest to the ball's centre that all sides leave standing. False if there is none nearby.
-bool CavityWalls::step_of_descent(const Ball& ball, const Side* side, int sides, Descent& d, Vec3& step) const noexcept {
+/// The move nearest to the wanted one after which no side's void holds the place.
+PlaneSearch CavityWalls::nearest_under(const Side* side, int sides, Vec3 wanted) noexcept {
   Plane plane[Descent::kMostRuns + 1];
   for (int k = 0; k < sides; ++k) plane[k] = {-side[k].inwards, side[k].depth_mm, k};
-  const PlaneSearch found = closest_point(ball.at - d.x, {plane, static_cast<std::size_t>(sides)}, 1e-9);
+  return closest_point(wanted, {plane, static_cast<std::size_t>(sides)}, 1e-9);
+}
+
+/// Moves x to about the place nearest to `at` that all sides leave standing: under one side alone, a search at a sharp edge
+/// goes to and fro. False if it finds none.
+bool CavityWalls::settle(const Volume& volume, const Cutting& cutting, Vec3 at, Vec3& x) noexcept {
+  Descent d;
+  d.x = x;
+  for (int pass = 0; pass < kSettlePasses; ++pass) {
+    visited_ += kDescentWork;
+    if (!add_runs(volume, cutting, d)) return false;
+    Side side[Descent::kMostRuns + 1];
+    const PlaneSearch found = nearest_under(side, sides_at(volume, d, side), at - d.x);
+    if (!found.feasible) return false;
+    d.x += found.y;
+    x = d.x;
+    if (length_of(found.y) < kPlaceMetMm) return true;
+  }
+  return false;
+}
+
+/// One step towards the place nearest to the ball's centre that all sides leave standing. False if there is none nearby.
+bool CavityWalls::step_of_descent(const Ball& ball, const Side* side, int sides, Descent& d, Vec3& step) const noexcept {
+  const PlaneSearch found = nearest_under(side, sides, ball.at - d.x);
   if (!found.feasible || found.active == 0) return false;
   d.active = found.active;
   for (int a = 0; a < found.active; ++a) d.side[a] = side[found.index[a]];

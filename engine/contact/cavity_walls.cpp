@@ -14,7 +14,7 @@ constexpr double kMovedOnMm = 0.05;     // sweeps that are not carved move a pla
 constexpr double kPlaceFarMm = 0.01;    // the field may be off by as much: a place beyond is looked for from there
 /// A four's directions lie within this over n of its middle: 0.5 / n on a cube's face, sqrt 2 of it at a corner.
 constexpr double kMiddleOff = 0.75;
-constexpr int kPlacePasses = 4;
+constexpr int kPlacePasses = 2;
 constexpr double kRidgeMm = 5e-4;  // a ridge that is higher over the line between two places is looked for
 constexpr std::int64_t kSampleWork = 1, kPlaceWork = 5;  // units of 25 ns
 
@@ -74,12 +74,12 @@ Sweeps::Deepest CavityWalls::deepest(const SweptRuns& runs, const Cutting& cutti
   return uncarved.depth_mm > out.depth_mm ? uncarved : out;
 }
 
-/// Keeps the place of what is left that lies about under `at`, by Newton on the deepest sweep or the specimen's own surface.
-/// False if there is none within reach.
+/// Keeps the place of what is left that is about the nearest to `at`. False if there is none within reach.
 bool CavityWalls::sample_at(const Volume& volume, const Cutting& cutting, Vec3 at) noexcept {
   Vec3 x = at, inwards(0.0);
   double curved = 0.0;
-  for (int pass = 0; pass < kPlacePasses; ++pass) {
+  bool met = false;
+  for (int pass = 0; pass < kPlacePasses && !met; ++pass) {
     visited_ += kPlaceWork;
     const SweptRuns& runs = void_.runs_at(volume, x, cutting.end);
     if (!runs.known) return false;
@@ -97,9 +97,10 @@ bool CavityWalls::sample_at(const Volume& volume, const Cutting& cutting, Vec3 a
       }
     }
     x -= inwards * depth;
-    // What another sweep takes of so short a way is a tenth of it. A place that is not met yet stays: refine() corrects it.
-    if (std::fabs(depth) < kPlaceMetMm) break;
+    // What another sweep takes of so short a way is a tenth of it.
+    met = std::fabs(depth) < kPlaceMetMm;
   }
+  if (!met && !settle(volume, cutting, at, x)) return false;
   const Vec3 off = x - sampled_.centre;
   const double far = sampled_.radius_mm + sampled_.reach_mm;
   if (glm::dot(off, off) > far * far) return false;

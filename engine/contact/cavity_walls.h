@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/contact/ball_directions.h"
+#include "engine/contact/plane_search.h"
 #include "engine/contact/swept_void.h"
 
 namespace cusp::engine {
@@ -141,6 +142,8 @@ class CavityWalls {
     Side all[kMostRuns + 1];
     int sides = 0;
   };
+  static PlaneSearch nearest_under(const Side* side, int sides, Vec3 wanted) noexcept;
+  bool settle(const Volume& volume, const Cutting& cutting, Vec3 at, Vec3& x) noexcept;
   bool to_surface(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept;
   void look(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
   void sample(const Volume& volume, const Cutting& cutting) noexcept;
