@@ -1,4 +1,4 @@
-// solve(): searches and passes. surface_gather.cpp is the broad phase, surface_constraints.cpp and surface_planes.cpp build the
+// solve(): free space, the cavity, or planes. surface_follow.cpp has the searches by planes, surface_gather.cpp is the broad phase, surface_constraints.cpp and surface_planes.cpp build the
 // constraints, plane_search.cpp solves them, surface_polish.cpp corrects on the fields, surface_free.cpp finds free space.
 #include "engine/contact/surface_contact.h"
 
@@ -10,17 +10,6 @@ namespace cusp::engine {
 namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
-constexpr int kSearches = 64;               // searches of a solve (5 mm); more are deferred
-constexpr double kPredicted = 0.05;         // of a step: constraints are first built for this distance about the predicted pose
-constexpr double kPredictedMm = 0.005;       // mm: and this much more
-constexpr double kFurther = 1.5;            // of the pass's move: constraints are rebuilt for this distance if it leaves the first
-constexpr double kAsked = 0.3;              // of the last pass's move: how far the next may go
-constexpr double kAskedMm = 0.002;          // mm: and this much more
-constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass are built for this distance, for those that follow
-constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
-constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
-constexpr double kSettledMm = 1e-3;         // mm: after a smaller move the constraints are good to 2 nm
 
 /// Crossing cells within reach of the widest bur: the ball's own area twice over (two fields), and the shank's.
 std::size_t candidate_room(const Scene& scene) {
@@ -193,148 +182,6 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
   return out;
 }
 
-/// Searches of a step each, made of passes that build constraints, solve them and polish the answer.
-Contact SurfaceContact::solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
-                                        double most_mm) noexcept {
-  Contact out;
-  Vec3 y = from;
-  bool arrived = false;
-  bool with_foot = false;
-
-  for (int search = 0; search < kSearches && !arrived && (search == 0 || !spent()); ++search) {
-    const Vec3 centre = y;
-    gather(volume, tool, y, step);
-    const std::size_t at_hand_count = count_;
-    active_set_.count = 0;
-    double before = 0.0, last_moved = 1.0;
-    double limit = kPredicted * step + kPredictedMm;
-    double within = limit;  // the constraints are complete for this distance about `at`
-    double asked = 0.0;     // distance that they must be complete for, after the last pass's move
-    built_.within_mm = -1.0;
-    Vec3 at = y;        // where constraints are built: first at the predicted pose, then at the present one
-    const double predicted_mm = length_of(predicted);
-    bool uses_prediction = predicted_mm > 2.0 * kSettledMm;
-    if (uses_prediction) at += predicted_mm > step ? predicted * (step / predicted_mm) : predicted;
-    bool left = false;  // the step ends before the search does
-    bool rolling = false;
-    double next_step = kLongestStep;
-    for (int pass = 0; pass < 10; ++pass) {
-      --passes_left_;
-      candidates_left_ -= kCandidatesOfPass;
-      if (last_moved > kSettledMm) {
-        active_set_.count = 0;
-        within = asked;
-        if (!rebuild_constraints(tool, at, asked)) {
-          // Later passes reuse a wider build.
-          if (pass > 0) limit = std::max(limit, std::min(kAgainMm, 2.0 * step));
-          within = limit;
-          build_constraints(volume, tool, centre, step, at, limit);
-        }
-        // Cut surfaces and edges may hug the bur: then the point under the push becomes a candidate from the start.
-        with_foot = with_foot || near_cut_;
-        if (with_foot) {
-          foot(volume, tool, at, device);
-          planes(tool, at, at_hand_count, count_, within);
-          count_ = at_hand_count;
-        }
-        find_past(tool, at);
-        relax_by_past(0, planes_.size());
-      } else {
-        // It has nearly converged: only the active tangents turn with it.
-        for (int a = 0; a < active_set_.count; ++a) turn(tool, at, static_cast<std::size_t>(active_set_.plane[a]));
-      }
-      bool infeasible = false;
-      const PlaneSearch found = search_planes(y, device, infeasible);
-      if (infeasible && uses_prediction) {
-        // Constraints built at a predicted pose may contradict each other: they are built again at the present one.
-        uses_prediction = false;
-        at = y;
-        limit = 2.0 * step;
-        built_.within_mm = -1.0;
-        last_moved = 1.0;
-        continue;
-      }
-      out.infeasible = out.infeasible || infeasible;
-      if (!found.feasible) {
-        arrived = true;
-        break;
-      }
-      if (planes_.size() == 0 && inside_tissue(volume, y)) {
-        // Deep in tissue where there is no surface to follow.
-        out.infeasible = true;
-        arrived = true;
-        break;
-      }
-      const double off = length_of(found.y - at);
-      if (off > within && within < 2.0 * step) {
-        // Further than the constraints are complete for: builds them for more, in the end for the whole step.
-        if (within == limit) limit = std::min(2.0 * step, kFurther * off + kPredictedMm);
-        built_.within_mm = -1.0;
-        last_moved = 1.0;
-        continue;
-      }
-      Vec3 target = found.y;
-      const double whole = length_of(target - centre);
-      left = whole > step;
-      Polished polished;
-      if (!left && found.active > 0) polished = polish(volume, tool, y, device, found);
-      if (found.active > 0 && !polished.accepted && !with_foot) {
-        // No smooth foot for each constraint: from here on the point under the push is a candidate too.
-        with_foot = true;
-        left = false;
-        last_moved = 1.0;
-        at = y;
-        limit = 2.0 * step;
-        built_.within_mm = -1.0;
-        continue;
-      }
-      if (left) {
-        next_step = std::min(kLongestStep, 1.2 * (whole - step) + 0.01);
-        predicted = (target - centre) * (1.0 - step / whole);  // where the next one goes on
-        target -= predicted;
-      }
-      if (polished.accepted) target = polished.search.y;
-      y = target;
-      active_set_.fresh = !polished.accepted && !left;
-      active_set_.room_mm = within - off;
-      note(found, polished, out);
-      if (left) break;
-      uses_prediction = false;
-      const Vec3 off_by = target - at;
-      const double moved = length_of(off_by);
-      // If it creeps, as over an edge that it rolls on, the next constraints are built where the creeping leads. The answer
-      // still comes from the constraints.
-      bool rolls = false;
-      Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(tool, found, at, off_by, rolls);
-      // No further than the step: constraints built beyond it would only lead back.
-      const double leaps = length_of(leap), room = step - whole;
-      if (leaps > room) leap *= room / leaps;
-      // Passes shrink the error like moved / before; a tangent built `moved` away is off by moved^2 / 2r.
-      if ((polished.accepted && moved < 0.06) || moved < (rolls ? kRollsMm : kArrivedMm) ||
-          (!rolls && moved * moved < kArrivedMm * before)) {
-        arrived = true;
-        break;
-      }
-      at = y + leap;
-      rolling = rolls;
-      before = moved;
-      last_moved = length_of(off_by + leap);
-      asked = kAsked * last_moved + kAskedMm;
-      next_step = std::min(kLongestStep, 4.0 * last_moved + 0.02);
-    }
-    // A pose that still moves after the last pass continues in the next search, else it stops up to 0.1 mm short. Near a cut
-    // only a rolling one continues: others alternate between walls of the bur's own hole.
-    if (!left && !((rolling || !near_cut_) && last_moved > kSettledMm)) arrived = true;
-    if (!left) predicted = Vec3(0.0);
-    if (length_of(y - from) > most_mm) break;
-    step = next_step;
-  }
-  out.pose_mm = y;
-  out.deferred = !arrived;
-  out.overflow = overflow_;
-  return out;
-}
-
 void SurfaceContact::look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   if (free_pause_ > 0)
     --free_pause_;
@@ -352,7 +199,7 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
     relax_by_past(0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
     if (found.feasible && !out.infeasible &&
-        length_of(found.y - before.pose_mm) <= std::min(active_set_.room_mm, 2.0 * advance_mm + kSettledMm)) {
+        length_of(found.y - before.pose_mm) <= std::min(active_set_.room_mm, 2.0 * advance_mm + kTangentsHoldMm)) {
       out.pose_mm = found.y;
       note(found, Polished{}, out);
       return out;

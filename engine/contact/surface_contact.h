@@ -126,6 +126,7 @@ class SurfaceContact {
   static constexpr double kMostMargin = 0.4;        // mm: candidates are gathered at most so far beyond a step
   static constexpr double kMemorySlack = 5e-4;      // mm
   static constexpr double kTolerance = 1e-7;        // mm: planes closer than a tenth of a nanometre count as met
+  static constexpr double kTangentsHoldMm = 1e-3;  // after a smaller move constraints are good to 2 nm
   static constexpr double kLongestStep = 0.08;      // mm: longest reach of one search
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static constexpr std::uint16_t kNoBur = 0xffff;  // of a ball that no scene names
@@ -290,6 +291,12 @@ class SurfaceContact {
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
   bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found, CavityWalls::Jump jump) noexcept;
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
+  struct PlaneSolve;
+  void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;
+  void constrain(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
+  bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
+  void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
+  bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
   Contact solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
                           double most_mm) noexcept;
   bool shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept;

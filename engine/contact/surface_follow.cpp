@@ -1,0 +1,206 @@
+// The search by planes: searches of a step each, made of passes that build constraints, solve them and polish the answer.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/surface_contact.h"
+
+namespace cusp::engine {
+
+namespace {
+
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+constexpr int kSearches = 64;               // searches of a solve (5 mm); more are deferred
+constexpr double kPredicted = 0.05;         // of a step: constraints are first built for this distance about the predicted pose
+constexpr double kPredictedMm = 0.005;       // mm: and this much more
+constexpr double kFurther = 1.5;            // of the pass's move: constraints are rebuilt for this distance if it leaves the first
+constexpr double kAsked = 0.3;              // of the last pass's move: how far the next may go
+constexpr double kAskedMm = 0.002;          // mm: and this much more
+constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass are built for this distance, for those that follow
+constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
+constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
+constexpr int kPasses = 10;                 // of a search
+
+}  // namespace
+
+struct SurfaceContact::PlaneSolve {
+  Vec3 device{0.0};
+  Vec3 y{0.0};             // the pose so far
+  Vec3 predicted{0.0};     // way that the proxy is expected to go
+  double step = 0.0;       // length of a search
+  bool with_foot = false;  // the point under the push is a candidate
+  bool arrived = false;
+  Contact out;
+
+  // Of the present search.
+  Vec3 centre{0.0};         // where it began
+  Vec3 at{0.0};             // where constraints are built: first at the predicted pose, then at the present one
+  std::size_t at_hand = 0;  // candidates without those of the foot
+  double before = 0.0, last_moved = 1.0;  // by the last two passes
+  double limit = 0.0;       // constraints are built for this distance about `at` ...
+  double within = 0.0;      // ... and complete for this one
+  double asked = 0.0;       // they must be complete for this one, after the last pass's move
+  bool uses_prediction = false;
+  bool left = false;        // the step ends before the search does
+  bool rolling = false;
+  double next_step = 0.0;
+
+  /// Constraints are next built at the present pose, for the whole step.
+  void build_here() noexcept {
+    at = y;
+    limit = 2.0 * step;
+    last_moved = 1.0;
+  }
+};
+
+void SurfaceContact::begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept {
+  s.centre = s.at = s.y;
+  gather(volume, tool, s.y, s.step);
+  s.at_hand = count_;
+  active_set_.count = 0;
+  s.before = s.asked = 0.0;
+  s.last_moved = 1.0;
+  s.limit = s.within = kPredicted * s.step + kPredictedMm;
+  built_.within_mm = -1.0;
+  const double predicted_mm = length_of(s.predicted);
+  s.uses_prediction = predicted_mm > 2.0 * kTangentsHoldMm;
+  if (s.uses_prediction) s.at += predicted_mm > s.step ? s.predicted * (s.step / predicted_mm) : s.predicted;
+  s.left = s.rolling = false;
+  s.next_step = kLongestStep;
+}
+
+/// planes_ for a pass.
+void SurfaceContact::constrain(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
+  if (!(s.last_moved > kTangentsHoldMm)) {
+    // It has nearly converged: only the active tangents turn with it.
+    for (int a = 0; a < active_set_.count; ++a) turn(tool, s.at, static_cast<std::size_t>(active_set_.plane[a]));
+    return;
+  }
+  active_set_.count = 0;
+  s.within = s.asked;
+  if (!rebuild_constraints(tool, s.at, s.asked)) {
+    // Later passes reuse a wider build.
+    if (pass > 0) s.limit = std::max(s.limit, std::min(kAgainMm, 2.0 * s.step));
+    s.within = s.limit;
+    build_constraints(volume, tool, s.centre, s.step, s.at, s.limit);
+  }
+  // Cut surfaces and edges may hug the bur: then the point under the push becomes a candidate from the start.
+  s.with_foot = s.with_foot || near_cut_;
+  if (s.with_foot) {
+    foot(volume, tool, s.at, s.device);
+    planes(tool, s.at, s.at_hand, count_, s.within);
+    count_ = s.at_hand;
+  }
+  find_past(tool, s.at);
+  relax_by_past(0, planes_.size());
+}
+
+/// One pass. True if the search goes on.
+bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
+  --passes_left_;
+  candidates_left_ -= kCandidatesOfPass;
+  constrain(volume, tool, s, pass);
+  bool infeasible = false;
+  const PlaneSearch found = search_planes(s.y, s.device, infeasible);
+  if (infeasible && s.uses_prediction) {
+    // Constraints built at a predicted pose may contradict each other: they are built again at the present one.
+    s.uses_prediction = false;
+    s.build_here();
+    built_.within_mm = -1.0;
+    return true;
+  }
+  s.out.infeasible = s.out.infeasible || infeasible;
+  // Deep in tissue there is no surface to follow.
+  const bool buried = found.feasible && planes_.size() == 0 && inside_tissue(volume, s.y);
+  s.out.infeasible = s.out.infeasible || buried;
+  s.arrived = !found.feasible || buried;
+  if (s.arrived) return false;
+  const double off = length_of(found.y - s.at);
+  if (off > s.within && s.within < 2.0 * s.step) {
+    // Further than the constraints are complete for: builds them for more, in the end for the whole step.
+    if (s.within == s.limit) s.limit = std::min(2.0 * s.step, kFurther * off + kPredictedMm);
+    built_.within_mm = -1.0;
+    s.last_moved = 1.0;
+    return true;
+  }
+  const double whole = length_of(found.y - s.centre);
+  s.left = whole > s.step;
+  Polished polished;
+  if (!s.left && found.active > 0) polished = polish(volume, tool, s.y, s.device, found);
+  if (found.active > 0 && !polished.accepted && !s.with_foot) {
+    // No smooth foot for each constraint: from here on the point under the push is a candidate too.
+    s.with_foot = true;
+    s.left = false;
+    s.build_here();
+    built_.within_mm = -1.0;
+    return true;
+  }
+  go_to(found, polished, whole, s);
+  active_set_.fresh = !polished.accepted && !s.left;
+  active_set_.room_mm = s.within - off;
+  note(found, polished, s.out);
+  return !s.left && !settled(tool, found, polished, whole, s);
+}
+
+/// Moves the pose to what was found, at most by the step. whole: how far that is from where the search began, mm.
+void SurfaceContact::go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept {
+  s.y = found.y;
+  if (s.left) {
+    s.next_step = std::min(kLongestStep, 1.2 * (whole - s.step) + 0.01);
+    s.predicted = (found.y - s.centre) * (1.0 - s.step / whole);  // where the next one goes on
+    s.y -= s.predicted;
+  }
+  if (polished.accepted) s.y = polished.search.y;
+}
+
+/// True if the pose has converged. Else sets where the next pass builds its constraints.
+bool SurfaceContact::settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, double whole,
+                             PlaneSolve& s) const noexcept {
+  s.uses_prediction = false;
+  const Vec3 off_by = s.y - s.at;
+  const double moved = length_of(off_by);
+  // If it creeps, as over an edge that it rolls on, the next constraints are built where the creeping leads. The answer
+  // still comes from the constraints.
+  bool rolls = false;
+  Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(tool, found, s.at, off_by, rolls);
+  // No further than the step: constraints built beyond it would only lead back.
+  const double leaps = length_of(leap), room = s.step - whole;
+  if (leaps > room) leap *= room / leaps;
+  // Passes shrink the error like moved / before; a tangent built `moved` away is off by moved^2 / 2r.
+  s.arrived = (polished.accepted && moved < 0.06) || moved < (rolls ? kRollsMm : kArrivedMm) ||
+              (!rolls && moved * moved < kArrivedMm * s.before);
+  if (s.arrived) return true;
+  s.at = s.y + leap;
+  s.rolling = rolls;
+  s.before = moved;
+  s.last_moved = length_of(off_by + leap);
+  s.asked = kAsked * s.last_moved + kAskedMm;
+  s.next_step = std::min(kLongestStep, 4.0 * s.last_moved + 0.02);
+  return false;
+}
+
+Contact SurfaceContact::solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
+                                        double most_mm) noexcept {
+  PlaneSolve s;
+  s.device = device;
+  s.y = from;
+  s.predicted = predicted;
+  s.step = step;
+  for (int search = 0; search < kSearches && !s.arrived && (search == 0 || !spent()); ++search) {
+    begin_search(volume, tool, s);
+    for (int pass = 0; pass < kPasses && make_pass(volume, tool, s, pass); ++pass) {
+    }
+    // A pose that still moves after the last pass continues in the next search, else it stops up to 0.1 mm short. Near a cut
+    // only a rolling one continues: others alternate between walls of the bur's own hole.
+    if (!s.left && !((s.rolling || !near_cut_) && s.last_moved > kTangentsHoldMm)) s.arrived = true;
+    if (!s.left) s.predicted = Vec3(0.0);
+    if (length_of(s.y - from) > most_mm) break;
+    s.step = s.next_step;
+  }
+  s.out.pose_mm = s.y;
+  s.out.deferred = !s.arrived;
+  s.out.overflow = overflow_;
+  return s.out;
+}
+
+}  // namespace cusp::engine
