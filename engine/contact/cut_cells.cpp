@@ -35,6 +35,14 @@ void add_beside(CutFeature& point, double d_mm, Vec3f normal) noexcept {
   }
 }
 
+/// True if the signs differ of eight samples of a cell; side: from one row to the next.
+bool signs_differ(const double* first, int side) noexcept {
+  const bool inside = *first > 0.0;
+  for (int i = 1; i < 8; ++i)
+    if ((first[(i & 1) + (i >> 1 & 1) * side + (i >> 2) * side * side] > 0.0) != inside) return true;
+  return false;
+}
+
 /// The tissue at a place of a cell (voxels), else of one of its corners.
 Tissue tissue_under(const Volume& volume, IVec3 cell, Vec3 place) noexcept {
   Tissue tissue = volume.tissue(cell_of_voxels(Vec3(cell) + place + 0.5));
@@ -88,102 +96,112 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   return resolved && cut.crease_near();
 }
 
+/// A cell in its brick.
+struct CutSurface::Cell {
+  IVec3 local{0}, at{0};  // in the brick, in the volume
+  int offset = 0;
+  double voxel_mm = 0.0;
+};
+
+/// What the specimen's own surface is to a cell.
+struct CutSurface::BaseAbout {
+  bool deep = true;  // so far from all corners that it ends no plane: nothing of it to keep
+  bool air = false;  // there is nothing that a cut could have left
+};
+
+CutSurface::BaseAbout CutSurface::base_about(const Volume& volume, const Cell& cell, const double* corners) noexcept {
+  const IVec3 at(cell.at.x >> 3, cell.at.y >> 3, cell.at.z >> 3), local = cell.local;
+  const Specimen& specimen = volume.specimen();
+  const int brick = specimen.brick_index(at);
+  if (local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid) return {};
+  if (!base_ready_) decode_base(specimen, at);
+  BaseAbout out{true, true};
+  for (int i = 0; i < 8 && (out.deep || out.air); ++i) {
+    const double d = corners[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide];
+    out.deep = out.deep && d <= kDeep;
+    out.air = out.air && d >= kAir;
+  }
+  return out;
+}
+
+/// Adds what a cell holds at a place of it.
+CutFeature& CutSurface::add_feature(const Volume& volume, const Cell& cell, Vec3 place, Vec3 normal, Vec3 under) noexcept {
+  Made& made = made_[made_count_++];
+  made = Made{};
+  made.at = Vec3f(Vec3(cell.local) + place);
+  made.feature.normal = Vec3f(normal);
+  made.feature.cell = static_cast<std::uint16_t>(cell.offset);
+  made.feature.tissue = tissue_under(volume, cell.at, under);
+  return made.feature;
+}
+
+void CutSurface::add_edge(const Volume& volume, const Cell& cell, const SharpEdge& edge) noexcept {
+  CutFeature& out = add_feature(volume, cell, edge.at, edge.tangent, edge.at);
+  out.other_normal = Vec3f(edge.bend / cell.voxel_mm);
+  out.third_normal = Vec3f(edge.twist / (cell.voxel_mm * cell.voxel_mm));
+  out.edge = true;
+  out.third_d_mm = static_cast<float>(kHalfEdge * cell.voxel_mm);
+  out.other_d_mm = -out.third_d_mm;
+}
+
+/// Loads the field of the cell o away. False if nothing crosses it.
+bool CutSurface::load_beside(const Volume& volume, const Cell& cell, IVec3 o, CellField& to) noexcept {
+  if (!wide_ready_) decode_wide(volume, {cell.at.x >> 3, cell.at.y >> 3, cell.at.z >> 3});
+  const IVec3 there = cell.local + o + 2;  // the lowest sample that its field is made of
+  const double* samples = &wide_[there.x + kWide * (there.y + kWide * there.z)];
+  if (!signs_differ(samples + 1 + kWide + kWide * kWide, kWide)) return false;
+  to.load(samples, kWide, kWide * kWide);
+  return true;
+}
+
+/// Adds the cut's own place in a cell where the specimen is solid: a ridge between two cuts, a face beside one, or a point.
+/// base: nullptr deep in the specimen.
+void CutSurface::add_cut(const Volume& volume, const Cell& cell, const Creased& crease, const CellField& cut, const CellField* base) noexcept {
+  Vec3 gradient(0.0);
+  if (crease.kind == Creased::Kind::edge) {
+    if (base == nullptr || base->eval(crease.edge.at, gradient) <= 0.0) add_edge(volume, cell, crease.edge);
+    return;
+  }
+  if (crease.kind == Creased::Kind::face) {
+    if (base != nullptr && !(base->eval(crease.point, gradient) <= 0.0)) return;
+    CutFeature& face = add_feature(volume, cell, crease.point, crease.normal, crease.point - 0.5 * crease.normal);
+    add_beside(face, crease.other_d * cell.voxel_mm, Vec3f(crease.other_normal));
+    return;
+  }
+  // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
+  Vec3 f, n;
+  if (crease.kind != Creased::Kind::no || !cell_point(cut, f, n)) return;
+  const double other = base == nullptr ? -kBandVoxels : base->eval(f, gradient);
+  if (!(other <= 0.0)) return;
+  CutFeature& point = add_feature(volume, cell, f, n, f - 0.5 * n);
+  const double length = std::sqrt(glm::dot(gradient, gradient));
+  if (other > -kBeside && length > 0.25) add_beside(point, other * cell.voxel_mm / length, Vec3f(gradient / length));
+}
+
 bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept {
   if (made_count_ + 3 > made_.size()) return true;  // room for an edge, a point and the mouth
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
-  const IVec3 cell = corner + local;
+  const Cell cell{local, corner + local, offset, volume.grid().voxel_mm};
   const double* low = &samples_[local.x + kSide * (local.y + kSide * local.z)];
-  const double* first = low + 1 + kSide + kSide * kSide;
-  const bool inside = *first > 0.0;
-  bool crossed = false;
-  for (int i = 1; i < 8; ++i)
-    crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
+  constexpr int kFirst = 1 + kSide + kSide * kSide;
+  const bool crossed = signs_differ(low + kFirst, kSide);
   cells_made_ += crossed;
   if (!crossed) return false;
-  // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep. Out in the
-  // air there is nothing that a cut could have left.
-  const Specimen& specimen = volume.specimen();
-  bool deep = true, air = true;
-  const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
-  const bool solid = local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid;
   const double* base_low = &base_[low - samples_];
-  if (!solid) {
-    if (!base_ready_) decode_base(specimen, {corner.x >> 3, corner.y >> 3, corner.z >> 3});
-    const double* corners = base_low + 1 + kSide + kSide * kSide;
-    for (int i = 0; i < 8 && (deep || air); ++i) {
-      const double d = corners[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide];
-      deep = deep && d <= kDeep;
-      air = air && d >= kAir;
-    }
-  }
-  if (air && !solid) return false;
-  CellField cut;
+  const BaseAbout about = base_about(volume, cell, base_low + kFirst);
+  if (about.air) return false;
+  CellField cut, base;
   cut.load(low, kSide, kSide * kSide);
-  CellField base;
-  if (!deep) base.load(base_low, kSide, kSide * kSide);
-  const double voxel = volume.grid().voxel_mm;
-  const bool mouth = !deep && base.crossed();  // the cut meets the specimen's own surface
-  const auto add_edge = [&](const SharpEdge& edge) {
-    Made& made = made_[made_count_++];
-    made = Made{};
-    made.at = Vec3f(Vec3(local) + edge.at);
-    made.feature.normal = Vec3f(edge.tangent);
-    made.feature.other_normal = Vec3f(edge.bend / voxel);
-    made.feature.third_normal = Vec3f(edge.twist / (voxel * voxel));
-    made.feature.edge = true;
-    made.feature.third_d_mm = static_cast<float>(kHalfEdge * voxel);
-    made.feature.other_d_mm = -made.feature.third_d_mm;
-    made.feature.cell = static_cast<std::uint16_t>(offset);
-    made.feature.tissue = tissue_under(volume, cell, edge.at);
-  };
-  // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
-  Vec3 f, n;
-  SharpEdge edge;
-  const Creased crease = creased(cut, resolved ? kMostOff : 0.0, [&](IVec3 o, CellField& to) {
-    if (!wide_ready_) decode_wide(volume, {corner.x >> 3, corner.y >> 3, corner.z >> 3});
-    const IVec3 there = local + o + 2;  // the lowest sample that its field is made of
-    const double* samples = &wide_[there.x + kWide * (there.y + kWide * there.z)];
-    const double* corners = samples + 1 + kWide + kWide * kWide;
-    const bool empty = corners[0] > 0.0;
-    bool apart = false;
-    for (int i = 1; i < 8 && !apart; ++i)
-      apart = (corners[(i & 1) + (i >> 1 & 1) * kWide + (i >> 2) * kWide * kWide] > 0.0) != empty;
-    if (apart) to.load(samples, kWide, kWide * kWide);
-    return apart;
-  });
+  if (!about.deep) base.load(base_low, kSide, kSide * kSide);
+  const Creased crease = creased(cut, resolved ? kMostOff : 0.0, [&](IVec3 o, CellField& to) { return load_beside(volume, cell, o, to); });
   cells_resolved_ += resolved && crease.examined;
-  Vec3 gradient(0.0);
-  if (crease.kind == Creased::Kind::edge) {
-    // A ridge between two cuts, where the specimen is solid.
-    if (deep || base.eval(crease.edge.at, gradient) <= 0.0) add_edge(crease.edge);
-  } else if (crease.kind == Creased::Kind::face) {
-    if (deep || base.eval(crease.point, gradient) <= 0.0) {
-      Made& made = made_[made_count_++];
-      made = Made{};
-      made.at = Vec3f(Vec3(local) + crease.point);
-      made.feature.normal = Vec3f(crease.normal);
-      made.feature.cell = static_cast<std::uint16_t>(offset);
-      made.feature.tissue = tissue_under(volume, cell, crease.point - 0.5 * crease.normal);
-      add_beside(made.feature, crease.other_d * voxel, Vec3f(crease.other_normal));
-    }
-  } else if (crease.kind == Creased::Kind::no && cell_point(cut, f, n)) {
-    Vec3 g(0.0);
-    const double other = deep ? -kBandVoxels : base.eval(f, g);
-    if (other <= 0.0) {
-      Made& made = made_[made_count_++];
-      made = Made{};
-      made.at = Vec3f(Vec3(local) + f);
-      made.feature.normal = Vec3f(n);
-      made.feature.cell = static_cast<std::uint16_t>(offset);
-      made.feature.tissue = tissue_under(volume, cell, f - 0.5 * n);
-      const double length = std::sqrt(glm::dot(g, g));
-      if (other > -kBeside && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
-    }
-  }
-  if (!mouth) return resolved && crease.examined;
+  add_cut(volume, cell, crease, cut, about.deep ? nullptr : &base);
+  // Whether the cut meets the specimen's own surface.
+  if (about.deep || !base.crossed()) return resolved && crease.examined;
+  SharpEdge edge;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
-    add_edge(edge);
+    add_edge(volume, cell, edge);
   return resolved;
 }
 

@@ -18,6 +18,9 @@
 
 namespace cusp::engine {
 
+struct Creased;
+struct SharpEdge;
+
 /// An edge's piece ends this far from its middle, voxels.
 inline constexpr double kHalfEdge = 0.7;
 
@@ -149,6 +152,13 @@ class CutSurface {
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
   /// Adds the features of a cell of the cut. True if the cell is creased; an unresolved cell never is.
   bool make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept;
+  struct Cell;
+  struct BaseAbout;
+  BaseAbout base_about(const Volume& volume, const Cell& cell, const double* corners) noexcept;
+  CutFeature& add_feature(const Volume& volume, const Cell& cell, Vec3 place, Vec3 normal, Vec3 under) noexcept;
+  void add_edge(const Volume& volume, const Cell& cell, const SharpEdge& edge) noexcept;
+  bool load_beside(const Volume& volume, const Cell& cell, IVec3 o, CellField& to) noexcept;
+  void add_cut(const Volume& volume, const Cell& cell, const Creased& crease, const CellField& cut, const CellField* base) noexcept;
   /// Adds the specimen's point i, if the cut has left it. True if the cell is creased; an unresolved cell never is.
   bool make_base(const Volume& volume, const BasePoints& points, int i, bool resolved) noexcept;
 

@@ -88,27 +88,54 @@ bool on_all(Vec3 q, const Vec3* n, const double* c, int count, PlaneSearch& out)
   return out.weight[0] > 0.0 && out.weight[1] > 0.0 && out.weight[2] > 0.0;
 }
 
-/// Goldfarb and Idnani from a point that is best for its active planes. Planes: n(i), c(i), worst(y).
+/// Starts a search on the planes given, if they hold it there.
 template <class Planes>
-PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noexcept {
-  PlaneSearch out;
-  out.y = q;
-  Vec3 normal[3];
-  int count = 0;
+void start_on(Vec3 q, const Planes& planes, std::span<const int> start, Vec3 (&normal)[3], PlaneSearch& out) noexcept {
   double c[3];
+  int count = 0;
   for (const int i : start) {
     if (count == 3) break;
     normal[count] = planes.n(i);
     c[count] = planes.c(i);
     out.index[count++] = i;
   }
-  if (count > 0) {
-    if (on_all(q, normal, c, count, out)) {
-      out.active = count;
-    } else {
-      out.y = q;
-    }
+  if (count == 0) return;
+  if (on_all(q, normal, c, count, out))
+    out.active = count;
+  else
+    out.y = q;
+}
+
+/// The active plane whose multiplier reaches 0 first on a step, and the step's length there; -1: none does.
+int first_to_leave(const PlaneSearch& at, const Split& s, double& step) noexcept {
+  int out = -1;
+  step = 0.0;
+  for (int a = 0; a < at.active; ++a) {
+    if (!(s.r[a] > 1e-12)) continue;
+    const double t = at.weight[a] / s.r[a];
+    if (out >= 0 && t >= step) continue;
+    out = a;
+    step = t;
   }
+  return out;
+}
+
+void leave(int a, Vec3 (&normal)[3], PlaneSearch& at) noexcept {
+  for (; a + 1 < at.active; ++a) {
+    normal[a] = normal[a + 1];
+    at.index[a] = at.index[a + 1];
+    at.weight[a] = at.weight[a + 1];
+  }
+  --at.active;
+}
+
+/// Goldfarb and Idnani from a point that is best for its active planes. Planes: n(i), c(i), worst(y).
+template <class Planes>
+PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noexcept {
+  PlaneSearch out;
+  out.y = q;
+  Vec3 normal[3];
+  start_on(q, planes, start, normal, out);
   bool anew = false;  // y has been put on its planes since the last one was added
   for (int round = 0; round < 48; ++round) {
     if (!(glm::dot(out.y, out.y) < kFar)) break;  // NaN too
@@ -123,17 +150,8 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
       const double room = glm::dot(s.z, s.z);
       const bool dependent = out.active == 3 || room < (out.active == 2 ? kTriple : kPair);
       // Longest step that keeps every multiplier from turning negative.
-      int drop = -1;
       double t_drop = 0.0;
-      for (int a = 0; a < out.active; ++a) {
-        if (s.r[a] > 1e-12) {
-          const double t = out.weight[a] / s.r[a];
-          if (drop < 0 || t < t_drop) {
-            drop = a;
-            t_drop = t;
-          }
-        }
-      }
+      const int drop = first_to_leave(out, s, t_drop);
       if (dependent && drop < 0) {
         // Where normals nearly coincide, steps of many times the way to q leave y off its planes by more than the tolerance:
         // before they are said to contradict each other, y is put on them anew.
@@ -142,6 +160,7 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
           return out;
         }
         anew = true;
+        double c[3];
         for (int a = 0; a < out.active; ++a) c[a] = planes.c(out.index[a]);
         PlaneSearch on = out;
         if (out.active > 0 && on_all(q, normal, c, out.active, on)) out = on;
@@ -162,12 +181,7 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
         anew = false;
         break;
       }
-      for (int a = drop; a + 1 < out.active; ++a) {
-        normal[a] = normal[a + 1];
-        out.index[a] = out.index[a + 1];
-        out.weight[a] = out.weight[a + 1];
-      }
-      --out.active;
+      leave(drop, normal, out);
     }
   }
   out.y = q;

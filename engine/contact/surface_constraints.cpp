@@ -80,36 +80,20 @@ inline void SurfaceContact::add_face_constraints(Vec3 centre, double reach2, Vec
   }
 }
 
-/// Constraints of broad_edges_, two at a time: as nearest_on() and plane_of().
-inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
-  const double close = kEdgeClose * voxel_mm_;
-  broad_edges_.even();
-  for (std::size_t j = 0; j < broad_edges_.count; j += 2) {
-    const Candidate& a = candidates_[broad_edges_[j]];
-    const Candidate& b = candidates_[broad_edges_[j + 1]];
-    const Pair x{a.point.x, b.point.x}, y{a.point.y, b.point.y}, z{a.point.z, b.point.z};
-    const Pair fx = x - centre.x, fy = y - centre.y, fz = z - centre.z;
-    const Pair dx = at.x - x, dy = at.y - y, dz = at.z - z;
-    const Pair tx{a.normal.x, b.normal.x}, ty{a.normal.y, b.normal.y}, tz{a.normal.z, b.normal.z};
-    const CutFeature &fa = *a.feature, &fb = *b.feature;
-    const Pair from{fa.other_d_mm, fb.other_d_mm}, to{fa.third_d_mm, fb.third_d_mm};
-    const Pair r{tool.bur->radius_mm - tool.thin(a.field), tool.bur->radius_mm - tool.thin(b.field)};
-    const Pair far = r + slack_mm;
-    Pair t = dx * tx + dy * ty + dz * tz;
-    t = t < from ? from : t > to ? to : t;
-    Pair ox = dx - t * tx, oy = dy - t * ty, oz = dz - t * tz;
-    const Pair reach = far + kLeavesTangent * voxel_mm_;
-    const PairMask near = (ox * ox + oy * oy + oz * oz <= reach * reach) & (fx * fx + fy * fy + fz * fz <= reach2);
-    const unsigned asked = bits_of(near) & (j + 1 < broad_edges_.count ? 3u : 1u);
-    if (asked == 0) continue;
-    const Pair bx{fa.other_normal.x, fb.other_normal.x}, by{fa.other_normal.y, fb.other_normal.y}, bz{fa.other_normal.z, fb.other_normal.z};
-    const Pair wx{fa.third_normal.x, fb.third_normal.x}, wy{fa.third_normal.y, fb.third_normal.y}, wz{fa.third_normal.z, fb.third_normal.z};
-    const Pair qx{fa.fourth.x, fb.fourth.x}, qy{fa.fourth.y, fb.fourth.y}, qz{fa.fourth.z, fb.fourth.z};
-    const auto place = [&](Pair s, Pair& px, Pair& py, Pair& pz) {
-      px = dx - s * (tx + s * (bx + s * (wx + s * qx)));
-      py = dy - s * (ty + s * (by + s * (wy + s * qy)));
-      pz = dz - s * (tz + s * (bz + s * (wz + s * qz)));
-    };
+/// Two edges as curves about a pose: at - (point + s tangent + s^2 bend + s^3 twist + s^4 fourth) for s in from..to.
+struct SurfaceContact::EdgePair {
+  Pair dx, dy, dz;  // from the edges' points to the pose
+  Pair tx, ty, tz, bx, by, bz, wx, wy, wz, qx, qy, qz;
+  Pair from, to;
+
+  void place(Pair s, Pair& px, Pair& py, Pair& pz) const noexcept {
+    px = dx - s * (tx + s * (bx + s * (wx + s * qx)));
+    py = dy - s * (ty + s * (by + s * (wy + s * qy)));
+    pz = dz - s * (tz + s * (bz + s * (wz + s * qz)));
+  }
+
+  /// By Newton along the edges from t: the way from their nearest places to the pose.
+  void nearest(Pair t, PairMask near, double close, Pair& ox, Pair& oy, Pair& oz) const noexcept {
     PairMask active = near;
     PairMask bent = near & ~near;
     for (int pass = 0; pass <= kEdgeNewton; ++pass) {
@@ -136,20 +120,51 @@ inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, 
       if (bits_of(active) == 0) break;
       t = active ? next : t;
     }
-    if (bits_of(bent) != 0) {
-      // As far all along: the nearest of three.
-      Pair nearest2 = both(1e300);
-      for (const Pair s : {from, to, 0.5 * (from + to)}) {
-        Pair px, py, pz;
-        place(s, px, py, pz);
-        const Pair square = px * px + py * py + pz * pz;
-        const PairMask nearer = bent & (square < nearest2);
-        nearest2 = nearer ? square : nearest2;
-        ox = nearer ? px : ox;
-        oy = nearer ? py : oy;
-        oz = nearer ? pz : oz;
-      }
+    if (bits_of(bent) != 0) nearest_of_three(bent, ox, oy, oz);
+  }
+
+  /// Of edges that are as far all along: the nearest of their ends and middles.
+  void nearest_of_three(PairMask bent, Pair& ox, Pair& oy, Pair& oz) const noexcept {
+    Pair nearest2 = both(1e300);
+    for (const Pair s : {from, to, 0.5 * (from + to)}) {
+      Pair px, py, pz;
+      place(s, px, py, pz);
+      const Pair square = px * px + py * py + pz * pz;
+      const PairMask nearer = bent & (square < nearest2);
+      nearest2 = nearer ? square : nearest2;
+      ox = nearer ? px : ox;
+      oy = nearer ? py : oy;
+      oz = nearer ? pz : oz;
     }
+  }
+};
+
+/// Constraints of broad_edges_, two at a time: as nearest_on() and plane_of().
+inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
+  const double close = kEdgeClose * voxel_mm_;
+  broad_edges_.even();
+  for (std::size_t j = 0; j < broad_edges_.count; j += 2) {
+    const Candidate& a = candidates_[broad_edges_[j]];
+    const Candidate& b = candidates_[broad_edges_[j + 1]];
+    const Pair x{a.point.x, b.point.x}, y{a.point.y, b.point.y}, z{a.point.z, b.point.z};
+    const Pair fx = x - centre.x, fy = y - centre.y, fz = z - centre.z;
+    const Pair dx = at.x - x, dy = at.y - y, dz = at.z - z;
+    const Pair tx{a.normal.x, b.normal.x}, ty{a.normal.y, b.normal.y}, tz{a.normal.z, b.normal.z};
+    const CutFeature &fa = *a.feature, &fb = *b.feature;
+    const Pair from{fa.other_d_mm, fb.other_d_mm}, to{fa.third_d_mm, fb.third_d_mm};
+    const Pair r{tool.bur->radius_mm - tool.thin(a.field), tool.bur->radius_mm - tool.thin(b.field)};
+    const Pair far = r + slack_mm;
+    Pair t = dx * tx + dy * ty + dz * tz;
+    t = t < from ? from : t > to ? to : t;
+    Pair ox = dx - t * tx, oy = dy - t * ty, oz = dz - t * tz;
+    const Pair reach = far + kLeavesTangent * voxel_mm_;
+    const PairMask near = (ox * ox + oy * oy + oz * oz <= reach * reach) & (fx * fx + fy * fy + fz * fz <= reach2);
+    const unsigned asked = bits_of(near) & (j + 1 < broad_edges_.count ? 3u : 1u);
+    if (asked == 0) continue;
+    const Vec3f &ba = fa.other_normal, &bb = fb.other_normal, &wa = fa.third_normal, &wb = fb.third_normal, &qa = fa.fourth, &qb = fb.fourth;
+    const EdgePair edges{dx, dy, dz, tx, ty, tz, {ba.x, bb.x}, {ba.y, bb.y}, {ba.z, bb.z}, {wa.x, wb.x}, {wa.y, wb.y}, {wa.z, wb.z},
+                         {qa.x, qb.x}, {qa.y, qb.y}, {qa.z, qb.z}, from, to};
+    edges.nearest(t, near, close, ox, oy, oz);
     const Pair square = ox * ox + oy * oy + oz * oz;
     const Pair distance = sqrt_of(square);
     const Pair gap = distance - r;

@@ -262,6 +262,7 @@ class SurfaceContact {
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   void build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  struct EdgePair;
   void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
@@ -293,7 +294,7 @@ class SurfaceContact {
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
   struct PlaneSolve;
   void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;
-  void constrain(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
+  void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
   bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;

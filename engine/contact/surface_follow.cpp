@@ -70,7 +70,7 @@ void SurfaceContact::begin_search(const Volume& volume, const Tool& tool, PlaneS
 }
 
 /// planes_ for a pass.
-void SurfaceContact::constrain(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
+void SurfaceContact::constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
   if (!(s.last_moved > kTangentsHoldMm)) {
     // It has nearly converged: only the active tangents turn with it.
     for (int a = 0; a < active_set_.count; ++a) turn(tool, s.at, static_cast<std::size_t>(active_set_.plane[a]));
@@ -99,7 +99,7 @@ void SurfaceContact::constrain(const Volume& volume, const Tool& tool, PlaneSolv
 bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
   --passes_left_;
   candidates_left_ -= kCandidatesOfPass;
-  constrain(volume, tool, s, pass);
+  constrain_pass(volume, tool, s, pass);
   bool infeasible = false;
   const PlaneSearch found = search_planes(s.y, s.device, infeasible);
   if (infeasible && s.uses_prediction) {

@@ -15,6 +15,20 @@ constexpr double kLeastFree = 0.02;   // mm: less is not worth keeping
 constexpr int kCellsATick = 400;      // computed for it: some 0.1 ms
 constexpr int kPause = 16;            // solves without a search after too little was found
 
+/// The lowest place of head, neck and shank along a direction that the axis leans to by the cosine `up`, from the pose.
+double lowest_of(const Bur& bur, double up) noexcept {
+  const double across2 = 1.0 - up * up;
+  const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
+  const double neck = -across * bur.neck_radius_mm - up * bur.neck_radius_mm;
+  const double shank = up * bur.neck_length_mm - across * bur.shank_radius_mm;
+  double head = -bur.radius_mm;
+  if (!bur.head.ball()) {
+    const OnHalf deepest = bur.head.support({-up, across}, {});
+    head = up * deepest.t - across * deepest.rho;
+  }
+  return std::min(head, std::min(neck, shank));
+}
+
 }  // namespace
 
 void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
@@ -155,18 +169,7 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
   if (found.bounded) {
     const double up = glm::dot(n, tool.axis);
     if (up < 0.0) return false;
-    // The lowest place of each part along n, from the pose.
-    const double across2 = 1.0 - up * up;
-    const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
-    const double neck = -across * bur.neck_radius_mm - up * bur.neck_radius_mm;
-    const double shank = up * bur.neck_length_mm - across * bur.shank_radius_mm;
-    double head = -bur.radius_mm;
-    if (!tool.ball()) {
-      const OnHalf deepest = bur.head.support({-up, across}, {});
-      head = up * deepest.t - across * deepest.rho;
-    }
-    const double lowest = std::min(head, std::min(neck, shank));
-    found.c = highest + 0.5 * voxel_mm_ + 0.01 - lowest;
+    found.c = highest + 0.5 * voxel_mm_ + 0.01 - lowest_of(bur, up);
     if (glm::dot(n, pose) - found.c < kLeastFree) return false;
   }
   free_ = found;

@@ -61,6 +61,45 @@ void between(AtHand& hand, const FlatPiece& piece, OnHalf at, OnHalf half) noexc
   }
 }
 
+/// How far each piece of a profile is from a box, and which piece the box stands over.
+struct Spreads {
+  double low[Profile::kMostPieces], high[Profile::kMostPieces];  // of the distance to each piece
+  double floor = -1e30;                                          // the greatest of low
+  // The whole box stands over the piece, or over its begin or end at least.
+  bool above[Profile::kMostPieces], from_start[Profile::kMostPieces], to_end[Profile::kMostPieces];
+};
+
+void spread_of_line(const FlatPiece& p, OnHalf at, OnHalf half, int i, Spreads& out) noexcept {
+  const double middle = at.t * p.nt + at.rho * p.nr - p.level;
+  const double spread = half.t * std::fabs(p.nt) + half.rho * std::fabs(p.nr);
+  const double on = (at.t - p.ft) * p.nr - (at.rho - p.fr) * p.nt;
+  const double over = half.t * std::fabs(p.nr) + half.rho * std::fabs(p.nt);
+  out.from_start[i] = on - over >= 0.0;
+  out.to_end[i] = on + over <= p.length;
+  out.above[i] = out.from_start[i] && out.to_end[i];
+  out.low[i] = middle - spread;
+  out.high[i] = middle + spread;
+}
+
+void spread_of_arc(const FlatPiece& p, OnHalf at, OnHalf half, int i, Spreads& out) noexcept {
+  const double diagonal = std::sqrt(half.t * half.t + half.rho * half.rho);
+  const double vt = at.t - p.ft, vr = at.rho - p.fr;
+  const double first = vr * p.mt - vt * p.mr, last = vt * p.lr - vr * p.lt;
+  const double over_first = half.rho * std::fabs(p.mt) + half.t * std::fabs(p.mr);
+  const double over_last = half.t * std::fabs(p.lr) + half.rho * std::fabs(p.lt);
+  out.from_start[i] = first + over_first <= 0.0;
+  out.to_end[i] = last + over_last <= 0.0;
+  const double away = std::sqrt(vt * vt + vr * vr);
+  double middle = away - p.radius;
+  if (!(first <= 0.0 && last <= 0.0)) {
+    const double a = vt * p.mt + vr * p.mr, b = vt * p.lt + vr * p.lr;
+    middle = (a > b ? a : b) - p.radius;
+  }
+  out.above[i] = out.from_start[i] && out.to_end[i] && away > diagonal + 1.0;
+  out.low[i] = middle - diagonal;
+  out.high[i] = middle + diagonal;
+}
+
 }  // namespace
 
 FlatHead::FlatHead(const Profile& profile, double voxel_mm) noexcept : profile_{profile}, voxel_{voxel_mm} {
@@ -93,41 +132,10 @@ FlatHead::FlatHead(const Profile& profile, double voxel_mm) noexcept : profile_{
 
 void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
   const int n = profile_.size();
-  double low[Profile::kMostPieces], high[Profile::kMostPieces];
-  bool above[Profile::kMostPieces], from_start[Profile::kMostPieces], to_end[Profile::kMostPieces];
-  const double diagonal = std::sqrt(half.t * half.t + half.rho * half.rho);
-  double floor = -1e30;
+  Spreads s;
   for (int i = 0; i < n; ++i) {
-    const FlatPiece& p = flat_[i];
-    double middle = 0.0, spread = 0.0;
-    if (!p.arc) {
-      middle = at.t * p.nt + at.rho * p.nr - p.level;
-      spread = half.t * std::fabs(p.nt) + half.rho * std::fabs(p.nr);
-      const double on = (at.t - p.ft) * p.nr - (at.rho - p.fr) * p.nt;
-      const double over = half.t * std::fabs(p.nr) + half.rho * std::fabs(p.nt);
-      from_start[i] = on - over >= 0.0;
-      to_end[i] = on + over <= p.length;
-      above[i] = from_start[i] && to_end[i];
-    } else {
-      const double vt = at.t - p.ft, vr = at.rho - p.fr;
-      const double first = vr * p.mt - vt * p.mr, last = vt * p.lr - vr * p.lt;
-      const double over_first = half.rho * std::fabs(p.mt) + half.t * std::fabs(p.mr);
-      const double over_last = half.t * std::fabs(p.lr) + half.rho * std::fabs(p.lt);
-      from_start[i] = first + over_first <= 0.0;
-      to_end[i] = last + over_last <= 0.0;
-      const double away = std::sqrt(vt * vt + vr * vr);
-      if (first <= 0.0 && last <= 0.0) {
-        middle = away - p.radius;
-      } else {
-        const double a = vt * p.mt + vr * p.mr, b = vt * p.lt + vr * p.lr;
-        middle = (a > b ? a : b) - p.radius;
-      }
-      spread = diagonal;
-      above[i] = from_start[i] && to_end[i] && away > diagonal + 1.0;
-    }
-    low[i] = middle - spread;
-    high[i] = middle + spread;
-    floor = low[i] > floor ? low[i] : floor;
+    (flat_[i].arc ? spread_of_arc : spread_of_line)(flat_[i], at, half, i, s);
+    s.floor = s.low[i] > s.floor ? s.low[i] : s.floor;
   }
   out.rim = rim_.any && std::fabs(at.t - rim_.t) < half.t + AcuteRim::kReach &&
             std::fabs(at.rho - rim_.rho) < half.rho + AcuteRim::kReach;
@@ -135,9 +143,9 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
   int first = -1, last = -1;
   bool smooth = true, round = true;
   for (int i = 0; i < n; ++i) {
-    if (high[i] < floor - 0.01) continue;
+    if (s.high[i] < s.floor - 0.01) continue;
     // Above a piece, the next one that leaves it smoothly is never nearer, and its line never says more.
-    if ((i > 0 && above[i - 1] && smooth_[i]) || (i + 1 < n && above[i + 1] && smooth_[i + 1])) continue;
+    if ((i > 0 && s.above[i - 1] && smooth_[i]) || (i + 1 < n && s.above[i + 1] && smooth_[i + 1])) continue;
     if (out.pieces > 0) {
       smooth = smooth && smooth_[i];
       out.joint[out.pieces] = &joint_[i];
@@ -148,9 +156,9 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
     first = first < 0 ? i : first;
     last = i;
   }
-  out.chain = last - first + 1 == out.pieces && (out.pieces <= 2 || smooth) && (round || (out.pieces == 1 && above[first])) &&
-              (from_start[first] || (first == 0 && level_tip_)) && (to_end[last] || (last == n - 1 && level_top_));
-  if (out.chain && out.pieces == 1 && above[first]) {
+  out.chain = last - first + 1 == out.pieces && (out.pieces <= 2 || smooth) && (round || (out.pieces == 1 && s.above[first])) &&
+              (s.from_start[first] || (first == 0 && level_tip_)) && (s.to_end[last] || (last == n - 1 && level_top_));
+  if (out.chain && out.pieces == 1 && s.above[first]) {
     between(out, flat_[first], at, half);
     return;
   }

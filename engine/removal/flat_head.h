@@ -88,6 +88,24 @@ inline Lanes distance_of_chain(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt
   return d;
 }
 
+/// Where a corner is nearer than the root of `square`: its square, and the way from it.
+template <bool kGradient>
+inline LaneMask nearer_corners(const AtHand& hand, Lanes t, Lanes rho, Lanes& square, Lanes& ct, Lanes& cr) noexcept {
+  LaneMask out{};
+  for (int i = 0; i < hand.corners; ++i) {
+    const Lanes vt = t - hand.corner_t[i], vr = rho - hand.corner_rho[i];
+    const Lanes of_point = vt * vt + vr * vr;
+    const LaneMask nearer = of_point < square;
+    square = nearer ? of_point : square;
+    out = out | nearer;
+    if constexpr (kGradient) {
+      ct = nearer ? vt : ct;
+      cr = nearer ? vr : cr;
+    }
+  }
+  return out;
+}
+
 /// Four distances to the outline, and with kGradient their gradients (else gt and gr are left alone).
 template <bool kGradient>
 inline Lanes distance_of(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lanes& gr) noexcept {
@@ -134,18 +152,7 @@ inline Lanes distance_of(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lane
   const LaneMask outside = most > 1e-4f;
   if (bits_of(outside) == 0) return most;
   Lanes square = least * least, ct{}, cr{};
-  LaneMask cornered = outside ^ outside;
-  for (int i = 0; i < hand.corners; ++i) {
-    const Lanes vt = t - hand.corner_t[i], vr = rho - hand.corner_rho[i];
-    const Lanes of_point = vt * vt + vr * vr;
-    const LaneMask nearer = of_point < square;
-    square = nearer ? of_point : square;
-    cornered = cornered | nearer;
-    if constexpr (kGradient) {
-      ct = nearer ? vt : ct;
-      cr = nearer ? vr : cr;
-    }
-  }
+  const LaneMask cornered = nearer_corners<kGradient>(hand, t, rho, square, ct, cr);
   const Lanes away = sqrt_of(square > tiny ? square : tiny);
   if constexpr (kGradient) {
     const Lanes scale = 1.0f / away;
