@@ -47,10 +47,13 @@ bool is_dentine(Tissue t) noexcept { return t == Tissue::dentine || t == Tissue:
 
 /// Length along a line until its tissue changes from dentine to enamel, or the other way; nullopt where another tissue or the
 /// air comes first.
-std::optional<double> to_change(const Specimen& specimen, Vec3 from, Vec3 way, bool from_dentine) noexcept {
+std::optional<double> to_change(const Specimen& specimen, const NearestVoxel& voxels, Vec3 from, Vec3 way, bool from_dentine) noexcept {
   const double step = 0.25 * specimen.grid().voxel_mm;
+  IVec3 last(std::numeric_limits<int>::min());
   for (double mm = 0.0; mm <= kFurthestJunctionMm; mm += step) {
-    const IVec3 v = nearest_voxel(specimen.grid(), from + mm * way);
+    const IVec3 v = voxels.of(from + mm * way);
+    if (v == last) continue;
+    last = v;
     const Tissue t = specimen.tissue(v);
     if (from_dentine ? is_enamel(t) : is_dentine(t)) return mm - 0.5 * step;
     if (!was_solid(specimen, v) || !(from_dentine ? is_dentine(t) : is_enamel(t))) return std::nullopt;
@@ -61,6 +64,7 @@ std::optional<double> to_change(const Specimen& specimen, Vec3 from, Vec3 way, b
 /// Signed depth in dentine at one place of the axial wall; `into_void`: its normal.
 std::optional<double> depth_in_dentine(const Specimen& specimen, Vec3 at, Vec3 into_void) noexcept {
   const double voxel = specimen.grid().voxel_mm;
+  const NearestVoxel voxels(specimen.grid());
   const Vec3 aside = std::fabs(into_void.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
   const Vec3 u = glm::normalize(glm::cross(into_void, aside)), w = glm::cross(into_void, u);
   double sum = 0;
@@ -68,9 +72,9 @@ std::optional<double> depth_in_dentine(const Specimen& specimen, Vec3 at, Vec3 i
   for (int i = -2; i <= 2; ++i)
     for (int j = -2; j <= 2; ++j) {
       const Vec3 from = at + 0.43 * voxel * (static_cast<double>(i) * u + static_cast<double>(j) * w);
-      const bool dentine = is_dentine(specimen.tissue(nearest_voxel(specimen.grid(), from)));
+      const bool dentine = is_dentine(specimen.tissue(voxels.of(from)));
       // In dentine the junction lies outwards, through what was removed; in enamel it lies inwards.
-      const std::optional<double> mm = to_change(specimen, from, dentine ? into_void : -into_void, dentine);
+      const std::optional<double> mm = to_change(specimen, voxels, from, dentine ? into_void : -into_void, dentine);
       if (!mm) continue;
       sum += dentine ? *mm : -*mm;
       ++lines;

@@ -131,7 +131,7 @@ class SoundSink final : public RegionClassifier {
   void face(const std::array<Vec3, 3>& c, double mm2, Tissue tissue) override {
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
     double d = 0;
-    if (!is_sound(tissue) || !is_beyond(place_at(middle, d))) return;
+    if (!is_sound(tissue) || wholly_in_target() || !is_beyond(place_at(middle, d))) return;
     sigma_mm3 += reference_.surface_sigma_mm() * mm2;
     if (d <= furthest_) return;
     furthest_ = d;
@@ -186,7 +186,7 @@ void add_caries(const Reference& reference, const Volume& volume, std::vector<Me
     return;
   }
   SoundSink sound(reference);
-  for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, sound);
+  for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sound);
   out.push_back({"sound_lost", true, sound.mm3, sound.sigma_mm3, "mm3", sound.at_mm});
 }
 

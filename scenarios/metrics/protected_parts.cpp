@@ -44,7 +44,7 @@ Damaged damage_of_region(const Reference& reference, const Volume& volume, const
   constexpr double kNone = 0.0;
   const Leeway none{kNone, kNone};
   RegionDamage sum(*part.shape, none);
-  for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, sum);
+  for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sum);
   Damaged out{sum.mm3, reference.surface_sigma_mm() * sum.face_mm2, false, std::nullopt};
   if (part.severity == Damage::removal) out.damaged = out.mm3 > out.sigma_mm3;
   if (part.severity == Damage::touch) out.damaged = sum.depth_mm > -reference.point_sigma_mm();

@@ -44,9 +44,7 @@ Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> s
   for (const Protected& one : scenario.protected_parts)
     protected_parts_.push_back({one.tissue.value_or(Tissue::empty), one.region ? std::make_shared<const TargetShape>(*one.region, specimen_) : nullptr,
                                 one.severity, one.depth_mm});
-  const Grid& grid = specimen_->grid();
   const IVec3 bricks = specimen_->brick_count();
-  const double reach = grid.voxel_mm;  // cells and voxels stand up to one voxel out of their brick
   TargetSum sum(shape_, leeway_);
   for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
     if (specimen_->uniform(b)) {
@@ -55,11 +53,8 @@ Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> s
       for (int o = 0; o < kBrickVoxels; ++o)
         if (specimen_->s_in(b, o) >= kHalf) present_[index_of(specimen_->tissue_in(b, o))] = true;
     }
-    const Vec3 low = grid.centre_mm(specimen_->brick_at(b) * kBrickEdge) - reach;
-    const Vec3 high = low + kBrickEdge * grid.voxel_mm + 2.0 * reach;
-    if (shape_.empty() || high.z < shape_.floor_mm() || high.x < shape_.low().x || high.y < shape_.low().y ||
-        low.x > shape_.high().x || low.y > shape_.high().y)
-      continue;
+    const BrickBox cells = cells_of_brick(*specimen_, b);
+    if (shape_.empty() || !sum.within(cells.low, cells.high)) continue;
     emit_specimen(*specimen_, b, sum);
   }
   present_[index_of(Tissue::empty)] = false;

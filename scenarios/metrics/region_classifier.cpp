@@ -66,16 +66,29 @@ void divide(const Tetrahedron& t, Value&& value, Below&& below, Above&& above) {
 
 }  // namespace
 
+bool RegionClassifier::within(Vec3 low, Vec3 high) noexcept {
+  // A distance changes by no more than its place; a hundredth of the box is far more than rounding.
+  const double reach = 0.51 * std::sqrt(glm::dot(high - low, high - low));
+  const double middle = shape_.distance_mm(0.5 * (low + high));
+  in_target_ = middle < -reach;
+  return middle <= reach;
+}
+
 void RegionClassifier::cell(Vec3 low, Vec3 high) {
   low_ = low;
   high_ = high;
   sampled_ = false;
+  if (in_target_) {
+    whole_ = true;
+    place_ = Place::target;
+    return;
+  }
   const Vec3 c = 0.5 * (low + high);
   whole_ = upright_ != nullptr ? whole_upright(c, high.x - low.x) : whole_tree(c, high.x - low.x);
 }
 
 bool RegionClassifier::whole_upright(Vec3 c, double h) noexcept {
-  const double u = upright_->outline_mm({c.x, c.y});
+  const double u = outline_mm({c.x, c.y});
   const double v = upright_->below_floor_mm(c.z);
   const double d = rounded_corner(u, v, upright_->corner_mm());
   // Half the cell's diagonal; u - v changes by no more than half a face's diagonal and half an edge.
@@ -91,7 +104,7 @@ bool RegionClassifier::whole_upright(Vec3 c, double h) noexcept {
 }
 
 bool RegionClassifier::whole_tree(Vec3 c, double h) noexcept {
-  const Near middle = shape_.near(c);
+  const Near middle = near_at(c);
   const double reach = 0.8661 * h;
   place_ = place_of(middle, leeway_);
   face_ = middle.face;
@@ -100,7 +113,7 @@ bool RegionClassifier::whole_tree(Vec3 c, double h) noexcept {
   // Which face is the nearest may change within the cell: its corners say whether it does.
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner(i & 1 ? high_.x : low_.x, i & 2 ? high_.y : low_.y, i & 4 ? high_.z : low_.z);
-    if (shape_.near(corner).face != middle.face) return false;
+    if (near_at(corner).face != middle.face) return false;
   }
   return true;
 }
@@ -110,8 +123,8 @@ double RegionClassifier::outline_at(Vec3 p) noexcept {
     sampled_ = true;
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t i = 0; i < 3; ++i)
-        outline_[i + 3 * j] = shape_.outline_mm({low_.x + 0.5 * static_cast<double>(i) * (high_.x - low_.x),
-                                                 low_.y + 0.5 * static_cast<double>(j) * (high_.y - low_.y)});
+        outline_[i + 3 * j] = outline_mm({low_.x + 0.5 * static_cast<double>(i) * (high_.x - low_.x),
+                                          low_.y + 0.5 * static_cast<double>(j) * (high_.y - low_.y)});
   }
   const double fx = 2.0 * (p.x - low_.x) / (high_.x - low_.x);
   const double fy = 2.0 * (p.y - low_.y) / (high_.y - low_.y);
@@ -123,8 +136,12 @@ double RegionClassifier::outline_at(Vec3 p) noexcept {
   return (1.0 - y) * ((1.0 - x) * o[0] + x * o[1]) + y * ((1.0 - x) * o[3] + x * o[4]);
 }
 
+double RegionClassifier::outline_mm(Vec2 p) noexcept {
+  return outlines_.at(p, [&] { return upright_->outline_mm(p); });
+}
+
 Near RegionClassifier::near_at(Vec3 p) noexcept {
-  if (upright_ == nullptr) return shape_.near(p);
+  if (upright_ == nullptr) return nears_.at(p, [&] { return shape_.near(p); });
   const double u = outline_at(p);
   const double v = upright_->below_floor_mm(p.z);
   const FaceName face = v >= u ? FaceName::pulpal_floor : FaceName::side_wall;  // of all faces of its kind one leeway
@@ -174,7 +191,7 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
   double floor_edge = leeway_.floor_mm, side_edge = leeway_.side_mm;
   Near middle;
   if (upright_ == nullptr) {  // a tetrahedron has one floor and one wall: those that its middle is nearest to
-    middle = shape_.near(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
+    middle = near_at(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
     (is_floor(middle.face) ? floor_edge : side_edge) = leeway_.of(middle.face);
   }
   const auto split = [&](const Tetrahedron& part, double edge, Place near, Place far) {
@@ -193,6 +210,19 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
             [&](const Tetrahedron& x) { split(x, floor_edge, Place::tolerated_floor, Place::beyond_floor); },
             [&](const Tetrahedron& x) { split(x, side_edge, Place::tolerated_side, Place::beyond_side); });
       });
+}
+
+void emit_removed_by_place(const Volume& volume, int brick, RegionClassifier& sink) {
+  const BrickBox cells = cells_of_brick(volume.specimen(), brick);
+  sink.within(cells.low, cells.high);
+  emit_removed(volume, brick, sink);
+}
+
+BrickBox cells_of_brick(const Specimen& specimen, int brick) noexcept {
+  const IVec3 at = specimen.brick_at(brick);
+  const Grid& grid = specimen.grid();
+  // A brick at the low end of the grid also has the cells that reach out of it.
+  return {grid.centre_mm(at * kBrickEdge - IVec3(1)), grid.centre_mm(at * kBrickEdge + kBrickEdge)};
 }
 
 }  // namespace cusp::scenarios

@@ -16,7 +16,7 @@ class ShareSink final : public RegionClassifier {
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) override {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     double d = 0;
-    const Place where = place_at(middle, d);
+    const Place where = wholly_in_target() ? Place::target : place_at(middle, d);
     const auto place = static_cast<std::size_t>(where);
     shares_.cut_face_mm2[place] += mm2;
     shares_.tissue_face_mm2[index_of(tissue)] += mm2;
@@ -101,7 +101,7 @@ void RegionShares::add(const RegionShares& other) noexcept {
 RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick) {
   RegionShares shares;
   ShareSink sink(reference, volume, shares);
-  emit_removed(volume, brick, sink);
+  emit_removed_by_place(volume, brick, sink);
   add_seams(volume, brick, shares);
   return shares;
 }

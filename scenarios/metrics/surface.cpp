@@ -67,7 +67,7 @@ std::optional<SurfaceMatch> surface_match(const Reference& reference, const Volu
   TriangleSink sink;
   for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, sink);
   if (target.empty() || sink.triangles.empty()) return std::nullopt;
-  const TriangleIndex cut(std::move(sink.triangles));
+  const TriangleIndex cut(std::move(sink.triangles), volume.grid().voxel_mm);
   SurfaceMatch out;
   std::vector<Distance> all;
   double squares = 0, area = 0;

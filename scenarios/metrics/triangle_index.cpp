@@ -32,12 +32,22 @@ double triangle_gap_squared(Vec3 p, const Triangle& t) noexcept {
   return std::min({edge_gap_squared(p, t[0], t[1]), edge_gap_squared(p, t[1], t[2]), edge_gap_squared(p, t[2], t[0])});
 }
 
-TriangleIndex::TriangleIndex(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+TriangleIndex::TriangleIndex(std::vector<Triangle> triangles, double together_mm) : triangles_(std::move(triangles)) {
+  constexpr std::size_t kMostTogether = 8;
+  constexpr double kRoundingMm = 1e-9;  // a box is never further off than its triangles, as they are computed
   std::vector<BoxTree::Leaf> leaves;
-  leaves.reserve(triangles_.size());
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const auto& [a, b, c] = triangles_[i];
-    leaves.push_back({glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), i, i + 1});
+    const Vec3 low = glm::min(glm::min(a, b), c) - kRoundingMm, high = glm::max(glm::max(a, b), c) + kRoundingMm;
+    if (!leaves.empty() && i - leaves.back().first < kMostTogether) {
+      BoxTree::Leaf& last = leaves.back();
+      const Vec3 both_low = glm::min(last.low, low), both_high = glm::max(last.high, high);
+      if (glm::all(glm::lessThanEqual(both_high - both_low, Vec3(together_mm)))) {
+        last = {both_low, both_high, last.first, i + 1};
+        continue;
+      }
+    }
+    leaves.push_back({low, high, i, i + 1});
   }
   tree_ = BoxTree(std::move(leaves));
 }

@@ -17,9 +17,11 @@ using Triangle = std::array<Vec3, 3>;
 
 class TriangleIndex {
  public:
-  explicit TriangleIndex(std::vector<Triangle> triangles);
+  /// Triangles that follow each other within boxes of `together_mm` share a leaf: those of a cell of voxels do.
+  TriangleIndex(std::vector<Triangle> triangles, double together_mm);
   bool empty() const noexcept { return triangles_.empty(); }
-  /// At most `at_most_mm`, which is also the answer where there is no triangle.
+  /// At most `at_most_mm`, which is also the answer where there is no triangle. Else bit for bit the least of all triangles'
+  /// distances, in whatever order they were given.
   double distance_mm(Vec3 p, double at_most_mm) const noexcept;
 
  private:

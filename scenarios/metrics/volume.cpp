@@ -21,8 +21,9 @@ class FaceVolumes final : public RegionClassifier {
       : RegionClassifier(reference.shape(), reference.leeway(), ByFace::yes), reference_(reference), sums_(sums) {}
 
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue) override {
+    if (wholly_in_target()) return;
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-    const Near near = reference_.shape().near(middle);
+    const Near near = near_at(middle);
     const Place place = place_of(near, reference_.leeway());
     if (place == Place::target) return;
     FaceOvercut& sum = of(place, near.face);
@@ -35,8 +36,8 @@ class FaceVolumes final : public RegionClassifier {
   void tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) override {
     on_edge_ = false;
     if (!whole()) {
-      const FaceName first = reference_.shape().near(corners[0]).face;
-      for (std::size_t i = 1; i < 4; ++i) on_edge_ = on_edge_ || reference_.shape().near(corners[i]).face != first;
+      const FaceName first = near_at(corners[0]).face;
+      for (std::size_t i = 1; i < 4; ++i) on_edge_ = on_edge_ || near_at(corners[i]).face != first;
     }
     RegionClassifier::tetrahedron(corners, mm3, tissue);
     on_edge_ = false;
@@ -69,7 +70,7 @@ std::optional<OvercutByFace> overcut_by_face(const Reference& reference, const V
   for (auto* const zone : {&out.leeway, &out.beyond})
     for (FaceOvercut& one : *zone) one.uncertainty_mm3 = voxel * voxel * voxel;  // less than a voxel shows no face
   FaceVolumes sink(reference, out);
-  for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, sink);
+  for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sink);
   return out;
 }
 
