@@ -91,8 +91,9 @@ with Desk(sys.argv[1]) as desk:
     made = desk.json("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.5", "--out", desk.path("made"))
     check(made["scenario"] == desk.path("made", "scenario.json"), str(made))
     check(desk.json("validate", desk.path("made")) == {"valid": True, "findings": []}, "a fitted exercise has no finding")
-    # The same text in another language; JSON and statuses stay.
+    # Against the stored grade, and in another language; JSON and statuses stay.
     english = desk.run("grade", database, session)[1]
+    check(english.rstrip().endswith(": the same points."), f"what differs from the stored grade: {english}")
     german = desk.run("grade", database, session, LC_ALL="de_DE.UTF-8", LC_MESSAGES="de_DE.UTF-8", LANG="de_DE.UTF-8")[1]
     check(english != german, "messages follow LC_MESSAGES")
     check(desk.run("validate", "class-1-36", "--form-only")[0] == 0, "a built-in scenario is valid")
