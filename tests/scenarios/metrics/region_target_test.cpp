@@ -4,9 +4,15 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
+#include <set>
+#include <thread>
+#include <utility>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
+#include "scenarios/metrics/live.h"
 #include "scenarios/metrics/measure.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
@@ -178,6 +184,116 @@ std::vector<Measure> slot_into_dentine(Protected part, double depth) {
   return measured(s, exactly(region_of(isthmus(1.2, depth))));
 }
 bool damaged(const std::vector<Measure>& measures) { return get(measures, "protected_damage").value > 0; }
+
+/// About the z axis.
+Vec3 turned(Vec3 p, double deg) {
+  const double c = std::cos(deg * std::numbers::pi / 180), s = std::sin(deg * std::numbers::pi / 180);
+  return {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+}
+Region turned(Region region, double deg) {
+  for (std::vector<Vec3>& path : region.outline.paths)
+    for (Vec3& p : path) p = turned(p, deg);
+  region.from_mm = turned(region.from_mm, deg);
+  region.x_axis = turned(region.x_axis, deg);
+  for (Region& part : region.parts) part = turned(part, deg);
+  return region;
+}
+/// The block turned with a target in it, and its voxels shifted by parts of one.
+std::shared_ptr<const Specimen> turned_block(double deg, Vec3 shift_voxels) {
+  Grid grid;
+  grid.size = IVec3(110, 110, 68);
+  grid.origin_mm = Vec3(-5.47, -5.44, -6.33) + 0.1 * shift_voxels;
+  return carved::specimen(
+      grid, Reading::banded, [=](Vec3 p) { return box_distance(turned(p, -deg), Vec3(0, 0, -3), Vec3(4.5, 3, 3)); },
+      [](Vec3 p) { return p.z > -3 ? Tissue::enamel : Tissue::dentine; });
+}
+
+/// What does not depend on where mesial is.
+constexpr std::array kWhicheverWay = {
+    "target_removed", "uncut_remainder", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor", "overcut_beyond_side",
+    "depth_least", "depth_mean", "depth_most", "removed_enamel", "removed_dentine", "floor_flatness",
+    "overcut_leeway_gingival_floor", "overcut_beyond_gingival_floor", "overcut_leeway_axial_wall", "surface_within_100", "surface_within_300",
+    "surface_rms", "surface_p95", "surface_greatest", "box_height", "cavosurface_angle"};
+
+TEST(TreeTarget, ATurnedAndShiftedSpecimenMeasuresTheSameWithinItsUncertainty) {
+  const Region cut = class_two(4.4, 1.5);
+  std::vector<Measure> straight;
+  for (const auto& [deg, shift] : {std::pair(0.0, Vec3(0.0)), std::pair(0.0, Vec3(0.31, -0.43, 0.27)), std::pair(37.0, Vec3(-0.2, 0.4, -0.35)),
+                                   std::pair(-118.0, Vec3(0.5, 0.1, 0.45))}) {
+    SCOPED_TRACE(testing::Message() << deg << " degrees");
+    Scenario s = exercise(turned(class_two(4), deg));
+    s.leeway = {0.2, 0.2};
+    for (const char* key : kWhicheverWay) s.rubric.criteria.push_back({key, 1, {}});
+    const auto specimen = turned_block(deg, shift);
+    Volume volume(specimen);
+    carved::carve(volume, exactly(turned(cut, deg)));
+    const std::vector<Measure> all = measure(Reference(s, specimen), volume, {});
+    if (straight.empty()) straight = all;
+    for (const char* key : kWhicheverWay) {
+      const Measure a = get(straight, key), b = get(all, key);
+      ASSERT_TRUE(a.measured && b.measured) << key;
+      EXPECT_NEAR(a.value, b.value, a.uncertainty + b.uncertainty) << key;
+    }
+  }
+}
+
+bool same_bits(const Measure& a, const Measure& b) {
+  return a.metric == b.metric && a.measured == b.measured && a.value == b.value && a.uncertainty == b.uncertainty && a.where_mm == b.where_mm;
+}
+
+Scenario with_every_group() {
+  Scenario s = exercise(class_two(4));
+  s.leeway = {0.2, 0.2};
+  for (const MetricKey& key : kMetricKeys) s.rubric.criteria.push_back({std::string(key.key), 1, {}});
+  return s;
+}
+
+TEST(TreeTarget, MeasuresTheSameBitsOnAnyNumberOfThreads) {
+  const auto specimen = block();
+  Volume volume(specimen);
+  carved::carve(volume, exactly(class_two(4.4, 1.5)));
+  const std::vector<Measure> alone = measure(Reference(with_every_group(), specimen), volume, {});
+  const Reference shared(with_every_group(), specimen);
+  std::array<std::vector<Measure>, 3> each;
+  {
+    std::vector<std::jthread> threads;
+    for (auto& one : each) threads.emplace_back([&] { one = measure(shared, volume, {}); });
+  }
+  for (const auto& one : each) EXPECT_TRUE(std::ranges::equal(one, alone, same_bits));
+}
+
+TEST(TreeTarget, LiveScoresAreTheSameBitsHoweverOftenTheMirrorAsks) {
+  const auto specimen = block();
+  const auto reference = std::make_shared<const Reference>(with_every_group(), specimen);
+  std::array<LiveReading, 3> read;
+  Volume volume(specimen);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    constexpr std::array kEvery = {1, 5, 100};  // cuts
+    volume = Volume(specimen);
+    LiveMetrics live(reference);
+    std::set<std::int32_t> changed;
+    std::map<std::int32_t, std::uint32_t> seen;
+    for (int n = 0; n < 20; ++n) {
+      const Vec3 at(-2.0 + 0.25 * n, 0.1 * std::sin(n), -1.6 - 0.12 * n);
+      carved::carve(volume, [&](Vec3 p) { return capsule_distance(p, at, at + Vec3(0, 0, 6), 0.7); });
+      for (const std::int32_t brick : volume.cut_bricks())
+        if (std::exchange(seen[brick], volume.revision(brick)) != volume.revision(brick)) changed.insert(brick);
+      if (n % kEvery[i] != kEvery[i] - 1 && n != 19) continue;
+      live.update(volume, std::vector(changed.begin(), changed.end()));
+      changed.clear();
+    }
+    read[i] = live.reading();
+  }
+  for (const LiveReading& one : read) {
+    EXPECT_EQ(one.target_removed, read[0].target_removed);
+    EXPECT_EQ(one.overcut_mm3, read[0].overcut_mm3);
+    EXPECT_EQ(one.removed_mm3, read[0].removed_mm3);
+  }
+  const std::vector<Measure> all = measure(*reference, volume, {});
+  EXPECT_EQ(read[0].target_removed, get(all, "target_removed").value);
+  EXPECT_EQ(read[0].overcut_mm3[static_cast<std::size_t>(Place::beyond_floor)], get(all, "overcut_beyond_floor").value);
+  EXPECT_EQ(read[0].removed_mm3[index_of(Tissue::dentine)], get(all, "removed_dentine").value);
+}
 
 TEST(ProtectedPart, ATissueIsDamagedAtItsSeverity) {
   EXPECT_TRUE(damaged(slot_into_dentine(Tissue::dentine, 3.3)));
