@@ -12,6 +12,7 @@ from desk import Desk, check, integrity  # noqa: E402
 
 FIELDS = ["session", "scenario", "student", "hand", "engine", "device", "duration_s", "state", "score", "score_max",
           "passed", "critical", "volume_hash", "criteria"]
+BANDS = {"fail_lo": 0, "acc_lo": 0, "ideal_lo": 0, "ideal_hi": 1, "acc_hi": 2, "fail_hi": 3}
 
 
 def short(scenario):
@@ -91,6 +92,11 @@ with Desk(sys.argv[1]) as desk:
     made = desk.json("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.5", "--out", desk.path("made"))
     check(made["scenario"] == desk.path("made", "scenario.json"), str(made))
     check(desk.json("validate", desk.path("made")) == {"valid": True, "findings": []}, "a fitted exercise has no finding")
+    # Another rubric may ask for what the exercise's own does not measure.
+    with open(desk.path("rubric.json"), "w", encoding="utf-8") as f:
+        json.dump({"pass": 50, "critical": [], "criteria": [{"metric": "overcut_beyond_pulpal_floor", "weight": 1, "bands": BANDS}]}, f)
+    other = desk.json("grade", database, session, "--rubric", desk.path("rubric.json"))
+    check([c["measured"] for c in other["criteria"]] == [True], f"what another rubric asks for is measured: {other}")
     # Against the stored grade, and in another language; JSON and statuses stay.
     english = desk.run("grade", database, session)[1]
     check(english.rstrip().endswith(": the same points."), f"what differs from the stored grade: {english}")

@@ -102,7 +102,7 @@ Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* o
   auto replay = Replay::open(store, *opened);
   if (!replay) return std::unexpected(replay.error());
   if (auto done = replay->to(UINT64_MAX, {.from = ReplayFrom::first_tick}); !done) return std::unexpected(done.error());
-  const Reference reference(opened->scenario, opened->scene->specimen);
+  const Reference reference(result.scenario, opened->scene->specimen);  // what the rubric asks for is measured
   result.volume = std::make_shared<const Volume>(replay->state().volume());
   result.volume_hash = result.volume->hash();
   result.measures = measure(reference, *result.volume, replay->process());
