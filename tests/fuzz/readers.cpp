@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "engine/volume/specimen.h"
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
@@ -35,6 +36,22 @@ void check(const Image& image) {
   must(image.value.size() == voxels && voxels <= kSmall.max_voxels, "as many values as voxels");
   for (int i = 0; i < 3; ++i) must(std::isfinite(l.origin_mm[i]) && l.spacing_mm[i] > 0.0, "a place and a spacing");
   for (const float v : image.value) must(std::isfinite(v), "finite values");
+}
+
+/// Dentine about a pulp, and a lesion beside it.
+std::shared_ptr<const Specimen> small_tooth() {
+  constexpr double kVoxelMm = 0.25;
+  VoxelVolume dense(Grid{IVec3(24), kVoxelMm, Vec3(-11.5 * kVoxelMm)});
+  for (int i = 0; i < 24 * 24 * 24; ++i) {
+    const IVec3 v(i % 24, i / 24 % 24, i / 576);
+    const Vec3 p = dense.grid.centre_mm(v);
+    const double out = glm::length(p);
+    const auto at = dense.grid.index(v);
+    dense.s[at] = solid_from_distance((out - 1.8) / kVoxelMm);
+    if (dense.s[at] == 0) continue;
+    dense.tissue[at] = out < 0.6 ? Tissue::pulp : p.x > 0.9 ? Tissue::carious_dentine : Tissue::dentine;
+  }
+  return Specimen::build(dense, Reading::banded);
 }
 
 std::istringstream stream_of(std::span<const std::uint8_t> bytes) {
@@ -88,7 +105,9 @@ void scenario(std::span<const std::uint8_t> bytes) {
   const auto again = read_scenario(write_scenario(*read));
   must(again.has_value() && content_hash(*again) == content_hash(*read), "it reads back as it is written");
   if (has_error(findings)) return;
-  const TargetShape shape(read->target);
+  // Leaves of voxels are those of a small tooth, whatever the file's own is.
+  static const std::shared_ptr<const Specimen> tooth = small_tooth();
+  const TargetShape shape(read->target, tooth);
   double last = 0;
   for (int i = 0; i < 8; ++i) {
     const double d = shape.distance_mm(Vec3(0.37 * i, -0.21 * i, 1.0 - 0.5 * i));
