@@ -131,8 +131,8 @@ class Lattice {
     double sum = 0.0, least = corner[0], most = corner[0];
     for (const double c : corner) {
       sum += c;
-      least = std::fmin(least, c);
-      most = std::fmax(most, c);
+      least = c < least ? c : least;
+      most = c > most ? c : most;
     }
     if (least > 0.25 || most < -0.25) return 0.0;
     Vec3 g;
@@ -158,7 +158,8 @@ class CellCutter {
       : specimen_(specimen), volume_(volume), sink_(sink) {}
 
   void cell(IVec3 cell) {
-    const Range base = base_range(cell), cut = cut_range(cell);
+    const int brick = brick_of(cell);
+    const Range base = base_range(cell, brick), cut = cut_range(cell, brick);
     if (base.least > kNearVoxels || cut.least > kNearVoxels) return;
     const Grid& grid = specimen_.grid();
     low_ = grid.centre_mm(cell);
@@ -188,22 +189,41 @@ class CellCutter {
  private:
   /// Least and largest corner of a field, signed as in Corner.
   struct Range {
-    double least = 1e9, most = -1e9;
-    void add(double d) noexcept {
-      least = std::fmin(least, d);
-      most = std::fmax(most, d);
-    }
+    double least, most;
   };
-  Range base_range(IVec3 cell) const noexcept {
-    Range out;
-    for (int i = 0; i < 8; ++i) out.add(distance_from_solid(specimen_.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2))));
-    return out;
+  /// Of the distances of eight voxels; sign turns the cut's. A distance falls as s rises.
+  static Range range_of(std::uint16_t least_s, std::uint16_t most_s, double sign) noexcept {
+    const double low = sign * distance_from_solid(sign > 0.0 ? most_s : least_s);
+    return {low, sign * distance_from_solid(sign > 0.0 ? least_s : most_s)};
   }
-  Range cut_range(IVec3 cell) const noexcept {
+  template <class SolidAt>
+  static Range range_at(IVec3 cell, SolidAt&& s_at, double sign) noexcept {
+    std::uint16_t least = kSolid, most = 0;
+    for (int i = 0; i < 8; ++i) {
+      const std::uint16_t s = s_at(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+      least = s < least ? s : least;
+      most = s > most ? s : most;
+    }
+    return range_of(least, most, sign);
+  }
+  /// Of a cell within one brick: `values` are the brick's, or nullptr where all are `uniform`.
+  static Range range_in(IVec3 cell, const std::uint16_t* values, std::uint16_t uniform, double sign) noexcept {
+    if (values == nullptr) return range_of(uniform, uniform, sign);
+    return range_at(cell, [values](IVec3 v) { return values[brick_offset(v.x & 7, v.y & 7, v.z & 7)]; }, sign);
+  }
+  /// The brick that holds all eight voxels of a cell; -1 where there is none.
+  int brick_of(IVec3 cell) const noexcept {
+    const bool one = (cell.x & 7) < 7 && (cell.y & 7) < 7 && (cell.z & 7) < 7;
+    return one ? specimen_.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3}) : -1;
+  }
+  Range base_range(IVec3 cell, int brick) const noexcept {
+    if (brick >= 0) return range_in(cell, specimen_.s_of(brick), specimen_.s_in(brick, 0), 1.0);
+    return range_at(cell, [this](IVec3 v) { return specimen_.s(v); }, 1.0);
+  }
+  Range cut_range(IVec3 cell, int brick) const noexcept {
     if (volume_ == nullptr) return {-kBandVoxels, -kBandVoxels};
-    Range out;
-    for (int i = 0; i < 8; ++i) out.add(-distance_from_solid(volume_->cut(cell + IVec3(i & 1, i >> 1 & 1, i >> 2))));
-    return out;
+    if (brick >= 0) return range_in(cell, volume_->cut_of(brick), kSolid, -1.0);
+    return range_at(cell, [this](IVec3 v) { return volume_->cut(v); }, -1.0);
   }
   /// A cell that no surface crosses: one box, or one for each octant if tissues differ.
   void whole_cell() {
