@@ -72,8 +72,9 @@ bool drop_severed(Volume& volume) {
 
 }  // namespace
 
-bool cut_along(const Plan& plan, const Scenario& scenario, Volume& volume) {
-  const Bur& bur = scenario.instruments[plan.bur];
+bool cut_along(const Plan& plan, const Scenario& scenario, Volume& volume) { return cut_along(plan, scenario.instruments[plan.bur], volume); }
+
+bool cut_along(const Plan& plan, const Bur& bur, Volume& volume) {
   if (volume.specimen().reading() == Reading::filled) return cut_filled(plan, bur, volume);
   return cut_banded(plan, bur, volume) && drop_severed(volume);
 }

@@ -15,6 +15,9 @@ namespace cusp::scenarios {
 /// the volume has no room for the cuts; it then holds some of them. Pre: the plan's bur is one of the scenario's.
 [[nodiscard]] bool cut_along(const Plan& plan, const Scenario& scenario, Volume& volume);
 
+/// The same with a bur that is none of the plan's.
+[[nodiscard]] bool cut_along(const Plan& plan, const Bur& bur, Volume& volume);
+
 /// The plan of an operator whose cuts alone differ: "reference" (the target itself), and the paths of "competent", "novice",
 /// "too_deep", "too_shallow", "off_outline", "pulp" (faults.h). nullopt for any other name.
 [[nodiscard]] std::optional<Plan> plan_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen);

@@ -203,6 +203,8 @@ std::optional<Vec3> easiest_pulp(const Specimen& specimen, const TargetShape& sh
   return best;
 }
 
+std::shared_ptr<const Specimen> borrow(const Specimen& specimen) { return {std::shared_ptr<const Specimen>(), &specimen}; }
+
 double clear_height(const Specimen& specimen, double radius) { return highest(specimen, nullptr, 0.0) + radius + kClearMm; }
 
 double layer_radii_of(const Scenario& scenario) noexcept {
@@ -283,11 +285,11 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   // What is wider is deeper too: that is not asked here.
   const Vec3 moved(errors.shift_mm.x, errors.shift_mm.y, errors.wider_mm - errors.deeper_mm);
   const RegionPlanStyle style{.layer_radii = errors.bolder * layer_radii_of(scenario)};
-  const std::shared_ptr<const Specimen> borrowed(std::shared_ptr<const Specimen>(), &specimen);
+  const std::shared_ptr<const Specimen> borrowed = borrow(specimen);
   Plan best;
   double least = kMuch;
   for (const std::uint16_t bur : burs) {
-    const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm);
+    const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm);
     Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style);
     if (plan.strokes.empty()) continue;
     plan.bur = bur;
@@ -300,7 +302,11 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   return best;
 }
 
-void add_way_to_pulp(const Specimen& specimen, const TargetShape& shape, double radius, Plan& plan) {
+}  // namespace
+
+void add_way_to_pulp(const Scenario& scenario, const Specimen& specimen, Plan& plan) {
+  const TargetShape shape(scenario.target, borrow(specimen));
+  const double radius = scenario.instruments[plan.bur].radius_mm;
   const std::optional<Vec3> pulp = easiest_pulp(specimen, shape);
   if (!pulp) return;
   const double above = clear_height(specimen, radius);
@@ -310,15 +316,12 @@ void add_way_to_pulp(const Specimen& specimen, const TargetShape& shape, double 
   plan.strokes.push_back({Vec3(pulp->x, pulp->y, above), false});
 }
 
-}  // namespace
-
 Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors) {
-  const TargetShape shape(scenario.target);
+  const TargetShape shape(scenario.target, borrow(specimen));
   if (shape.empty() || scenario.instruments.empty()) return {};
   Plan plan = shape.upright() != nullptr ? plan_outline(scenario, specimen, shape, errors)
                                          : plan_tree(scenario, specimen, shape, errors);
-  if (errors.drill_to_pulp && !plan.strokes.empty())
-    add_way_to_pulp(specimen, shape, scenario.instruments[plan.bur].radius_mm, plan);
+  if (errors.drill_to_pulp && !plan.strokes.empty()) add_way_to_pulp(scenario, specimen, plan);
   return plan;
 }
 

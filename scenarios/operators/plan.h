@@ -28,6 +28,7 @@ struct PlanErrors {
   Vec3 shift_mm{0.0};         // the whole outline
   double wider_mm = 0;        // walls further out (negative: further in)
   double bolder = 1;          // layers this much deeper than they should be
+  double clear_mm = 0;        // that the bur keeps from tissue beside a target which is no lone outline
   bool drill_to_pulp = false; // at last, from the floor down into the pulp's nearest place
 };
 
@@ -36,5 +37,9 @@ struct PlanErrors {
 /// the width and the corner. Of any other target: region_plan.h, with the widest bur of those that leave about the least of it.
 /// No strokes if target or instruments are missing, or no bur fits into the target.
 [[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {});
+
+/// Strokes at the end of a plan: over the pulp's nearest place, down until the bur's tip lies two radii below that voxel's
+/// centre, and up again. None without a pulp.
+void add_way_to_pulp(const Scenario& scenario, const Specimen& specimen, Plan& plan);
 
 }  // namespace cusp::scenarios

@@ -33,8 +33,8 @@ double air_voxels(const Specimen& specimen, Vec3 p) noexcept {
 
 }  // namespace
 
-Poses::Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm, double wider_mm)
-    : shape_(&shape), specimen_(&specimen), moved_(moved_mm), wider_(wider_mm), radius_(bur.radius_mm), low_(-bur.radius_mm),
+Poses::Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm, double wider_mm, double clear_mm)
+    : shape_(&shape), specimen_(&specimen), moved_(moved_mm), wider_(wider_mm), clear_(clear_mm), radius_(bur.radius_mm), low_(-bur.radius_mm),
       reach_(head_reach(bur)), air_(specimen.reading() == Reading::banded), head_(bur.head) {
   if (bur.head.ball()) sample_ball();
   else sample_head(bur.head);
@@ -112,7 +112,7 @@ double Poses::underside_mm(double from_axis) const noexcept {
 double Poses::place_out(Vec3 p) const noexcept {
   const double target = target_mm(p);
   if (target <= 0.0 || !air_) return target;
-  return std::min(target, -specimen_->grid().voxel_mm * air_voxels(*specimen_, p));
+  return std::min(target, clear_ - specimen_->grid().voxel_mm * air_voxels(*specimen_, p));
 }
 
 double Poses::beside_mm(Vec3 pivot) const noexcept {

@@ -20,8 +20,9 @@ class Poses {
  public:
   /// `moved_mm`: the target is looked for this far from where it is drawn. `wider_mm`: walls and floors may be passed by so
   /// much. `shape` and `specimen` outlive the poses. A filled specimen has no surface to measure air by: there air counts
-  /// as tissue.
-  Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm = Vec3(0.0), double wider_mm = 0.0);
+  /// as tissue. `clear_mm`: the bur keeps so far from tissue that is not the target's.
+  Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm = Vec3(0.0), double wider_mm = 0.0,
+        double clear_mm = 0.0);
 
   /// How far the bur stands out into tissue that is not the target's; 0 or less: nowhere. Never more than the true length,
   /// and changes by no more than the pose.
@@ -58,7 +59,7 @@ class Poses {
   const TargetShape* shape_;
   const Specimen* specimen_;
   Vec3 moved_;
-  double wider_, radius_, low_, reach_;
+  double wider_, clear_, radius_, low_, reach_;
   std::optional<double> narrows_;  // of a straight flank, mm a mm of height; a head without one has none
   bool air_ = false;
   Profile head_;

@@ -1,0 +1,237 @@
+#include "scenarios/operators/fault_cut.h"
+
+#include <algorithm>
+
+#include "scenarios/format/keys.h"
+#include "scenarios/operators/faulty_path.h"
+#include "scenarios/operators/faulty_target.h"
+#include "scenarios/shapes/target.h"
+#include "scenarios/shapes/tissue_shape.h"
+#include "scenarios/teeth/own_tissues.h"
+
+namespace cusp::scenarios {
+
+namespace {
+
+constexpr double kContactMm = 0.3;     // a target so near to a neighbour opens the contact
+constexpr double kOverPulpMm = 0.3;    // that over-excavation leaves
+constexpr double kThickestRidgeMm = 4.0, kThinnestRidgeMm = 0.8;
+constexpr double kMarchMm = 0.02;
+/// The loops of a lone outline leave the enamel beside it alone; poses touch it, and a touch leaves a scratch of 0.02 mm.
+constexpr double kScratchMm = 0.05;
+
+/// What the faults of one exercise are made of.
+struct Exercise {
+  const Scenario& scenario;
+  const Specimen& specimen;
+  std::shared_ptr<const Specimen> borrowed;
+  TargetShape target;
+
+  Exercise(const Scenario& of, const Specimen& its)
+      : scenario(of), specimen(its), borrowed(std::shared_ptr<const Specimen>(), &its), target(of.target, borrowed) {}
+  bool tooth() const { return scenario.specimen.generator == "tooth"; }
+  bool has(const Region& leaf) const { return !TissueShape(borrowed, tissues_of(leaf)).empty(); }
+  IVec3 voxel(Vec3 p) const { return IVec3(glm::floor((p - specimen.grid().origin_mm) / specimen.grid().voxel_mm + 0.5)); }
+  bool own_at(Vec3 p) const {
+    const IVec3 v = voxel(p);
+    if (glm::any(glm::lessThan(v, IVec3(0))) || glm::any(glm::greaterThanEqual(v, specimen.grid().size))) return false;
+    return specimen.s(v) >= kHalf && is_own_hard(specimen.tissue(v));
+  }
+};
+
+bool is_pulpal(FaceName face) { return face == FaceName::pulpal_floor; }
+bool is_outer_wall(FaceName face) { return !is_floor(face) && face != FaceName::axial_wall; }
+
+std::optional<Region> moved(const Exercise& on, const FaceChoice& chosen, double out_mm) {
+  Region out = on.scenario.target;
+  return move_faces(out, chosen, out_mm) ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::optional<Region> tilted(const Exercise& on, double deg) {
+  Region out = on.scenario.target;
+  return tilt_walls(out, deg) ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::optional<Region> undermined(const Exercise& on, double mm) {
+  const Region enamel = region_of(Tissue::enamel);
+  auto wide = moved(on, is_outer_wall, mm);
+  if (!on.tooth() || !wide || !on.has(enamel)) return std::nullopt;
+  return either(on.scenario.target, without(std::move(*wide), enamel));
+}
+
+/// Of the own tooth between an outline's end and the air beyond it; 0 where the target goes on.
+double ridge_beyond(const Exercise& on, Vec3 end, double sign, double half_width) {
+  double thick = 0.0;
+  for (double off = half_width + kMarchMm; off < half_width + kThickestRidgeMm + 1.0; off += kMarchMm) {
+    const Vec3 p = end + Vec3(sign * off, 0.0, 0.0);
+    if (on.target.distance_mm(p) < -kMarchMm) return 0.0;
+    if (!on.own_at(p)) break;
+    thick += kMarchMm;
+  }
+  return thick;
+}
+
+void collect_slots(Region& region, std::vector<Outline*>& out) {
+  if (region.kind == RegionKind::outline && region.outline.shape != "box") out.push_back(&region.outline);
+  for (Region& part : region.parts) collect_slots(part, out);
+}
+
+std::optional<Region> longer(const Exercise& on, double mm) {
+  if (!on.tooth()) return std::nullopt;
+  Region out = on.scenario.target;
+  std::vector<Outline*> slots;
+  collect_slots(out, slots);
+  Outline* longest = nullptr;
+  Vec3 end(0.0), to(0.0);
+  double least = kThickestRidgeMm;
+  for (Outline* slot : slots)
+    for (const double sign : {-1.0, 1.0}) {
+      std::optional<Vec3> last;
+      for (const auto& path : slot->paths)
+        for (const Vec3& p : path)
+          if (!last || sign * p.x > sign * last->x) last = p;
+      if (!last) continue;
+      const double ridge = ridge_beyond(on, Vec3(last->x, last->y, slot->top_mm - 0.5 * slot->depth_mm), sign, 0.5 * slot->width_mm);
+      if (ridge < kThinnestRidgeMm || ridge >= least) continue;
+      least = ridge;
+      longest = slot;
+      end = *last;
+      to = end + Vec3(sign * mm, 0.0, 0.0);
+    }
+  if (longest == nullptr) return std::nullopt;
+  longest->paths.push_back({end, to});
+  return out;
+}
+
+std::optional<Region> contact_closed(const Exercise& on, double mm) {
+  const Region neighbour = region_of(kNeighbourEnamel);
+  if (!on.tooth() || !on.has(neighbour)) return std::nullopt;
+  const Grid& grid = on.specimen.grid();
+  IVec3 v;
+  for (v.z = 0; v.z < grid.size.z; ++v.z)
+    for (v.y = 0; v.y < grid.size.y; ++v.y)
+      for (v.x = 0; v.x < grid.size.x; ++v.x)
+        if (on.specimen.tissue(v) == kNeighbourEnamel && on.specimen.s(v) >= kHalf && on.target.distance_mm(grid.centre_mm(v)) < kContactMm)
+          return without(on.scenario.target, grown(neighbour, mm));
+  return std::nullopt;
+}
+
+/// The target without its leaves of voxels; nullopt if nothing else is there.
+std::optional<Region> access_of(const Region& region) {
+  if (!needs_voxels(region)) return region;
+  if (region.kind != RegionKind::joined) return std::nullopt;
+  Region out = region;
+  out.parts.clear();
+  for (const Region& part : region.parts)
+    if (auto kept = access_of(part)) out.parts.push_back(std::move(*kept));
+  return out.parts.empty() ? std::nullopt : std::optional(std::move(out));
+}
+
+/// The lesion stays where it is outside a column about its middle, which is narrower than the lesion by `mm` on each side.
+std::optional<Region> caries_left(const Exercise& on, double mm) {
+  const Region lesion = lesion_of(on.scenario.target);
+  if (!on.tooth()) return std::nullopt;
+  const TissueShape shape(on.borrowed, tissues_of(lesion));
+  if (shape.empty()) return std::nullopt;
+  const Vec3 middle = 0.5 * (shape.low() + shape.high()), half = 0.5 * (shape.high() - shape.low());
+  Region column;
+  column.kind = RegionKind::cylinder;
+  column.from_mm = middle - Vec3(0.0, 0.0, half.z + 1.0);
+  column.to_mm = middle + Vec3(0.0, 0.0, half.z + 1.0);
+  column.radius_mm = std::max(kMarchMm, std::max(half.x, half.y) - mm);
+  Region rest = without(on.scenario.target, without(lesion, std::move(column)));
+  if (!needs_voxels(on.scenario.target)) return rest;
+  auto access = access_of(on.scenario.target);
+  return access ? either(std::move(*access), std::move(rest)) : std::move(rest);
+}
+
+/// Height of the pulp's roof under a rectangle; far below the tooth without any.
+double pulp_roof(const Exercise& on, Vec3 low, Vec3 high) {
+  const Grid& grid = on.specimen.grid();
+  const IVec3 first = glm::max(on.voxel(low), IVec3(0)), last = glm::min(on.voxel(high), grid.size - 1);
+  IVec3 v;
+  for (v.z = grid.size.z - 1; v.z >= 0; --v.z)
+    for (v.y = first.y; v.y <= last.y; ++v.y)
+      for (v.x = first.x; v.x <= last.x; ++v.x)
+        if (on.specimen.tissue(v) == Tissue::pulp && on.specimen.s(v) >= kHalf) return grid.centre_mm(v).z;
+  return -kEndlessMm;
+}
+
+std::optional<Region> over_excavated(const Exercise& on, double mm) {
+  const Region lesion = lesion_of(on.scenario.target);
+  if (!on.tooth()) return std::nullopt;
+  const TissueShape shape(on.borrowed, tissues_of(lesion));
+  if (shape.empty()) return std::nullopt;
+  Region above;
+  above.kind = RegionKind::half_space;
+  above.from_mm = Vec3(0.0, 0.0, pulp_roof(on, shape.low() - mm, shape.high() + mm) + kOverPulpMm);
+  above.z_axis = Vec3(0.0, 0.0, -1.0);
+  Region more;
+  more.kind = RegionKind::common;
+  more.parts = {grown(lesion, mm), std::move(above)};
+  return either(on.scenario.target, std::move(more));
+}
+
+/// nullopt where the fault changes no target.
+std::optional<Region> faulty_target(SizedFault fault, const Exercise& on) {
+  const double amount = fault.amount();
+  switch (fault.fault) {
+    case SingleFault::too_deep: return moved(on, is_pulpal, amount);
+    case SingleFault::too_shallow: return moved(on, is_pulpal, -amount);
+    case SingleFault::too_wide: return moved(on, is_outer_wall, amount);
+    case SingleFault::tilted_wall: return tilted(on, amount);
+    case SingleFault::undermined: return undermined(on, amount);
+    case SingleFault::thin_ridge: return longer(on, amount);
+    case SingleFault::contact_closed: return contact_closed(on, amount);
+    case SingleFault::caries_left: return caries_left(on, amount);
+    case SingleFault::over_excavated: return over_excavated(on, amount);
+    default: return std::nullopt;
+  }
+}
+
+Plan plan_instead(Region target, const Exercise& on, std::uint16_t bur) {
+  Scenario other = on.scenario;
+  other.target = std::move(target);
+  other.instruments = {on.scenario.instruments[bur]};
+  PlanErrors errors;
+  if (on.target.upright() != nullptr) errors.clear_mm = kScratchMm;
+  Plan plan = plan_target(other, on.specimen, errors);
+  plan.bur = bur;
+  return plan;
+}
+
+}  // namespace
+
+std::optional<FaultCut> fault_cut(SizedFault fault, const Scenario& scenario, const Specimen& specimen, const Plan& reference) {
+  const double amount = fault.amount();
+  FaultCut out{reference, scenario.instruments[reference.bur], 0.0};
+  switch (fault.fault) {
+    case SingleFault::wrong_bur:
+      out.bur = wider(out.bur, amount);
+      raise(out.plan, out.bur.radius_mm - scenario.instruments[reference.bur].radius_mm);
+      return out;
+    case SingleFault::tremor: shake(out.plan, amount); return out;
+    case SingleFault::dry_cutting:
+      out.dry_s = amount;
+      return phenomena_from_keys(scenario.phenomena).heat ? std::optional(std::move(out)) : std::nullopt;
+    default: break;
+  }
+  const Exercise on(scenario, specimen);
+  const CutTools tools{specimen, on.target, out.bur};
+  bool made = true;
+  if (fault.fault == SingleFault::rough_floor) {
+    made = add_pits(out.plan, tools, amount);
+  } else if (fault.fault == SingleFault::exposed_pulp) {
+    made = add_way_into_pulp(out.plan, scenario, specimen, amount);
+  } else if (fault.fault == SingleFault::nicked_neighbour) {
+    made = on.tooth() && add_nick(out.plan, tools, amount);
+  } else {
+    auto target = faulty_target(fault, on);
+    if (!target) return std::nullopt;
+    out.plan = plan_instead(std::move(*target), on, reference.bur);
+    made = !out.plan.strokes.empty();
+  }
+  return made ? std::optional(std::move(out)) : std::nullopt;
+}
+
+}  // namespace cusp::scenarios
