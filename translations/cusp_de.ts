@@ -1694,12 +1694,16 @@
         <translation>Datenbank; mit --volume oder --operator eine scenario.json, ihr Ordner oder eine eingebaute</translation>
     </message>
     <message>
-        <source>Cut the scenario&apos;s specimen as this operator would, at once, and grade that: reference, competent, novice, too_deep, too_shallow, off_outline or pulp. Shown, not stored</source>
-        <translation>Das Präparat der Übung auf einmal so abtragen, wie dieser Operateur es täte, und das bewerten: reference, competent, novice, too_deep, too_shallow, off_outline oder pulp. Wird gezeigt, nicht gespeichert</translation>
+        <source>Cut the scenario&apos;s specimen as this operator would, at once, and grade that: reference, competent, novice, too_deep, too_shallow, off_outline or pulp; or the reference with one fault, small, medium or large, such as too_deep:small. Faults: %1. Shown, not stored</source>
+        <translation>Das Präparat der Übung auf einmal so abtragen, wie dieser Operateur es täte, und das bewerten: reference, competent, novice, too_deep, too_shallow, off_outline oder pulp; oder reference mit einem einzigen Fehler, small, medium oder large, etwa too_deep:small. Fehler: %1. Wird gezeigt, nicht gespeichert</translation>
     </message>
     <message>
         <source>More is cut than a volume of this exercise can keep.</source>
         <translation>Es ist mehr abgetragen, als ein Volumen dieser Übung fassen kann.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot have the fault %1: it has nothing to make it on.</source>
+        <translation>Den Fehler %1 kann es in dieser Übung nicht geben: Es fehlt, woran man ihn machen könnte.</translation>
     </message>
     <message>
         <source>%1 is no template: cusp template list names them.</source>

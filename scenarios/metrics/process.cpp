@@ -71,6 +71,13 @@ std::optional<Process> Process::restore(std::span<const std::byte> bytes) {
   return process;
 }
 
+Process Process::lasting(double time_s, double dry_s) noexcept {
+  Process out;
+  out.elapsed_us_ = static_cast<std::uint64_t>(1e6 * time_s);
+  out.dry_us_ = static_cast<std::uint64_t>(1e6 * dry_s);
+  return out;
+}
+
 void Process::add(const StepOutput& output) noexcept {
   const std::uint64_t dt = output.elapsed_us > elapsed_us_ ? output.elapsed_us - elapsed_us_ : 0;
   elapsed_us_ += dt;

@@ -18,6 +18,9 @@ class Process {
   /// and warmth of the output count only if the scene has heat.
   void add(const StepOutput& output) noexcept;
 
+  /// Of a cut that nobody played: so long it took, so long of that the bur worked dry; s. No force and no warmth.
+  static Process lasting(double time_s, double dry_s) noexcept;
+
   double time_s() const noexcept { return static_cast<double>(elapsed_us_) * 1e-6; }
   double cutting_s() const noexcept { return static_cast<double>(cutting_us_) * 1e-6; }
   bool touched() const noexcept { return contact_us_ > 0; }

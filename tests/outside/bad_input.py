@@ -129,6 +129,7 @@ def databases(desk):
         s["format"] = 2
     narrow = desk.small_exercise("narrow.json", too_narrow)
     refused(desk, "target that no bur fits", "grade", narrow, "--operator", "reference")
+    refused(desk, "fault that a block cannot have", "grade", scenario, "--operator", "exposed_pulp:small", names=("exposed_pulp:small",))
     refused(desk, "target that no bur fits, played", "play", narrow, "--script", "expert", "--out", desk.path("o"))
     for what, arguments, names in (("unknown template", ("class-9", "--tooth", "36"), ("class-9",)),
                                    ("incisor", ("class-1-adhesive", "--tooth", "11"), ("11",)),
@@ -152,7 +153,7 @@ def usage(desk):
                       ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0"),
                       ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd"),
                       ("grade", "channel-1", "--volume", "x.nrrd", "--as", "demo"), ("grade", "channel-1", "--operator", "nobody"),
-                      ("grade", "channel-1", "--operator", "expert"), ("grade", "channel-1", "--operator", "reference", "--as", "demo"),
+                      ("grade", "channel-1", "--operator", "expert"), ("grade", "channel-1", "--operator", "too_deep:huge"), ("grade", "channel-1", "--operator", "reference", "--as", "demo"),
                       ("grade", "channel-1", "--operator", "reference", "--volume", "x.nrrd"), ("template",), ("template", "fit"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36"), ("template", "fit", "class-1-adhesive", "--out", "x"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth", "--out", "x"),

@@ -86,6 +86,8 @@ with Desk(sys.argv[1]) as desk:
     with open(desk.path("reference", "tooth.png"), "rb") as f:
         check(f.read(8) == b"\x89PNG\r\n\x1a\n", "tooth.png is a PNG")
     check(desk.json("grade", scenario, "--operator", "novice")["score"] < reference["score"], "the novice's cuts are worse")
+    deep = desk.json("grade", scenario, "--operator", "too_deep:large")
+    check(deep["hand"] == "too_deep:large" and deep["score"] < reference["score"], "a single fault costs points")
     # A template on a tooth is an exercise that every verb takes.
     templates = desk.json("template", "list")
     check([t["key"] for t in templates][:2] == ["class-1-adhesive", "class-1-classical"] and templates[0]["parameters"], str(templates))

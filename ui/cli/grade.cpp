@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/operators/single_fault.h"
 #include "ui/cli/account.h"
 #include "ui/cli/grade_volume.h"
 #include "ui/cli/load_scenario.h"
@@ -73,6 +74,21 @@ int grade_verb(const GradeOptions& o) {
   return kDone;
 }
 
+/// Names of operators whose cuts are made at once.
+std::vector<std::string> operators_of_cuts() {
+  std::vector<std::string> out = {"reference", "competent", "novice", "too_deep", "too_shallow", "off_outline", "pulp"};
+  for (const SingleFaultRow& row : single_faults())
+    for (std::size_t size = 0; size < kFaultSizeKeys.size(); ++size) out.push_back(scenarios::key_of(SizedFault{row.fault, static_cast<FaultSize>(size)}));
+  return out;
+}
+
+/// "too_deep, too_shallow, ..."
+QString faults_text() {
+  QStringList out;
+  for (const SingleFaultRow& row : single_faults()) out << QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
+  return out.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 void add_grade(CLI::App& program, Job& job) {
@@ -87,9 +103,11 @@ void add_grade(CLI::App& program, Job& job) {
       ->type_name("FILE");
   verb->add_option("--operator", o->cuts_of,
                    help(CliText::tr("Cut the scenario's specimen as this operator would, at once, and grade that: reference, competent, "
-                                     "novice, too_deep, too_shallow, off_outline or pulp. Shown, not stored")))
+                                     "novice, too_deep, too_shallow, off_outline or pulp; or the reference with one fault, small, medium or "
+                                     "large, such as too_deep:small. Faults: %1. Shown, not stored")
+                            .arg(faults_text())))
       ->type_name("NAME")
-      ->check(CLI::IsMember({"reference", "competent", "novice", "too_deep", "too_shallow", "off_outline", "pulp"}));
+      ->check(CLI::IsMember(operators_of_cuts()));
   verb->add_option("--rubric", o->rubric,
                    help(CliText::tr("Another rubric: a scenario.json or its rubric alone. Shown, not stored")))
       ->type_name("FILE");

@@ -15,6 +15,7 @@
 #include "scenarios/metrics/measure.h"
 #include "scenarios/metrics/recover_cut.h"
 #include "scenarios/operators/fast_cut.h"
+#include "scenarios/operators/fault_cut.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
@@ -85,12 +86,33 @@ Result<Volume, Message> volume_of_file(const std::string& file, const Scenario& 
   return std::move(*volume);
 }
 
-Result<Volume, Message> volume_of_operator(const std::string& name, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
-  const auto plan = plan_by_name(name, scenario, *specimen);
+/// What an operator's cut leaves, and how long it worked dry.
+struct Cut {
+  Volume volume;
+  double dry_s = 0;
+};
+
+Result<Cut, Message> cut_of(const Plan& plan, const Bur& bur, double dry_s, std::shared_ptr<const Specimen> specimen) {
+  Cut out{Volume(std::move(specimen)), dry_s};
+  if (!cut_along(plan, bur, out.volume)) return std::unexpected(Message{CliText::tr("More is cut than a volume of this exercise can keep."), {}});
+  return out;
+}
+
+Result<Cut, Message> cut_of_operator(const std::string& name, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
+  const auto fault = sized_fault_by_name(name);
+  const auto plan = plan_by_name(fault ? "reference" : name, scenario, *specimen);
   if (!plan || plan->strokes.empty()) return std::unexpected(Message{no_plan_text(), {}});
-  Volume volume(std::move(specimen));
-  if (!cut_along(*plan, scenario, volume)) return std::unexpected(Message{CliText::tr("More is cut than a volume of this exercise can keep."), {}});
-  return volume;
+  if (!fault) return cut_of(*plan, scenario.instruments[plan->bur], 0.0, std::move(specimen));
+  const auto faulty = fault_cut(*fault, scenario, *specimen, *plan);
+  if (!faulty)
+    return std::unexpected(Message{CliText::tr("This exercise cannot have the fault %1: it has nothing to make it on.").arg(QString::fromStdString(name)), {}});
+  return cut_of(faulty->plan, faulty->bur, faulty->dry_s, std::move(specimen));
+}
+
+Result<Cut, Message> cut_of_file(const std::string& file, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
+  auto volume = volume_of_file(file, scenario, std::move(specimen));
+  if (!volume) return std::unexpected(std::move(volume.error()));
+  return Cut{std::move(*volume), 0.0};
 }
 
 }  // namespace
@@ -111,14 +133,14 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   }
   auto specimen = build_specimen(scenario, loaded->folder);
   if (!specimen) return failed(describe(specimen.error()));
-  auto volume = cuts ? volume_of_operator(o.operator_name, scenario, *specimen) : volume_of_file(o.volume, scenario, *specimen);
-  if (!volume) return failed(volume.error());
+  auto cut = cuts ? cut_of_operator(o.operator_name, scenario, *specimen) : cut_of_file(o.volume, scenario, *specimen);
+  if (!cut) return failed(cut.error());
   SessionResult result;
   result.scenario = scenario;
   result.operator_name = o.operator_name;
-  result.volume = std::make_shared<const Volume>(std::move(*volume));
+  result.volume = std::make_shared<const Volume>(std::move(cut->volume));
   result.volume_hash = result.volume->hash();
-  result.measures = measure(Reference(scenario, *specimen), *result.volume, Process());
+  result.measures = measure(Reference(scenario, *specimen), *result.volume, Process::lasting(cut->dry_s, cut->dry_s));
   result.grade = grade(scenario, result.measures);
   const std::string text = report_of(*loaded, result);
   if (!o.out.empty()) {
