@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "scenarios/metrics/surface_search.h"
 #include "scenarios/teeth/own_tissues.h"
@@ -78,7 +79,8 @@ class Proximal {
           if (reference_.shape().distance_mm(at) < 0.0) prepared_[side_at(at.x)] = true;
         }
   }
-  /// Distance to the surface about a place of it: the foot of a perpendicular, in a few steps along the surface.
+  /// Distance to the surface about a place of it: the foot of a perpendicular, in a few steps along the surface. Gums lead from
+  /// one tooth to the other: it ends where the surface is no longer the neighbour's.
   double nearest_from(Vec3 from, Vec3 on) noexcept {
     const auto length = [](Vec3 v) { return std::sqrt(glm::dot(v, v)); };
     double best = length(on - from);
@@ -86,6 +88,8 @@ class Proximal {
       const FieldPoint field = cells_.at(volume_, Field::base, on);
       if (!field.known) break;
       on -= field.d_mm * field.normal;
+      const double within = 0.5 * volume_.grid().voxel_mm;
+      if (!is_neighbour(volume_.tissue(nearest_voxel(volume_.grid(), on - within * field.normal)))) break;
       if (std::fabs(field.d_mm) < 0.1 * volume_.grid().voxel_mm) best = std::min(best, length(on - from));
       const Vec3 back = from - on;
       on += back - glm::dot(back, field.normal) * field.normal;
@@ -152,19 +156,19 @@ std::vector<NamedMargin> named_margin(const std::vector<MarginPoint>& margin, co
   return out;
 }
 
-/// In strips of a voxel, from the margin of the gingival floor to the mean place of the axial wall.
+/// In strips of a voxel, from the margin of the gingival floor to the mean place of the axial wall. An MOD has strips on either side.
 std::optional<MeasuredLength> floor_mesiodistal(const CutFaces& faces, const std::vector<NamedMargin>& margin, const Reference& reference) {
   const std::vector<CutFace>& wall = faces.of(FaceName::axial_wall);
   if (wall.empty()) return std::nullopt;
   const double voxel = reference.specimen().grid().voxel_mm;
-  const auto strip_of = [voxel](double y) { return static_cast<int>(std::floor(y / voxel)); };
+  const auto strip_of = [voxel](Vec3 p) { return std::pair(side_at(p.x), static_cast<int>(std::floor(p.y / voxel))); };
   struct Strip {
     double margin = 0, axial = 0, mm2 = 0;
     int points = 0;
   };
-  std::map<int, Strip> strips;
+  std::map<std::pair<std::size_t, int>, Strip> strips;
   for (const CutFace& face : wall) {
-    Strip& s = strips[strip_of(face.middle_mm.y)];
+    Strip& s = strips[strip_of(face.middle_mm)];
     const double mm2 = std::sqrt(glm::dot(face.area_mm2, face.area_mm2));
     s.axial += mm2 * face.middle_mm.x;
     s.mm2 += mm2;
@@ -179,7 +183,7 @@ std::optional<MeasuredLength> floor_mesiodistal(const CutFaces& faces, const std
     high = any ? std::max(high, p.y) : p.y;
     any = true;
     at = p;
-    Strip& s = strips[strip_of(p.y)];
+    Strip& s = strips[strip_of(p)];
     s.margin += p.x;
     ++s.points;
   }
@@ -187,7 +191,7 @@ std::optional<MeasuredLength> floor_mesiodistal(const CutFaces& faces, const std
   double sum = 0;
   int count = 0;
   for (const auto& [key, s] : strips) {
-    const double y = (key + 0.5) * voxel;
+    const double y = (key.second + 0.5) * voxel;
     if (s.points == 0 || !(s.mm2 > 0.0) || y < low + quarter || y > high - quarter) continue;
     sum += std::fabs(s.margin / s.points - s.axial / s.mm2);
     ++count;

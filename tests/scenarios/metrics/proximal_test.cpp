@@ -190,6 +190,29 @@ TEST(Proximal, WithoutAContactInTheTargetNothingIsSaidOfIt) {
   EXPECT_FALSE(get(measures, "box_height").measured);
 }
 
+TEST(Proximal, AnModHasAFloorOnEitherSide) {
+  constexpr double kMesial = 1.5, kDistal = 1.2;  // of a block of 10 mm, floors at z = -3
+  Grid grid;
+  grid.size = IVec3(114, 74, 60);
+  grid.origin_mm = Vec3(-5.63, -3.61, -5.17);
+  const auto specimen = carved::specimen(grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -2.25), Vec3(5, 3, 2.25)); },
+                                         [](Vec3) { return Tissue::enamel; });
+  Scenario s = exercise();
+  Region mesial = box_region({7 - kMesial, 0, -1}, {4, 3, 4}), distal = box_region({kDistal - 7, 0, -1}, {4, 3, 4});
+  mesial.faces = distal.faces = {{"z_low", FaceName::gingival_floor}, {"y_low", FaceName::lingual_wall}, {"y_high", FaceName::buccal_wall}};
+  mesial.faces["x_low"] = distal.faces["x_high"] = FaceName::axial_wall;
+  s.target = node(RegionKind::joined, {Box::target().parts.front(), mesial, distal});
+  s.rubric = rubric_of({{"gingival_floor_mesiodistal", 0}});
+  Volume volume(specimen);
+  carved::carve(volume, [](Vec3 p) {
+    return std::min({box_distance(p, Vec3(7 - kMesial, 0, -1), Vec3(2, 1.5, 2)), box_distance(p, Vec3(kDistal - 7, 0, -1), Vec3(2, 1.5, 2)),
+                     box_distance(p, Vec3(0, 0, 0), Vec3(4.5, 0.6, 1.8))});
+  });
+  const Measure depth = get(measure(Reference(s, specimen), volume, {}), "gingival_floor_mesiodistal");
+  ASSERT_TRUE(depth.measured);
+  EXPECT_NEAR(depth.value, 0.5 * (kMesial + kDistal), depth.uncertainty);
+}
+
 TEST(Proximal, TheGingivalFloorIsMeasuredFromTheJunctionBesideIt) {
   Draw draw{std::mt19937_64(1)};
   const auto specimen = two_teeth(0.1, draw, tissue_at);
