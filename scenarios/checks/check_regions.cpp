@@ -56,6 +56,12 @@ std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Spe
   return out;
 }
 
+/// The tissue that is protected, by itself or as a region; empty for any other region.
+Tissue tissue_of(const Protected& one) {
+  if (one.tissue) return *one.tissue;
+  return one.region && one.region->kind == RegionKind::tissue ? one.region->tissue : Tissue::empty;
+}
+
 void check_pulp(const Scenario& scenario, const Reached& pulp, std::vector<Finding>& out) {
   const bool there = std::ranges::any_of(scenario.tissues, [](const ScenarioTissue& t) { return t.tissue == Tissue::pulp; });
   if (!there) return;
@@ -82,9 +88,8 @@ std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& spe
   for (const Reached& r : reached) all += r.target_mm3;
   if (!(all > 0.0)) out.push_back({Severity::error, "/target/paths", "target_without_tissue", {}, {}});
   for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i) {
-    if (!scenario.protected_parts[i].tissue) continue;
-    const Tissue tissue = *scenario.protected_parts[i].tissue;
-    if (tissue == Tissue::pulp) continue;
+    const Tissue tissue = tissue_of(scenario.protected_parts[i]);
+    if (tissue == Tissue::empty || tissue == Tissue::pulp) continue;
     const Reached& here = reached[index_of(tissue)];
     const std::string path = "/protected/" + std::to_string(i), key(key_of_scenario_tissue(tissue));
     if (here.target_mm3 > 0.0)
