@@ -107,8 +107,17 @@ std::string replaced(std::string text, const std::map<std::string, std::string>&
   return text;
 }
 
+/// A text, or its parts: strings, and objects with "when" and "text".
+std::string joined(const Json& node, Filler& filler) {
+  if (node.is_string()) return node.get<std::string>();
+  std::string out;
+  for (const Json& part : node)
+    if (filler.wanted(part, "/briefing")) out += (part.is_string() ? part : part.at("text")).get<std::string>();
+  return out;
+}
+
 /// Title or briefing in each language.
-Json texts(const Json& node, const FitRequest& request, const Scope& scope) {
+Json texts(const Json& node, const FitRequest& request, const Scope& scope, Filler& filler) {
   Json out = Json::object();
   const auto on = [&](const char* box) { return scope.contains(box) && scope.at(box) != 0.0; };
   const std::string boxes = std::string(on("mesial") ? "M" : "") + "O" + (on("distal") ? "D" : "");
@@ -122,7 +131,7 @@ Json texts(const Json& node, const FitRequest& request, const Scope& scope) {
       if (language == "de") std::ranges::replace(figure, '.', ',');
       marks["{" + name + "}"] = figure;
     }
-    out[language] = replaced(text.get<std::string>(), marks);
+    out[language] = replaced(joined(text, filler), marks);
   }
   return out;
 }
@@ -136,8 +145,8 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   out["format"] = 2;
   out["id"] = request.id.text();
   out["version"] = 1;
-  out["title"] = texts(body.at("title"), request, scope);
-  out["briefing"] = texts(body.at("briefing"), request, scope);
+  out["title"] = texts(body.at("title"), request, scope, filler);
+  out["briefing"] = texts(body.at("briefing"), request, scope, filler);
   SpecimenSource source;
   source.generator = "tooth";
   source.fdi = request.fdi;

@@ -112,6 +112,17 @@ TEST(Templates, EndABoxAboveTheJunctionAndBelowThePulpalFloor) {
   }
 }
 
+TEST(Templates, TellWhetherTheBoxBreaksTheContact) {
+  for (const double beyond : {0.0, -0.15}) {
+    const auto scenario = fitted("class-2-adhesive", 36, {{"beyond", beyond}});
+    ASSERT_TRUE(scenario) << beyond;
+    const bool opens = beyond > -0.1;
+    EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "contact_broken", &Criterion::metric), opens ? 1 : 0);
+    EXPECT_EQ(scenario->briefing.at("en").find("breaks the contact") != std::string::npos, opens);
+    EXPECT_EQ(scenario->briefing.at("en").find("thin shell of enamel") != std::string::npos, !opens);
+  }
+}
+
 TEST(Templates, TakeTheValuesOfParameters) {
   const auto scenario = fitted("class-1-adhesive", 46, {{"depth", 2.1}, {"width", 1.3}});
   ASSERT_TRUE(scenario);
