@@ -14,6 +14,7 @@
 #include "scenarios/format/write.h"
 #include "scenarios/shapes/target.h"
 #include "scenarios/specimens/specimens.h"
+#include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
 
@@ -22,8 +23,9 @@ namespace {
 
 TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
-  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet", "class-1-36-jaw", "class-1-46",     "class-1-25",
-                                  "class-1-16",  "class-2-46-mo", "class-2-25-mod"};
+  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet",    "class-1-36-jaw", "class-1-35",    "class-1-37",
+                                  "class-1-46",  "class-1-25", "class-1-16",        "class-1-17",     "class-2-36-do", "class-2-26-do",
+                                  "class-2-46-mo", "class-2-25-mod"};
   for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
     for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
   }
@@ -51,7 +53,7 @@ TEST(Library, OffersTheLevelsOfAShapeOneAfterAnother) {
 }
 
 TEST(Library, KnowsNoOtherKey) {
-  for (const std::string_view key : {"", "class-1-37", "../class-1-36", "Channel-1"}) {
+  for (const std::string_view key : {"", "class-1-38", "../class-1-36", "Channel-1"}) {
     const auto scenario = load_builtin(key);
     ASSERT_FALSE(scenario) << key;
     EXPECT_EQ(scenario.error().code, FormatError::unknown_builtin);
@@ -64,8 +66,8 @@ TEST(Library, EveryTextStandsAsTheProgramWritesIt) {
 }
 
 TEST(Library, EmbedsTheFilesAsTheyStand) {
-  for (const std::string_view key : {"class-1-36", "class-1-36-wet", "class-1-36-jaw", "class-1-46", "class-1-25", "class-1-16",
-                                     "class-2-46-mo", "class-2-25-mod", "paper-block"}) {
+  for (const std::string_view key : builtin_scenarios()) {
+    if (load_builtin(key)->specimen.generator.ends_with("block") && key != "paper-block") continue;  // generated
     std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json",
                        std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -149,6 +151,31 @@ TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
   EXPECT_LT(deepest_enamel - shape.floor_mm(), 0.6);
 }
 
+TEST(Library, CuttingANeighbourFailsAClassTwo) {
+  for (const std::string_view key : {"class-2-36-do", "class-2-26-do", "class-2-46-mo"}) {
+    const Scenario s = *load_builtin(key);
+    EXPECT_EQ(std::ranges::count(s.rubric.critical, "protected_damage"), 1) << key;
+    const auto enamel = std::ranges::find_if(s.protected_parts, [](const Protected& one) { return one.severity == Damage::depth; });
+    ASSERT_NE(enamel, s.protected_parts.end()) << key;
+    EXPECT_EQ(enamel->region->tissue, kNeighbourEnamel) << key;
+    EXPECT_EQ(std::ranges::count(s.rubric.criteria, "protected_removed", &Criterion::metric), 1) << key;
+  }
+}
+
+TEST(Library, HasTwelveExercisesOnEightTeethOfBothJaws) {
+  std::set<int> teeth;
+  int exercises = 0;
+  for (const std::string_view key : builtin_scenarios()) {
+    const SpecimenSource of = load_builtin(key)->specimen;
+    if (of.generator != "tooth") continue;
+    ++exercises;
+    teeth.insert(of.fdi);
+  }
+  EXPECT_GE(exercises, 12);
+  EXPECT_GE(teeth.size(), 8u);
+  EXPECT_GE(std::ranges::count_if(teeth, [](int fdi) { return fdi < 30; }), 3);
+}
+
 TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
   // A change of any value is a new version: raise `version` in the file or in block_exercises.cpp, take the new hash from here.
   const std::pair<std::string_view, std::string_view> hashes[] = {
@@ -161,6 +188,11 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"class-1-16", "f15410071924726dfd0d4e36a8311dbe059140d0cc4cc1c0c121547b2e93e0a9"},
       {"class-2-46-mo", "d6d726d1175322fe5fc916ff4174ae96b7316a54a02ec7e2c77bdff137c8c255"},
       {"class-2-25-mod", "b41551238bcad8ce2dd737823ab5dc83f041c27d6f79d30318e806fc7cbd6a7e"},
+      {"class-2-36-do", "1a4d5dd72aca5d0ea8d1ebc709ed4ef555e19bc2bd059d63aaa9395f0b9384cd"},
+      {"class-2-26-do", "573d84c2154ff2577a3b1f69e5cdc13435a9476aa0886c56137debdec95d00fc"},
+      {"class-1-35", "b119ca4bf1b97bcafbe10eaf020083c7d34d81fd9ddc4787c846c648291621a4"},
+      {"class-1-37", "38884f1f89edbd4359040aa377b315e891747f709a73688c5cb337ab7e2f108f"},
+      {"class-1-17", "1c7739f4d5f1af018ac0cfe3da61d97d5d9863f30b8cb51b91ca2621c088386b"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
       {"channel-2", "be02e9086351af9c6700ff3e3317484c0a5e60692f6cc157434c8eb5144b96ae"},
       {"channel-3", "84f71a9fa5df073e7b6f91b172fc44e9d823937eb6f239afe1b538f9efc7e4ab"},
