@@ -99,19 +99,14 @@ QString exercise_message(const Finding& f, double value, double limit) {
   return {};
 }
 
-}  // namespace
+double arg_of(const Finding& f, const char* key) {
+  const auto it = f.args.find(key);
+  return it == f.args.end() ? 0.0 : it->second;
+}
 
-QString check_message(const Finding& f) {
-  const auto arg = [&](const char* key) {
-    const auto it = f.args.find(key);
-    return it == f.args.end() ? 0.0 : it->second;
-  };
-  const double value = arg("value"), limit = arg("limit");
-  const QString name = QString::fromStdString(f.detail);
-  const QString& c = QString::fromStdString(f.code);
-  if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg("least"), arg("most"));
-  if (const QString found = exercise_message(f, value, limit); !found.isEmpty()) return found;
-  if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
+/// Message of a finding about the target; empty for any other.
+QString target_message(const Finding& f, double value, double limit) {
+  const QString c = QString::fromStdString(f.code);
   if (c == u"no_target" || c == u"empty_target") return CheckText::tr("There is no target to cut.");
   if (c == u"no_direction") return CheckText::tr("A shape of the target has no direction: an axis has no length, or two are parallel.");
   if (c == u"target_tissue_missing") return CheckText::tr("The target is made of %1, which this tooth does not have.").arg(tissue_of(f));
@@ -119,27 +114,40 @@ QString check_message(const Finding& f) {
   if (c == u"target_endless") return CheckText::tr("The target has no end on a side. Cut it with a shape that has one.");
   if (c == u"nothing_protected") return CheckText::tr("Damage of a protected part fails the attempt, and nothing is protected.");
   if (c == u"path_count" || c == u"point_count") return CheckText::tr("The target’s points do not fit its shape.");
-  if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
-  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
-  if (c == u"bands_not_ordered") {
-    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
-  }
-  if (c == u"pass_unreachable") {
-    return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
-        .arg(format_points(value), format_points(limit));
-  }
   if (c == u"protected_missing") return CheckText::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f));
-  if (c == u"tissue_missing") return CheckText::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f));
-  if (c == u"tissue_unused") return CheckText::tr("%1 is described, but this tooth has none.").arg(tissue_of(f));
   if (c == u"target_outside") {
     return CheckText::tr("The target reaches out of the tooth: to %1, where the tooth ends at %2.").arg(mm(value), mm(limit));
-  }
-  if (c == u"voxel_mismatch") {
-    return CheckText::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
   }
   if (c == u"feature_thin") {
     return CheckText::tr("%1 is too thin to be judged at this fineness; from %2 it can.").arg(mm(value), mm(limit));
   }
+  if (c == u"corner_below_bur") {
+    return CheckText::tr("The corner radius %1 is sharper than the smallest bur leaves it (%2).").arg(mm(value), mm(limit));
+  }
+  if (c == u"leeway_below_voxel") {
+    return CheckText::tr("The tolerance zone of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
+  }
+  if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
+  if (c == u"target_scores_less") {
+    return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")
+        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail));
+  }
+  if (c == u"target_opens_pulp") {
+    return f.detail == "horn"
+               ? CheckText::tr("The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.").arg(mm(value))
+               : CheckText::tr("The target reaches into the pulp, and opening it fails the attempt: nobody could pass.");
+  }
+  if (c == u"leeway_opens_pulp") {
+    return CheckText::tr("The tolerance zone reaches the pulp: it lies %1 from the target.").arg(mm(value));
+  }
+  return {};
+}
+
+/// Message of a finding about burs and handpieces; empty for any other.
+QString tool_message(const Finding& f, double value, double limit) {
+  const QString c = QString::fromStdString(f.code);
+  const QString name = QString::fromStdString(f.detail);
+  if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
   if (c == u"bur_small") {
     return CheckText::tr("Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
         .arg(name, mm(2 * value), mm(2 * limit));
@@ -152,29 +160,6 @@ QString check_message(const Finding& f) {
   if (c == u"bur_wider_than_target") {
     return CheckText::tr("No bur fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
   }
-  if (c == u"corner_below_bur") {
-    return CheckText::tr("The corner radius %1 is sharper than the smallest bur leaves it (%2).").arg(mm(value), mm(limit));
-  }
-  if (c == u"leeway_below_voxel") {
-    return CheckText::tr("The tolerance zone of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
-  }
-  if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
-  if (c == u"target_scores_less") {
-    return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")
-        .arg(format_points(arg("lost")), metric_name(f.detail));
-  }
-  if (c == u"language_missing") {
-    return f.path == "/title" ? CheckText::tr("The title is missing in %1.").arg(language_of(f))
-                              : CheckText::tr("The briefing is missing in %1.").arg(language_of(f));
-  }
-  if (c == u"target_opens_pulp") {
-    return f.detail == "horn"
-               ? CheckText::tr("The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.").arg(mm(value))
-               : CheckText::tr("The target reaches into the pulp, and opening it fails the attempt: nobody could pass.");
-  }
-  if (c == u"leeway_opens_pulp") {
-    return CheckText::tr("The tolerance zone reaches the pulp: it lies %1 from the target.").arg(mm(value));
-  }
   if (c == u"two_spindles") return CheckText::tr("Only one handpiece can be used at a time.");
   if (c == u"spindle_missing") {
     return f.detail == "sound" ? CheckText::tr("The drilling sound needs a handpiece.")
@@ -182,6 +167,35 @@ QString check_message(const Finding& f) {
   }
   if (c == u"heat_missing") {
     return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail));
+  }
+  return {};
+}
+
+}  // namespace
+
+QString check_message(const Finding& f) {
+  const QString c = QString::fromStdString(f.code);
+  const double value = arg_of(f, "value"), limit = arg_of(f, "limit");
+  if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg_of(f, "least"), arg_of(f, "most"));
+  for (const auto message : {exercise_message, target_message, tool_message})
+    if (const QString found = message(f, value, limit); !found.isEmpty()) return found;
+  if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
+  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
+  if (c == u"bands_not_ordered") {
+    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
+  }
+  if (c == u"pass_unreachable") {
+    return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
+        .arg(format_points(value), format_points(limit));
+  }
+  if (c == u"tissue_missing") return CheckText::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f));
+  if (c == u"tissue_unused") return CheckText::tr("%1 is described, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"voxel_mismatch") {
+    return CheckText::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
+  }
+  if (c == u"language_missing") {
+    return f.path == "/title" ? CheckText::tr("The title is missing in %1.").arg(language_of(f))
+                              : CheckText::tr("The briefing is missing in %1.").arg(language_of(f));
   }
   if (c == u"nothing_can_be_cut") return CheckText::tr("Nothing of this tooth can be cut.");
   return CheckText::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));

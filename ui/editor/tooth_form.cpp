@@ -26,6 +26,13 @@ Lesion::Kind kind_of(const std::string& key) {
   return key == "proximal" ? Lesion::Kind::proximal : key == "root" ? Lesion::Kind::root : Lesion::Kind::fissure;
 }
 
+/// A change of the lesion with this number, if the tooth has it.
+std::function<void(SpecimenSource&)> on_lesion(std::size_t index, std::function<void(LesionSource&)> act) {
+  return [index, act = std::move(act)](SpecimenSource& s) {
+    if (index < s.lesions.size()) act(s.lesions[index]);
+  };
+}
+
 QString site_name(const std::string& kind, const std::string& site) {
   if (kind == "fissure") {
     if (site == "central") return ToothForm::tr("Central pit");
@@ -155,6 +162,22 @@ void ToothForm::fill_sites(QComboBox& box, const LesionSource& lesion) const {
   if (box.findData(own) < 0) box.addItem(site_name(lesion.kind, lesion.site), own);
 }
 
+void ToothForm::add_figures(LesionRow& row, QVBoxLayout* column, std::size_t index) {
+  const QString field = u"lesion/%1/"_qs.arg(index);
+  const int number = static_cast<int>(index) + 1;
+  // The form shows the diameter; scenario.json holds the radius.
+  row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostLesionSizeMm, 0.1, 1,
+                           [=, this](double mm) { return edit(field + u"size"_qs, on_lesion(index, [mm](LesionSource& l) { l.radius_mm = mm / 2; })); });
+  add_row(column, tr("Width"), row.size);
+  row.depth = new NumberBox(model_, tr("Depth of carious lesion %1").arg(number), u"mm"_qs, 0, kMostLesionDepthMm, 0.1, 1,
+                            [=, this](double mm) { return edit(field + u"depth"_qs, on_lesion(index, [mm](LesionSource& l) { l.depth_mm = mm; })); });
+  row.depth_label = add_row(column, tr("Depth"), row.depth);
+  row.softness = new NumberBox(model_, tr("Softness of carious lesion %1").arg(number), u"%"_qs, 0, 100, 5, 0,
+                               [=, this](double share) { return edit(field + u"soft"_qs, on_lesion(index, [share](LesionSource& l) { l.softness = share / 100; })); });
+  row.softness->setToolTip(tr("How far from its middle to its rim the lesion is soft; the rest is firm"));
+  add_row(column, tr("Soft"), row.softness);
+}
+
 ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   LesionRow row{};
   auto* card = new QWidget;
@@ -163,11 +186,6 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   column->setSpacing(px(4));
   const QString field = u"lesion/%1/"_qs.arg(index);
   const int number = static_cast<int>(index) + 1;
-  const auto on_lesion = [index](const std::function<void(LesionSource&)>& act) {
-    return [index, act](SpecimenSource& s) {
-      if (index < s.lesions.size()) act(s.lesions[index]);
-    };
-  };
   auto* head = new QHBoxLayout;
   head->setSpacing(px(4));
   row.kind = new QComboBox;
@@ -188,33 +206,23 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   head->addWidget(remove);
   column->addLayout(head);
   column->addWidget(row.site);
-  connect(row.kind, &QComboBox::activated, this, [this, on_lesion, field, box = row.kind](int) {
+  connect(row.kind, &QComboBox::activated, this, [this, index, field, box = row.kind](int) {
     const std::string kind = box->currentData().toString().toStdString();
     const auto sites = lesion_sites(model_.scenario().specimen.fdi, kind_of(kind));
-    edit_at_once(field + u"kind"_qs, on_lesion([&](LesionSource& l) {
+    edit_at_once(field + u"kind"_qs, on_lesion(index, [&](LesionSource& l) {
       l.kind = kind;
       if (std::ranges::find(sites, l.site) == sites.end() && !sites.empty()) l.site = sites.front();
     }));
   });
-  connect(row.site, &QComboBox::activated, this, [this, on_lesion, field, box = row.site](int) {
-    edit_at_once(field + u"site"_qs, on_lesion([&](LesionSource& l) { l.site = box->currentData().toString().toStdString(); }));
+  connect(row.site, &QComboBox::activated, this, [this, index, field, box = row.site](int) {
+    edit_at_once(field + u"site"_qs, on_lesion(index, [&](LesionSource& l) { l.site = box->currentData().toString().toStdString(); }));
   });
   connect(remove, &QToolButton::clicked, this, [this, index] {
     edit_at_once(u"lesions"_qs, [index](SpecimenSource& s) {
       if (index < s.lesions.size()) s.lesions.erase(s.lesions.begin() + static_cast<std::ptrdiff_t>(index));
     });
   });
-  // The form shows the diameter; scenario.json holds the radius.
-  row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostLesionSizeMm, 0.1, 1,
-                           [=, this](double mm) { return edit(field + u"size"_qs, on_lesion([mm](LesionSource& l) { l.radius_mm = mm / 2; })); });
-  add_row(column, tr("Width"), row.size);
-  row.depth = new NumberBox(model_, tr("Depth of carious lesion %1").arg(number), u"mm"_qs, 0, kMostLesionDepthMm, 0.1, 1,
-                            [=, this](double mm) { return edit(field + u"depth"_qs, on_lesion([mm](LesionSource& l) { l.depth_mm = mm; })); });
-  row.depth_label = add_row(column, tr("Depth"), row.depth);
-  row.softness = new NumberBox(model_, tr("Softness of carious lesion %1").arg(number), u"%"_qs, 0, 100, 5, 0,
-                               [=, this](double share) { return edit(field + u"soft"_qs, on_lesion([share](LesionSource& l) { l.softness = share / 100; })); });
-  row.softness->setToolTip(tr("How far from its middle to its rim the lesion is soft; the rest is firm"));
-  add_row(column, tr("Soft"), row.softness);
+  add_figures(row, column, index);
   list_->addWidget(card);
   return row;
 }

@@ -31,6 +31,7 @@ class ToothForm : public QWidget {
   };
   void follow_model();
   LesionRow make_row(std::size_t index);
+  void add_figures(LesionRow& row, QVBoxLayout* column, std::size_t index);
   void fill_sites(QComboBox& box, const LesionSource& lesion) const;
   void add_lesion();
   void set_around(const char* key, bool on);
