@@ -54,6 +54,11 @@ Transaction::~Transaction() {
   if (open_ && database_.in_transaction()) static_cast<void>(database_.run("ROLLBACK"));
 }
 
+bool Transaction::ok() {
+  if (open_ && !failure_ && !database_.in_transaction()) refuse({StorageError::io, database_.file().string(), "rolled back"});
+  return !failure_;
+}
+
 Stored<void> Transaction::commit() {
   if (ok()) {
     if (auto done = database_.run("COMMIT"); !done) refuse(std::move(done.error()));

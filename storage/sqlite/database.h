@@ -134,7 +134,8 @@ class Snapshot {
 };
 
 /// BEGIN IMMEDIATE to COMMIT. After the first failure it skips further statements; commit() then rolls back and returns
-/// that failure. The destructor rolls back if commit() was not called.
+/// that failure. A rollback by SQLite itself, as after a failed read, is such a failure: what followed would commit alone.
+/// The destructor rolls back if commit() was not called.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -143,7 +144,8 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
 
   Database& database() noexcept { return database_; }
-  bool ok() const noexcept { return !failure_; }
+  /// False after a failure, and after SQLite has rolled back.
+  bool ok();
   /// Makes the transaction fail, unless it has failed already.
   void refuse(StorageFailure failure) {
     if (!failure_) failure_ = std::move(failure);

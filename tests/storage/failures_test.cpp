@@ -207,6 +207,21 @@ TEST_F(FailuresTest, a_new_file_on_a_failing_disk_is_whole_or_not_there_and_can_
   }
 }
 
+TEST_F(FailuresTest, after_sqlite_has_rolled_back_nothing_more_is_written) {
+  // As after a read that failed and that the caller took for "none".
+  const auto store = open(folder / "start.db", quick());
+  const auto names = [&] { return must(store->database().all("SELECT name FROM people ORDER BY id", [](Row row) { return row.text(0); })); };
+  const auto before = names();
+  ASSERT_FALSE(before.empty());
+  Transaction transaction(store->database());
+  transaction.run("UPDATE people SET name = 'first'");
+  must(store->database().run("ROLLBACK"));
+  transaction.run("UPDATE people SET name = 'alone'");
+  const Stored<void> done = transaction.commit();
+  EXPECT_EQ(code_of(done), StorageError::io);
+  EXPECT_EQ(names(), before);
+}
+
 TEST_F(FailuresTest, a_file_that_another_holds_is_busy_and_nothing_is_lost) {
   StoreOptions options = quick();
   options.database.busy_timeout_ms = 1;
