@@ -74,12 +74,19 @@ class Committed(unittest.TestCase):
             self.assertIn(voxel, shown)
 
     def test_a_cell_of_the_map_shows_failures_and_largest_stiffness(self):
-        stability = self.tables["stability"]
+        def row(k_max, k_exact, failures, **other):
+            return {"method": "surface", "case": "face", "guard": "on", "device": "m0.1-b2", "grip": "soft", "friction_n": "0", "delay_ms": "1",
+                    "k_max_n_per_mm": k_max, "k_exact_n_per_mm": k_exact, "failures": failures, **other}
+
+        # The least over the usual device counts, and what another device fails in does not.
+        stability = table("stability", [row("10.29", "1.5", ""), row("10.29", "1.66", "kicks"), row("1", "5", "through", device="m0.25-b5")])
         ratio, beyond, failed = stability_charts.cell(stability, "face", True, "surface", "on")
-        self.assertAlmostEqual(ratio, 6.2, delta=0.1)
+        self.assertAlmostEqual(ratio, 10.29 / 1.66)
         self.assertTrue(beyond)
-        self.assertEqual(failed, [])
-        self.assertIn("through", stability_charts.cell(stability, "thin-wall", False, "penalty", "on")[2])
+        self.assertEqual(failed, ["kicks"])
+        committed = self.tables["stability"]
+        self.assertEqual(stability_charts.cell(committed, "face", True, "surface", "on")[2], [])
+        self.assertIn("through", stability_charts.cell(committed, "thin-wall", False, "penalty", "on")[2])
 
     def test_missing_rows_are_named_and_nothing_is_drawn(self):
         for name, is_dropped, figure, word in (
