@@ -83,7 +83,7 @@ std::optional<Plan> plan_by_name(std::string_view name, const Scenario& scenario
   if (name == "reference") return plan_target(scenario, specimen);
   const auto fault = fault_by_name(name);
   if (!fault || *fault == OperatorFault::shaky || *fault == OperatorFault::dry) return std::nullopt;
-  return plan_target(scenario, specimen, errors_of(*fault, scenario));
+  return plan_target(scenario, specimen, errors_of(*fault, scenario, specimen));
 }
 
 }  // namespace cusp::scenarios

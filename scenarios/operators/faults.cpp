@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "scenarios/operators/expert.h"
@@ -11,6 +12,14 @@ namespace cusp::scenarios {
 
 namespace {
 constexpr double kNoviceStopsS = 450.0;  // the novice ends then, where tissues give way at their own speeds
+
+/// From the target's floor to its top, mm.
+double depth_of(const Scenario& scenario, const Specimen& specimen) {
+  const std::shared_ptr<const Specimen> lent(std::shared_ptr<const Specimen>(), &specimen);
+  const TargetShape target(scenario.target, lent);
+  return target.top_mm() - target.floor_mm();
+}
+
 }  // namespace
 
 std::optional<OperatorFault> fault_by_name(std::string_view name) noexcept {
@@ -28,10 +37,9 @@ std::optional<OperatorFault> fault_by_name(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-PlanErrors errors_of(OperatorFault fault, const Scenario& scenario) {
+PlanErrors errors_of(OperatorFault fault, const Scenario& scenario, const Specimen& specimen) {
   PlanErrors out;
   const bool banded = reading_of(scenario.method) == Reading::banded;
-  const TargetShape target(scenario.target);
   switch (fault) {
     case OperatorFault::novice:
       out.deeper_mm = 0.9;
@@ -47,7 +55,7 @@ PlanErrors errors_of(OperatorFault fault, const Scenario& scenario) {
       out.shift_mm = {0.4 * scenario.leeway.side_mm, 0.4 * scenario.leeway.side_mm, 0.0};
       break;
     case OperatorFault::too_deep: out.deeper_mm = 0.8; break;
-    case OperatorFault::too_shallow: out.deeper_mm = -std::min(0.8, 0.5 * (target.top_mm() - target.floor_mm())); break;
+    case OperatorFault::too_shallow: out.deeper_mm = -std::min(0.8, 0.5 * depth_of(scenario, specimen)); break;
     case OperatorFault::off_outline: out.shift_mm = {0.0, 0.7, 0.0}; break;
     case OperatorFault::pulp: out.drill_to_pulp = true; break;
     case OperatorFault::shaky:
@@ -77,7 +85,7 @@ ScriptedOperator faulty(OperatorFault fault, const Scenario& scenario, const Spe
     case OperatorFault::dry: style.coolant = false; break;
     default: break;
   }
-  Plan plan = plan_target(scenario, specimen, errors_of(fault, scenario));
+  Plan plan = plan_target(scenario, specimen, errors_of(fault, scenario, specimen));
   if (fault == OperatorFault::novice) style.max_s = kNoviceStopsS / light_speed_share(scenario, plan.bur);
   return ScriptedOperator(std::move(plan), style, scenario);
 }

@@ -25,7 +25,7 @@ enum class OperatorFault : std::uint8_t {
 [[nodiscard]] std::optional<OperatorFault> fault_by_name(std::string_view name) noexcept;
 
 /// How the fault changes the path.
-[[nodiscard]] PlanErrors errors_of(OperatorFault fault, const Scenario& scenario);
+[[nodiscard]] PlanErrors errors_of(OperatorFault fault, const Scenario& scenario, const Specimen& specimen);
 
 [[nodiscard]] ScriptedOperator faulty(OperatorFault fault, const Scenario& scenario, const Specimen& specimen,
                                       std::uint64_t seed = 1);
