@@ -75,7 +75,7 @@ Json Filler::paths(const Json& node, double floor, const std::string& where) {
 }
 
 Json Filler::object(const Json& node, const std::string& where) {
-  static const std::set<std::string, std::less<>> kWords = {"kind", "shape", "metric", "tissue", "faces", "severity"};
+  static const std::set<std::string, std::less<>> kWords = {"kind", "shape", "metric", "tissue", "faces", "severity", "site", "down_to"};
   Json out = Json::object();
   for (const auto& [key, value] : node.items()) {
     if (key == "when" || key == "paths") continue;
@@ -105,6 +105,16 @@ std::string replaced(std::string text, const std::map<std::string, std::string>&
   for (const auto& [mark, value] : marks)
     for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size())) text.replace(at, mark.size(), value);
   return text;
+}
+
+LesionSource lesion_of(const Json& one) {
+  LesionSource out;
+  out.kind = one.at("kind").get<std::string>();
+  out.site = one.at("site").get<std::string>();
+  out.radius_mm = one.at("radius_mm").get<double>();
+  out.depth_mm = one.at("depth_mm").get<double>();
+  out.softness = one.at("softness").get<double>();
+  return out;
 }
 
 /// A text, or its parts: strings, and objects with "when" and "text".
@@ -155,6 +165,10 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   source.voxel_mm = common.at("voxel_mm").get<double>();
   out["specimen"] = {{"generator", "tooth"}, {"fdi", source.fdi}, {"seed", source.seed}, {"voxel_mm", source.voxel_mm}};
   if (!source.around.empty()) out["specimen"]["around"] = source.around;
+  if (body.contains("lesions")) {
+    out["specimen"]["lesions"] = filler.filled(body.at("lesions"), "/lesions");
+    for (const Json& one : out["specimen"]["lesions"]) source.lesions.push_back(lesion_of(one));
+  }
   out["tissues"] = Json::array();
   for (const Tissue tissue : tissues_of(source)) {
     const std::size_t code = index_of(tissue);

@@ -31,7 +31,7 @@ Result<Scenario, FitFailure> fitted(const std::string& key, int fdi, std::map<st
 std::string text_of(const FitFailure& f) { return std::string(key_of(f.code)) + " " + f.where + " " + f.detail; }
 
 TEST(Templates, FitEveryPremolarAndMolarWithoutAFinding) {
-  ASSERT_EQ(exercise_templates().size(), 4u);
+  ASSERT_EQ(exercise_templates().size(), 5u);
   for (const ExerciseTemplate& one : exercise_templates())
     for (const int fdi : posterior_teeth()) {
       const auto scenario = fitted(one.key, fdi);
@@ -120,6 +120,19 @@ TEST(Templates, TellWhetherTheBoxBreaksTheContact) {
     EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "contact_broken", &Criterion::metric), opens ? 1 : 0);
     EXPECT_EQ(scenario->briefing.at("en").find("breaks the contact") != std::string::npos, opens);
     EXPECT_EQ(scenario->briefing.at("en").find("thin shell of enamel") != std::string::npos, !opens);
+  }
+}
+
+TEST(Templates, PlaceALesionAndAskForItsSoftPartOverThePulpWhereItIsDeep) {
+  for (const double deep : {1.5, 2.0}) {
+    const auto scenario = fitted("caries-fissure", 47, {{"deep", deep}, {"radius", 1.1}});
+    ASSERT_TRUE(scenario) << deep;
+    ASSERT_EQ(scenario->specimen.lesions.size(), 1u);
+    EXPECT_DOUBLE_EQ(scenario->specimen.lesions[0].depth_mm, deep);
+    EXPECT_DOUBLE_EQ(scenario->specimen.lesions[0].radius_mm, 1.1);
+    const bool asked = deep > 1.7;  // 0.85 * 0.85 of it is soft, and 1 mm is the periphery
+    EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "caries_left_pulp", &Criterion::metric), asked ? 1 : 0) << deep;
+    EXPECT_EQ(scenario->briefing.at("en").find("in enamel and over the pulp") != std::string::npos, asked) << deep;
   }
 }
 
