@@ -11,7 +11,8 @@ namespace {
 constexpr double kFalseMm = 1e-4;          // a place that stands so far above its feature lies in the void
 constexpr double kSameMm = 1e-4;           // features nearer to each other are one
 constexpr double kJumpMm = 1e-3;           // a place further from its last one is another place
-constexpr int kDescentPasses = 10, kSettlePasses = 6;
+constexpr int kDescentPasses = 10;
+constexpr int kSettlePasses = 6;           // three settle a place at an islet's tips (stability), and two overlap it by 94 um
 constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
 constexpr double kGainMm = 1e-7;           // each step comes nearer by this: half of the rounding of the sweeps' places
 constexpr double kStepVoxels = 1.0, kLeastStepMm = 1e-3;  // longest and shortest step

@@ -180,74 +180,91 @@ inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, 
   }
 }
 
-/// Builds the constraints, seen from `at` and at most slack_mm away, of all that a step from `centre` can reach.
-void SurfaceContact::build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
-                                 double slack_mm) noexcept {
-  planes_.clear();
-  near_cut_ = false;
+/// What is known of a candidate, made if it was not.
+inline SurfaceContact::Known SurfaceContact::known_of(const Volume& volume, const Tool& tool, std::size_t i) noexcept {
+  if (known_[i] == Known::unmade) make(volume, tool, i);
+  return known_[i];
+}
+
+/// Those of a ball. The number of candidates looked at.
+std::size_t SurfaceContact::add_ball_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+                                                 double slack_mm) noexcept {
   const double r = tool.bur->radius_mm;
-  const double edge_mm = 0.7 * voxel_mm_;
+  const double edge_mm = kHalfEdge * voxel_mm_;
   const double ball = r + step, edge = ball + edge_mm;
   const double ball2 = ball * ball, edge2 = edge * edge;
-  // A plane reaches 0.8 voxel beside its point, an edge 0.7 along its tangent.
   const double beside = kPlaneReach * voxel_mm_;
   const double flat2 = (r + slack_mm) * (r + slack_mm) + beside * beside;
   const double bent = edges_ ? r + slack_mm + edge_mm : 0.0;
   const double wide = std::sqrt(std::max(flat2, bent * bent)) / voxel_mm_ + kFloatSlack;
+  broad_faces_.count = broad_edges_.count = broad_others_.count = 0;
+  for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), Vec3f((at - gathered_.centre) / voxel_mm_),
+           static_cast<float>(wide * wide), [&](int k) {
+             const Known what = known_of(volume, tool, static_cast<std::size_t>(k));
+             (what == Known::edge ? broad_edges_ : what == Known::other ? broad_others_ : broad_faces_).add(k);
+           });
+  const std::size_t looked = broad_faces_.count + broad_edges_.count + broad_others_.count;
+  add_face_constraints(centre, ball2, at, slack_mm);
+  add_edge_constraints(tool, centre, edge2, at, slack_mm);
+  for (std::size_t j = 0; j < broad_others_.count; ++j) {
+    const Vec3 d = candidates_[broad_others_[j]].point - centre;
+    if (glm::dot(d, d) <= ball2) constrain(tool, broad_others_[j], at, slack_mm);
+  }
+  return looked;
+}
+
+/// Those of a head that is no ball.
+std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+                                                 double slack_mm) noexcept {
+  // A rim stands on the plane of a point that is beside it.
+  const double beside = std::max(kPlaneReach * voxel_mm_, kHalfEdge * voxel_mm_);
+  const Reach reach = head_within(tool, slack_mm + beside);
+  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
+  shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
   std::size_t looked = 0;
-  const auto known = [&](std::size_t i) {
-    if (known_[i] == Known::unmade) make(volume, tool, i);
-    return known_[i];
+  for_inside(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), shape, [&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    known_of(volume, tool, i);
+    ++looked;
+    const double far = step + beside;
+    if (head_distance(*tool.bur, tool.axis, candidates_[i].point - centre) <= far) constrain(tool, i, at, slack_mm);
+  });
+  return looked;
+}
+
+/// Those of neck and shank: of what the step may touch (more may be at hand), and comes near there.
+std::size_t SurfaceContact::add_shank_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+                                                  double slack_mm) noexcept {
+  const Reach shank = shank_within(tool, step), there = shank_within(tool, slack_mm);
+  const auto touches = [&](const Reach& reach, Vec3 from, Vec3 p) {
+    const Vec3 d = p - from;
+    const double t = glm::dot(d, tool.axis);
+    if (t < reach.from || t > reach.to) return false;
+    const double radius = t > reach.wide_from ? reach.thick : reach.slim;
+    return glm::dot(d, d) - t * t <= radius * radius;
   };
-  const Vec3f here((at - gathered_.centre) / voxel_mm_);
-  if (tool.ball()) {
-    broad_faces_.count = broad_edges_.count = broad_others_.count = 0;
-    for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), here,
-             static_cast<float>(wide * wide), [&](int k) {
-               const Known what = known(static_cast<std::size_t>(k));
-               (what == Known::edge ? broad_edges_ : what == Known::other ? broad_others_ : broad_faces_).add(k);
-             });
-    looked = broad_faces_.count + broad_edges_.count + broad_others_.count;
-    add_face_constraints(centre, ball2, at, slack_mm);
-    add_edge_constraints(tool, centre, edge2, at, slack_mm);
-    for (std::size_t j = 0; j < broad_others_.count; ++j) {
-      const Vec3 d = candidates_[broad_others_[j]].point - centre;
-      if (glm::dot(d, d) <= ball2) constrain(tool, broad_others_[j], at, slack_mm);
-    }
-  } else {
-    const Reach reach = head_within(tool, slack_mm + std::max(beside, edge_mm));
-    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
-    shape.at = here;
-    for_inside(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), shape, [&](int k) {
-      const auto i = static_cast<std::size_t>(k);
-      known(i);
-      ++looked;
-      // A rim stands on the plane of a point that is beside it.
-      const double far = step + std::max(beside, edge_mm);
-      if (head_distance(*tool.bur, tool.axis, candidates_[i].point - centre) <= far) constrain(tool, i, at, slack_mm);
-    });
-  }
-  if (shank_count_ > 0) {
-    // What the step may touch (more may be at hand), and comes near there.
-    const Reach shank = shank_within(tool, step), there = shank_within(tool, slack_mm);
-    const auto touches = [&](const Reach& reach, Vec3 from, Vec3 p) {
-      const Vec3 d = p - from;
-      const double t = glm::dot(d, tool.axis);
-      if (t < reach.from || t > reach.to) return false;
-      const double radius = t > reach.wide_from ? reach.thick : reach.slim;
-      return glm::dot(d, d) - t * t <= radius * radius;
-    };
-    TwoCylinders shape = cylinders_of(there.from, there.wide_from, there.to, there.slim, there.thick, tool.axis, 1.0 / voxel_mm_);
-    shape.at = here;
-    const std::size_t from = ball_count_;
-    for_inside(&place_x_[from], &place_y_[from], &place_z_[from], static_cast<int>(shank_count_), shape, [&](int k) {
-      const std::size_t i = from + static_cast<std::size_t>(k);
-      known(i);
-      ++looked;
-      const Vec3 p = candidates_[i].point;
-      if (touches(there, at, p) && touches(shank, centre, p)) constrain(tool, i, at, slack_mm);
-    });
-  }
+  TwoCylinders shape = cylinders_of(there.from, there.wide_from, there.to, there.slim, there.thick, tool.axis, 1.0 / voxel_mm_);
+  shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
+  const std::size_t from = ball_count_;
+  std::size_t looked = 0;
+  for_inside(&place_x_[from], &place_y_[from], &place_z_[from], static_cast<int>(shank_count_), shape, [&](int k) {
+    const std::size_t i = from + static_cast<std::size_t>(k);
+    known_of(volume, tool, i);
+    ++looked;
+    const Vec3 p = candidates_[i].point;
+    if (touches(there, at, p) && touches(shank, centre, p)) constrain(tool, i, at, slack_mm);
+  });
+  return looked;
+}
+
+/// Builds the constraints, seen from `at` and at most slack_mm away, of all that a step from `centre` can reach.
+void SurfaceContact::build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+                                       double slack_mm) noexcept {
+  planes_.clear();
+  near_cut_ = false;
+  std::size_t looked = tool.ball() ? add_ball_constraints(volume, tool, centre, step, at, slack_mm)
+                                   : add_head_constraints(volume, tool, centre, step, at, slack_mm);
+  if (shank_count_ > 0) looked += add_shank_constraints(volume, tool, centre, step, at, slack_mm);
   built_ = {at, slack_mm, planes_.size()};
   if (looked > most_candidates_) most_candidates_ = looked;
   candidates_left_ -= static_cast<int>(looked);

@@ -262,6 +262,10 @@ class SurfaceContact {
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   void build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  Known known_of(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
+  std::size_t add_ball_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
+  std::size_t add_head_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
+  std::size_t add_shank_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   struct EdgePair;
   void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
@@ -294,6 +298,7 @@ class SurfaceContact {
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
   struct PlaneSolve;
   void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;
+  void build_anew(PlaneSolve& s) noexcept;
   void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
@@ -304,6 +309,11 @@ class SurfaceContact {
   bool solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm, Contact& out) noexcept;
   Contact solve_in_cavity(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm) noexcept;
   PlaneSearch search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept;
+  struct Touching;
+  bool group_surfaces(const PlaneSearch& found, Touching& t) const noexcept;
+  bool enclosed(const PlaneSearch& found, const Touching& t) const noexcept;
+  bool correct(const Volume& volume, const Tool& tool, Vec3 at, Touching& t) noexcept;
+  bool polish_holds(const Tool& tool, Vec3 at, const Touching& t) const noexcept;
   Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
   HeadFoot foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept;
   void note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;

@@ -44,14 +44,15 @@ struct SurfaceContact::PlaneSolve {
   bool left = false;        // the step ends before the search does
   bool rolling = false;
   double next_step = 0.0;
-
-  /// Constraints are next built at the present pose, for the whole step.
-  void build_here() noexcept {
-    at = y;
-    limit = 2.0 * step;
-    last_moved = 1.0;
-  }
 };
+
+/// Constraints are next built at the present pose, for the whole step.
+void SurfaceContact::build_anew(PlaneSolve& s) noexcept {
+  s.at = s.y;
+  s.limit = 2.0 * s.step;
+  s.last_moved = 1.0;
+  built_.within_mm = -1.0;
+}
 
 void SurfaceContact::begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept {
   s.centre = s.at = s.y;
@@ -105,8 +106,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
   if (infeasible && s.uses_prediction) {
     // Constraints built at a predicted pose may contradict each other: they are built again at the present one.
     s.uses_prediction = false;
-    s.build_here();
-    built_.within_mm = -1.0;
+    build_anew(s);
     return true;
   }
   s.out.infeasible = s.out.infeasible || infeasible;
@@ -131,8 +131,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
     // No smooth foot for each constraint: from here on the point under the push is a candidate too.
     s.with_foot = true;
     s.left = false;
-    s.build_here();
-    built_.within_mm = -1.0;
+    build_anew(s);
     return true;
   }
   go_to(found, polished, whole, s);

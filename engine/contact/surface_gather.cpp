@@ -131,7 +131,7 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
 
 void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
   // An edge holds 0.7 voxel either way along its tangent.
-  const double edge_mm = 0.7 * voxel_mm_;
+  const double edge_mm = kHalfEdge * voxel_mm_;
   edges_ = false;
   const double per_mm = 1.0 / voxel_mm_;
   // With the shank's cells in the same bricks: what brings a brick's cells up to date moves its pages.

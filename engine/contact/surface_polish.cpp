@@ -27,74 +27,118 @@ SurfaceContact::HeadFoot SurfaceContact::foot_of(const Tool& tool, Field field, 
   return foot;
 }
 
-SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device,
-                                                const PlaneSearch& found) noexcept {
-  Polished out;
-  // Active planes of one smooth surface stand for one contact: their mean normal, corrected on the field itself.
-  struct Group {
+/// Active planes of one smooth surface stand for one contact: their mean normal, corrected on the field itself.
+struct SurfaceContact::Touching {
+  struct Surface {
     Vec3 normal{0.0};
     double weight = 0.0, heaviest = -1.0;
     Field field = Field::base;
     std::int32_t candidate = 0;
     Vec3 point{0.0};  // of the candidate
   };
-  Group group[3];
-  int groups = 0;
+  Surface surface[3];
+  Plane corrected[3];
+  int count = 0;
+};
+
+/// False where another thing than a smooth surface holds the head.
+bool SurfaceContact::group_surfaces(const PlaneSearch& found, Touching& t) const noexcept {
   for (int a = 0; a < found.active; ++a) {
     const Origin& origin = origins_[static_cast<std::size_t>(found.index[a])];
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-    if (c.kind != Kind::surface || origin.relaxed || c.others > 0) return out;
+    if (c.kind != Kind::surface || origin.relaxed || c.others > 0) return false;
     int g = 0;
-    while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > kSameNormal)) ++g;
-    if (g == groups) {
-      group[groups] = Group{};
-      group[groups].field = c.field;
-      ++groups;
+    while (g < t.count && !(t.surface[g].field == c.field &&
+                            glm::dot(candidates_[static_cast<std::size_t>(t.surface[g].candidate)].normal, c.normal) > kSameNormal))
+      ++g;
+    Touching::Surface& s = t.surface[g];
+    if (g == t.count) {
+      s.field = c.field;
+      ++t.count;
     }
     const double w = found.weight[a] > 1e-12 ? found.weight[a] : 1e-12;
-    group[g].normal += c.normal * w;
-    group[g].weight += w;
-    if (w > group[g].heaviest) {
-      group[g].heaviest = w;
-      group[g].candidate = origin.candidate;
-    }
+    s.normal += c.normal * w;
+    s.weight += w;
+    if (w <= s.heaviest) continue;
+    s.heaviest = w;
+    s.candidate = origin.candidate;
   }
-  for (int g = 0; g < groups; ++g) {
-    group[g].normal = group[g].normal / length_of(group[g].normal);
-    group[g].point = candidates_[static_cast<std::size_t>(group[g].candidate)].point;
+  for (int g = 0; g < t.count; ++g) {
+    Touching::Surface& s = t.surface[g];
+    s.normal = s.normal / length_of(s.normal);
+    s.point = candidates_[static_cast<std::size_t>(s.candidate)].point;
   }
+  return true;
+}
 
-  // Wholly enclosed contact has no single foot to correct.
+/// Wholly enclosed contact has no single foot to correct.
+bool SurfaceContact::enclosed(const PlaneSearch& found, const Touching& t) const noexcept {
   int tight = 0;
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     if (planes_.slack(i, found.y) > 0.003) continue;
     bool apart = true;
-    for (int g = 0; g < groups; ++g) apart = apart && glm::dot(planes_.n(i), group[g].normal) < kSameNormal;
-    if (apart && ++tight >= 4) return out;
+    for (int g = 0; g < t.count; ++g) apart = apart && glm::dot(planes_.n(i), t.surface[g].normal) < kSameNormal;
+    if (apart && ++tight >= 4) return true;
   }
+  return false;
+}
 
-  Plane corrected[3];
+/// The planes of the surfaces under a head at `at`, from the fields. False where a field does not know its surface there.
+bool SurfaceContact::correct(const Volume& volume, const Tool& tool, Vec3 at, Touching& t) noexcept {
+  for (int g = 0; g < t.count; ++g) {
+    Touching::Surface& s = t.surface[g];
+    const HeadFoot foot = foot_of(tool, s.field, s.normal, s.point, at);
+    const Vec3 x = at + foot.at;
+    const FieldPoint field = fields_.at(volume, s.field, x);
+    if (!field.known || (field.creased && (all_resolved_ || s.field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ ||
+        glm::dot(field.normal, s.normal) < kTurned)
+      return false;
+    s.normal = field.normal;
+    Plane& plane = t.corrected[g];
+    if (tool.ball()) {
+      plane.n = field.normal;
+      plane.c = glm::dot(field.normal, x - field.normal * field.d_mm) + (tool.bur->radius_mm - tool.thin(s.field));
+    } else {
+      plane.n = foot.deepest ? field.normal : foot.normal;
+      plane.c = glm::dot(plane.n, at) - field.d_mm / glm::dot(field.normal, plane.n);
+    }
+    plane.from = s.candidate;
+  }
+  return true;
+}
+
+/// True if each foot belongs to its surface, and what the polish left out is still clear of the head.
+bool SurfaceContact::polish_holds(const Tool& tool, Vec3 at, const Touching& t) const noexcept {
+  // The foot belongs to the cell that it came from (a wide ball's foot is nearer to it than its centre is beside it).
+  for (int g = 0; g < t.count; ++g) {
+    const Touching::Surface& s = t.surface[g];
+    const Vec3 off = at + foot_of(tool, s.field, tool.ball() ? t.corrected[g].n : s.normal, s.point, at).at - s.point;
+    if (glm::dot(off, off) > kFootReach * kFootReach * voxel_mm_ * voxel_mm_) return false;
+  }
+  // Of a ball, planes beside its foot stand for the same place.
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    if (planes_.slack(i, at) >= -kTogether) continue;
+    const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
+    bool same = false;
+    for (int g = 0; g < t.count; ++g)
+      same = same || (tool.ball() && c.kind == Kind::surface && t.surface[g].field == c.field &&
+                      glm::dot(c.normal, t.surface[g].normal) > kTurned);
+    if (!same) return false;
+  }
+  return true;
+}
+
+SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device,
+                                                const PlaneSearch& found) noexcept {
+  Polished out;
+  Touching t;
+  if (!group_surfaces(found, t) || enclosed(found, t)) return out;
   Vec3 at = found.y;
   PlaneSearch search = found;
   double before = 0.01;
   for (int pass = 0; pass < 5; ++pass) {
-    for (int g = 0; g < groups; ++g) {
-      const HeadFoot foot = foot_of(tool, group[g].field, group[g].normal, group[g].point, at);
-      const Vec3 x = at + foot.at;
-      const FieldPoint field = fields_.at(volume, group[g].field, x);
-      if (!field.known || (field.creased && (all_resolved_ || group[g].field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ || glm::dot(field.normal, group[g].normal) < kTurned)
-        return out;
-      group[g].normal = field.normal;
-      if (tool.ball()) {
-        corrected[g].n = field.normal;
-        corrected[g].c = glm::dot(field.normal, x - field.normal * field.d_mm) + (tool.bur->radius_mm - tool.thin(group[g].field));
-      } else {
-        corrected[g].n = foot.deepest ? field.normal : foot.normal;
-        corrected[g].c = glm::dot(corrected[g].n, at) - field.d_mm / glm::dot(field.normal, corrected[g].n);
-      }
-      corrected[g].from = group[g].candidate;
-    }
-    search = closest_point(device, {corrected, static_cast<std::size_t>(groups)}, kTolerance);
+    if (!correct(volume, tool, at, t)) return out;
+    search = closest_point(device, {t.corrected, static_cast<std::size_t>(t.count)}, kTolerance);
     if (!search.feasible) return out;
     const double moved = length_of(search.y - at);
     at = search.y;
@@ -103,26 +147,12 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
     if (moved * moved < kPolishedMm * before || moved < kPolishedMm) break;
     before = moved;
   }
-  // The foot belongs to the cell that it came from (a wide ball's foot is nearer to it than its centre is beside it).
-  for (int g = 0; g < groups; ++g) {
-    const Vec3 off = at + foot_of(tool, group[g].field, tool.ball() ? corrected[g].n : group[g].normal, group[g].point, at).at - group[g].point;
-    if (glm::dot(off, off) > kFootReach * kFootReach * voxel_mm_ * voxel_mm_) return out;
-  }
-  // What the polish left out must still be clear of the head; of a ball, planes beside its foot stand for the same place.
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
-    if (planes_.slack(i, at) >= -kTogether) continue;
-    const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
-    bool same = false;
-    for (int g = 0; g < groups; ++g)
-      same = same || (tool.ball() && c.kind == Kind::surface && group[g].field == c.field &&
-                      glm::dot(c.normal, group[g].normal) > kTurned);
-    if (!same) return out;
-  }
+  if (!polish_holds(tool, at, t)) return out;
   out.accepted = true;
   out.search = search;
   for (int a = 0; a < search.active; ++a) {
-    out.normal[a] = corrected[search.index[a]].n;
-    out.candidate[a] = corrected[search.index[a]].from;
+    out.normal[a] = t.corrected[search.index[a]].n;
+    out.candidate[a] = t.corrected[search.index[a]].from;
   }
   return out;
 }
