@@ -23,7 +23,7 @@ struct Reached {
 /// What of each tissue lies in the target and its tolerance zone, by voxels' centres.
 std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Specimen& specimen) {
   std::array<Reached, kTissueCodes> out;
-  const TargetShape shape(scenario.target, std::shared_ptr<const Specimen>(std::shared_ptr<const Specimen>(), &specimen));  // lent
+  const TargetShape shape(scenario.target, lent(specimen));
   if (shape.empty()) return out;
   const Grid& grid = specimen.grid();
   const double voxel_mm3 = grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;

@@ -28,7 +28,7 @@ struct Exercise {
   TargetShape target;
 
   Exercise(const Scenario& of, const Specimen& its)
-      : scenario(of), specimen(its), borrowed(std::shared_ptr<const Specimen>(), &its), target(of.target, borrowed) {}
+      : scenario(of), specimen(its), borrowed(lent(its)), target(of.target, borrowed) {}
   bool tooth() const { return scenario.specimen.generator == "tooth"; }
   bool has(const Region& leaf) const { return !TissueShape(borrowed, tissues_of(leaf)).empty(); }
   IVec3 voxel(Vec3 p) const { return IVec3(glm::floor((p - specimen.grid().origin_mm) / specimen.grid().voxel_mm + 0.5)); }

@@ -15,8 +15,7 @@ constexpr double kNoviceStopsS = 450.0;  // the novice ends then, where tissues 
 
 /// From the target's floor to its top, mm.
 double depth_of(const Scenario& scenario, const Specimen& specimen) {
-  const std::shared_ptr<const Specimen> lent(std::shared_ptr<const Specimen>(), &specimen);
-  const TargetShape target(scenario.target, lent);
+  const TargetShape target(scenario.target, lent(specimen));
   return target.top_mm() - target.floor_mm();
 }
 

@@ -203,8 +203,6 @@ std::optional<Vec3> easiest_pulp(const Specimen& specimen, const TargetShape& sh
   return best;
 }
 
-std::shared_ptr<const Specimen> borrow(const Specimen& specimen) { return {std::shared_ptr<const Specimen>(), &specimen}; }
-
 double clear_height(const Specimen& specimen, double radius) { return highest(specimen, nullptr, 0.0) + radius + kClearMm; }
 
 double layer_radii_of(const Scenario& scenario) noexcept {
@@ -285,7 +283,7 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   // What is wider is deeper too: that is not asked here.
   const Vec3 moved(errors.shift_mm.x, errors.shift_mm.y, errors.wider_mm - errors.deeper_mm);
   const RegionPlanStyle style{.layer_radii = errors.bolder * layer_radii_of(scenario)};
-  const std::shared_ptr<const Specimen> borrowed = borrow(specimen);
+  const std::shared_ptr<const Specimen> borrowed = lent(specimen);
   Plan best;
   double least = kMuch;
   for (const std::uint16_t bur : burs) {
@@ -305,7 +303,7 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
 }  // namespace
 
 void add_way_to_pulp(const Scenario& scenario, const Specimen& specimen, Plan& plan) {
-  const TargetShape shape(scenario.target, borrow(specimen));
+  const TargetShape shape(scenario.target, lent(specimen));
   const double radius = scenario.instruments[plan.bur].radius_mm;
   const std::optional<Vec3> pulp = easiest_pulp(specimen, shape);
   if (!pulp) return;
@@ -317,7 +315,7 @@ void add_way_to_pulp(const Scenario& scenario, const Specimen& specimen, Plan& p
 }
 
 Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors) {
-  const TargetShape shape(scenario.target, borrow(specimen));
+  const TargetShape shape(scenario.target, lent(specimen));
   if (shape.empty() || scenario.instruments.empty()) return {};
   Plan plan = shape.upright() != nullptr ? plan_outline(scenario, specimen, shape, errors)
                                          : plan_tree(scenario, specimen, shape, errors);

@@ -8,6 +8,9 @@
 
 namespace cusp::scenarios {
 
+/// A specimen for a shape that it outlives.
+inline std::shared_ptr<const Specimen> lent(const Specimen& specimen) { return {std::shared_ptr<const Specimen>(), &specimen}; }
+
 class TargetShape {
  public:
   /// `specimen`: uncut; needed where a leaf is of its voxels.

@@ -85,8 +85,7 @@ Vec3 start_above(const Specimen& specimen, const Scenario& scenario) {
   const Grid& grid = specimen.grid();
   const Vec3 top = grid.centre_mm(grid.size);
   Vec3 at = 0.5 * (grid.origin_mm + top);
-  const std::shared_ptr<const Specimen> lent(std::shared_ptr<const Specimen>(), &specimen);
-  if (const TargetShape shape(scenario.target, lent); !shape.empty()) {
+  if (const TargetShape shape(scenario.target, lent(specimen)); !shape.empty()) {
     at.x = 0.5 * (shape.low().x + shape.high().x);
     at.y = 0.5 * (shape.low().y + shape.high().y);
   }
