@@ -86,78 +86,89 @@ double Penalty::depth_of(const Shell& shell, Vec3 normal, double sum_mm) const n
   return 0.5 * (low + high);
 }
 
+/// What the points of a shell in tissue push. `head`: the sum of the head's; `holder`: of neck and shank, unscaled.
+struct Penalty::Pushes {
+  Vec3 head{0.0}, holder{0.0};
+  double holder_depth_mm = 0.0;
+  std::array<double, kTissueCodes> of{};  // by tissue
+};
+
+void Penalty::push_head(const TrilinearField& field, const Shell& shell, Vec3 device, Pushes& out) const noexcept {
+  const auto push_of = [&](Vec3 p, Vec3 outward, double share) {
+    const double d = field.at(p);
+    if (d >= 0.0) return;
+    const double push = -d * share;
+    out.head -= outward * push;
+    out.of[index_of(field.tissue(p))] += push;
+  };
+  if (!shell.points.ball.empty() && box_.contains(device, shell.radius_mm)) {
+    for (const PointShell::BallPoint& point : shell.points.ball)
+      push_of(device + point.out * shell.radius_mm, point.out, point.share);
+  }
+  if (!shell.points.head.empty() && box_.contains(device, shell.reach_mm)) {
+    for (const PointShell::HeadPoint& point : shell.points.head) {
+      const Vec3 p = device + point.offset_mm;
+      if (box_.contains(p)) push_of(p, point.out, point.share);
+    }
+  }
+}
+
+void Penalty::push_holder(const TrilinearField& field, const Shell& shell, Vec3 device, double leaves_mm,
+                          Pushes& out) const noexcept {
+  const double even = shell.points.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.points.holder.size());
+  for (const PointShell::HolderPoint& point : shell.points.holder) {
+    if (point.along_mm > leaves_mm) break;
+    const Vec3 p = device + point.offset_mm;
+    if (!box_.contains(p)) continue;
+    const double d = field.at(p);
+    if (d >= 0.0) continue;
+    out.holder += point.out * d;
+    out.holder_depth_mm = std::max(out.holder_depth_mm, -d);
+    out.of[index_of(field.tissue(p))] -= d * even;
+  }
+}
+
+void Penalty::take_tissue(const Scene& scene, const Pushes& pushes, BandedContact& out) noexcept {
+  double weight = 0.0, stiff = 0.0, heaviest = 0.0;
+  for (std::size_t t = 0; t < pushes.of.size(); ++t) {
+    const double push = pushes.of[t];
+    if (push <= 0.0) continue;
+    weight += push;
+    stiff += push * scene.tissues[t].stiffness_n_per_mm;
+    if (push > heaviest) {
+      heaviest = push;
+      out.tissue = static_cast<Tissue>(t);
+    }
+  }
+  out.stiffness_n_per_mm = stiff / weight;
+}
+
 BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 /*from*/, Vec3 device,
                              Vec3& /*kept*/) noexcept {
   BandedContact out;
   out.pose_mm = device;
   const Shell& shell = shells_[bur];
-  const TrilinearField field(volume);
-  std::array<double, kTissueCodes> of{};  // push by tissue
-
-  Vec3 head(0.0);
-  if (!shell.points.ball.empty() && box_.contains(device, shell.radius_mm)) {
-    for (const PointShell::BallPoint& point : shell.points.ball) {
-      const Vec3 p = device + point.out * shell.radius_mm;
-      const double d = field.at(p);
-      if (d >= 0.0) continue;
-      const double push = -d * point.share;
-      head -= point.out * push;
-      of[index_of(field.tissue(p))] += push;
-    }
-  }
-
-  if (!shell.points.head.empty() && box_.contains(device, shell.reach_mm)) {
-    for (const PointShell::HeadPoint& point : shell.points.head) {
-      const Vec3 p = device + point.offset_mm;
-      if (!box_.contains(p)) continue;
-      const double d = field.at(p);
-      if (d >= 0.0) continue;
-      const double push = -d * point.share;
-      head -= point.out * push;
-      of[index_of(field.tissue(p))] += push;
-    }
-  }
-
-  Vec3 holder(0.0);
-  double holder_depth = 0.0;
   const Bur& shape = scene.burs[bur];
-  const double leaves = box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm));
-  const double even = shell.points.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.points.holder.size());
-  for (const PointShell::HolderPoint& point : shell.points.holder) {
-    if (point.along_mm > leaves) break;
-    const Vec3 p = device + point.offset_mm;
-    if (!box_.contains(p)) continue;
-    const double d = field.at(p);
-    if (d >= 0.0) continue;
-    holder += point.out * d;
-    holder_depth = std::max(holder_depth, -d);
-    of[index_of(field.tissue(p))] -= d * even;
-  }
+  const TrilinearField field(volume);
+  Pushes pushes;
+  push_head(field, shell, device, pushes);
+  push_holder(field, shell, device, box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm)),
+              pushes);
 
   Vec3 push(0.0);
-  const double sum = length_of(head);
+  const double sum = length_of(pushes.head);
   if (sum > 1e-12)
-    push = head * ((shell.points.head.empty() ? depth_of(shell, sum) : depth_of(shell, head / sum, sum)) / sum);
-  const double holding = length_of(holder);
+    push = pushes.head *
+           ((shell.points.head.empty() ? depth_of(shell, sum) : depth_of(shell, pushes.head / sum, sum)) / sum);
+  const double holding = length_of(pushes.holder);
   if (holding > 1e-12) {
     out.shank = true;
-    out.shank_normal = holder / holding;
-    push += out.shank_normal * holder_depth;
+    out.shank_normal = pushes.holder / holding;
+    push += out.shank_normal * pushes.holder_depth_mm;
   }
   if (length_of(push) <= 1e-9) return out;
-
-  double weight = 0.0, stiff = 0.0, heaviest = 0.0;
-  for (std::size_t t = 0; t < of.size(); ++t) {
-    if (of[t] <= 0.0) continue;
-    weight += of[t];
-    stiff += of[t] * scene.tissues[t].stiffness_n_per_mm;
-    if (of[t] > heaviest) {
-      heaviest = of[t];
-      out.tissue = static_cast<Tissue>(t);
-    }
-  }
   out.touching = true;
-  out.stiffness_n_per_mm = stiff / weight;
+  take_tissue(scene, pushes, out);
   out.pose_mm = device + push;
   return out;
 }

@@ -182,69 +182,102 @@ class Carving {
     if (brick_.changed) record(index, brick_.box);
   }
 
+  /// What the rows of an eighth share: places of its first row against the head, and what the head's rim asks.
+  struct Eighth {
+    IVec3 first;         // voxel of the specimen
+    Vec3 slope;          // of the distance at the middle
+    double foot_d;       // the least distance of the first row, voxels
+    unsigned meant;      // lanes within the carved box
+    bool behind, rim, either;
+    Lanes foot_t, foot_p, foot_q, back_t, back_p;
+    FourPlaces at;
+  };
+  Eighth eighth_of(IVec3 first, unsigned meant, const Seen& seen, Vec3 slope, double nearest) const noexcept {
+    Eighth e;
+    e.first = first;
+    e.slope = slope;
+    e.meant = meant;
+    // A row's least is this and its steps: the tangent at the middle lies below.
+    const double down = slope.x < 0.0 ? 3.0 * slope.x : 0.0;
+    e.foot_d = nearest - kHalfEighth * (slope.x + slope.y + slope.z) + down;
+    e.behind = glm::dot(slope, way_) < 0.0;
+    e.either = seen.where == Nearest::either;
+    e.rim = seen.hand.rim && rim_way_.leaves;
+    e.at.wt = all_lanes(static_cast<float>(frame_.way_t));
+    e.at.wp = all_lanes(static_cast<float>(frame_.way_p));
+    const bool at_end = seen.where == Nearest::at_end;
+    const Vec3 foot = Vec3(first) - start_;
+    e.foot_t = static_cast<float>(glm::dot(foot, axis_) - (at_end ? frame_.way_t : 0.0)) + step_t_;
+    e.foot_p = static_cast<float>(glm::dot(foot, frame_.p) - (at_end ? frame_.way_p : 0.0)) + step_p_;
+    e.foot_q = static_cast<float>(glm::dot(foot, frame_.q)) + step_q_;
+    e.back_t = all_lanes(at_end ? static_cast<float>(frame_.way_t) : 0.0f);
+    e.back_p = all_lanes(at_end ? static_cast<float>(frame_.way_p) : 0.0f);
+    return e;
+  }
+
+  /// Distance of the four voxels of row y, z of an eighth, voxels.
+  Lanes row_distance(Eighth& e, const Seen& seen, int y, int z) noexcept {
+    const auto fy = static_cast<float>(y), fz = static_cast<float>(z);
+    e.at.t = e.foot_t + (fy * axis_y_[0] + fz * axis_z_[0]);
+    e.at.p = e.foot_p + (fy * axis_y_[1] + fz * axis_z_[1]);
+    const Lanes q = e.foot_q + (fy * axis_y_[2] + fz * axis_z_[2]);
+    e.at.q2 = q * q;
+    Lanes d = e.either ? swept(seen.hand, e.first + IVec3(0, y, z), e.at, e.behind)
+                       : look_there(seen.hand, e.at.t, e.at.p, e.at.q2);
+    const Lanes band = all_lanes(static_cast<float>(kBandVoxels));
+    if (e.rim && bits_of((d < 0.0f) & (d > -band)) != 0) {
+      const Lanes deep = behind_rim(head_.rim(), rim_way_, e.at.t + e.back_t, e.at.p + e.back_p, e.at.q2);
+      d = d < 0.0f ? least_of(d, -deep) : d;
+    }
+    return d;
+  }
+
+  enum class Wrote : std::uint8_t { nothing, some, no_room };
+  /// Lowers the row at offset o of the brick to the distance d. `four`: what stands there; `less`: the lanes it lowers.
+  Wrote lower_row(int o, std::uint64_t four, Lanes d, unsigned meant, unsigned& less) noexcept {
+    const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
+    const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
+    const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
+    const LaneMask was = from_memory(four);
+    const LaneMask lower = solid < was;
+    less = bits_of(lower) & meant;
+    if (less == 0) return Wrote::nothing;
+    for (int i = 0; volume_.keeps_sweeps() && brick_.written && i < kLanes; ++i)
+      if (less >> i & 1u) volume_.forget_sweep(brick_.index, o + i);
+    if (!brick_.written) {
+      std::uint16_t* values = volume_.cut_for_writing(brick_.index);
+      if (values == nullptr) return Wrote::no_room;
+      brick_.known = brick_.values = values;
+      brick_.written = true;
+    }
+    const LaneMask now = lower ? solid : was;
+    if (meant == 0xf) {
+      to_memory(now, brick_.values + o);
+    } else {
+      for (int i = 0; i < kLanes; ++i)
+        if (less >> i & 1u) brick_.values[o + i] = static_cast<std::uint16_t>(now[i]);
+    }
+    return Wrote::some;
+  }
+
   /// 4 x 4 x 4 voxels of the brick from `low` on; `nearest`: the least that their middle can be off the head.
   /// False when the volume has no room.
   bool eighth(IVec3 low, const Seen& seen, Vec3 slope, double nearest) noexcept {
     const IVec3 first = brick_.corner + low;
     const IVec3 from = glm::max(low_ - first, IVec3(0));
     const IVec3 to = glm::min(high_ - first, IVec3(3));
-    const unsigned meant = (0xfu << from.x) & (0xfu >> (3 - to.x));
-    const double down = slope.x < 0.0 ? 3.0 * slope.x : 0.0;
-    const Vec3 foot = Vec3(first) - start_;
-    // A row's least is this and its steps: the tangent at the middle lies below.
-    const double foot_d = nearest - kHalfEighth * (slope.x + slope.y + slope.z) + down;
-    const bool behind = glm::dot(slope, way_) < 0.0;
-    FourPlaces at;
-    at.wt = all_lanes(static_cast<float>(frame_.way_t));
-    at.wp = all_lanes(static_cast<float>(frame_.way_p));
-    const bool at_end = seen.where == Nearest::at_end, either = seen.where == Nearest::either;
-    const Lanes foot_t = static_cast<float>(glm::dot(foot, axis_) - (at_end ? frame_.way_t : 0.0)) + step_t_;
-    const Lanes foot_p = static_cast<float>(glm::dot(foot, frame_.p) - (at_end ? frame_.way_p : 0.0)) + step_p_;
-    const Lanes foot_q = static_cast<float>(glm::dot(foot, frame_.q)) + step_q_;
-    const bool rim = seen.hand.rim && rim_way_.leaves;
-    const Lanes band = all_lanes(static_cast<float>(kBandVoxels));
-    const Lanes back_t = all_lanes(at_end ? static_cast<float>(frame_.way_t) : 0.0f);
-    const Lanes back_p = all_lanes(at_end ? static_cast<float>(frame_.way_p) : 0.0f);
+    Eighth e = eighth_of(first, (0xfu << from.x) & (0xfu >> (3 - to.x)), seen, slope, nearest);
     unsigned columns = 0, rows = 0, slices = 0;
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y) {
         const int o = brick_offset(low.x, low.y + y, low.z + z);
         std::uint64_t four = ~std::uint64_t{0};
         if (brick_.known != nullptr) __builtin_memcpy(&four, brick_.known + o, sizeof four);
-        if (four == 0 || foot_d + slope.y * y + slope.z * z >= kBandVoxels) continue;
-        const auto fy = static_cast<float>(y), fz = static_cast<float>(z);
-        at.t = foot_t + (fy * axis_y_[0] + fz * axis_z_[0]);
-        at.p = foot_p + (fy * axis_y_[1] + fz * axis_z_[1]);
-        const Lanes q = foot_q + (fy * axis_y_[2] + fz * axis_z_[2]);
-        at.q2 = q * q;
-        Lanes d = either ? swept(seen.hand, first + IVec3(0, y, z), at, behind)
-                         : look_there(seen.hand, at.t, at.p, at.q2);
-        if (rim && bits_of((d < 0.0f) & (d > -band)) != 0) {
-          const Lanes deep = behind_rim(head_.rim(), rim_way_, at.t + back_t, at.p + back_p, at.q2);
-          d = d < 0.0f ? least_of(d, -deep) : d;
-        }
-        const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
-        const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
-        const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
-        const LaneMask was = from_memory(four);
-        const LaneMask lower = solid < was;
-        const unsigned less = bits_of(lower) & meant;
-        if (less == 0) continue;
-        for (int i = 0; volume_.keeps_sweeps() && brick_.written && i < kLanes; ++i)
-          if (less >> i & 1u) volume_.forget_sweep(brick_.index, o + i);
-        if (!brick_.written) {
-          std::uint16_t* values = volume_.cut_for_writing(brick_.index);
-          if (values == nullptr) return false;
-          brick_.known = brick_.values = values;
-          brick_.written = true;
-        }
-        const LaneMask now = lower ? solid : was;
-        if (meant == 0xf) {
-          to_memory(now, brick_.values + o);
-        } else {
-          for (int i = 0; i < kLanes; ++i)
-            if (less >> i & 1u) brick_.values[o + i] = static_cast<std::uint16_t>(now[i]);
-        }
+        if (four == 0 || e.foot_d + e.slope.y * y + e.slope.z * z >= kBandVoxels) continue;
+        unsigned less = 0;
+        const Wrote wrote = lower_row(o, four, row_distance(e, seen, y, z), e.meant, less);
+        if (wrote == Wrote::no_room) return false;
+        if (wrote == Wrote::nothing) continue;
         columns |= less;
         rows |= 1u << y;
         slices |= 1u << z;
