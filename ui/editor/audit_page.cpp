@@ -76,6 +76,11 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   connect(measure_, &QPushButton::clicked, this, &AuditPage::measure);
   connect(use_, &QPushButton::clicked, this, &AuditPage::use_leanest);
   connect(&model_, &EditorModel::changed, this, &AuditPage::follow_model);
+  follow_job();
+  show_report();
+}
+
+void AuditPage::follow_job() {
   connect(job_, &AuditJob::progressed, this, [this](double share) {
     if (busy_) busy_->set_progress(share, QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%');
   });
@@ -94,7 +99,6 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
     aside_->show();
     announce(this, aside_->text());
   });
-  show_report();
 }
 
 AuditPage::~AuditPage() = default;

@@ -28,6 +28,7 @@ class AuditPage : public QWidget {
   const std::shared_ptr<const AuditReport>& report() const { return report_; }
 
  private:
+  void follow_job();
   void measure();
   void stop();
   void use_leanest();

@@ -49,27 +49,19 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   stage_ = new TargetView(*model_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(make_top_bar());
-  band_ = new Band;
-  column->addWidget(band_);
-  column->addWidget(make_clash());
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  row->addWidget(make_left());
-  auto* middle = new QVBoxLayout;
-  middle->setSpacing(0);
-  middle->addWidget(stage_, 1);
-  middle->addWidget(make_checks());
-  row->addLayout(middle, 1);
-  row->addWidget(make_right());
-  column->addLayout(row, 1);
-
+  lay_out();
   connect(model_, &EditorModel::changed, this, &EditorPage::follow_model);
   // EditorModel::changed comes before the stack has the step, so the buttons follow the stack.
   connect(&model_->stack(), &QUndoStack::indexChanged, this, &EditorPage::show_undo);
+  follow_grower();
+  start_autosave();
+  setFocusProxy(tabs_);
+  follow_model();
+  show_undo();
+  grow();
+}
+
+void EditorPage::follow_grower() {
   grow_soon_.setSingleShot(true);
   grow_soon_.setInterval(kRestMs);
   connect(&grow_soon_, &QTimer::timeout, this, &EditorPage::grow);
@@ -99,7 +91,10 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
     stage_->set_centre(state);
     follow_model();
   });
-  // If the program dies, only the edits since the last pause are lost.
+}
+
+/// If the program dies, only the edits since the last pause are lost.
+void EditorPage::start_autosave() {
   autosave_.setSingleShot(true);
   autosave_.setInterval(kAutosaveMs);
   connect(&autosave_, &QTimer::timeout, this, &EditorPage::keep);
@@ -110,10 +105,6 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this, [this] {
     if (keep()) band_->show_message(Band::Kind::good, tr("The draft is saved."), {});
   });
-  setFocusProxy(tabs_);
-  follow_model();
-  show_undo();
-  grow();
 }
 
 EditorPage::~EditorPage() = default;

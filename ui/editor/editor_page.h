@@ -61,6 +61,9 @@ class EditorPage : public QWidget {
   void ready();
 
  private:
+  void lay_out();
+  void follow_grower();
+  void start_autosave();
   QWidget* make_top_bar();
   QWidget* make_left();
   QWidget* make_right();

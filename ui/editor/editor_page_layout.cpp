@@ -43,6 +43,26 @@ QWidget* scrolling(QWidget* form) {
 
 }  // namespace
 
+void EditorPage::lay_out() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(make_top_bar());
+  band_ = new Band;
+  column->addWidget(band_);
+  column->addWidget(make_clash());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(make_left());
+  auto* middle = new QVBoxLayout;
+  middle->setSpacing(0);
+  middle->addWidget(stage_, 1);
+  middle->addWidget(make_checks());
+  row->addLayout(middle, 1);
+  row->addWidget(make_right());
+  column->addLayout(row, 1);
+}
+
 QWidget* EditorPage::make_top_bar() {
   auto* bar = new QFrame;
   bar->setProperty("kind", u"bar_top"_qs);

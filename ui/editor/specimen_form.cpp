@@ -77,6 +77,24 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   }
   shrinks(*kind_);
   column->addWidget(labelled(tr("Kind"), kind_));
+  make_rows(*column);
+  auto* buttons = new QHBoxLayout;
+  use_ = make_button(tr("Use it"), ButtonKind::standard, u"check"_qs);
+  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet);
+  buttons->addWidget(use_);
+  buttons->addWidget(leave);
+  buttons->addStretch();
+  column->addLayout(buttons);
+  column->addStretch();
+  connect(kind_, &QComboBox::currentIndexChanged, this, &SpecimenForm::fit);
+  connect(tooth_, &QComboBox::activated, this, &SpecimenForm::change_tooth);
+  connect(use_, &QPushButton::clicked, this, &SpecimenForm::use);
+  connect(leave, &QPushButton::clicked, this, &SpecimenForm::done);
+  connect(&model_, &EditorModel::specimen_changed, this, &SpecimenForm::follow_model);
+  follow_model();
+}
+
+void SpecimenForm::make_rows(QVBoxLayout& column) {
   QVBoxLayout* rows = nullptr;
   tooth_rows_ = rows_group(&rows);
   tooth_ = new QComboBox;
@@ -94,7 +112,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   seed_->setToolTip(tr("Another number grows another tooth of its kind; 0 is the average"));
   seed_->setSpecialValueText(tr("average"));
   add_row(rows, tr("Variation"), seed_);
-  column->addWidget(tooth_rows_);
+  column.addWidget(tooth_rows_);
   grown_rows_ = rows_group(&rows);
   voxel_ = new NumberBox(model_, tr("Fineness"), u"mm"_qs, kMinToothVoxelMm, kMaxToothVoxelMm, 0.01, 3, [this](double mm) {
     if (!tooth_stands()) return true;
@@ -103,31 +121,17 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
     return model_.set_tooth(source, u"voxel"_qs);
   });
   add_row(rows, tr("Fineness"), voxel_);
-  column->addWidget(grown_rows_);
+  column.addWidget(grown_rows_);
   details_ = new ToothForm(model_);
-  column->addWidget(details_);
+  column.addWidget(details_);
   file_rows_ = rows_group(&rows);
   file_ = make_label({}, TextRole::body, Weight::regular, "text2");
   file_->setWordWrap(true);
   rows->addWidget(file_);
   QPushButton* choose = make_button(tr("Choose a volume…"), ButtonKind::standard, u"import"_qs);
   rows->addWidget(choose);
-  column->addWidget(file_rows_);
-  auto* buttons = new QHBoxLayout;
-  use_ = make_button(tr("Use it"), ButtonKind::standard, u"check"_qs);
-  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet);
-  buttons->addWidget(use_);
-  buttons->addWidget(leave);
-  buttons->addStretch();
-  column->addLayout(buttons);
-  column->addStretch();
-  connect(kind_, &QComboBox::currentIndexChanged, this, &SpecimenForm::fit);
-  connect(tooth_, &QComboBox::activated, this, &SpecimenForm::change_tooth);
-  connect(use_, &QPushButton::clicked, this, &SpecimenForm::use);
   connect(choose, &QPushButton::clicked, this, &SpecimenForm::pick);
-  connect(leave, &QPushButton::clicked, this, &SpecimenForm::done);
-  connect(&model_, &EditorModel::specimen_changed, this, &SpecimenForm::follow_model);
-  follow_model();
+  column.addWidget(file_rows_);
 }
 
 void SpecimenForm::follow_model() {

@@ -10,6 +10,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -28,6 +29,8 @@ class SpecimenForm : public QWidget {
   void done();
 
  private:
+  /// The rows of a grown tooth, of any grown specimen and of a file; fit() shows those of the kind.
+  void make_rows(QVBoxLayout& column);
   void follow_model();
   void fit();
   void use();

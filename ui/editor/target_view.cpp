@@ -41,6 +41,33 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
     : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
   setMinimumSize(px(420), px(320));
   view_->set_left_turns(true);
+  make_tools();
+  make_legend();
+  arrow_ = new DepthArrow(this);
+  for (QLabel** tag : {&depth_tag_, &width_tag_}) {
+    *tag = make_label({}, TextRole::caption, Weight::bold);
+    (*tag)->setParent(this);
+    set_kind(*tag, "pin");
+    (*tag)->setAttribute(Qt::WA_TransparentForMouseEvents);
+    (*tag)->setAutoFillBackground(true);
+    (*tag)->hide();
+  }
+  hint_ = make_label(tr("Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn."),
+                     TextRole::caption, Weight::regular, "text2");
+  hint_->setParent(this);
+  set_kind(hint_, "tag");
+
+  rest_.setSingleShot(true);
+  rest_.setInterval(kCarveDelayMs);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    mesh_wanted_ = true;
+    run_next();
+  });
+  connect(view_, &ToothView::camera_changed, this, &TargetView::place_all);
+  connect(&model_, &EditorModel::changed, this, &TargetView::follow_model);
+}
+
+void TargetView::make_tools() {
   tools_ = make_panel(this);
   auto* row = new QHBoxLayout(tools_);
   row->setContentsMargins(px(3), px(3), px(3), px(3));
@@ -67,7 +94,9 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
     mesh_wanted_ = true;
     run_next();
   });
+}
 
+void TargetView::make_legend() {
   legend_ = make_panel(this);
   auto* lines = new QHBoxLayout(legend_);
   lines->setContentsMargins(px(12), px(7), px(12), px(7));
@@ -77,29 +106,6 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   lines->addSpacing(px(6));
   lines->addWidget(new LineSample(LineSample::Line::tolerance_zone, legend_));
   lines->addWidget(make_label(tr("Tolerance zone"), TextRole::caption));
-
-  arrow_ = new DepthArrow(this);
-  for (QLabel** tag : {&depth_tag_, &width_tag_}) {
-    *tag = make_label({}, TextRole::caption, Weight::bold);
-    (*tag)->setParent(this);
-    set_kind(*tag, "pin");
-    (*tag)->setAttribute(Qt::WA_TransparentForMouseEvents);
-    (*tag)->setAutoFillBackground(true);
-    (*tag)->hide();
-  }
-  hint_ = make_label(tr("Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn."),
-                     TextRole::caption, Weight::regular, "text2");
-  hint_->setParent(this);
-  set_kind(hint_, "tag");
-
-  rest_.setSingleShot(true);
-  rest_.setInterval(kCarveDelayMs);
-  connect(&rest_, &QTimer::timeout, this, [this] {
-    mesh_wanted_ = true;
-    run_next();
-  });
-  connect(view_, &ToothView::camera_changed, this, &TargetView::place_all);
-  connect(&model_, &EditorModel::changed, this, &TargetView::follow_model);
 }
 
 TargetView::~TargetView() = default;

@@ -40,6 +40,8 @@ class TargetView : public QWidget {
 
  private:
   friend class HandleKnob;
+  void make_tools();
+  void make_legend();
   void follow_model();
   void place_all();
   void place_handles();
