@@ -2229,6 +2229,30 @@
         <source>Tolerance zone</source>
         <translation>Toleranzzone</translation>
     </message>
+    <message>
+        <source>Hold depth</source>
+        <translation>Tiefe halten</translation>
+    </message>
+    <message>
+        <source>The bur goes no deeper than now (%1)</source>
+        <translation>Der Bohrer geht nicht tiefer als jetzt (%1)</translation>
+    </message>
+    <message>
+        <source>Depth held</source>
+        <translation>Tiefe gehalten</translation>
+    </message>
+    <message>
+        <source>Depth free</source>
+        <translation>Tiefe frei</translation>
+    </message>
+    <message>
+        <source>Slowly: %1 to the floor</source>
+        <translation>Langsam: noch %1 bis zum Boden</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>Pulpa</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorModel</name>
@@ -3219,6 +3243,10 @@
     <message>
         <source>Return</source>
         <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>hold the depth, let it go (mouse)</source>
+        <translation>Tiefe halten, wieder freigeben (Maus)</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,16 @@ void PointerHand::set_cut(bool cut) noexcept {
   hand_over();
 }
 
+void PointerHand::set_height(double& height_mm, const std::optional<Vec3>& pivot_mm) noexcept {
+  if (pivot_mm && !finite(*pivot_mm)) return;
+  height_mm = pivot_mm ? glm::dot(*pivot_mm, wish_.approach) : std::numeric_limits<double>::infinity();
+  hand_over();
+}
+
+void PointerHand::set_floor(const std::optional<Vec3>& pivot_mm) noexcept { set_height(wish_.floor_mm, pivot_mm); }
+
+void PointerHand::hold_depth(const std::optional<Vec3>& pivot_mm) noexcept { set_height(wish_.stop_mm, pivot_mm); }
+
 void PointerHand::set_bur(std::uint16_t bur) noexcept {
   wish_.bur = bur;
   hand_over();

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 
 #include "engine/base/triple_buffer.h"
 #include "engine/base/vec.h"
@@ -15,6 +17,9 @@ struct PointerWish {
   Vec3 approach{0.0, 0.0, -1.0};     // unit; direction of a push
   double push_n = 0;                 // 0 = released: the bur lifts off
   bool cut = false;
+  // Heights of the bur's pivot along the approach, mm; +infinity: none.
+  double floor_mm = std::numeric_limits<double>::infinity();  // a push that sweeps goes no deeper, a push that rests does
+  double stop_mm = std::numeric_limits<double>::infinity();   // no push goes deeper
   std::uint16_t bur = 0;
   Quat orientation{1.0, 0.0, 0.0, 0.0};  // rotation of the handpiece from rest
 };
@@ -36,6 +41,11 @@ class PointerHand {
   /// Releases: push 0, and the bur lifts off. The cut button keeps its state.
   void lift() noexcept { set_push(0); }
   void set_cut(bool cut) noexcept;
+  /// Pivot of a bur that stands on the floor of the target. While the pointer sweeps, a push goes no deeper; a pointer that
+  /// rests sinks further. nullopt: no floor. Ignored if not finite.
+  void set_floor(const std::optional<Vec3>& pivot_mm) noexcept;
+  /// Holds the depth: no push takes the bur's pivot beyond this place along the approach. nullopt: no longer. Ignored if not finite.
+  void hold_depth(const std::optional<Vec3>& pivot_mm) noexcept;
   void set_bur(std::uint16_t bur) noexcept;
   /// Turns the handpiece by so many degrees: its shank leans to the right and up as seen along the approach, at most
   /// turn_limit_deg from rest. For held keys, steps of speed * time.
@@ -56,6 +66,7 @@ class PointerHand {
 
  private:
   void hand_over() noexcept { exchange_.write(wish_); }
+  void set_height(double& height_mm, const std::optional<Vec3>& pivot_mm) noexcept;
 
   PointerWish wish_;
   Vec3 right_{1.0, 0.0, 0.0};  // unit, across the approach

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cusp::device {
 namespace {
@@ -32,6 +33,14 @@ double towards(double from, double to, Steps most) noexcept {
 
 }  // namespace
 
+double PointerMotion::deepest(const PointerWish& wish, double depth) noexcept {
+  if (sweep_ < tuning_.rest_mm_s) {
+    rested_depth_ = std::max(rested_depth_.value_or(depth), depth);
+    return wish.stop_mm;
+  }
+  return std::min(wish.stop_mm, std::max(wish.floor_mm, rested_depth_.value_or(wish.floor_mm)));
+}
+
 Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, double dt_s) noexcept {
   const double dt = dt_s > 0.0 ? std::min(dt_s, kMostDtS) : 0.0;
   const Vec3 proxy = all_finite(feedback.proxy_mm) ? feedback.proxy_mm : device_mm_;
@@ -60,16 +69,17 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   const bool retracts = !pushing && entry_mm_;
   if (!pushing) {
     push_n_ = 0;
+    rested_depth_.reset();
     // Off first what is touched and out of what was cut, then to the height of hovering.
     next_depth = retracts ? std::min(depth, proxy_depth) - rise
                           : towards(depth, shown_depth - tuning_.hover_mm, {sink, rise});
   } else if (touches) {
     push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the bur, and it sinks no faster than through the air.
-    next_depth = std::min(proxy_depth + push_n_ / stiffness, depth + sink);
+    next_depth = std::min({proxy_depth + push_n_ / stiffness, depth + sink, deepest(wish, proxy_depth)});
   } else {
     push_n_ = 0;
-    next_depth = towards(depth, shown_depth + tuning_.reach_mm, {sink, rise});
+    next_depth = towards(depth, std::min(shown_depth + tuning_.reach_mm, deepest(wish, depth)), {sink, rise});
   }
 
   // Across: the pointer's place, as fast as a hand would, pulling with no more than lateral_n.

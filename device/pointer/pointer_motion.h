@@ -20,8 +20,9 @@ struct PointerTuning {
   double lateral_n = 1.0;          // most force across the approach
   double push_rise_n_s = 20.0;     // how fast a push builds up; it may fall at once
   double smoothing_s = 0.025;      // of the pointer's own steps
-  double sweep_mm_s = 10.0;        // sideways speed that halves the push, so that sweeping does not sink in
+  double sweep_mm_s = 10.0;        // sideways speed that halves the push
   double sweep_keeps_s = 0.15;     // time constant of the falling speed, so that a turn of the pointer is no rest
+  double rest_mm_s = 1.5;          // slower than this the hand rests, and its push sinks; a tremor of 1.5 pixels stays below
   double clear_mm = 1.0;           // height above the first contact of a push at which the bur is out of the cavity
   double max_step_mm = 0.15;       // largest move of the point in one tick
 };
@@ -37,11 +38,16 @@ class PointerMotion {
   Vec3 device_mm() const noexcept { return device_mm_; }
 
  private:
+  /// The deepest place along the approach that a push may reach now: a held depth; while sweeping the floor, or deeper where the
+  /// hand has rested. `depth`: of the pivot.
+  double deepest(const PointerWish& wish, double depth) noexcept;
+
   PointerTuning tuning_;
   Vec3 device_mm_;
   Vec3 smooth_mm_;     // the target, smoothed
   double push_n_ = 0;  // the rising push
   double sweep_ = 0;   // of the pointer across the approach, mm/s
+  std::optional<double> rested_depth_;  // along the approach, deepest of this push while the pointer rested
   std::optional<Vec3> entry_mm_;  // highest contact since the bur was clear
 };
 

@@ -114,6 +114,25 @@ TEST(PointerMotion, SweepsCutABroadShallowLayerAndHoldingStillSinks) {
   }
 }
 
+TEST(PointerMotion, ASweepingPushStopsAtTheFloorARestingOneSinksAndAHeldDepthStopsBoth) {
+  const auto drill = [](double sweep_mm, bool hold) {
+    SweepBench bench(Vec3(0, 0, 1));
+    bench.hand.set_floor(Vec3(0, 0, -0.5));  // pivot: 1 mm deep, for a radius of 0.5 mm
+    if (hold) bench.hand.hold_depth(Vec3(0, 0, -0.2));
+    bench.hand.set_push(1.0);
+    for (int i = 0; i < 20000; ++i) {
+      bench.hand.move_to(Vec3(sweep_mm * std::sin(0.00628 * i), 0, 0));
+      bench.tick();
+    }
+    return bench.strip.depth();
+  };
+  EXPECT_LE(drill(1.0, false), 1.0);  // measured 0.90: the pull to the side lifts the bur a little
+  EXPECT_GT(drill(1.0, false), 0.8);
+  EXPECT_GT(drill(0.0, false), 5.0);
+  EXPECT_NEAR(drill(0.0, true), 0.7, 0.01);
+  EXPECT_LE(drill(1.0, true), 0.7);  // measured 0.64
+}
+
 TEST(PointerMotion, AReleaseTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsAt) {
   SweepBench bench(Vec3(0, 0, 1));
   bench.hand.set_push(1.5);

@@ -74,6 +74,7 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
                       {{tr("Page Up"), tr("Page Down")}, tr("push less, push more")},
                       {{ctrl, u"↑"_qs}, tr("turn the handpiece, where the exercise lets it; Home: back")},
                       {{tr("Space")}, tr("cut while held")},
+                      {{u"H"_qs}, tr("hold the depth, let it go (mouse)")},
                       {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
                       {{u"["_qs, u"]"_qs}, tr("previous bur, next bur")},
                       {{u"P"_qs}, tr("pause and resume")},

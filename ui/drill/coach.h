@@ -18,6 +18,7 @@ enum class Coach : std::uint8_t {
   too_deep,      // mm: below the floor
   outside,       // the bur is outside the outline while cutting
   deeper,        // mm: so much is left to the floor
+  nearly,        // mm: the floor is near
   sideways,      // the floor is reached here
   finish,        // hardly anything is left
   carry_on,      // lifted

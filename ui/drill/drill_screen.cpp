@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/drill/drill_screen_inner.h"
+#include "ui/session/bur_depth.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -20,6 +21,15 @@ constexpr int kTextEvery = 3;         // looks between two of texts and gauges, 
 constexpr std::chrono::milliseconds kFollow{30};
 constexpr double kUsualShare = 0.53;  // of full force: 0.8 N where that is 1.5, about what a handpiece is led with
 constexpr double kLeastUsualN = 0.4;
+
+/// Of the bur's head above the target's floor under it; nullopt: no target there.
+std::optional<double> above_floor_mm(const LiveView& live, const OpenedAttempt& attempt) {
+  if (attempt.look->empty()) return std::nullopt;
+  const TargetShape& shape = attempt.look->shape();
+  const Vec3 at = live.output.proxy_mm;
+  const auto floor_mm = floor_under_mm(shape, {at.x, at.y});
+  return floor_mm ? std::optional(shape.top_mm() - *floor_mm - live.bur_depth_mm) : std::nullopt;
+}
 
 }  // namespace
 
@@ -72,6 +82,7 @@ void DrillScreen::make_main(QVBoxLayout& column) {
   in.tray = new BurTray(this);
   connect(in.tray, &BurTray::bur_chosen, this, [this](int index) {
     if (inner_->attempt && inner_->attempt->session) inner_->attempt->session->change_bur(static_cast<std::size_t>(index));
+    if (inner_->input) inner_->input->hold_depth(false);  // another head stands on another pivot
     if (inner_->attempt && inner_->attempt->device.hand) inner_->attempt->device.hand->set_bur(static_cast<std::uint16_t>(index));
   });
   left->addWidget(in.tray);
@@ -204,6 +215,8 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
                                               nullptr);
     connect(in.input.get(), &PointerInput::push_changed, in.stage, &DrillStage::show_wanted_push);
     in.stage->show_wanted_push(in.input->push_n());
+    connect(in.input.get(), &PointerInput::depth_held, in.stage, &DrillStage::show_depth_held);
+    connect(in.stage, &DrillStage::depth_hold_wanted, in.input.get(), &PointerInput::hold_depth);
   }
   enable_controls(true);
   in.look_timer.start();
@@ -216,6 +229,8 @@ void DrillScreen::look() {
   in.live = in.attempt->session->view();
   in.sound->follow(in.live, *in.attempt->session->scene());
   in.stage->view()->follow_bur(kFollow);
+  in.stage->follow_bur(in.live.output.proxy_mm);
+  if (in.input) in.input->follow_bur(in.live.output.proxy_mm, above_floor_mm(in.live, *in.attempt));
   if (auto image = in.attempt->feed->take_panel()) in.panel->section()->show_image(*image);
   if (auto image = in.attempt->feed->take_lid()) in.stage->show_cutaway(std::move(*image));
   if (in.looks++ % kTextEvery != 0) return;

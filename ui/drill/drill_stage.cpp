@@ -13,6 +13,7 @@
 
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
+#include "ui/session/bur_depth.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/line_sample.h"
@@ -125,6 +126,13 @@ void DrillStage::make_gauges() {
   set_kind(wanted_push_, "tag");
   wanted_push_->setAlignment(Qt::AlignCenter);
   wanted_push_->hide();
+  hold_ = make_button(tr("Hold depth"), ButtonKind::standard);
+  hold_->setParent(this);
+  hold_->setCheckable(true);
+  hold_->setFocusPolicy(Qt::TabFocus);
+  hold_->setToolTip(tr("The bur goes no deeper than now (%1)").arg(u'H'));
+  hold_->hide();
+  connect(hold_, &QPushButton::toggled, this, &DrillStage::depth_hold_wanted);
 }
 
 void DrillStage::make_coach() {
@@ -141,6 +149,12 @@ void DrillStage::make_coach() {
   row->addWidget(coach_, 1);
   sign_coach(CoachTone::good);
   coach_card_->hide();
+  bur_tag_ = make_label({}, TextRole::body, Weight::bold);
+  bur_tag_->setParent(this);
+  set_kind(bur_tag_, "pin");
+  bur_tag_->setAutoFillBackground(true);
+  bur_tag_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  bur_tag_->hide();
 }
 
 void DrillStage::make_legend() {
@@ -191,6 +205,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
   coach_card_->hide();
   wanted_push_->setVisible(by_mouse_);
+  hold_->setVisible(by_mouse_);
   shown_ = spoken_ = {Coach::carry_on, -1};
   want_sections();
   place_all();
@@ -236,6 +251,23 @@ void DrillStage::show_wanted_push(double newtons) {
   place_all();
 }
 
+void DrillStage::show_depth_held(bool on) {
+  const QSignalBlocker quiet(hold_);
+  hold_->setChecked(on);
+  announce(hold_, on ? tr("Depth held") : tr("Depth free"));
+}
+
+void DrillStage::follow_bur(Vec3 pivot_mm) {
+  const CoachTone tone = tone_of(shown_, leeway_);
+  const auto at = tone == CoachTone::good ? std::nullopt : view_->project(pivot_mm);
+  bur_tag_->setVisible(at.has_value());
+  if (!at) return;
+  // Beside the bur, where neither handpiece nor cavity lies under it.
+  const QPoint place = at->toPoint() + QPoint(px(28), -bur_tag_->height() / 2);
+  bur_tag_->move(std::clamp(place.x(), 0, std::max(0, width() - bur_tag_->width())),
+                 std::clamp(place.y(), 0, std::max(0, height() - bur_tag_->height())));
+}
+
 QString DrillStage::coach_text(const CoachLine& line) const {
   const QString mm = format({line.mm, {}, QStringLiteral("mm"), 1});
   switch (line.what) {
@@ -247,6 +279,7 @@ QString DrillStage::coach_text(const CoachLine& line) const {
     case Coach::too_deep: return tr("%1 too deep here").arg(mm);
     case Coach::outside: return tr("Back inside the line: %1 outside").arg(mm);
     case Coach::deeper: return tr("%1 deeper").arg(mm);
+    case Coach::nearly: return tr("Slowly: %1 to the floor").arg(mm);
     case Coach::sideways: return tr("Deep enough, move sideways");
     case Coach::finish: return tr("Nearly all is out: smooth it, then finish");
     case Coach::carry_on: return tr("Continue where the target remains");
@@ -291,7 +324,7 @@ void DrillStage::show_depth(const LiveView& live, double bur_radius_mm) {
   // Beside the tooth a bur is below the plane too, and in nothing.
   const Vec3 at = live.output.proxy_mm;
   const bool over_target = !look_ || look_->empty() ||
-                           look_->shape().outline_mm({at.x, at.y}) < bur_radius_mm + leeway_.side_mm;
+                           wall_mm(look_->shape(), {at.x, at.y}) < bur_radius_mm + leeway_.side_mm;
   const bool known = live.device != Sample::Status::gone && (live.output.contact || over_target) && live.bur_depth_mm >= 0;
   if (known && live.bur_depth_mm > depth_->most()) scale_depth(live.bur_depth_mm);
   depth_->set_value(known ? std::optional(live.bur_depth_mm) : std::nullopt);
@@ -302,7 +335,11 @@ void DrillStage::show_coach(CoachLine line) {
   if (line == shown_) return;
   shown_ = line;
   coach_->setText(coach_text(line));
-  sign_coach(tone_of(line, leeway_));
+  const CoachTone tone = tone_of(line, leeway_);
+  sign_coach(tone);
+  bur_tag_->setText(line.what == Coach::pulp_open ? tr("Pulp") : format({line.mm, {}, QStringLiteral("mm"), 1}));
+  set_ink(bur_tag_, tone == CoachTone::bad ? "bad" : "look");
+  bur_tag_->adjustSize();
   coach_card_->setVisible(line.what != Coach::quiet);
   place_all();
   if (!worth_saying(spoken_, line)) return;
@@ -355,6 +392,8 @@ void DrillStage::place_all() {
   const int top = std::max(tools_->geometry().bottom() + gap, (h - depth.height()) / 2 + px(20));
   depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - px(60)));
   push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - px(110)));
+  hold_->setFixedWidth(depth.width());
+  hold_->move(gap, depth_->geometry().bottom() + px(6));
   wanted_push_->move(w - gap - (push.width() + wanted_push_->width()) / 2, push_->geometry().bottom() + px(6));
   legend_->adjustSize();
   place(legend_, gap, h - legend_->height() - px(16));

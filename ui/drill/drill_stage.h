@@ -46,6 +46,10 @@ class DrillStage : public QWidget {
   void show_values(const LiveView& live, const FalconView* falcon = nullptr);
   /// What the mouse would push with, N.
   void show_wanted_push(double newtons);
+  /// Whether the mouse holds the bur's depth.
+  void show_depth_held(bool on);
+  /// Moves the tag at the bur; it has the coach's figure while something is worth a look.
+  void follow_bur(Vec3 pivot_mm);
   void show_cutaway(SectionImage image);
   void show_stopped(Stop stop, const Message& record = {}, Fault fault = Fault::none);
   /// While a question stands over the screen, the pause that it made is not shown besides.
@@ -59,6 +63,7 @@ class DrillStage : public QWidget {
   void set_centre(QWidget* widget);
 
  Q_SIGNALS:
+  void depth_hold_wanted(bool on);
   void go_on();
   void leave();
   void sections_wanted(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid);
@@ -88,7 +93,8 @@ class DrillStage : public QWidget {
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;
   std::vector<std::pair<QPushButton*, QLabel*>> caps_;  // each tool's key
   Gauge *depth_, *push_;
-  QLabel *coach_sign_, *coach_, *wanted_push_;
+  QLabel *coach_sign_, *coach_, *wanted_push_, *bur_tag_;
+  QPushButton* hold_;
   Compass* compass_;
   QWidget* centre_ = nullptr;
   std::optional<TargetLook> look_;

@@ -116,6 +116,9 @@ bool PointerInput::press_key(int key, KeyPress press) {
         change_push(-kPushStepN);
       }
       return true;
+    case Qt::Key_H:
+      if (!repeated) hold_depth(!held_);
+      return true;
     case Qt::Key_Home:
       if (hand_.turned_deg() <= 0) return false;
       hand_.turn_back();
@@ -148,6 +151,18 @@ bool PointerInput::release_key(int key) {
     return true;
   }
   return false;
+}
+
+void PointerInput::follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_mm) {
+  pivot_mm_ = pivot_mm;
+  hand_.set_floor(above_floor_mm ? std::optional(pivot_mm - axis_ * *above_floor_mm) : std::nullopt);
+}
+
+void PointerInput::hold_depth(bool on) {
+  if (on == held_) return;
+  held_ = on;
+  hand_.hold_depth(on ? std::optional(pivot_mm_) : std::nullopt);
+  Q_EMIT depth_held(on);
 }
 
 void PointerInput::step_keys() {

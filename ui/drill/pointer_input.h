@@ -1,11 +1,12 @@
 /// Mouse and keys to the pointer device: the bur follows the mouse over the tooth, the left button or Space drills,
-/// the wheel and Page Up and Down set how hard. Thread: GUI.
+/// the wheel and Page Up and Down set how hard, H holds the depth. Thread: GUI.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QSet>
 #include <QTimer>
+#include <optional>
 
 #include "device/pointer/pointer_hand.h"
 #include "ui/modules.h"
@@ -28,6 +29,11 @@ class PointerInput : public QObject {
   void release_all();
   void set_enabled(bool on);
 
+  /// Where the bur stands, and how far above the floor of the target: a sweeping push goes no deeper. nullopt: no floor there.
+  void follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_mm);
+  /// Holds the bur's present depth, or lets it go.
+  void hold_depth(bool on);
+
   /// What drilling pushes with, N.
   double push_n() const { return push_n_; }
 
@@ -39,6 +45,7 @@ class PointerInput : public QObject {
  Q_SIGNALS:
   void push_changed(double newtons);
   void drilled();  // the cut was switched on
+  void depth_held(bool on);
 
  protected:
   /// Of the view: whatever takes the mouse away releases the button.
@@ -57,6 +64,8 @@ class PointerInput : public QObject {
   double push_n_;
   double held_push_n_ = 0;  // of Page Down: rests on the tooth without drilling
   bool button_ = false, space_ = false, enabled_ = true;
+  bool held_ = false;
+  Vec3 pivot_mm_{0.0};      // of the bur, as it was last seen
   Vec3 plane_at_{0.0};      // the place that was pressed: while drilling the mouse slides over the plane through it
   QSet<int> arrows_;
   QTimer timer_;

@@ -39,6 +39,31 @@ TEST(Coach, above_the_floor_it_shows_how_much_is_left) {
   EXPECT_NEAR(line.mm, 0.6, 1e-9);  // floor at 2.0, tip at 0.9 + 0.5
 }
 
+TEST(Coach, near_the_floor_it_speaks_before_it_is_reached_and_no_more_on_it) {
+  const CoachLine line = coach(drilling({0, 0, -1.2}, kRadius), slot(), kLeeway, kRadius);
+  EXPECT_EQ(line.what, Coach::nearly);
+  EXPECT_NEAR(line.mm, 0.3, 1e-9);
+  EXPECT_EQ(tone_of(line, kLeeway), CoachTone::look);
+  EXPECT_EQ(coach(drilling({0, 0, -1.5}, kRadius), slot(), kLeeway, kRadius).what, Coach::sideways);
+}
+
+TEST(Coach, of_a_step_it_knows_the_floor_under_the_bur) {
+  Region region;
+  region.kind = RegionKind::joined;
+  for (const double depth : {1.5, 3.0}) {
+    Outline half;
+    half.shape = "channel";
+    half.paths = {{{depth < 2 ? -4.0 : 1.0, 0, -1}, {depth < 2 ? 0.0 : 4.0, 0, -1}}};
+    half.width_mm = 1.6;
+    half.depth_mm = depth;
+    half.top_mm = 0.0;
+    region.parts.push_back(region_of(half));
+  }
+  const TargetShape step(region);
+  EXPECT_EQ(coach(drilling({-3, 0, -1.0}, kRadius), step, kLeeway, kRadius).what, Coach::sideways);
+  EXPECT_EQ(coach(drilling({3, 0, -1.0}, kRadius), step, kLeeway, kRadius).what, Coach::deeper);
+}
+
 TEST(Coach, at_the_floor_it_shows_sideways_and_below_it_how_far_too_deep) {
   EXPECT_EQ(coach(drilling({0, 0, -1.45}, kRadius), slot(), kLeeway, kRadius).what, Coach::sideways);
   const CoachLine line = coach(drilling({0, 0, -1.75}, kRadius), slot(), kLeeway, kRadius);
