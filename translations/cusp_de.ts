@@ -1848,6 +1848,42 @@
         <source>Attempts</source>
         <translation>Versuche</translation>
     </message>
+    <message>
+        <source>%1 of 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>Due %1</source>
+        <translation>Fällig %1</translation>
+    </message>
+    <message>
+        <source>no result yet</source>
+        <translation>noch kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>noch nicht versucht</translation>
+    </message>
+    <message>
+        <source>Class I</source>
+        <translation>Klasse I</translation>
+    </message>
+    <message>
+        <source>Class II</source>
+        <translation>Klasse II</translation>
+    </message>
+    <message>
+        <source>Caries</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>Imported specimens</source>
+        <translation>Importierte Präparate</translation>
+    </message>
+    <message>
+        <source>Practice blocks</source>
+        <translation>Übungsblöcke</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CriteriaModel</name>

@@ -163,7 +163,7 @@ QVector<NavEntry> Desktop::entries() {
   }
   if (writing && role != Role::administrator) {
     list += {u"exercises"_qs, tr("Exercises"), u"list"_qs, [this]() -> QWidget* {
-               auto* page = new ExercisesPage(*store_, account_->actor());
+               auto* page = new ExercisesPage(*store_, account_->actor(), *pictures_, volume_folder());
                connect(page, &ExercisesPage::briefing_wanted, this, &Desktop::show_briefing);
                return page;
              }};

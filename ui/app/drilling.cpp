@@ -16,6 +16,7 @@
 namespace cusp::ui {
 
 DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& text) {
+  pictures_->stop();
   auto* screen = new DrillScreen(ports_);
   screen->keep_sound_in(&settings_);
   const DeviceChoice device = DeviceSettings(settings_.file()).choice();

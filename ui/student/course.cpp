@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ui/student/exercise_groups.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
@@ -18,6 +19,17 @@ QString kind_of(const SpecimenSource& specimen) {
   if (specimen.generator.empty()) return CourseModel::tr("From a file");
   if (specimen.generator != "tooth") return CourseModel::tr("Block");
   return specimen.typodont ? CourseModel::tr("Model tooth") : CourseModel::tr("Tooth");
+}
+
+QString standing_text(const CourseRow& row) {
+  if (row.best && row.best->score) return CourseModel::tr("%1 of 100").arg(format_points(*row.best->score));
+  if (row.due_utc_us) return CourseModel::tr("Due %1").arg(format_day(from_utc_us(*row.due_utc_us)));
+  return row.attempts > 0 ? CourseModel::tr("no result yet") : CourseModel::tr("not tried yet");
+}
+
+Chip::Kind standing_kind(const CourseRow& row) {
+  if (row.best && row.best->passed.value_or(false)) return Chip::Kind::good;
+  return row.due_utc_us ? Chip::Kind::look : Chip::Kind::plain;
 }
 
 QVariant right() { return QVariant(static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter)); }
@@ -97,6 +109,9 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role == IconRole && index.column() == kOpen) return u"chevron_right"_qs;
   if (role == QuietRole && index.column() == kBest) return !r.best;
   if (role == Qt::AccessibleTextRole && index.column() == kOpen) return tr("Briefing");
+  if (role == StandingRole || role == Qt::AccessibleDescriptionRole) return standing_text(r);
+  if (role == StandingKindRole) return static_cast<int>(standing_kind(r));
+  if (role == GroupRole) return static_cast<int>(group_of(r.exercise.scenario));
   if (role == SortRole) {
     switch (index.column()) {
       case kDue: return static_cast<qlonglong>(r.due_utc_us.value_or(std::numeric_limits<qlonglong>::max()));

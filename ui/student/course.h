@@ -38,6 +38,8 @@ class CourseModel : public QAbstractTableModel {
 
  public:
   enum Column { kExercise, kKind, kDue, kAttempts, kBest, kOpen, kColumns };
+  /// Of a card: its standing as text, int(Chip::Kind) for it, int(ExerciseGroup).
+  enum Role { StandingRole = Qt::UserRole + 100, StandingKindRole, GroupRole };
   explicit CourseModel(std::vector<CourseRow> rows, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

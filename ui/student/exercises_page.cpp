@@ -1,50 +1,48 @@
 #include "ui/student/exercises_page.h"
 
 #include <QBoxLayout>
-#include <QCollator>
-#include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QShortcut>
-#include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "ui/student/exercise_cards.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/table.h"
 
 namespace cusp::ui {
 namespace {
 
-/// Sorts numbers by value and names by the language; numbers inside names count ("level 2" before "level 10").
-class Sorted : public QSortFilterProxyModel {
+/// The exercises of one group whose name has the text.
+class OfGroup : public QSortFilterProxyModel {
  public:
-  explicit Sorted(QObject* parent) : QSortFilterProxyModel(parent) {
-    names_.setNumericMode(true);
-    names_.setCaseSensitivity(Qt::CaseInsensitive);
+  OfGroup(ExerciseGroup group, QObject* parent) : QSortFilterProxyModel(parent), group_(group) {
     setFilterKeyColumn(CourseModel::kExercise);
     setFilterCaseSensitivity(Qt::CaseInsensitive);
   }
 
  protected:
-  bool lessThan(const QModelIndex& a, const QModelIndex& b) const override {
-    const QVariant left = a.data(SortRole), right = b.data(SortRole);
-    if (left.userType() != QMetaType::QString) return left.toDouble() < right.toDouble();
-    return names_.compare(left.toString(), right.toString()) < 0;
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+    const QModelIndex index = sourceModel()->index(row, CourseModel::kExercise, parent);
+    return index.data(CourseModel::GroupRole).toInt() == static_cast<int>(group_) && QSortFilterProxyModel::filterAcceptsRow(row, parent);
   }
 
  private:
-  QCollator names_;
+  ExerciseGroup group_;
 };
 
 }  // namespace
 
-ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) : QWidget(parent) {
+ExercisesPage::ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& pictures, std::filesystem::path volumes, QWidget* parent)
+    : QWidget(parent), store_(store), pictures_(pictures), volumes_(std::move(volumes)) {
   auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setContentsMargins(px(24), px(16), 0, 0);
   outer->setSpacing(px(16));
   auto* head = new PageHead(tr("Exercises"), tr("Enter opens the briefing"));
+  head->setContentsMargins(0, 0, px(24), 0);
   outer->addWidget(head);
   const auto course = load_course(store, actor);
   if (!course) {
@@ -58,48 +56,60 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) 
     band->show_message(Band::Kind::look, tr("%n exercise(s) cannot be read.", nullptr, static_cast<int>(course->unreadable.size())),
                        tr("The others are below. Publish them again from the editor."));
   }
-  make_table(*course);
-  auto* card = new Card;
-  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
-  card->body()->addWidget(make_shown());
-  outer->addWidget(card, 1);
+  outer->addWidget(make_shown(*course), 1);
   make_search();
   head->buttons()->addWidget(search_);
-  setFocusProxy(table_);
-}
-
-void ExercisesPage::make_table(const Course& course) {
-  table_ = new Table;
-  table_->setAccessibleName(tr("Exercises"));
-  model_ = new CourseModel(course.rows, this);
-  sorted_ = new Sorted(this);
-  sorted_->setSourceModel(model_);
-  table_->setModel(sorted_);
-  // Without a chosen column the order is that of the course; the third click on a head restores it.
-  table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
-  table_->horizontalHeader()->setSortIndicatorClearable(true);
-  table_->setSortingEnabled(true);
-  table_->set_stretch_column(CourseModel::kExercise);
-  const bool due = std::ranges::any_of(course.rows, [](const CourseRow& row) { return row.due_utc_us.has_value(); });
-  table_->setColumnHidden(CourseModel::kDue, !due);
-  table_->choose_row(std::max(course.next(), 0));
-  connect(table_, &Table::row_opened, this, &ExercisesPage::open);
-  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    if (index.column() == CourseModel::kOpen) open(index);
+  connect(&pictures_, &ThumbnailCache::ready, this, [this] {
+    for (const Section& section : sections_) section.cards->pictures_came();
   });
 }
 
-QWidget* ExercisesPage::make_shown() {
+QWidget* ExercisesPage::make_shown(const Course& course) {
+  model_ = new CourseModel(course.rows, this);
+  auto* page = new QWidget;
+  auto* body = new QVBoxLayout(page);
+  body->setContentsMargins(0, 0, px(12), px(12));
+  body->setSpacing(px(16));
+  for (const ExerciseGroup group : kExerciseGroups) make_section(group, *page);
+  body->addStretch();
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(page);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   shown_ = new QStackedWidget;
-  shown_->addWidget(table_);
+  shown_->addWidget(scroll);
   auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise has this text in its name."),
                               tr("Show all exercises"));
   connect(none, &EmptyState::acted, this, [this] {
     search_->clear();
-    table_->setFocus();
+    if (!sections_.empty()) sections_.front().cards->setFocus();
   });
   shown_->addWidget(none);
+  if (!sections_.empty()) setFocusProxy(sections_.front().cards);
   return shown_;
+}
+
+void ExercisesPage::make_section(ExerciseGroup group, QWidget& body) {
+  auto* shown = new OfGroup(group, this);
+  shown->setSourceModel(model_);
+  if (shown->rowCount() == 0) {
+    delete shown;
+    return;
+  }
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(8));
+  column->addWidget(make_label(group_name(group), TextRole::section, Weight::bold));
+  auto* cards = new ExerciseCards([this, shown](const QModelIndex& index) { return picture_of(*shown, index); });
+  cards->setAccessibleName(group_name(group));
+  cards->setModel(shown);
+  connect(cards, &ExerciseCards::opened, this, [this, shown](const QModelIndex& index) { open(*shown, index); });
+  column->addWidget(cards);
+  static_cast<QVBoxLayout*>(body.layout())->addWidget(box);
+  sections_.push_back({group, box, shown, cards});
 }
 
 void ExercisesPage::make_search() {
@@ -109,20 +119,42 @@ void ExercisesPage::make_search() {
   search_->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
   search_->setClearButtonEnabled(true);
   search_->setFixedWidth(px(240));
-  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    sorted_->setFilterFixedString(text.trimmed());
-    shown_->setCurrentIndex(sorted_->rowCount() == 0 ? 1 : 0);
-    if (table_->chosen_row() < 0) table_->choose_row(0);
-  });
+  connect(search_, &QLineEdit::textChanged, this, &ExercisesPage::filter);
   connect(search_, &QLineEdit::returnPressed, this, [this] {
-    if (sorted_->rowCount() > 0) open(sorted_->index(std::max(table_->chosen_row(), 0), 0));
+    for (const Section& section : sections_) {
+      if (section.shown->rowCount() > 0) return open(*section.shown, section.shown->index(0, 0));
+    }
   });
   auto* find = new QShortcut(QKeySequence::Find, this);
   connect(find, &QShortcut::activated, search_, [this] { search_->setFocus(Qt::ShortcutFocusReason); });
 }
 
-void ExercisesPage::open(const QModelIndex& index) {
-  Q_EMIT briefing_wanted(model_->row(sorted_->mapToSource(index).row()).exercise);
+void ExercisesPage::filter(const QString& text) {
+  bool any = false;
+  for (const Section& section : sections_) {
+    section.shown->setFilterFixedString(text.trimmed());
+    section.box->setVisible(section.shown->rowCount() > 0);
+    any = any || section.shown->rowCount() > 0;
+  }
+  shown_->setCurrentIndex(any ? 0 : 1);
+}
+
+ExerciseCards* ExercisesPage::cards(ExerciseGroup group) const {
+  const auto it = std::ranges::find(sections_, group, &Section::group);
+  return it == sections_.end() ? nullptr : it->cards;
+}
+
+QImage ExercisesPage::picture_of(const QSortFilterProxyModel& shown, const QModelIndex& index) {
+  const int row = shown.mapToSource(index).row();
+  QImage& drawn = drawn_[row];
+  if (!drawn.isNull()) return drawn;
+  const Exercise& exercise = model_->row(row).exercise;
+  if (const auto folder = exercise_folder(store_, exercise, volumes_)) drawn = pictures_.picture(exercise, *folder, ThumbnailCache::Use::card);
+  return drawn;
+}
+
+void ExercisesPage::open(const QSortFilterProxyModel& shown, const QModelIndex& index) {
+  Q_EMIT briefing_wanted(model_->row(shown.mapToSource(index).row()).exercise);
 }
 
 }  // namespace cusp::ui

@@ -1,39 +1,57 @@
-/// All exercises with the student's results: search, sorting by column, Enter opens the briefing. Thread: GUI.
+/// All exercises as cards with the student's best result, by group; search; Enter opens the briefing. Thread: GUI.
 #pragma once
 
+#include <QSortFilterProxyModel>
 #include <QWidget>
+#include <filesystem>
+#include <map>
+#include <vector>
 
 #include "ui/student/course.h"
+#include "ui/student/exercise_groups.h"
+#include "ui/student/thumbnail_cache.h"
 
 class QLineEdit;
-class QSortFilterProxyModel;
 class QStackedWidget;
 
 namespace cusp::ui {
 
-class Table;
+class ExerciseCards;
 
 class ExercisesPage : public QWidget {
   Q_OBJECT
 
  public:
-  ExercisesPage(Store& store, const Actor& actor, QWidget* parent = nullptr);
-  Table* table() const { return table_; }
+  /// `volumes`: where files of exercises are written.
+  ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& pictures, std::filesystem::path volumes, QWidget* parent = nullptr);
+  /// The cards of a group; nullptr if it has no exercise.
+  ExerciseCards* cards(ExerciseGroup group) const;
   QLineEdit* search() const { return search_; }
 
  Q_SIGNALS:
   void briefing_wanted(const Exercise& exercise);
 
  private:
-  void make_table(const Course& course);
-  QWidget* make_shown();
+  struct Section {
+    ExerciseGroup group;
+    QWidget* box;
+    QSortFilterProxyModel* shown;
+    ExerciseCards* cards;
+  };
+  void make_section(ExerciseGroup group, QWidget& body);
+  QWidget* make_shown(const Course& course);
   void make_search();
-  void open(const QModelIndex& index);
+  void filter(const QString& text);
+  QImage picture_of(const QSortFilterProxyModel& shown, const QModelIndex& index);
+  void open(const QSortFilterProxyModel& shown, const QModelIndex& index);
 
+  Store& store_;
+  ThumbnailCache& pictures_;
+  std::filesystem::path volumes_;
   CourseModel* model_ = nullptr;
-  QSortFilterProxyModel* sorted_ = nullptr;
-  QStackedWidget* shown_ = nullptr;  // the table, or that nothing fits
-  Table* table_ = nullptr;
+  std::vector<Section> sections_;
+  std::map<int, QImage> drawn_;  // by row of the course: a card is painted often
+  QStackedWidget* shown_ = nullptr;  // the sections, or that nothing fits
   QLineEdit* search_ = nullptr;
 };
 

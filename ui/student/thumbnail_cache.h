@@ -8,6 +8,7 @@
 #include <QThreadPool>
 #include <atomic>
 #include <filesystem>
+#include <memory>
 
 #include "ui/student/exercises.h"
 
@@ -17,7 +18,7 @@ class ThumbnailCache : public QObject {
   Q_OBJECT
 
  public:
-  enum class Use { card, cover };  // with the target on it, for lists; the bare tooth, for the sign-in
+  enum class Use { card, cover };  // with the target on it, coarse, for lists; the bare tooth, for the sign-in
 
   explicit ThumbnailCache(std::filesystem::path cache, QObject* parent = nullptr);
   /// Gives up the picture that is being drawn, and does not wait for it to grow.
@@ -25,13 +26,15 @@ class ThumbnailCache : public QObject {
 
   /// The picture in the present theme, or a null image: then it is being drawn, and ready() comes. Where there is no OpenGL it never comes.
   QImage picture(const Exercise& exercise, const std::filesystem::path& folder, Use use);
+  /// Gives up all that waits or is being drawn: an attempt needs the processor. The next picture() begins again.
+  void stop();
 
  Q_SIGNALS:
   void ready();
 
  private:
   std::filesystem::path cache_;
-  std::atomic<bool> closing_{false};
+  std::shared_ptr<std::atomic<bool>> stopped_ = std::make_shared<std::atomic<bool>>(false);  // of the pictures asked since
   QThreadPool pool_;
   QSet<QString> asked_;
 };

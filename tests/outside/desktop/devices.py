@@ -70,9 +70,7 @@ def still(own, program):
 def start(program, hand):
     """From the sign-in to an attempt on the Falcon: the screen asks for homing, the hand homes."""
     school.sign_in_student(program)
-    school.page(program, "Exercises")
-    school.row_of(program, "Exercises", EXERCISE)[0].click()
-    program.keys("Return")
+    school.brief(program, EXERCISE)
     program.press("Start")
     program.find("label", "Finding its middle")
     hand("falcon", "home")

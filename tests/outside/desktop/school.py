@@ -89,11 +89,17 @@ def row_of(program, table, *parts):
     return until(f"a row with {', '.join(parts)} in {table!r}", look)
 
 
-def begin(program, exercise):
-    """From the list of exercises over the briefing to the drilling screen, ready to drill."""
+def brief(program, exercise):
+    """The briefing of the first exercise with this name, found by its text."""
     page(program, "Exercises")
-    row_of(program, "Exercises", exercise)[0].click()
+    program.find("text", "Find an exercise").type(exercise)
+    program.find("list item", exercise)
     program.keys("Return")
+
+
+def begin(program, exercise):
+    """From the exercises over the briefing to the drilling screen, ready to drill."""
+    brief(program, exercise)
     program.press("Start")
     until("the tooth to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
 

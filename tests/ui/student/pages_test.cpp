@@ -16,7 +16,9 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/render/gl_context_egl.h"
 #include "ui/student/briefing.h"
+#include "ui/student/exercise_cards.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/own_history.h"
@@ -159,56 +161,92 @@ TEST_F(Pages, a_file_of_an_exercise_that_cannot_be_written_is_not_called_a_full_
   EXPECT_EQ(folder.error().detail, "Not a directory");
 }
 
-TEST_F(Pages, the_list_opens_the_briefing_with_enter) {
+TEST_F(Pages, the_exercises_stand_in_groups_teeth_before_blocks) {
   const Account lena = records.student("1", "Lena Brandt");
-  ExercisesPage page(records.store(), lena.actor());
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
+  page.resize(1080, 752);
   page.show();
-  std::optional<Exercise> wanted;
-  QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted = e; });
-  page.table()->choose_row(1);
-  QTest::keyClick(page.table(), Qt::Key_Return);
-  ASSERT_TRUE(wanted.has_value());
-  EXPECT_EQ(wanted->scenario.key, builtin_scenarios()[1]);
+  int all = 0;
+  for (const ExerciseGroup group : kExerciseGroups) {
+    if (const ExerciseCards* cards = page.cards(group)) all += cards->model()->rowCount();
+  }
+  EXPECT_EQ(all, static_cast<int>(builtin_scenarios().size()));
+  ASSERT_NE(page.cards(ExerciseGroup::class_1), nullptr);
+  ASSERT_NE(page.cards(ExerciseGroup::class_2), nullptr);
+  EXPECT_EQ(page.cards(ExerciseGroup::other), nullptr);
+  EXPECT_LT(page.cards(ExerciseGroup::class_2)->mapTo(&page, QPoint()).y(), page.cards(ExerciseGroup::block)->mapTo(&page, QPoint()).y());
+  EXPECT_EQ(page.focusProxy(), page.cards(ExerciseGroup::class_1));
+}
+
+TEST_F(Pages, a_card_shows_the_best_result_and_opens_the_briefing_by_enter_and_by_click) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "class-1-36", 87, 300);
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
+  page.resize(1080, 752);
+  page.show();
+  std::vector<std::string> wanted;
+  QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted.push_back(e.scenario.key); });
+  ExerciseCards* cards = page.cards(ExerciseGroup::class_1);
+  const QModelIndex first = cards->model()->index(0, 0), second = cards->model()->index(1, 0);
+  EXPECT_EQ(first.data(CourseModel::StandingRole).toString(), QStringLiteral("87 of 100"));
+  EXPECT_EQ(second.data(CourseModel::StandingRole).toString(), QStringLiteral("not tried yet"));
+  cards->setCurrentIndex(second);
+  QTest::keyClick(cards, Qt::Key_Left);
+  QTest::keyClick(cards, Qt::Key_Return);
+  QTest::mouseClick(cards->viewport(), Qt::LeftButton, {}, cards->visualRect(second).center());
+  ASSERT_EQ(wanted.size(), 2u);
+  EXPECT_EQ(wanted[0], "class-1-36");
+  EXPECT_NE(wanted[1], "class-1-36");
+}
+
+TEST_F(Pages, all_cards_stand_within_their_group_at_any_width) {
+  const Account lena = records.student("1", "Lena Brandt");
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
+  page.show();
+  for (const QSize size : {QSize(1720, 900), QSize(1080, 752), QSize(653, 485), QSize(320, 400)}) {
+    page.resize(size);
+    for (const ExerciseGroup group : kExerciseGroups) {
+      const ExerciseCards* cards = page.cards(group);
+      if (cards == nullptr) continue;
+      const QModelIndex last = cards->model()->index(cards->model()->rowCount() - 1, 0);
+      EXPECT_TRUE(QTest::qWaitFor([&] { return cards->viewport()->rect().contains(cards->visualRect(last)); })) << size.width();
+    }
+  }
 }
 
 TEST_F(Pages, a_text_finds_its_exercises_and_enter_opens_the_first) {
   const Account lena = records.student("1", "Lena Brandt");
-  ExercisesPage page(records.store(), lena.actor());
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
   page.show();
   std::optional<Exercise> wanted;
   QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted = e; });
-  const int all = page.table()->model()->rowCount();
+  const int all = page.cards(ExerciseGroup::class_1)->model()->rowCount();
   page.search()->setText(QStringLiteral("class i, tooth"));
-  EXPECT_EQ(page.table()->model()->rowCount(), 3);  // dry, with turbine and water, and in a jaw
+  EXPECT_EQ(page.cards(ExerciseGroup::class_1)->model()->rowCount(), 3);  // dry, with turbine and water, and in a jaw
+  EXPECT_FALSE(page.cards(ExerciseGroup::block)->isVisible());
   QTest::keyClick(page.search(), Qt::Key_Return);
   ASSERT_TRUE(wanted.has_value());
   EXPECT_EQ(wanted->scenario.key, "class-1-36");
   page.search()->setText(QStringLiteral("no such thing"));
-  EXPECT_EQ(page.table()->model()->rowCount(), 0);
+  EXPECT_EQ(page.cards(ExerciseGroup::class_1)->model()->rowCount(), 0);
   wanted.reset();
   QTest::keyClick(page.search(), Qt::Key_Return);
   EXPECT_FALSE(wanted.has_value());
   for (QPushButton* button : page.findChildren<QPushButton*>()) {
     if (button->text() == QStringLiteral("Show all exercises")) button->click();
   }
-  EXPECT_EQ(page.table()->model()->rowCount(), all);
+  EXPECT_EQ(page.cards(ExerciseGroup::class_1)->model()->rowCount(), all);
 }
 
-TEST_F(Pages, a_sorted_list_opens_the_exercise_that_it_shows) {
-  const Account lena = records.student("1", "Lena Brandt");
-  ExercisesPage page(records.store(), lena.actor());
-  page.show();
-  std::optional<Exercise> wanted;
-  QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted = e; });
-  page.table()->sortByColumn(CourseModel::kExercise, Qt::AscendingOrder);
-  page.table()->choose_row(0);
-  QTest::keyClick(page.table(), Qt::Key_Return);
-  ASSERT_TRUE(wanted.has_value());
-  EXPECT_EQ(wanted->scenario.key, "circle-1");  // "Circle, level 1" is the first of the alphabet
-  page.table()->sortByColumn(-1, Qt::AscendingOrder);
-  page.table()->choose_row(0);
-  QTest::keyClick(page.table(), Qt::Key_Return);
-  EXPECT_EQ(wanted->scenario.key, builtin_scenarios()[0]);  // the order of the course again
+TEST_F(Pages, pictures_that_are_stopped_begin_again_when_they_are_asked_for) {
+  const auto list = load_exercises(records.store());
+  QSignalSpy ready(&pictures, &ThumbnailCache::ready);
+  EXPECT_TRUE(pictures.picture(list->exercises[0], {}, ThumbnailCache::Use::card).isNull());
+  pictures.stop();
+  EXPECT_TRUE(pictures.picture(list->exercises[0], {}, ThumbnailCache::Use::card).isNull());
+  if (!EglContext::create(8, 8)) GTEST_SKIP() << "no OpenGL";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0; }, 60'000));
+  EXPECT_FALSE(pictures.picture(list->exercises[0], {}, ThumbnailCache::Use::card).isNull());
 }
 
 TEST_F(Pages, the_start_page_fits_a_window_of_1280) {
