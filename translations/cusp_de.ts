@@ -2404,6 +2404,18 @@
         <source>What fails the attempt</source>
         <translation>Was zum Nichtbestehen führt</translation>
     </message>
+    <message>
+        <source>Add a shape</source>
+        <translation>Form hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a shape</source>
+        <translation>Form entfernen</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Neigung</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorPage</name>
@@ -2657,6 +2669,10 @@
     <message>
         <source>Texts</source>
         <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Choose an outline among the parts of the target first</source>
+        <translation>Zuerst unter den Formen des Ziels einen Umriss wählen</translation>
     </message>
 </context>
 <context>
@@ -4109,6 +4125,133 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PartsForm</name>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Cuboid</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Capsule</source>
+        <translation>Kapsel</translation>
+    </message>
+    <message>
+        <source>Ellipsoid</source>
+        <translation>Ellipsoid</translation>
+    </message>
+    <message>
+        <source>Half-space</source>
+        <translation>Halbraum</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Carious lesion</source>
+        <translation>Kariöse Läsion</translation>
+    </message>
+    <message>
+        <source>Union</source>
+        <translation>Vereinigung</translation>
+    </message>
+    <message>
+        <source>Intersection</source>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>The first less the others</source>
+        <translation>Die erste ohne die anderen</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Shapes of the target</source>
+        <translation>Formen des Ziels</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Add a shape</source>
+        <translation>Form hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the shape</source>
+        <translation>Form entfernen</translation>
+    </message>
+    <message>
+        <source>Along the arch</source>
+        <translation>Entlang des Zahnbogens</translation>
+    </message>
+    <message>
+        <source>Towards the cheek</source>
+        <translation>Zur Wange</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Joined as</source>
+        <translation>Verbunden als</translation>
+    </message>
+    <message>
+        <source>Rounding of the edges</source>
+        <translation>Rundung der Kanten</translation>
+    </message>
+    <message>
+        <source>Grown by</source>
+        <translation>Vergrößert um</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Other end</source>
+        <translation>Anderes Ende</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius at the other end</source>
+        <translation>Radius am anderen Ende</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::PasswordDialog</name>
     <message>
         <source>Change password</source>
@@ -5241,12 +5384,32 @@
         <translation>Zusammengesetzte Form</translation>
     </message>
     <message>
-        <source>This target is composed of several shapes. The editor cannot change them yet; they stay as they are.</source>
-        <translation>Dieses Ziel ist aus mehreren Formen zusammengesetzt. Der Editor kann sie noch nicht ändern; sie bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>Some faces have a tolerance zone of their own; it stays as it is.</source>
         <translation>Einige Flächen haben eine eigene Toleranzzone; sie bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Lean, %1</source>
+        <translation>Neigung, %1</translation>
+    </message>
+    <message>
+        <source>Lean, back along the arch</source>
+        <translation>Neigung, Zahnbogen rückwärts</translation>
+    </message>
+    <message>
+        <source>Lean, on along the arch</source>
+        <translation>Neigung, Zahnbogen vorwärts</translation>
+    </message>
+    <message>
+        <source>Lean, towards the tongue</source>
+        <translation>Neigung, zur Zunge</translation>
+    </message>
+    <message>
+        <source>Lean, towards the cheek</source>
+        <translation>Neigung, zur Wange</translation>
+    </message>
+    <message>
+        <source>Above 0 the wall opens upwards</source>
+        <translation>Über 0 öffnet sich die Wand nach oben</translation>
     </message>
 </context>
 <context>

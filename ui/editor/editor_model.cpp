@@ -12,36 +12,26 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kNewSegmentMm = 1.0;  // length of a branch, about that of a fissure's arm
-constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape after set_shape()
-
-/// Rounds to 0.1 µm, so that sums of steps print short.
-double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
-Vec3 tidy(Vec3 v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
-
-/// Bounding rectangle of all points.
-void bounds(const Outline& target, Vec3& low, Vec3& high) {
-  low = high = target.paths.front().front();
-  for (const auto& path : target.paths) {
-    for (const Vec3& p : path) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-  }
-}
-
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool finite(const Region& region) {
+  const Outline& o = region.outline;
+  bool all = finite(region.from_mm) && finite(region.to_mm) && finite(region.size_mm) && finite(region.x_axis) && finite(region.z_axis) &&
+             finite(o.box_size_mm);
+  for (const double v : {region.radius_mm, region.end_radius_mm, region.rounding_mm, region.by_mm, o.width_mm, o.depth_mm, o.top_mm,
+                         o.corner_radius_mm, o.taper_deg[0], o.taper_deg[1], o.taper_deg[2], o.taper_deg[3]}) {
+    all = all && std::isfinite(v);
+  }
+  for (const auto& path : o.paths) {
+    for (const Vec3& p : path) all = all && finite(p);
+  }
+  return all && std::ranges::all_of(region.parts, [](const Region& part) { return finite(part); });
+}
 
 /// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
-  const Outline& t = s.target.outline;
-  bool all = std::isfinite(t.width_mm) && std::isfinite(t.depth_mm) && std::isfinite(t.top_mm) &&
-             std::isfinite(t.corner_radius_mm) && finite(t.box_size_mm) && std::isfinite(s.leeway.floor_mm) &&
-             std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.rubric.pass) &&
-             std::isfinite(s.specimen.voxel_mm);
-  for (const auto& path : t.paths) {
-    for (const Vec3& p : path) all = all && finite(p);
-  }
+  bool all = finite(s.target) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) &&
+             std::isfinite(s.rubric.pass) && std::isfinite(s.specimen.voxel_mm);
   for (const Criterion& c : s.rubric.criteria) {
     const Bands& b = c.bands;
     for (const double v : {c.weight, b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi}) {
@@ -61,18 +51,12 @@ bool finite(const Scenario& s) {
 
 }  // namespace
 
-void settle_on_floor(Outline& target) {
-  const double floor = tidy(target.top_mm - target.depth_mm);
-  for (auto& path : target.paths) {
-    for (Vec3& p : path) p = tidy(Vec3(p.x, p.y, floor));
-  }
-}
-
 EditorModel::EditorModel(EditorStart start, QObject* parent)
     : QObject(parent),
       scenario_(std::move(start.draft)),
       published_(std::move(start.published)),
       folder_(std::move(start.folder)),
+      part_(first_outline(scenario_.target)),
       grown_from_(scenario_.specimen) {
   check();
 }
@@ -90,6 +74,7 @@ bool EditorModel::edit(const QString& text, const QString& field, const std::fun
 }
 
 void EditorModel::after_change() {
+  if (part_at(scenario_.target, part_) == nullptr) choose_part(part_);
   if (!(scenario_.specimen == grown_from_)) {
     grown_from_ = scenario_.specimen;
     facts_.reset();
@@ -150,127 +135,6 @@ bool EditorModel::set_briefing(const std::string& language, const QString& text)
     } else {
       s.briefing[language] = text.toStdString();
     }
-  });
-}
-
-bool EditorModel::set_target(const Outline& target, const QString& field) {
-  if (!has_drawn_target()) return false;
-  return edit(tr("Target"), field, [&](Scenario& s) { s.target.outline = target; });
-}
-
-bool EditorModel::set_shape(const std::string& shape) {
-  if (!has_drawn_target()) return false;
-  end_gesture();
-  return edit(tr("Shape"), u"shape"_qs, [&](Scenario& s) {
-    Outline& t = s.target.outline;
-    if (t.shape == shape || t.paths.empty() || t.paths.front().empty()) return;
-    Vec3 low, high;
-    bounds(t, low, high);
-    const Vec3 middle = tidy((low + high) / 2.0);
-    if (shape == "box") {
-      const double w = std::max(t.width_mm, kLeastNewWidthMm);
-      t.box_size_mm = tidy(Vec3(high.x - low.x + w, high.y - low.y + w, 0));
-      t.paths = {{middle}};
-    } else {
-      if (t.shape == "box") {
-        const double wide = t.box_size_mm.x, high_y = t.box_size_mm.y;
-        t.width_mm = tidy(std::max(std::min(wide, high_y), kLeastNewWidthMm));
-        const double half = std::max(std::max(wide, high_y) - t.width_mm, kLeastNewLengthMm) / 2;
-        const Vec3 along = wide >= high_y ? Vec3(half, 0, 0) : Vec3(0, half, 0);
-        t.paths = {{tidy(middle - along), tidy(middle + along)}};
-      } else if (shape == "channel") {
-        t.paths = {{t.paths.front().front(), t.paths.front().back()}};
-      }
-      t.box_size_mm = Vec3(0.0);
-    }
-    t.shape = shape;
-    settle_on_floor(t);
-  });
-}
-
-bool EditorModel::set_depth_mm(double mm) {
-  if (!has_drawn_target()) return false;
-  return edit(tr("Depth"), u"depth"_qs, [&](Scenario& s) {
-    const double by = mm - s.target.outline.depth_mm;
-    s.target.outline.depth_mm = mm;
-    settle_on_floor(s.target.outline);
-    if (!std::isfinite(by)) return;
-    for (Criterion& c : s.rubric.criteria) {
-      if (!c.metric.starts_with("depth_")) continue;
-      Bands& b = c.bands;
-      // A side with three equal edges is open and has no bands to move.
-      if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
-        for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by);
-      }
-      if (b.fail_hi != b.ideal_hi || b.acc_hi != b.ideal_hi) {
-        for (double* edge : {&b.ideal_hi, &b.acc_hi, &b.fail_hi}) *edge = tidy(*edge + by);
-      }
-    }
-  });
-}
-
-bool EditorModel::set_width_mm(double mm) {
-  if (!has_drawn_target()) return false;
-  return edit(tr("Width"), u"width"_qs, [&](Scenario& s) { s.target.outline.width_mm = mm; });
-}
-
-bool EditorModel::set_top_mm(double mm) {
-  if (!has_drawn_target()) return false;
-  return edit(tr("Height"), u"top"_qs, [&](Scenario& s) {
-    s.target.outline.top_mm = mm;
-    settle_on_floor(s.target.outline);
-  });
-}
-
-bool EditorModel::set_corner_radius_mm(double mm) {
-  if (!has_drawn_target()) return false;
-  return edit(tr("Corner radius"), u"corner"_qs, [&](Scenario& s) { s.target.outline.corner_radius_mm = mm; });
-}
-
-bool EditorModel::set_box_size_mm(double x, double y) {
-  if (!has_drawn_target() || !(x > 0) || !(y > 0)) return false;
-  return edit(tr("Size"), u"size"_qs, [&](Scenario& s) { s.target.outline.box_size_mm = {x, y, 0}; });
-}
-
-bool EditorModel::set_point_mm(std::size_t path, std::size_t point, double x, double y) {
-  if (path >= scenario_.target.outline.paths.size() || point >= scenario_.target.outline.paths[path].size()) return false;
-  return edit(tr("Point"), u"point/%1/%2"_qs.arg(path).arg(point), [&](Scenario& s) {
-    Vec3& p = s.target.outline.paths[path][point];
-    p = Vec3(x, y, p.z);
-  });
-}
-
-bool EditorModel::add_point(std::size_t path) {
-  if (path >= scenario_.target.outline.paths.size() || scenario_.target.outline.shape != "outline") return false;
-  end_gesture();
-  return edit(tr("Add a point"), u"points"_qs, [&](Scenario& s) {
-    auto& points = s.target.outline.paths[path];
-    const Vec3 last = points.back();
-    const Vec3 step = points.size() > 1 ? last - points[points.size() - 2] : Vec3(kNewSegmentMm, 0, 0);
-    points.push_back(tidy(last + step));
-  });
-}
-
-bool EditorModel::remove_point(std::size_t path, std::size_t point) {
-  const auto& paths = scenario_.target.outline.paths;
-  if (path >= paths.size() || point >= paths[path].size() || scenario_.target.outline.shape != "outline") return false;
-  if (paths.size() == 1 && paths[0].size() <= 2) return false;  // the target keeps one segment
-  end_gesture();
-  return edit(tr("Remove a point"), u"points"_qs, [&](Scenario& s) {
-    auto& points = s.target.outline.paths[path];
-    points.erase(points.begin() + static_cast<std::ptrdiff_t>(point));
-    if (points.size() < 2) s.target.outline.paths.erase(s.target.outline.paths.begin() + static_cast<std::ptrdiff_t>(path));
-  });
-}
-
-bool EditorModel::add_path() {
-  const Outline& t = scenario_.target.outline;
-  if (t.shape != "outline" || t.paths.empty() || t.paths.front().empty()) return false;
-  end_gesture();
-  return edit(tr("Add a branch"), u"points"_qs, [&](Scenario& s) {
-    const auto& first = s.target.outline.paths.front();
-    const Vec3 root = first[first.size() / 2];
-    s.target.outline.paths.push_back({root, tidy(root + Vec3(0, kNewSegmentMm, 0))});
   });
 }
 

@@ -13,6 +13,7 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/format/validate.h"
+#include "ui/editor/region_parts.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -47,12 +48,21 @@ class EditorModel : public QObject {
   /// Carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. `field` as
   /// in set_target.
   bool set_tooth(const SpecimenSource& source, const QString& field);
-  /// Whether the target is one outline, which this editor can change. A tree of shapes stays as it is: the edits of the target
-  /// return false.
-  bool has_drawn_target() const { return scenario_.target.kind == RegionKind::outline; }
-  bool set_target(const Outline& target, const QString& field);          // for handles: the whole outline
+  /// The part of the target that the edits below change. At the start its first outline. No edit: undo does not bring it back.
+  const PartPath& part() const { return part_; }
+  void choose_part(const PartPath& path);
+  /// The chosen part; the edits of an outline return false if it is none.
+  const Region& chosen() const { return *part_at(scenario_.target, part_); }
+  bool has_outline() const { return chosen().kind == RegionKind::outline; }
+  const Outline& outline() const { return chosen().outline; }
+  /// The values of the chosen part; its own parts stay. `field` as in ScenarioEdit.
+  bool set_part(const Region& part, const QString& field);
+  bool add_part(RegionKind kind);  // beside the chosen one, which it becomes
+  bool remove_part();              // false for the root
+  bool set_outline(const Outline& outline, const QString& field);       // for handles: the whole outline
+  bool set_taper_deg(std::size_t side, double deg);                     // -x, +x, -y, +y
   bool set_shape(const std::string& shape);                             // keeps place, size and depth
-  /// Moves the bands of depth criteria too, so that an exact cut still earns full points.
+  /// If its floor is the pulpal floor, moves the bands of depth criteria too, so that an exact cut still earns full points.
   bool set_depth_mm(double mm);
   bool set_width_mm(double mm);
   bool set_top_mm(double mm);
@@ -107,6 +117,8 @@ class EditorModel : public QObject {
   void now_published(const Scenario& version);
 
  Q_SIGNALS:
+  /// Another part of the target is chosen.
+  void part_chosen();
   /// After every edit, undo and redo, and after set_facts().
   void changed();
   /// The exercise has another specimen now.
@@ -114,6 +126,7 @@ class EditorModel : public QObject {
 
  private:
   bool edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change);
+  bool edit_outline(const QString& text, const QString& field, const std::function<void(Scenario&, Outline&)>& change);
   void after_change();
   void check();
   void check_pulp();
@@ -123,6 +136,7 @@ class EditorModel : public QObject {
   Scenario scenario_;
   std::optional<Scenario> published_;
   std::string folder_;
+  PartPath part_;
   SpecimenSource grown_from_;  // at the last specimen_changed()
   std::optional<SpecimenFacts> facts_;
   std::vector<Vec3> pulp_mm_;

@@ -51,6 +51,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   stage_ = new TargetView(*model_);
   lay_out();
   connect(model_, &EditorModel::changed, this, &EditorPage::follow_model);
+  connect(model_, &EditorModel::part_chosen, this, &EditorPage::follow_model);
   // EditorModel::changed comes before the stack has the step, so the buttons follow the stack.
   connect(&model_->stack(), &QUndoStack::indexChanged, this, &EditorPage::show_undo);
   follow_grower();
@@ -155,15 +156,15 @@ void EditorPage::follow_model() {
   publish_->setEnabled(standing == EditorModel::Standing::ready);
   try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
   tooth_->setText(isolate(specimen_name(s.specimen)));
-  const bool drawn = model_->has_drawn_target();
-  on_top_->setEnabled(grown_ != nullptr && drawn);
-  shapes_->setExclusive(drawn);  // of a tree no button is chosen
+  const bool drawn = model_->has_outline();
+  on_top_->setEnabled(grown_ != nullptr && s.target.kind == RegionKind::outline);
+  shapes_->setExclusive(drawn);  // of another part no button is chosen
   for (int i = 0; i < static_cast<int>(std::size(kShapes)); ++i) {
     QAbstractButton* button = shapes_->button(i);
     const QSignalBlocker silent(button);
     button->setEnabled(drawn);
-    button->setToolTip(drawn ? QString() : composed_text());
-    button->setChecked(drawn && s.target.outline.shape == kShapes[i].key);
+    button->setToolTip(drawn ? QString() : tr("Choose an outline among the parts of the target first"));
+    button->setChecked(drawn && model_->outline().shape == kShapes[i].key);
   }
   while (QLayoutItem* item = contents_->takeAt(0)) {
     delete item->widget();
@@ -222,8 +223,8 @@ void EditorPage::show_first_check() {
 }
 
 void EditorPage::put_target_on_top() {
-  if (!grown_ || !model_->has_drawn_target()) return;
-  Outline t = model_->scenario().target.outline;
+  if (!grown_ || model_->scenario().target.kind != RegionKind::outline) return;
+  Outline t = model_->outline();
   if (t.paths.empty() || t.paths.front().empty()) return;
   const Vec3 middle = (grown_->facts.low_mm + grown_->facts.high_mm) / 2.0;
   const Vec3 to = grown_->central_mm.value_or(middle);
@@ -244,7 +245,7 @@ void EditorPage::put_target_on_top() {
   t.top_mm = tidy(*height);
   settle_on_floor(t);
   model_->end_gesture();
-  model_->set_target(t, u"place"_qs);
+  model_->set_outline(t, u"place"_qs);
   model_->end_gesture();
 }
 

@@ -100,7 +100,7 @@ void HandleKnob::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
   stage_.model_.end_gesture();
   start_ = handle_;
-  start_target_ = stage_.model_.scenario().target.outline;
+  start_target_ = stage_.model_.outline();
   start_at_ = mapToParent(event->position());
   dragging_ = true;
 }
@@ -142,7 +142,7 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
   const double step = event->modifiers() & Qt::ShiftModifier ? kFineStepMm : kStepMm;
   if (!event->isAutoRepeat()) stage_.model_.end_gesture();
   Vec3 to = handle_.at_mm;
-  const Outline target = stage_.model_.scenario().target.outline;
+  const Outline target = stage_.model_.outline();
   switch (handle_.kind) {
     case TargetHandle::Kind::point: {
       // The axis of the specimen that is nearest to the key's direction on the screen.

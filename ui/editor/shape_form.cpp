@@ -9,6 +9,8 @@
 #include <array>
 
 #include "ui/editor/form_parts.h"
+#include "ui/editor/parts_form.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -17,6 +19,7 @@ namespace {
 // Tolerance zone of the three levels of block exercises, beginner to exam, mm.
 constexpr std::array kStrictness = {0.5, 0.3, 0.2};
 constexpr double kMostSizeMm = 30, kMostDepthMm = 15, kReachMm = 100;
+constexpr double kMostTaperDeg = 30;  // of scenarios/format/ranges.cpp
 
 QWidget* group(QVBoxLayout** column) {
   auto* box = new QWidget;
@@ -24,6 +27,18 @@ QWidget* group(QVBoxLayout** column) {
   (*column)->setContentsMargins(0, 0, 0, 0);
   (*column)->setSpacing(px(6));
   return box;
+}
+
+/// "Lean, mesial wall"; by the direction where the side has no name.
+QString side_name(const Region& part, std::size_t side) {
+  const auto face = part.faces.find(kTaperKeys[side]);
+  if (face != part.faces.end() && face->second != FaceName::side_wall) return ShapeForm::tr("Lean, %1").arg(face_name(key_of(face->second)));
+  switch (side) {
+    case 0: return ShapeForm::tr("Lean, back along the arch");
+    case 1: return ShapeForm::tr("Lean, on along the arch");
+    case 2: return ShapeForm::tr("Lean, towards the tongue");
+    default: return ShapeForm::tr("Lean, towards the cheek");
+  }
 }
 
 }  // namespace
@@ -39,27 +54,24 @@ QString target_name(const Region& target) {
   return target.kind == RegionKind::outline ? shape_name(target.outline.shape) : ShapeForm::tr("Composed shape");
 }
 
-QString composed_text() {
-  return ShapeForm::tr("This target is composed of several shapes. The editor cannot change them yet; they stay as they are.");
-}
-
 ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(12), px(16), px(16));
   column->setSpacing(px(6));
+  column->addWidget(new PartsForm(model_));
+  column->addSpacing(px(8));
   title_ = make_label({}, TextRole::section, Weight::bold);
   column->addWidget(title_);
-  composed_ = make_label(composed_text(), TextRole::body, Weight::regular, "text2");
-  composed_->setWordWrap(true);
-  column->addWidget(composed_);
   QVBoxLayout* drawn = nullptr;
   drawn_ = group(&drawn);
   column->addWidget(drawn_);
   make_size(drawn);
+  make_tapers(drawn);
   make_points(drawn);
   make_tolerances(column);
   column->addStretch();
   connect(&model_, &EditorModel::changed, this, &ShapeForm::follow_model);
+  connect(&model_, &EditorModel::part_chosen, this, &ShapeForm::follow_model);
   follow_model();
 }
 
@@ -68,7 +80,7 @@ NumberBox* ShapeForm::length(const QString& name, Range mm, std::function<bool(d
 }
 
 void ShapeForm::make_size(QVBoxLayout* column) {
-  const auto target = [this]() -> const Outline& { return model_.scenario().target.outline; };
+  const auto target = [this]() -> const Outline& { return model_.outline(); };
   depth_ = length(tr("Depth"), {0.05, kMostDepthMm}, [this](double v) { return model_.set_depth_mm(v); });
   add_row(column, tr("Depth"), depth_);
   QVBoxLayout* rows = nullptr;
@@ -88,6 +100,15 @@ void ShapeForm::make_size(QVBoxLayout* column) {
   top_label_ = add_row(column, tr("Measured from height"), top_);
   corner_ = length(tr("Corner radius"), {0, 5}, [this](double v) { return model_.set_corner_radius_mm(v); });
   add_row(column, tr("Corner radius"), corner_);
+}
+
+void ShapeForm::make_tapers(QVBoxLayout* column) {
+  for (std::size_t side = 0; side < tapers_.size(); ++side) {
+    auto* box = new NumberBox(model_, side_name({}, side), u"deg"_qs, -kMostTaperDeg, kMostTaperDeg, 1, 1,
+                              [this, side](double deg) { return model_.set_taper_deg(side, deg); });
+    box->setToolTip(tr("Above 0 the wall opens upwards"));
+    tapers_[side] = {box, add_row(column, side_name({}, side), box)};
+  }
 }
 
 void ShapeForm::make_points(QVBoxLayout* column) {
@@ -159,17 +180,23 @@ void ShapeForm::make_tolerances(QVBoxLayout* column) {
 
 void ShapeForm::follow_model() {
   const Scenario& s = model_.scenario();
-  const Outline& t = s.target.outline;
+  const Outline& t = model_.outline();
   const bool box = t.shape == "box", outline = t.shape == "outline";
-  title_->setText(target_name(s.target));
-  composed_->setVisible(!model_.has_drawn_target());
-  drawn_->setVisible(model_.has_drawn_target());
+  title_->setText(part_name(model_.chosen()));
+  title_->setVisible(model_.has_outline());  // of the numbers below
+  drawn_->setVisible(model_.has_outline());
   faces_->setVisible(!s.leeway.faces.empty());
   depth_->show_value(t.depth_mm);
   width_->show_value(t.width_mm);
   length_->show_value(t.box_size_mm.x);
   box_width_->show_value(t.box_size_mm.y);
   top_->show_value(t.top_mm);
+  for (std::size_t side = 0; side < tapers_.size(); ++side) {
+    const QString name = side_name(model_.chosen(), side);
+    tapers_[side].label->setText(name);
+    tapers_[side].box->setAccessibleName(name);
+    tapers_[side].box->show_value(t.taper_deg[side]);
+  }
   corner_->show_value(t.corner_radius_mm);
   floor_->show_value(s.leeway.floor_mm);
   side_->show_value(s.leeway.side_mm);
@@ -209,7 +236,7 @@ void ShapeForm::follow_model() {
 void ShapeForm::show_point() {
   if (point_->count() == 0) return;
   const QPoint which = point_->currentData().toPoint();
-  const Outline& t = model_.scenario().target.outline;
+  const Outline& t = model_.outline();
   const Vec3 p = t.paths[static_cast<std::size_t>(which.x())][static_cast<std::size_t>(which.y())];
   x_->show_value(p.x);
   y_->show_value(p.y);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <functional>
 
 #include "ui/editor/editor_model.h"
@@ -28,13 +29,19 @@ class ShapeForm : public QWidget {
   };
   NumberBox* length(const QString& name, Range mm, std::function<bool(double)> take);
   void make_size(QVBoxLayout* column);
+  void make_tapers(QVBoxLayout* column);
   void make_points(QVBoxLayout* column);
   void make_tolerances(QVBoxLayout* column);
   void follow_model();
   void show_point();
 
   EditorModel& model_;
-  QLabel *title_, *top_label_, *composed_, *faces_;
+  QLabel *title_, *top_label_, *faces_;
+  struct Taper {
+    NumberBox* box;
+    QLabel* label;
+  };
+  std::array<Taper, 4> tapers_{};  // of the sides -x, +x, -y, +y
   NumberBox *depth_, *width_, *length_, *box_width_, *top_, *corner_, *x_, *y_, *floor_, *side_, *time_;
   QWidget *drawn_, *slot_rows_, *box_rows_, *point_buttons_;
   QComboBox* point_;
@@ -46,7 +53,5 @@ class ShapeForm : public QWidget {
 QString shape_name(const std::string& shape);
 /// The same of a target; "Composed shape" of a tree.
 QString target_name(const Region& target);
-/// Why a tree of shapes cannot be edited here, and that it stays.
-QString composed_text();
 
 }  // namespace cusp::ui

@@ -65,6 +65,7 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   });
   connect(view_, &ToothView::camera_changed, this, &TargetView::place_all);
   connect(&model_, &EditorModel::changed, this, &TargetView::follow_model);
+  connect(&model_, &EditorModel::part_chosen, this, &TargetView::place_all);
 }
 
 void TargetView::make_tools() {
@@ -222,7 +223,7 @@ void TargetView::apply(const TargetHandle& handle, const Outline& from, Vec3 to)
     case TargetHandle::Kind::size_x:
     case TargetHandle::Kind::size_y: model_.set_box_size_mm(t.box_size_mm.x, t.box_size_mm.y); break;
     case TargetHandle::Kind::point:
-      model_.set_target(t, u"handle/%1/%2"_qs.arg(handle.path).arg(handle.point));
+      model_.set_outline(t, u"handle/%1/%2"_qs.arg(handle.path).arg(handle.point));
       break;
   }
 }
@@ -230,7 +231,7 @@ void TargetView::apply(const TargetHandle& handle, const Outline& from, Vec3 to)
 std::optional<Vec3> TargetView::on_plane(QPointF at) const {
   const Ray ray = view_->ray(at);
   if (std::abs(ray.along.z) < 1e-3) return std::nullopt;  // the ray is parallel to the plane
-  const double t = (model_.scenario().target.outline.top_mm - ray.from_mm.z) / ray.along.z;
+  const double t = (model_.outline().top_mm - ray.from_mm.z) / ray.along.z;
   if (t < 0) return std::nullopt;
   return ray.from_mm + t * ray.along;
 }
@@ -242,7 +243,7 @@ void TargetView::place_all() {
   tools_->move(px(12), px(12));
   legend_->adjustSize();
   legend_->move(width() - legend_->width() - px(12), px(12));
-  hint_->setVisible(model_.has_drawn_target());
+  hint_->setVisible(model_.has_outline());
   hint_->adjustSize();
   hint_->setMaximumWidth(width() - px(24));
   hint_->move(px(12), height() - hint_->height() - px(12));
@@ -258,8 +259,8 @@ void TargetView::place_all() {
 }
 
 void TargetView::place_handles() {
-  const Outline& t = model_.scenario().target.outline;
-  handles_ = grown_ && model_.has_drawn_target() ? handles_of(t) : std::vector<TargetHandle>();
+  const Outline& t = model_.outline();
+  handles_ = grown_ && model_.has_outline() ? handles_of(t) : std::vector<TargetHandle>();
   while (knobs_.size() < handles_.size()) knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
   depth_tag_->hide();
   width_tag_->hide();

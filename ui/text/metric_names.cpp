@@ -42,6 +42,8 @@ constexpr std::array kNames = {
     Named{"sound_lost", QT_TRANSLATE_NOOP("cusp::ui::Text", "Sound tissue lost")},
 };
 
+}  // namespace
+
 QString face_name(std::string_view key) {
   if (key == "pulpal_floor") return Text::tr("pulpal floor");
   if (key == "mesial_wall") return Text::tr("mesial wall");
@@ -52,8 +54,6 @@ QString face_name(std::string_view key) {
   if (key == "axial_wall") return Text::tr("axial wall");
   return Text::tr("other walls");
 }
-
-}  // namespace
 
 QString group_metric_name(const std::string& metric) {
   for (const Named& one : kNames)

@@ -20,5 +20,7 @@ QString state_name(SessionState state);
 QString kind_name(SessionKind kind);
 QString device_name(const std::string& device_class);
 QString tissue_name(Tissue tissue);
+/// "gingival floor" of a key of kFaceKeys; "other walls" of a side wall.
+QString face_name(std::string_view key);
 
 }  // namespace cusp::ui

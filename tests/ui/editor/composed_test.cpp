@@ -1,7 +1,12 @@
-// A target that is a tree of shapes: the editor shows it, says that it cannot change it, and loses nothing of it.
-#include <QLabel>
+// A target that is a tree of shapes: each is chosen, changed, added and removed, and nothing of it is lost.
 #include <QTest>
+#include <QTreeWidget>
+#include <array>
+#include <cstdlib>
+#include <random>
 
+#include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
 #include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/looks.h"
@@ -29,24 +34,42 @@ void ComposedTarget::leave_pictures(const EditorStart& start) {
   });
 }
 
-TEST_F(ComposedTarget, is_shown_with_a_sentence_and_nothing_to_change_it) {
+TEST_F(ComposedTarget, begins_at_its_first_outline_with_its_handles_and_numbers) {
   EditorStart start = coarse();
   compose(start.draft);
-  const Region both = start.draft.target;
   const auto page = open(start);
-  bool said = false;
-  for (const QLabel* label : page->findChildren<QLabel*>())
-    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed of several shapes.")));
-  EXPECT_TRUE(said);
+  EXPECT_EQ(page->model().part(), PartPath{0});
+  EXPECT_TRUE(named<NumberField>(*page, "Depth")->isVisible());
+  EXPECT_FALSE(knobs_of(*page->findChild<TargetView*>()).empty());
+  named<NumberField>(*page, "Depth")->setValue(1.35);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.parts[0].outline.depth_mm, 1.35);
+  named<NumberField>(*page, "Lean, towards the cheek")->setValue(6);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.parts[0].outline.taper_deg[3], 6);
+  leave_pictures(start);
+}
+
+TEST_F(ComposedTarget, a_shape_that_is_chosen_in_the_list_has_its_own_numbers) {
+  EditorStart start = coarse();
+  compose(start.draft);
+  const auto page = open(start);
+  auto* list = page->findChild<QTreeWidget*>();
+  QTreeWidgetItem* ball = list->topLevelItem(0)->child(1);
+  EXPECT_EQ(ball->text(0), QStringLiteral("Sphere"));
+  list->setCurrentItem(ball);
+  EXPECT_EQ(page->model().part(), PartPath{1});
   EXPECT_FALSE(named<NumberField>(*page, "Depth")->isVisible());
   EXPECT_TRUE(knobs_of(*page->findChild<TargetView*>()).empty());
-  for (const QLabel* label : page->findChildren<QLabel*>())
-    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("Drag a handle"))) << "there is none";
-  EXPECT_EQ(page->model().scenario().target, both);
-  leave_pictures(start);
-  const auto drawn = open();
-  for (const QLabel* label : drawn->findChildren<QLabel*>())
-    EXPECT_FALSE(label->isVisible() && label->text().startsWith(QStringLiteral("This target is composed"))) << "an outline can be changed";
+  named<NumberField>(*page, "Radius")->setValue(0.75);
+  named<NumberField>(*page, "Place: Height")->setValue(-0.5);
+  const Region& changed = page->model().scenario().target.parts[1];
+  EXPECT_DOUBLE_EQ(changed.radius_mm, 0.75);
+  EXPECT_DOUBLE_EQ(changed.from_mm.z, -0.5);
+  page->model().stack().undo();
+  page->model().stack().undo();
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.parts[1].radius_mm, 1);
+  list->setCurrentItem(list->topLevelItem(0));
+  named<NumberField>(*page, "Rounding of the edges")->setValue(0.2);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.rounding_mm, 0.2);
 }
 
 TEST_F(ComposedTarget, of_a_lesion_or_a_tissue_is_shown_and_checked) {
@@ -67,29 +90,111 @@ TEST_F(ComposedTarget, of_a_lesion_or_a_tissue_is_shown_and_checked) {
   EXPECT_TRUE(missing) << "the tooth of the draft has no lesion";
 }
 
-TEST_F(ComposedTarget, stays_as_it_is) {
+TEST_F(ComposedTarget, a_shape_is_added_beside_the_chosen_one_and_removed_again) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  EditorModel model(start);
+  const Region drawn = model.scenario().target;
+  ASSERT_TRUE(model.add_part(RegionKind::sphere));
+  EXPECT_EQ(model.scenario().target.kind, RegionKind::joined);
+  EXPECT_EQ(model.part(), PartPath{1});
+  ASSERT_TRUE(model.add_part(RegionKind::box));
+  EXPECT_EQ(model.part(), PartPath{2});
+  ASSERT_TRUE(model.remove_part());
+  ASSERT_EQ(model.scenario().target.parts.size(), 2u);
+  model.choose_part({1});
+  ASSERT_TRUE(model.remove_part());
+  EXPECT_EQ(model.scenario().target, drawn) << "a union of one shape is that shape";
+  EXPECT_TRUE(model.part().empty());
+  EXPECT_FALSE(model.remove_part()) << "a target keeps its last shape";
+  while (model.stack().canUndo()) model.stack().undo();
+  EXPECT_EQ(model.scenario().target, drawn);
+}
+
+TEST_F(ComposedTarget, undo_of_the_chosen_shape_chooses_what_holds_it) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  EditorModel model(start);
+  model.add_part(RegionKind::sphere);
+  model.stack().undo();
+  EXPECT_TRUE(model.part().empty());
+  EXPECT_TRUE(model.has_outline());
+}
+
+TEST_F(ComposedTarget, the_zones_of_single_faces_stay) {
   EditorStart start;
   start.draft = *load_builtin("channel-1");
   compose(start.draft);
   start.draft.leeway.faces = {{FaceName::gingival_floor, 0.1}};
   EditorModel model(start);
-  const Region before = model.scenario().target;
-  EXPECT_FALSE(model.has_drawn_target());
-  EXPECT_FALSE(model.set_target(Outline{}, QStringLiteral("handle/0")));
-  EXPECT_FALSE(model.set_shape("box"));
-  EXPECT_FALSE(model.set_depth_mm(1.5));
-  EXPECT_FALSE(model.set_width_mm(1.5));
-  EXPECT_FALSE(model.set_top_mm(0.5));
-  EXPECT_FALSE(model.set_corner_radius_mm(0.2));
-  EXPECT_FALSE(model.set_box_size_mm(2, 2));
-  EXPECT_FALSE(model.set_point_mm(0, 0, 1, 1));
-  EXPECT_FALSE(model.add_point(0));
-  EXPECT_FALSE(model.add_path());
-  EXPECT_EQ(model.stack().count(), 0);
-  EXPECT_TRUE(model.set_title("de", QStringLiteral("Anders")));
   EXPECT_TRUE(model.set_leeway(0.2, 0.25));
-  EXPECT_EQ(model.scenario().target, before);
-  EXPECT_EQ(model.scenario().leeway.faces, (std::map<FaceName, double>{{FaceName::gingival_floor, 0.1}})) << "the zones of single faces stay";
+  EXPECT_EQ(model.scenario().leeway.faces, (std::map<FaceName, double>{{FaceName::gingival_floor, 0.1}}));
+}
+
+/// One edit of any kind, with values that fit and values that do not.
+void edit_at_random(EditorModel& model, std::mt19937& random) {
+  const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+  const auto mm = [&] { return std::round(std::uniform_real_distribution<>(-1.0, 6.0)(random) * 100) / 100; };
+  const auto parts = parts_of(model.scenario().target);
+  switch (pick(14)) {
+    case 0: model.choose_part(parts[pick(parts.size())]); break;
+    case 1: model.set_depth_mm(mm()); break;
+    case 2: model.set_width_mm(mm()); break;
+    case 3: model.set_box_size_mm(mm(), mm()); break;
+    case 4: model.set_point_mm(pick(3), pick(4), mm(), mm()); break;
+    case 5: model.add_point(pick(2)); break;
+    case 6: model.remove_point(pick(2), pick(4)); break;
+    case 7: model.set_shape(std::array{"channel", "outline", "box"}[pick(3)]); break;
+    case 8: model.set_taper_deg(pick(4), 10 * mm()); break;
+    case 9: model.add_part(static_cast<RegionKind>(pick(8))); break;
+    case 10: model.remove_part(); break;
+    case 11: model.set_leeway(mm(), mm()); break;
+    case 12: model.set_title("en", QString::number(pick(1000))); break;
+    default: {
+      Region part = model.chosen();
+      part.from_mm = {mm(), mm(), mm()};
+      part.size_mm = {mm(), mm(), mm()};
+      part.radius_mm = mm();
+      model.set_part(part, QStringLiteral("part"));
+    }
+  }
+  model.end_gesture();
+}
+
+/// 400 edits; with CUSP_FULL=1 10,000.
+TEST_F(ComposedTarget, after_random_edits_every_state_opens_equal_and_undo_restores_each) {
+  const int edits = std::getenv("CUSP_FULL") != nullptr ? 10'000 : 400;
+  EditorStart start;
+  start.draft = *load_builtin("class-2-46-mo");
+  EditorModel model(start);
+  const unsigned seed = 5;
+  std::mt19937 random(seed);
+  std::vector<Scenario> states = {model.scenario()};
+  for (int i = 0; i < edits; ++i) {
+    const int before = model.stack().index();
+    if (random() % 5 == 0 && model.stack().canUndo()) {
+      model.stack().undo();
+      states.resize(static_cast<std::size_t>(model.stack().index()) + 1);
+      ASSERT_EQ(model.scenario(), states.back()) << "seed " << seed << ", edit " << i;
+      continue;
+    }
+    edit_at_random(model, random);
+    ASSERT_NE(part_at(model.scenario().target, model.part()), nullptr) << "seed " << seed << ", edit " << i;
+    if (model.stack().index() == before) continue;  // refused, or no change
+    states.push_back(model.scenario());
+    const auto back = read_scenario(canonical_json(model.scenario()));
+    ASSERT_TRUE(back && *back == model.scenario()) << "seed " << seed << ", edit " << i;
+  }
+  ASSERT_EQ(states.size(), static_cast<std::size_t>(model.stack().index()) + 1);
+  for (std::size_t left = states.size(); left-- > 0;) {
+    ASSERT_EQ(model.scenario(), states[left]) << "seed " << seed << ", undone to " << left;
+    model.stack().undo();
+  }
+  EXPECT_EQ(model.scenario(), start.draft);
+  for (const Scenario& state : states) {
+    ASSERT_EQ(model.scenario(), state) << "seed " << seed;
+    model.stack().redo();
+  }
 }
 
 }  // namespace

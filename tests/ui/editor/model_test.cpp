@@ -69,7 +69,7 @@ const std::vector<Edit>& every_edit() {
       {"handle",
        [](EditorModel& m) {
          const Outline& t = m.scenario().target.outline;
-         return m.set_target(moved(t, handles_of(t).front(), {-2.9, -0.4, t.top_mm}), QStringLiteral("handle/0"));
+         return m.set_outline(moved(t, handles_of(t).front(), {-2.9, -0.4, t.top_mm}), QStringLiteral("handle/0"));
        }},
       {"leeway", [](EditorModel& m) { return m.set_leeway(0.2, 0.25); }},
       {"add a criterion",

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/shapes/target.h"
+#include "ui/editor/editor_model.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr double kNewSegmentMm = 1.0;  // length of a branch, about that of a fissure's arm
+constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape after set_shape()
+
+/// Rounds to 0.1 µm, so that sums of steps print short.
+double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
+Vec3 tidy(Vec3 v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
+
+/// Bounding rectangle of all points.
+void bounds(const Outline& target, Vec3& low, Vec3& high) {
+  low = high = target.paths.front().front();
+  for (const auto& path : target.paths) {
+    for (const Vec3& p : path) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+}
+
+/// Whether the floor of an outline is the pulpal floor, from which depth is measured.
+bool has_pulpal_floor(const Region& outline) {
+  const auto floor = outline.faces.find("floor");
+  return floor == outline.faces.end() || floor->second == FaceName::pulpal_floor;
+}
+
+}  // namespace
+
+void settle_on_floor(Outline& target) {
+  const double floor = tidy(target.top_mm - target.depth_mm);
+  for (auto& path : target.paths) {
+    for (Vec3& p : path) p = tidy(Vec3(p.x, p.y, floor));
+  }
+}
+
+void EditorModel::choose_part(const PartPath& path) {
+  const PartPath there = clamped(scenario_.target, path);
+  if (there == part_) return;
+  end_gesture();
+  part_ = there;
+  Q_EMIT part_chosen();
+}
+
+bool EditorModel::edit_outline(const QString& text, const QString& field, const std::function<void(Scenario&, Outline&)>& change) {
+  if (!has_outline()) return false;
+  return edit(text, field, [&](Scenario& s) { change(s, part_at(s.target, part_)->outline); });
+}
+
+bool EditorModel::set_part(const Region& part, const QString& field) {
+  return edit(tr("Shape"), field, [&](Scenario& s) {
+    Region& held = *part_at(s.target, part_);
+    std::vector<Region> parts = std::move(held.parts);
+    held = part;
+    held.parts = std::move(parts);
+  });
+}
+
+bool EditorModel::add_part(RegionKind kind) {
+  end_gesture();
+  const TargetShape shape(scenario_.target);
+  const Vec3 middle = tidy(Vec3(0.5 * (shape.low() + shape.high()), 0.5 * (shape.top_mm() + shape.floor_mm())));
+  PartPath path = part_;
+  const Region whole = with_part(scenario_.target, path, new_part(kind, middle));
+  if (!edit(tr("Add a shape"), u"parts"_qs, [&](Scenario& s) { s.target = whole; })) return false;
+  choose_part(path);
+  end_gesture();
+  return true;
+}
+
+bool EditorModel::remove_part() {
+  PartPath path = part_;
+  const auto rest = without_part(scenario_.target, path);
+  if (!rest) return false;
+  end_gesture();
+  const PartPath before = part_;
+  part_ = clamped(*rest, path);
+  if (!edit(tr("Remove a shape"), u"parts"_qs, [&](Scenario& s) { s.target = *rest; })) {
+    part_ = before;
+    return false;
+  }
+  end_gesture();
+  Q_EMIT part_chosen();
+  return true;
+}
+
+bool EditorModel::set_outline(const Outline& outline, const QString& field) {
+  return edit_outline(tr("Target"), field, [&](Scenario&, Outline& t) { t = outline; });
+}
+
+bool EditorModel::set_taper_deg(std::size_t side, double deg) {
+  return edit_outline(tr("Taper"), u"taper/%1"_qs.arg(side), [&](Scenario&, Outline& t) { t.taper_deg[side] = deg; });
+}
+
+bool EditorModel::set_shape(const std::string& shape) {
+  end_gesture();
+  return edit_outline(tr("Shape"), u"shape"_qs, [&](Scenario&, Outline& t) {
+    if (t.shape == shape || t.paths.empty() || t.paths.front().empty()) return;
+    Vec3 low, high;
+    bounds(t, low, high);
+    const Vec3 middle = tidy((low + high) / 2.0);
+    if (shape == "box") {
+      const double w = std::max(t.width_mm, kLeastNewWidthMm);
+      t.box_size_mm = tidy(Vec3(high.x - low.x + w, high.y - low.y + w, 0));
+      t.paths = {{middle}};
+    } else {
+      if (t.shape == "box") {
+        const double wide = t.box_size_mm.x, high_y = t.box_size_mm.y;
+        t.width_mm = tidy(std::max(std::min(wide, high_y), kLeastNewWidthMm));
+        const double half = std::max(std::max(wide, high_y) - t.width_mm, kLeastNewLengthMm) / 2;
+        const Vec3 along = wide >= high_y ? Vec3(half, 0, 0) : Vec3(0, half, 0);
+        t.paths = {{tidy(middle - along), tidy(middle + along)}};
+      } else if (shape == "channel") {
+        t.paths = {{t.paths.front().front(), t.paths.front().back()}};
+      }
+      t.box_size_mm = Vec3(0.0);
+    }
+    t.shape = shape;
+    settle_on_floor(t);
+  });
+}
+
+bool EditorModel::set_depth_mm(double mm) {
+  return edit_outline(tr("Depth"), u"depth"_qs, [&](Scenario& s, Outline& t) {
+    const double by = mm - t.depth_mm;
+    t.depth_mm = mm;
+    settle_on_floor(t);
+    if (!std::isfinite(by) || !has_pulpal_floor(*part_at(s.target, part_))) return;
+    for (Criterion& c : s.rubric.criteria) {
+      if (!c.metric.starts_with("depth_")) continue;
+      Bands& b = c.bands;
+      // A side with three equal edges is open and has no bands to move.
+      if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
+        for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by);
+      }
+      if (b.fail_hi != b.ideal_hi || b.acc_hi != b.ideal_hi) {
+        for (double* edge : {&b.ideal_hi, &b.acc_hi, &b.fail_hi}) *edge = tidy(*edge + by);
+      }
+    }
+  });
+}
+
+bool EditorModel::set_width_mm(double mm) {
+  return edit_outline(tr("Width"), u"width"_qs, [&](Scenario&, Outline& t) { t.width_mm = mm; });
+}
+
+bool EditorModel::set_top_mm(double mm) {
+  return edit_outline(tr("Height"), u"top"_qs, [&](Scenario&, Outline& t) {
+    t.top_mm = mm;
+    settle_on_floor(t);
+  });
+}
+
+bool EditorModel::set_corner_radius_mm(double mm) {
+  return edit_outline(tr("Corner radius"), u"corner"_qs, [&](Scenario&, Outline& t) { t.corner_radius_mm = mm; });
+}
+
+bool EditorModel::set_box_size_mm(double x, double y) {
+  if (!(x > 0) || !(y > 0)) return false;
+  return edit_outline(tr("Size"), u"size"_qs, [&](Scenario&, Outline& t) { t.box_size_mm = {x, y, 0}; });
+}
+
+bool EditorModel::set_point_mm(std::size_t path, std::size_t point, double x, double y) {
+  if (path >= outline().paths.size() || point >= outline().paths[path].size()) return false;
+  return edit_outline(tr("Point"), u"point/%1/%2"_qs.arg(path).arg(point), [&](Scenario&, Outline& t) {
+    Vec3& p = t.paths[path][point];
+    p = Vec3(x, y, p.z);
+  });
+}
+
+bool EditorModel::add_point(std::size_t path) {
+  if (path >= outline().paths.size() || outline().shape != "outline") return false;
+  end_gesture();
+  return edit_outline(tr("Add a point"), u"points"_qs, [&](Scenario&, Outline& t) {
+    auto& points = t.paths[path];
+    const Vec3 last = points.back();
+    const Vec3 step = points.size() > 1 ? last - points[points.size() - 2] : Vec3(kNewSegmentMm, 0, 0);
+    points.push_back(tidy(last + step));
+  });
+}
+
+bool EditorModel::remove_point(std::size_t path, std::size_t point) {
+  const auto& paths = outline().paths;
+  if (path >= paths.size() || point >= paths[path].size() || outline().shape != "outline") return false;
+  if (paths.size() == 1 && paths[0].size() <= 2) return false;  // the target keeps one segment
+  end_gesture();
+  return edit_outline(tr("Remove a point"), u"points"_qs, [&](Scenario&, Outline& t) {
+    auto& points = t.paths[path];
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(point));
+    if (points.size() < 2) t.paths.erase(t.paths.begin() + static_cast<std::ptrdiff_t>(path));
+  });
+}
+
+bool EditorModel::add_path() {
+  const Outline& drawn = outline();
+  if (drawn.shape != "outline" || drawn.paths.empty() || drawn.paths.front().empty()) return false;
+  end_gesture();
+  return edit_outline(tr("Add a branch"), u"points"_qs, [&](Scenario&, Outline& t) {
+    const auto& first = t.paths.front();
+    const Vec3 root = first[first.size() / 2];
+    t.paths.push_back({root, tidy(root + Vec3(0, kNewSegmentMm, 0))});
+  });
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,59 @@
+/// The shapes of which the target is made: a list in which one is chosen, added or removed, and the numbers of a shape that is no
+/// outline. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "ui/editor/editor_model.h"
+
+class QComboBox;
+class QPushButton;
+class QTreeWidget;
+class QVBoxLayout;
+
+namespace cusp::ui {
+
+class NumberBox;
+
+class PartsForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PartsForm(EditorModel& model, QWidget* parent = nullptr);
+
+ private:
+  /// Rows that stand only where `of` holds.
+  struct Group {
+    QWidget* box;
+    std::function<bool(RegionKind)> of;
+  };
+  /// A number of the chosen part.
+  struct Number {
+    NumberBox* box;
+    std::function<double&(Region&)> in;
+  };
+  void make_list(QVBoxLayout* column);
+  void make_numbers(QVBoxLayout* column);
+  QVBoxLayout* add_group(QVBoxLayout* column, const QString& title, std::function<bool(RegionKind)> of);
+  struct Limits {
+    double least, most;
+  };
+  void add_number(QVBoxLayout* group, const QString& name, Limits mm, std::function<double&(Region&)> in);
+  void add_point(QVBoxLayout* group, const QString& title, Limits mm, std::function<Vec3&(Region&)> in);
+  void follow_model();
+  void show_list();
+
+  EditorModel& model_;
+  QTreeWidget* list_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr;
+  QComboBox* joined_ = nullptr;
+  std::vector<Group> groups_;
+  std::vector<Number> numbers_;
+};
+
+/// "Box, gingival floor", "Cuboid", "Union".
+QString part_name(const Region& part);
+
+}  // namespace cusp::ui
