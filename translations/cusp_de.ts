@@ -4000,6 +4000,10 @@
         <source>From a template…</source>
         <translation>Aus einer Vorlage…</translation>
     </message>
+    <message>
+        <source>Find an exercise</source>
+        <translation>Übung finden</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::MeshForm</name>

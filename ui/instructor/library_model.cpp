@@ -1,6 +1,8 @@
 #include "ui/instructor/library_model.h"
 
 #include <QDateTime>
+#include <algorithm>
+#include <tuple>
 
 #include "scenarios/format/read.h"
 #include "ui/editor/specimen_form.h"
@@ -36,6 +38,10 @@ Stored<Library> load_library(Store& store, const Actor& actor) {
     }
     if (!published) out.rows.push_back({std::nullopt, std::move(*scenario), draft.saved_utc_us, draft.json});
   }
+  std::ranges::stable_sort(out.rows, {}, [](const LibraryRow& row) {
+    const bool comes_with_program = row.exercise && !row.exercise->scenario.key.empty();
+    return std::tuple(!row.draft, -row.saved_utc_us, comes_with_program);
+  });
   return out;
 }
 

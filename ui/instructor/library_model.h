@@ -20,7 +20,7 @@ struct LibraryRow {
 };
 
 struct Library {
-  std::vector<LibraryRow> rows;               // built-in ones first, drafts that were never published last
+  std::vector<LibraryRow> rows;               // own drafts, the newest first; published here; built-in ones
   std::vector<StorageFailure> unreadable;
 };
 Stored<Library> load_library(Store& store, const Actor& actor);

@@ -2,8 +2,10 @@
 
 #include <QBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QShortcut>
 
 #include "scenarios/library/library.h"
 #include "ui/editor/editor_records.h"
@@ -42,6 +44,8 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
   discard_ = make_button(tr("Discard the draft"), ButtonKind::erase, u"trash"_qs);
   connect(discard_, &QPushButton::clicked, this, &LibraryPage::discard_draft);
+  make_search();
+  head->buttons()->addWidget(search_);
   for (QPushButton* button : {discard_, import, copy, fresh, open}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
@@ -92,6 +96,34 @@ void LibraryPage::read() {
   }
   model_->set_rows(std::move(library->rows));
   table_->choose_row(0);
+  filter();
+}
+
+void LibraryPage::make_search() {
+  search_ = new QLineEdit;
+  search_->setPlaceholderText(tr("Find an exercise"));
+  search_->setAccessibleName(tr("Find an exercise"));
+  search_->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
+  search_->setClearButtonEnabled(true);
+  search_->setMinimumWidth(px(140));
+  search_->setMaximumWidth(px(200));
+  connect(search_, &QLineEdit::textChanged, this, &LibraryPage::filter);
+  connect(search_, &QLineEdit::returnPressed, this, &LibraryPage::open_chosen);
+  auto* find = new QShortcut(QKeySequence::Find, this);
+  connect(find, &QShortcut::activated, search_, [this] { search_->setFocus(Qt::ShortcutFocusReason); });
+}
+
+void LibraryPage::filter() {
+  const QString text = search_->text().trimmed();
+  int first = -1;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    const bool fits = model_->index(row, LibraryModel::kExercise).data().toString().contains(text, Qt::CaseInsensitive) ||
+                      model_->index(row, LibraryModel::kTooth).data().toString().contains(text, Qt::CaseInsensitive);
+    table_->setRowHidden(row, !fits);
+    if (fits && first < 0) first = row;
+  }
+  if (first < 0) return table_->clearSelection();
+  if (const int chosen = table_->chosen_row(); chosen < 0 || table_->isRowHidden(chosen)) table_->choose_row(first);
 }
 
 void LibraryPage::fit_buttons() {

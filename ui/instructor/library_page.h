@@ -10,6 +10,7 @@
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
+class QLineEdit;
 class QPushButton;
 
 namespace cusp::ui {
@@ -25,6 +26,7 @@ class LibraryPage : public QWidget {
   LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
               std::filesystem::path cache, QWidget* parent = nullptr);
   Table* table() const { return table_; }
+  QLineEdit* search() const { return search_; }
   const LibraryModel& model() const { return *model_; }
 
  public Q_SLOTS:
@@ -44,6 +46,9 @@ class LibraryPage : public QWidget {
  private:
   void read();
   void fit_buttons();
+  void make_search();
+  /// Shows the rows whose name or tooth has the text.
+  void filter();
   QPushButton* make_new_button();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
   void show_failure(const StorageFailure& failure);
@@ -54,6 +59,7 @@ class LibraryPage : public QWidget {
   std::filesystem::path database_, cache_;
   LibraryModel* model_;
   Table* table_ = nullptr;
+  QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
   QPushButton* discard_ = nullptr;
 };

@@ -298,6 +298,28 @@ TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_with_a_message) {
   EXPECT_TRUE(shown);
 }
 
+TEST_F(EditorPages, the_library_finds_an_exercise_by_name_or_tooth_and_opens_the_first) {
+  LibraryPage page(records.store(), instructor.actor(), ports, records.file(), folder.path().toStdString());
+  page.show();
+  QSignalSpy wanted(&page, &LibraryPage::edit_wanted);
+  const auto shown = [&] {
+    int count = 0;
+    for (int row = 0; row < page.model().rowCount(); ++row) count += page.table()->isRowHidden(row) ? 0 : 1;
+    return count;
+  };
+  page.search()->setText(QStringLiteral("class ii mo,"));
+  EXPECT_EQ(shown(), 1);
+  QTest::keyClick(page.search(), Qt::Key_Return);
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_EQ(wanted[0][0].value<EditorStart>().draft.key, "class-2-46-mo");
+  page.search()->setText(QStringLiteral("no such thing"));
+  EXPECT_EQ(shown(), 0);
+  QTest::keyClick(page.search(), Qt::Key_Return);
+  EXPECT_EQ(wanted.count(), 1);
+  page.search()->clear();
+  EXPECT_EQ(shown(), page.model().rowCount());
+}
+
 TEST_F(EditorPages, a_draft_is_discarded_only_after_asking_and_what_is_published_stays) {
   ASSERT_TRUE(records.store().scenarios.save_draft(instructor.actor(), coarse().draft.id, canonical_json(coarse().draft), {}).has_value());
   bool answer = false;

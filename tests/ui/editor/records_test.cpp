@@ -100,6 +100,7 @@ TEST_F(EditorRecords, a_draft_is_found_again_and_goes_when_everything_is_undone)
   int drafts = 0;
   for (const LibraryRow& row : library->rows) drafts += row.draft.has_value();
   EXPECT_EQ(drafts, 1);
+  EXPECT_TRUE(library->rows.front().draft) << "what the instructor works at comes first";
   EditorModel again(open(exercise("channel-1")));
   EXPECT_TRUE(again.scenario() == model.scenario());
   EXPECT_FALSE(again.unchanged());
