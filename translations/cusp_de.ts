@@ -5043,6 +5043,14 @@
         <source>over-cut, 0.5 mm and more</source>
         <translation>überpräpariert, 0,5 mm und mehr</translation>
     </message>
+    <message>
+        <source>Bur %1</source>
+        <translation>Bohrer %1</translation>
+    </message>
+    <message>
+        <source>%1 deep</source>
+        <translation>%1 tief</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scenarios/grading/grader.h"
+#include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 #include "ui/render/target_look.h"
 #include "ui/text/bur_text.h"
@@ -67,12 +68,27 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   return data;
 }
 
+QString critical_circumstances(const ReportData& data, const CriticalEvent& event) {
+  QStringList parts;
+  const std::vector<Bur>& burs = data.result.scenario.instruments;
+  if (event.at_s) {
+    const auto at_us = static_cast<std::uint64_t>(std::max(0.0, *event.at_s) * 1e6);
+    const auto in_use = std::ranges::find_if(data.burs, [&](const BurSpan& span) { return span.from_us < at_us && at_us <= span.to_us; });
+    if (in_use != data.burs.end() && in_use->bur < burs.size()) parts += ReportText::tr("Bur %1").arg(bur_text(burs[in_use->bur]));
+  }
+  const TargetShape shape(data.result.scenario.target);
+  if (event.place_mm && shape.has_plane())
+    parts += ReportText::tr("%1 deep").arg(format({shape.top_mm() - event.place_mm->z, std::nullopt, u"mm"_qs, 1}));
+  return parts.join(ReportText::tr(", "));
+}
+
 std::vector<Advice> next_time(const ReportData& data) {
   std::vector<Advice> out;
   for (const CriticalEvent& event : data.critical) {
+    const QString how = critical_circumstances(data, event);
     out.push_back({critical_text(event, data.result.scenario.specimen),
-                   ReportText::tr("This fails the attempt, whatever its points."), critical_advice(event.key), event.place_mm,
-                   true});
+                   ReportText::tr("This fails the attempt, whatever its points.") + (how.isEmpty() ? how : u' ' + how + u'.'),
+                   critical_advice(event.key), event.place_mm, true});
   }
   const Grade& grade = data.result.grade;
   for (const LossReason& reason : loss_reasons(grade)) {

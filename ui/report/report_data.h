@@ -36,6 +36,9 @@ struct ReportData {
 /// With a null `store` or `reader` the data holds the result alone.
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader);
 
+/// "Bur 1, round, 0.8 mm, 3.9 mm deep": what is known of a critical event besides its time; empty: nothing.
+QString critical_circumstances(const ReportData& data, const CriticalEvent& event);
+
 /// One entry of "Next time".
 struct Advice {
   QString head;                  // "The pulp was opened after 1:12 min", "Floor depth, deepest: 6 points lost"

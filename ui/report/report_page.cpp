@@ -62,7 +62,10 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
   const Grade& g = data_.result.grade;
   if (!data_.critical.empty()) {
     QStringList what;
-    for (const CriticalEvent& event : data_.critical) what += critical_text(event, data_.result.scenario.specimen) + u'.';
+    for (const CriticalEvent& event : data_.critical) {
+      what += critical_text(event, data_.result.scenario.specimen) + u'.';
+      if (const QString how = critical_circumstances(data_, event); !how.isEmpty()) what += how + u'.';
+    }
     band_->show_message(Band::Kind::bad, what.join(u' '), tr("This fails the attempt, whatever its points; the points still stand."));
   } else if (data_.result.state == SessionState::interrupted) {
     band_->show_message(Band::Kind::look, tr("This attempt broke off."), tr("It is marked as it stands."));

@@ -112,6 +112,7 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   paper.skip(14);
   for (const CriticalEvent& event : d.critical) {
     paper.write(PdfText::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), {x, w}, {12, Weight::bold, t.bad});
+    if (const QString how = critical_circumstances(d, event); !how.isEmpty()) paper.write(how + u'.', {x, w}, {11, Weight::regular, t.text2});
     paper.skip(4);
   }
 }

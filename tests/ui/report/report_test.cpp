@@ -120,10 +120,21 @@ TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
   data.critical[0].place_mm = Vec3(2.0, 1.5, -3.0);  // of a lower left molar: mesial and buccal
   const Advice first = first_advice(data);
   EXPECT_EQ(plain(first.head), "The pulp was opened after 1:12 min, mesiobuccal");
-  EXPECT_EQ(first.why.toStdString(), "This fails the attempt, whatever its points.");
+  EXPECT_EQ(plain(first.why), "This fails the attempt, whatever its points. 7.2 mm deep.");  // from 4.2 mm down to -3
   EXPECT_FALSE(first.what_to_do.isEmpty());
   EXPECT_TRUE(first.grave);
   ASSERT_TRUE(first.place_mm);
+}
+
+TEST(ReportData, an_opened_pulp_has_its_bur_and_depth) {
+  ReportData data = sample();
+  data.result.scenario = *load_builtin("class-1-36");
+  data.burs = {{0, 0, 30'000'000, 10'000'000}, {2, 30'000'000, 90'000'000, 20'000'000}};
+  CriticalEvent event{"pulp_exposure", 72.0, Vec3(0, 0, 0.3)};
+  EXPECT_EQ(plain(critical_circumstances(data, event)), "Bur 4, round, 1.4 mm, 3.9 mm deep");  // below 4.2 mm
+  event.at_s.reset();
+  event.place_mm.reset();
+  EXPECT_TRUE(critical_circumstances(data, event).isEmpty());
 }
 
 TEST(ReportData, a_stored_attempt_knows_where_the_pulp_was_opened_from_its_criteria) {
