@@ -188,10 +188,14 @@ class Program:
         desktop = Atspi.get_desktop(0)
         desktop.set_cache_mask(Atspi.Cache.NONE)
         for i in range(desktop.get_child_count()):
-            child = desktop.get_child_at_index(i)
-            if child is not None and child.get_process_id() == self.process.pid and child.get_child_count() > 0:
-                child.set_cache_mask(Atspi.Cache.NONE)
-                return Widget(child, self)
+            try:
+                child = desktop.get_child_at_index(i)
+                if child is None or child.get_process_id() != self.process.pid or child.get_child_count() == 0:
+                    continue
+            except Atspi_Error():  # a killed program that the desktop still lists
+                continue
+            child.set_cache_mask(Atspi.Cache.NONE)
+            return Widget(child, self)
         return None
 
     def output(self):
