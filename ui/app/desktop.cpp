@@ -64,7 +64,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   // Qt makes a window anew when it gets its first OpenGL view later: it would flicker and lose its place.
   (new ToothView(this))->hide();
   winId();  // and forget that it is to fill the screen
-  if (!restoreGeometry(settings_.window()) && size() != kUsual) setWindowState(Qt::WindowMaximized);
+  if (!restoreGeometry(settings_.window())) setWindowState(Qt::WindowMaximized);  // the first start
   connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::quick_open);
   connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {
     if (page() == shell_ && shell_) {
