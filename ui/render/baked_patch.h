@@ -1,5 +1,5 @@
-/// A patch as the graphics memory takes it: packed vertices with the costly shading (ambient light) computed once,
-/// when the patch changes, not per pixel. Thread: whichever owns the volume; the result is a plain value.
+/// A patch as the graphics memory takes it: packed vertices with the costly shading (colour, ambient light) computed
+/// once, when the patch changes, not per pixel. Thread: whichever owns the volume; the result is a plain value.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,23 @@
 
 #include "engine/mirror/surface_patches.h"
 #include "ui/modules.h"
+#include "ui/render/solid_shares.h"
+#include "ui/render/vertex_look.h"
 
 namespace cusp::ui {
 
 struct PackedVertex {
   float position_mm[3];
-  std::int16_t normal[4];  // unit in 1/32767; the fourth is unused
+  std::int16_t normal[4];  // unit in 1/32767; the fourth: light that comes through a thin ridge, of 32767
   std::uint8_t tissue;
-  std::uint8_t cut;        // 255 where a bur left the surface, else 0
+  std::uint8_t cut;        // 255 where a bur left the surface, less at its margin, else 0
   std::uint8_t ambient;    // light that reaches the place from around, 0 to 255
   std::uint8_t beyond;     // 255 where the cut lies beyond the leeway, else 0
   float value;             // mm from the target: above 0 over-cut, below 0 uncut remainder
+  std::uint8_t colour[3];  // square root of linear light, 0 to 255
+  std::uint8_t enamel;     // its share, 0 to 255
 };
-static_assert(sizeof(PackedVertex) == 28);
+static_assert(sizeof(PackedVertex) == 32);
 
 struct BakedPatch {
   int brick = -1;
@@ -45,12 +49,18 @@ struct Deviation {
 /// `cut`: whether a bur left the surface there.
 using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
 
-/// Packs a patch. Of the triangles under its neighbours those stay that reach a brick for which `is_fine` is true (empty:
-/// none stay). `deviation` may be empty.
-BakedPatch bake_patch(const Volume& volume, const Patch& patch, const std::function<bool(int brick)>& is_fine,
-                      const DeviationAt& deviation);
+/// What a patch needs to know of more than its own voxels.
+struct PatchSurroundings {
+  SolidShares shares;   // of the volume as it stands
+  JunctionDepth depth;  // of its specimen
+};
 
-/// Light from around that reaches a surface place, 0 to 1: short rays through the volume, soft at the surface.
-float ambient_at(const Volume& volume, Vec3 at_mm, Vec3 normal) noexcept;
+/// Packs a patch. Of the triangles under its neighbours those stay that reach a
+/// brick for which `is_fine` is true (empty: none stay). `deviation` may be empty.
+BakedPatch bake_patch(const Volume& volume, const PatchSurroundings& around, const Patch& patch,
+                      const std::function<bool(int brick)>& is_fine, const DeviationAt& deviation);
+
+/// Writes what a vertex looks like; position, normal, colour, enamel, cut.
+void put_look(const VertexLook& look, PackedVertex& out) noexcept;
 
 }  // namespace cusp::ui

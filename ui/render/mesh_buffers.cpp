@@ -41,11 +41,12 @@ void MeshBuffers::describe() {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id);
   constexpr GLsizei kStride = sizeof(PackedVertex);
   const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
-  for (GLuint i = 0; i < 4; ++i) glEnableVertexAttribArray(i);
+  for (GLuint i = 0; i < 5; ++i) glEnableVertexAttribArray(i);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, at(offsetof(PackedVertex, position_mm)));
-  glVertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, kStride, at(offsetof(PackedVertex, normal)));
+  glVertexAttribPointer(1, 4, GL_SHORT, GL_TRUE, kStride, at(offsetof(PackedVertex, normal)));
   glVertexAttribIPointer(2, 4, GL_UNSIGNED_BYTE, kStride, at(offsetof(PackedVertex, tissue)));
   glVertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, kStride, at(offsetof(PackedVertex, value)));
+  glVertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, at(offsetof(PackedVertex, colour)));
 }
 
 void MeshBuffers::grow(GLenum target, Buffer& buffer, std::size_t used_bytes, std::size_t needed_bytes) {

@@ -9,6 +9,8 @@ namespace {
 
 /// Voxels about a patch that its points read: a cell's point looks a few voxels beyond the cell.
 constexpr int kReadMargin = 5;
+/// From the region of interest; a rough place further away stays coarse, smoothed by vertex_look.
+constexpr double kRoughMm = 2.5;
 
 /// True where a coarse patch would lose what is to be seen: its normals spread as on a fissure or an edge.
 bool rough(const Patch& patch) {
@@ -37,13 +39,13 @@ struct Extent {
 
 }  // namespace
 
-bool PatchFeed::in_region(const Volume& volume, int brick) const {
+bool PatchFeed::near_region(const Volume& volume, int brick, double margin_mm) const {
   if (settings_.region.low == settings_.region.high) return true;
   const Grid& grid = volume.grid();
   const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
   const Vec3 low = grid.centre_mm(corner), high = grid.centre_mm(corner + kBrickEdge);
   for (int i = 0; i < 3; ++i) {
-    if (high[i] < settings_.region.low[i] || low[i] > settings_.region.high[i]) return false;
+    if (high[i] < settings_.region.low[i] - margin_mm || low[i] > settings_.region.high[i] + margin_mm) return false;
   }
   return true;
 }
@@ -52,7 +54,7 @@ BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) 
   std::function<bool(int)> is_fine;
   if (patch.level == kCoarsePatch)
     is_fine = [this](int b) { return level_[static_cast<std::size_t>(b)] == kFinePatch; };
-  BakedPatch out = bake_patch(volume, patch, is_fine, settings_.deviation);
+  BakedPatch out = bake_patch(volume, around_, patch, is_fine, settings_.deviation);
   out.brick = brick;
   return out;
 }
@@ -69,16 +71,17 @@ void PatchFeed::build_all(const Volume& volume, std::uint64_t tick) {
   const auto bricks = static_cast<std::size_t>(n.x * n.y * n.z);
   seen_.assign(bricks, {});
   level_.assign(bricks, kCoarsePatch);
+  around_ = {SolidShares(volume), JunctionDepth(volume.specimen())};
   std::vector<Patch> patches;
   for (int b = 0; b < static_cast<int>(bricks); ++b) {
     const auto at = static_cast<std::size_t>(b);
     if (const std::uint16_t* cut = volume.cut_of(b)) seen_[at].assign(cut, cut + kBrickVoxels);
-    const bool fine = volume.has_cut(b) || in_region(volume, b);
+    const bool fine = volume.has_cut(b) || near_region(volume, b, 0.0);
     if (fine) level_[at] = kFinePatch;
     if (!may_have_surface(volume, b)) continue;
     Patch patch = build_patch(volume, b, level_[at]);
     if (patch.indices.empty()) continue;
-    if (!fine && rough(patch)) {
+    if (!fine && near_region(volume, b, kRoughMm) && rough(patch)) {
       level_[at] = kFinePatch;
       patch = build_patch(volume, b, kFinePatch);
     }
@@ -96,6 +99,7 @@ void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> chang
   const Specimen& specimen = volume.specimen();
   std::set<int> anew;
   for (const std::int32_t brick : changed_bricks) {
+    around_.shares.update(volume, brick);
     const std::uint16_t* cut = volume.cut_of(brick);
     std::vector<std::uint16_t>& seen = seen_[static_cast<std::size_t>(brick)];
     if (cut == nullptr || seen.empty()) {

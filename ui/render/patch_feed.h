@@ -20,7 +20,7 @@ struct Box {
 };
 
 struct FeedSettings {
-  /// Inside it patches are fine; outside coarse where the surface is smooth and until a bur comes. An empty box
+  /// Inside it patches are fine; outside coarse where the surface is smooth or far, until a bur comes. An empty box
   /// (low == high): all fine.
   Box region;
   DeviationAt deviation;
@@ -56,11 +56,12 @@ class PatchFeed {
     BakedPatch patch;
     Origin origin = Origin::build_all;  // changes go out before the first picture's patches
   };
-  bool in_region(const Volume& volume, int brick) const;
+  bool near_region(const Volume& volume, int brick, double margin_mm) const;
   BakedPatch bake(const Volume& volume, int brick, const Patch& patch) const;
   void put(BakedPatch patch, Origin origin);
 
   FeedSettings settings_;
+  PatchSurroundings around_;
   std::vector<std::uint8_t> level_;               // [brick] fine in the region, where a bur was, and where it is rough
   std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
   mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop

@@ -14,8 +14,48 @@ namespace {
 
 constexpr float kPieceMm = 4.0f;  // on a side: a side of a crown, so that the far one can be skipped
 
+constexpr float kRimEnamelMm = 0.35f, kMostEnamelMm = 1.9f;  // where enamel ends, and over the cusps
+
+/// Depth of the enamel at each point, for a surface that knows nothing of what lies under it: it grows with the way to
+/// where enamel ends.
+std::vector<float> enamel_depths(const SceneryMesh& mesh) {
+  constexpr int kMostRounds = 40;
+  constexpr float kGrowth = 0.32f;
+  std::vector<float> out(mesh.points_mm.size(), kMostEnamelMm);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (!is_enamel(mesh.tissue[i])) out[i] = kRimEnamelMm;
+  bool changed = true;
+  for (int round = 0; changed && round < kMostRounds; ++round) {
+    changed = false;
+    for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t i = mesh.triangles[t + k], j = mesh.triangles[t + (k + 1) % 3];
+        const float most = kGrowth * glm::distance(mesh.points_mm[i], mesh.points_mm[j]);
+        for (const auto& [from, to] : {std::pair{i, j}, {j, i}})
+          if (out[to] > out[from] + most) out[to] = out[from] + most, changed = true;
+      }
+  }
+  return out;
+}
+
+/// What the points look like.
+std::vector<PackedVertex> packed(const SceneryMesh& mesh) {
+  const std::vector<float> depth = enamel_depths(mesh);
+  std::vector<PackedVertex> out(mesh.points_mm.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Vec3f at = mesh.points_mm[i];
+    const bool enamel = is_enamel(mesh.tissue[i]);
+    const float mottled = depth[i] * (1.0f + 0.16f * noise(at, 1.7f));
+    put_look({at, mesh.normals[i], enamel ? enamel_colour(mottled) : body_colour(mesh.tissue[i], at), enamel ? 1.0f : 0.0f, 0.0f, 0.0f}, out[i]);
+    out[i].tissue = static_cast<std::uint8_t>(mesh.tissue[i]);
+    out[i].ambient = mesh.ambient[i];
+  }
+  return out;
+}
+
 /// One patch of a mesh, numbered anew.
-BakedPatch patch_of(const SceneryMesh& mesh, const std::vector<std::size_t>& triangles, int number) {
+BakedPatch patch_of(const SceneryMesh& mesh, const std::vector<PackedVertex>& packed, const std::vector<std::size_t>& triangles,
+                    int number) {
   BakedPatch out;
   out.brick = number;
   std::map<std::uint32_t, std::uint16_t> place;
@@ -25,18 +65,11 @@ BakedPatch patch_of(const SceneryMesh& mesh, const std::vector<std::size_t>& tri
       const std::uint32_t i = mesh.triangles[t + k];
       const auto [it, fresh] = place.try_emplace(i, static_cast<std::uint16_t>(out.vertices.size()));
       if (fresh) {
-        PackedVertex v{};
-        for (int a = 0; a < 3; ++a) {
-          v.position_mm[a] = mesh.points_mm[i][a];
-          v.normal[a] = static_cast<std::int16_t>(std::lround(std::clamp(mesh.normals[i][a], -1.0f, 1.0f) * 32767.0f));
-        }
-        v.tissue = static_cast<std::uint8_t>(mesh.tissue[i]);
-        v.ambient = mesh.ambient[i];
         if (out.vertices.empty()) out.low_mm = out.high_mm = mesh.points_mm[i];
         out.low_mm = glm::min(out.low_mm, mesh.points_mm[i]);
         out.high_mm = glm::max(out.high_mm, mesh.points_mm[i]);
         sum += mesh.normals[i];
-        out.vertices.push_back(v);
+        out.vertices.push_back(packed[i]);
       }
       out.indices.push_back(it->second);
     }
@@ -76,9 +109,10 @@ SceneryLook::SceneryLook(std::vector<SceneryMesh> meshes) : meshes_(std::move(me
     bounds_ = first ? box : Box{glm::min(bounds_.low, box.low), glm::max(bounds_.high, box.high)};
     first = false;
     boxes_.push_back(box);
+    const std::vector<PackedVertex> points = packed(mesh);
     std::map<Key, std::vector<std::size_t>> groups;
     for (std::size_t t = 0; t + 2 < mesh.seen; t += 3) groups[key_of(mesh, t)].push_back(t);
-    for (const auto& [key, triangles] : groups) patches_.push_back(patch_of(mesh, triangles, static_cast<int>(patches_.size())));
+    for (const auto& [key, triangles] : groups) patches_.push_back(patch_of(mesh, points, triangles, static_cast<int>(patches_.size())));
   }
 }
 

@@ -18,11 +18,10 @@ MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, con
   program.set("half_way", view.half_way);
   program.set("show_target", scene.show_target ? 1 : 0);
   program.set("target_colour", linear(kTargetLine));
-  program.set("over_colour", linear(kOverCut));
-  std::array<glm::vec3, kTissueCodes> tissues;
-  const std::array<Colour, kTissueCodes> colours = tissue_colours();
-  for (std::size_t i = 0; i < tissues.size(); ++i) tissues[i] = linear(colours[i]);
-  program.set_array("tissue_colour", tissues.data(), static_cast<int>(tissues.size()));
+  program.set("over_colour", glm::vec3(kOverCut.r, kOverCut.g, kOverCut.b));
+  program.set("to_eye", view.to_eye);
+  program.set("back_light", view.back_light);
+  program.set("right", glm::cross(view.up, view.to_eye));
   std::array<glm::vec3, 5> map;
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = linear(kDifference[i]);
   program.set_array("map_colour", map.data(), static_cast<int>(map.size()));

@@ -123,10 +123,15 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
   const bool bare = in.scenery_bounds == Box{};
   view.clip_from_world = glm::mat4(camera.clip_from_world(aspect, bare ? kReachMm : std::max(kReachMm, glm::length(furthest))));
   view.eye = glm::vec3(camera.eye_mm());
-  // The lamp moves with the eye, as a dentist's does: upper left before, a weaker one at the right.
+  // The lamp moves with the eye, as a dentist's does: upper left before, a weaker one at the right, one behind.
   const Vec3 back = -camera.forward();
-  view.key_light = glm::vec3(glm::normalize(-0.55 * camera.right() + 0.75 * camera.up() + 0.75 * back));
-  view.fill_light = glm::vec3(glm::normalize(0.9 * camera.right() + 0.05 * camera.up() + 0.45 * back));
+  const auto towards = [&](double right, double up, double near) {
+    return glm::vec3(glm::normalize(right * camera.right() + up * camera.up() + near * back));
+  };
+  view.key_light = towards(-0.45, 0.55, 0.70);
+  view.fill_light = towards(0.85, 0.30, 0.42);
+  view.back_light = towards(0.25, 0.80, -0.50);
+  view.to_eye = glm::vec3(back);
   view.half_way = glm::normalize(view.key_light + glm::vec3(back));
   // Half the picture's shorter side, at the distance of its middle.
   view.lamp = glm::vec4(glm::vec3(camera.centre_mm()), static_cast<float>(0.5 * 1000.0 / camera.px_per_mm(1000.0)));

@@ -1,12 +1,16 @@
-// cusp-open-scene SCENARIO [PICTURE.png]: opens an exercise as the drilling screen does, but for the window: specimen,
-// scenery, meshes and the first picture. Prints how long that took, how much memory, and what a frame of 976 x 680 costs
-// with the scenery and without. SCENARIO: a file, or the id of a built-in exercise. Exit 1 beyond 10 s or 600 MB.
+// cusp-open-scene SCENARIO [PICTURE.png [WIDTH HEIGHT [CENTRE EDGE]]]: opens an exercise as the drilling screen does, but
+// for the window: specimen, scenery, meshes and the first picture. It then cuts the target in layers. Prints how long that
+// took, how much memory, what a patch costs to bake, and what a frame costs with the scenery and without, whole and cut.
+// SCENARIO: a file, or the id of a built-in exercise. WIDTH, HEIGHT: 1280 800. CENTRE, EDGE: the background, RRGGBB. Exit 1
+// beyond 10 s or 600 MB.
 #include <epoxy/gl.h>
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -18,6 +22,7 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
+#include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/patch_feed.h"
@@ -31,7 +36,7 @@ using namespace cusp::test;
 
 namespace {
 
-constexpr int kWidth = 976, kHeight = 680, kFrames = 40;
+constexpr int kFrames = 40, kLayers = 12;
 constexpr double kMostSeconds = 10.0;
 constexpr long kMostKb = 600 * 1024;
 
@@ -54,27 +59,15 @@ Result<Scenario, FormatFailure> scenario_of(const std::string& name) {
   return read_scenario(text.str());
 }
 
-struct Frames {
-  double cpu_ms = 0.0;
-  DrawStats stats;
+struct Size {
+  int width = 1280, height = 800;
 };
-Frames measure(ToothPicture& picture, Scene3d scene) {
-  Frames out;
-  const double from = cpu_s();
-  for (int n = 0; n < kFrames; ++n) {
-    scene.camera.orbit(0.01, 0.0);
-    out.stats = picture.draw(scene, kWidth, kHeight);
-    glFinish();
-  }
-  out.cpu_ms = 1e3 * (cpu_s() - from) / kFrames;
-  return out;
-}
 
-bool write_png(const std::string& path, const std::vector<std::uint8_t>& rgba) {
+bool write_png(const std::string& path, Size size, const std::vector<std::uint8_t>& rgba) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = kWidth;
-  image.height = kHeight;
+  image.width = static_cast<png_uint_32>(size.width);
+  image.height = static_cast<png_uint_32>(size.height);
   image.format = PNG_FORMAT_RGBA;
   return png_image_write_to_file(&image, path.c_str(), 0, rgba.data(), 0, nullptr) != 0;
 }
@@ -83,11 +76,49 @@ bool write_png(const std::string& path, const std::vector<std::uint8_t>& rgba) {
 struct Shown {
   std::shared_ptr<const SceneryLook> scenery;
   std::shared_ptr<const Specimen> specimen;
+  std::unique_ptr<Volume> volume;
   std::unique_ptr<TargetLook> look;
+  std::unique_ptr<PatchFeed> feed;
+  Size size;
   std::unique_ptr<EglContext> context;
   std::unique_ptr<ToothPicture> picture;
   PatchStore store;
 };
+
+struct Frames {
+  double cpu_ms = 0.0, wall_ms = 0.0;
+  DrawStats stats;
+};
+/// The median of single frames.
+Frames measure(const Shown& shown, Scene3d scene) {
+  Frames out;
+  std::vector<double> ms, wall;
+  for (int n = 0; n < kFrames; ++n) {
+    scene.camera.orbit(0.01, 0.0);
+    const double from = cpu_s();
+    const auto start = std::chrono::steady_clock::now();
+    out.stats = shown.picture->draw(scene, shown.size.width, shown.size.height);
+    glFinish();
+    ms.push_back(1e3 * (cpu_s() - from));
+    wall.push_back(1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::ranges::sort(ms);
+  std::ranges::sort(wall);
+  out.cpu_ms = ms[kFrames / 2];
+  out.wall_ms = wall[kFrames / 2];
+  return out;
+}
+
+/// Gives what the feed has to picture and store; the number of patches.
+std::size_t take_patches(Shown& shown) {
+  std::vector<BakedPatch> patches = shown.feed->take(~std::size_t{0}).patches;
+  const std::size_t out = patches.size();
+  for (BakedPatch& patch : patches) {
+    shown.picture->put(patch);
+    shown.store.put(std::move(patch));
+  }
+  return out;
+}
 
 /// Builds the specimen beside its scenery and gives all patches to the picture. False: something could not be made.
 bool show(const Scenario& scenario, Shown& shown) {
@@ -98,54 +129,88 @@ bool show(const Scenario& scenario, Shown& shown) {
   }
   if (!specimen) return false;
   shown.specimen = *specimen;
-  const Volume volume(shown.specimen);
+  shown.volume = std::make_unique<Volume>(shown.specimen);
   shown.look = std::make_unique<TargetLook>(scenario.target, scenario.leeway);
-  PatchFeed feed(shown.look->feed());
-  feed.build_all(volume);
-  shown.context = EglContext::create(kWidth, kHeight);
+  shown.feed = std::make_unique<PatchFeed>(shown.look->feed());
+  const double from = cpu_s();
+  shown.feed->build_all(*shown.volume);
+  std::printf("all patches: %.0f ms of processor time\n", 1e3 * (cpu_s() - from));
+  shown.context = EglContext::create(shown.size.width, shown.size.height);
   shown.picture = ToothPicture::create();
   if (!shown.context || !shown.picture) return false;
-  for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) {
-    shown.picture->put(patch);
-    shown.store.put(std::move(patch));
-  }
+  take_patches(shown);
   shown.picture->set_scenery(shown.scenery.get());
-  shown.picture->set_lines(shown.look->lines(volume));
+  shown.picture->set_lines(shown.look->lines(*shown.volume));
   return true;
 }
 
-/// The views that are measured: near, whole, jaw.
-std::array<Scene3d, 3> views_of(const Shown& shown) {
-  std::array<Scene3d, 3> out;
+/// Cuts the target layer by layer, as a bur does, and prints what the patches cost.
+void cut(Shown& shown) {
+  const TargetShape& target = shown.look->shape();
+  constexpr double kFarMm = 0.5;  // beyond it only the sign counts
+  const double top = std::max(target.top_mm(), shown.store.bounds()->high.z);
+  std::size_t patches = 0;
+  double seconds = 0.0, most = 0.0;
+  for (int layer = 1; layer <= kLayers; ++layer) {
+    const double z = top + (target.floor_mm() - top) * layer / kLayers;
+    carved::carve(*shown.volume, [&](Vec3 p) {
+      const double out = std::max({z - p.z, target.low().x - p.x, target.low().y - p.y, p.x - target.high().x, p.y - target.high().y});
+      return out > kFarMm ? out : std::max(target.distance_mm(p), z - p.z);
+    });
+    const auto bricks = shown.volume->cut_bricks();
+    const double from = cpu_s();
+    shown.feed->update(*shown.volume, bricks, static_cast<std::uint64_t>(layer));
+    seconds += cpu_s() - from;
+    most = std::max(most, cpu_s() - from);
+    patches += take_patches(shown);
+  }
+  if (patches == 0) return;
+  std::printf("the target cut in %d layers: %zu patches of %.0f us, at most %.1f ms a layer\n", kLayers, patches,
+              1e6 * seconds / static_cast<double>(patches), 1e3 * most);
+}
+
+/// The views that are measured: target, crown, whole specimen, jaw.
+std::vector<Scene3d> views_of(const Shown& shown, const Scene3d& empty) {
+  std::vector<Scene3d> out(shown.scenery ? 4 : 3, empty);
   const Box box = shown.store.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
   for (Scene3d& scene : out) scene.camera = Camera::about(0.5 * (box.low + box.high), 0.5 * glm::length(box.high - box.low));
   if (!shown.look->empty()) {
     const auto& target = shown.look->shape();
-    out[0].camera = Camera::about(Vec3(0.5 * (target.low() + target.high()), target.top_mm()), 3.5);
+    const Vec3 middle(0.5 * (target.low() + target.high()), target.top_mm());
+    out[0].camera = Camera::about(middle, 3.5);
+    out[1].camera = Camera::about(middle, 6.5);
   }
-  if (shown.scenery) out[2].camera = Camera::about(0.5 * (shown.scenery->bounds().low + shown.scenery->bounds().high), 36.0);
+  if (shown.scenery) out[3].camera = Camera::about(0.5 * (shown.scenery->bounds().low + shown.scenery->bounds().high), 36.0);
   return out;
 }
 
 void print_frames(const Shown& shown, const char* what, const Scene3d& from) {
   shown.picture->set_scenery(nullptr);
-  const Frames bare = measure(*shown.picture, from);
+  const Frames bare = measure(shown, from);
   shown.picture->set_scenery(shown.scenery.get());
-  const Frames with = measure(*shown.picture, from);
-  std::printf("%s: %.1f ms of processor time a frame without scenery (%zu triangles), %.1f ms with it (%zu)\n", what,
-              bare.cpu_ms, bare.stats.triangles, with.cpu_ms, with.stats.triangles);
+  const Frames with = measure(shown, from);
+  std::printf("%s: %.1f ms of processor time a frame without scenery (%zu triangles), %.1f ms with it (%zu), %.1f ms by the clock\n",
+              what, bare.cpu_ms, bare.stats.triangles, with.cpu_ms, with.stats.triangles, with.wall_ms);
 }
 
-/// "name.png" becomes "name-1.png" to "name-3.png".
-bool write_views(const Shown& shown, const std::array<Scene3d, 3>& views, const std::string& path) {
+void print_all_frames(const Shown& shown, const std::vector<Scene3d>& views) {
+  constexpr std::array kNames = {"  at the target", "  the crown", "  the whole specimen", "  the whole jaw"};
+  for (std::size_t i = 0; i < views.size(); ++i) print_frames(shown, kNames[i], views[i]);
+}
+
+/// "name.png" becomes "name-1.png" to "name-4.png", "name" with the state before it.
+bool write_views(const Shown& shown, std::vector<Scene3d> views, const std::string& path, const std::string& state) {
   for (std::size_t i = 0; i < views.size(); ++i) {
-    shown.picture->draw(views[i], kWidth, kHeight);
+    views[i].show_target = false;
+    shown.picture->draw(views[i], shown.size.width, shown.size.height);
     std::string numbered = path;
-    numbered.insert(numbered.size() - 4, "-" + std::to_string(i + 1));
-    if (!write_png(numbered, shown.context->read_rgba())) return false;
+    numbered.insert(numbered.size() - 4, "-" + state + std::to_string(i + 1));
+    if (!write_png(numbered, shown.size, shown.context->read_rgba())) return false;
   }
   return true;
 }
+
+Colour hex(const char* text) { return colour_of(static_cast<std::uint32_t>(std::strtoul(text, nullptr, 16))); }
 
 }  // namespace
 
@@ -159,10 +224,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   Shown shown;
+  if (argc > 4) shown.size = {std::atoi(argv[3]), std::atoi(argv[4])};
   if (!show(*scenario, shown)) return 1;
-  const std::array<Scene3d, 3> views = views_of(shown);
-  const auto& [near, whole, jaw] = views;
-  shown.picture->draw(whole, kWidth, kHeight);
+  Scene3d empty;
+  if (argc > 6) empty.background_middle = hex(argv[5]), empty.background_edge = hex(argv[6]);
+  const std::vector<Scene3d> views = views_of(shown, empty);
+  shown.picture->draw(views[2], shown.size.width, shown.size.height);
   glFinish();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const long kb = peak_kb();
@@ -171,9 +238,13 @@ int main(int argc, char** argv) {
   std::printf("kept: %.1f MB of bricks, %.1f MB of scenery in %zu patches, %zu triangles of the specimen\n",
               static_cast<double>(shown.specimen->bytes()) / 1e6, shown.scenery ? static_cast<double>(shown.scenery->bytes()) / 1e6 : 0.0,
               shown.scenery ? shown.scenery->patches().size() : 0, shown.store.triangles());
-  if (!shown.look->empty()) print_frames(shown, "at the target", near);
-  print_frames(shown, "the whole specimen", whole);
-  if (shown.scenery) print_frames(shown, "the whole jaw", jaw);
-  if (argc > 2 && !write_views(shown, views, argv[2])) return 1;
+  std::printf("whole:\n");
+  print_all_frames(shown, views);
+  if (argc > 2 && !write_views(shown, views, argv[2], "whole")) return 1;
+  if (!shown.look->empty()) {
+    cut(shown);
+    print_all_frames(shown, views);
+    if (argc > 2 && !write_views(shown, views, argv[2], "cut")) return 1;
+  }
   return seconds < kMostSeconds && kb < kMostKb ? 0 : 1;
 }
