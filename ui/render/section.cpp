@@ -7,6 +7,7 @@
 #include "engine/tool/swept.h"
 #include "ui/modules.h"
 #include "ui/render/scenery_section.h"
+#include "ui/render/tissue_plane.h"
 
 namespace cusp::ui {
 namespace {
@@ -38,40 +39,6 @@ double solid_at(const Volume& volume, Vec3 p) {
     sum += w * (filled ? (volume.occupied(v) ? 1.0 : 0.0) : volume.s(v) / 65535.0);
   }
   return sum;
-}
-
-/// Colour of the tissue about a place: where several meet, by their share, so that a border runs smoothly between
-/// voxels (it is known to a voxel only).
-Colour tissue_at(const Volume& volume, const std::array<Colour, kTissueCodes>& colours, Vec3 p) {
-  const IVec3 cell(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
-                   static_cast<int>(std::floor(p.z)));
-  const Vec3 f = p - Vec3(cell);
-  std::array<Tissue, 8> corner;
-  bool alike = true;
-  for (int i = 0; i < 8; ++i) {
-    corner[static_cast<std::size_t>(i)] = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-    alike = alike && corner[static_cast<std::size_t>(i)] == corner[0];
-  }
-  if (alike) return colours[index_of(corner[0]) % kTissueCodes];
-  std::array<float, kTissueCodes> share{};
-  for (int i = 0; i < 8; ++i) {
-    const double w = ((i & 1) ? f.x : 1 - f.x) * ((i >> 1 & 1) ? f.y : 1 - f.y) * ((i >> 2) ? f.z : 1 - f.z);
-    share[index_of(corner[static_cast<std::size_t>(i)]) % kTissueCodes] += static_cast<float>(w);
-  }
-  share[0] = 0;  // outside: the surface's own line marks it
-  // Cubed, so that the mixing stays close to the border.
-  Colour out{0, 0, 0, 1};
-  float sum = 0;
-  for (std::size_t t = 0; t < share.size(); ++t) {
-    const float w = share[t] * share[t] * share[t];
-    if (w <= 0) continue;
-    out.r += w * colours[t].r;
-    out.g += w * colours[t].g;
-    out.b += w * colours[t].b;
-    sum += w;
-  }
-  if (sum <= 0) return colours[index_of(Tissue::enamel)];
-  return {out.r / sum, out.g / sum, out.b / sum, 1};
 }
 
 /// A field of the plane, asked at every fourth pixel and interpolated: a distance changes slowly.
@@ -145,6 +112,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
   };
   const PlaneField target(out.width, out.height, at_px, settings.target);
   const PlaneField leeway(out.width, out.height, at_px, settings.leeway);
+  const TissuePlane tissues(volume.specimen(), settings);
   std::vector<SceneryPixel> scenery;
   if (settings.scenery) scenery = scenery_in_section(*settings.scenery, settings);
   const double px_per_mm = 1.0 / settings.mm_per_px;
@@ -169,7 +137,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
         c = over(c, settings.edge, 0.85f * beside.edge);
       }
       if (d_px < 1.0) {
-        c = over(c, tissue_at(volume, colours, p), static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
+        c = over(c, tissues.at(x, y, colours), static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
         c = over(c, settings.edge, 0.85f * line(d_px, 0.6));
       } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) >= kHalf) {
         c = over(c, kTargetLine, 0.10f);  // what was taken away as it should be
