@@ -87,10 +87,13 @@ BakedPatch bake_patch(const Volume& volume, const PatchSurroundings& around, con
     PackedVertex p{};
     const Vec3 at(v.position_mm);
     const Vec3f voxel((at - grid.origin_mm) / grid.voxel_mm);
-    const VertexLook look = window.look(v, {around.depth.mm_at(voxel), 0.5f - around.shares.mean_about(voxel)});
+    VertexLook look = window.look(v, {around.depth.mm_at(voxel), 0.5f - around.shares.smooth_at(SolidShares::Cell::eight, voxel)});
+    const Vec3f drawn((Vec3(look.position_mm) - grid.origin_mm) / grid.voxel_mm);
+    const float groove = glm::smoothstep(0.06f, 0.24f, around.shares.smooth_at(SolidShares::Cell::four, drawn) - 0.5f);
+    stain(look, groove);
     put_look(look, p);
     p.tissue = static_cast<std::uint8_t>(v.tissue);
-    p.ambient = byte_of(ambient_at(around.shares, voxel, look.normal, static_cast<float>(grid.voxel_mm)));
+    p.ambient = byte_of((1.0f - 0.4f * groove * (1.0f - look.cut)) * ambient_at(around.shares, drawn, look.normal, static_cast<float>(grid.voxel_mm)));
     if (deviation) {
       const Deviation d = deviation(at, v.cut);
       p.value = d.mm;

@@ -124,15 +124,26 @@ void JunctionDepth::blur() {
 
 float JunctionDepth::mm_at(Vec3f voxel) const noexcept {
   if (distance_.empty()) return kMostMm;
-  const Vec3f p = glm::clamp((voxel + 0.5f) / static_cast<float>(edge_) - 0.5f, Vec3f(0.0f), Vec3f(size_ - 1) - 1e-3f);
-  const IVec3 low(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
-  const IVec3 next = glm::min(low + 1, size_ - 1) - low;
-  const Vec3f f = p - Vec3f(low);
-  const float* d = &distance_[index(low)];
-  const int sx = next.x, sy = next.y * size_.x, sz = next.z * size_.x * size_.y;
-  const auto row = [&](int at) { return d[at] + f.x * (d[at + sx] - d[at]); };
-  const float near = row(0) + f.y * (row(sy) - row(0)), far = row(sz) + f.y * (row(sz + sy) - row(sz));
-  return std::clamp((near + f.z * (far - near)) * cell_mm_, 0.0f, kMostMm);
+  const Vec3f p = glm::clamp((voxel + 0.5f) / static_cast<float>(edge_), Vec3f(0.0f), Vec3f(size_) - 1e-3f);
+  const IVec3 middle(static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z));
+  float weight[3][3];  // a quadratic spline's
+  for (int axis = 0; axis < 3; ++axis) {
+    const float t = p[axis] - static_cast<float>(middle[axis]);
+    weight[axis][0] = 0.5f * (1.0f - t) * (1.0f - t);
+    weight[axis][1] = 0.5f + t * (1.0f - t);
+    weight[axis][2] = 0.5f * t * t;
+  }
+  const IVec3 from = glm::clamp(middle - 1, IVec3(0), glm::max(size_ - 3, IVec3(0)));
+  const IVec3 last = glm::min(from + 2, size_ - 1) - from;
+  float sum = 0.0f;
+  for (int z = 0; z <= last.z; ++z)
+    for (int y = 0; y <= last.y; ++y) {
+      const float* row = &distance_[index(from + IVec3(0, y, z))];
+      float along = 0.0f;
+      for (int x = 0; x <= last.x; ++x) along += weight[0][x] * row[x];
+      sum += along * weight[1][y] * weight[2][z];
+    }
+  return std::clamp(sum * cell_mm_, 0.0f, kMostMm);
 }
 
 }  // namespace cusp::ui

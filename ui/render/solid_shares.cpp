@@ -5,107 +5,77 @@
 
 namespace cusp::ui {
 
-SolidShares::SolidShares(const Volume& volume) : bricks_(volume.specimen().brick_count()) {
-  const auto bricks = static_cast<std::size_t>(bricks_.x) * static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(bricks_.z);
-  place_.assign(bricks, -1);
-  four_.assign(bricks, {});
-  eight_.assign(bricks, 0);
-  for (int b = 0; b < static_cast<int>(bricks); ++b) {
+namespace {
+
+/// Cells of this many voxels meet at whole numbers of the result.
+Vec3f in_cells(Vec3f voxel, int edge) { return (voxel + 0.5f) / static_cast<float>(edge); }
+int edge_of(SolidShares::Cell cell) { return 4 << static_cast<int>(cell); }
+IVec3 floor_of(Vec3f p) { return IVec3(glm::floor(p)); }
+
+}  // namespace
+
+void SolidShares::Level::resize(IVec3 cells) {
+  size = cells + 2 * kEdge;
+  cell.assign(index({0, 0, size.z}), 0);
+}
+
+SolidShares::SolidShares(const Volume& volume) {
+  const IVec3 bricks = volume.specimen().brick_count();
+  levels_[0].resize(2 * bricks);
+  levels_[1].resize(bricks);
+  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
     if (!volume.specimen().uniform(b) || volume.has_cut(b) || volume.specimen().s_in(b, 0) != 0) update(volume, b);
   }
 }
 
 void SolidShares::update(const Volume& volume, int brick) {
-  const auto at = static_cast<std::size_t>(brick);
   const Specimen& specimen = volume.specimen();
   const std::uint16_t* cut = volume.cut_of(brick);
+  const IVec3 at = specimen.brick_at(brick);
+  std::array<std::uint32_t, 8> sums{};
   if (specimen.uniform(brick) && cut == nullptr) {
-    eight_[at] = specimen.s_in(brick, 0) != 0 ? 255 : 0;
-    four_[at].fill(eight_[at]);
-    place_[at] = -1;
-    return;
+    sums.fill(64u * specimen.s_in(brick, 0));
+  } else {
+    for (int o = 0; o < kBrickVoxels; ++o) {
+      std::uint16_t s = specimen.s_in(brick, o);
+      if (cut != nullptr) s = std::min(s, cut[o]);
+      sums[static_cast<std::size_t>((o >> 2 & 1) | (o >> 5 & 1) << 1 | (o >> 8 & 1) << 2)] += s;
+    }
   }
-  if (place_[at] < 0) {
-    place_[at] = static_cast<std::int32_t>(two_.size());
-    two_.emplace_back();
-  }
-  std::array<std::uint32_t, 64> sums{};
-  for (int o = 0; o < kBrickVoxels; ++o) {
-    std::uint16_t s = specimen.s_in(brick, o);
-    if (cut != nullptr) s = std::min(s, cut[o]);
-    sums[static_cast<std::size_t>((o >> 1 & 3) | (o >> 4 & 3) << 2 | (o >> 7 & 3) << 4)] += s;
-  }
-  std::array<std::uint32_t, 8> of_four{};
   std::uint32_t all = 0;
-  for (std::size_t i = 0; i < 64; ++i) {
-    two_[static_cast<std::size_t>(place_[at])][i] = static_cast<std::uint8_t>(sums[i] >> 11);  // of 8 values of 16 bits
-    of_four[(i >> 1 & 1) | (i >> 3 & 1) << 1 | (i >> 5 & 1) << 2] += sums[i] >> 3;
+  for (int i = 0; i < 8; ++i) {
+    const std::uint32_t sum = sums[static_cast<std::size_t>(i)];
+    levels_[0].set(2 * at + IVec3(i & 1, i >> 1 & 1, i >> 2), sum >> 14);  // of 64 values of 16 bits
+    all += sum >> 3;
   }
-  for (std::size_t i = 0; i < 8; ++i) {
-    four_[at][i] = static_cast<std::uint8_t>(of_four[i] >> 11);
-    all += of_four[i] >> 3;
-  }
-  eight_[at] = static_cast<std::uint8_t>(all >> 11);
-}
-
-int SolidShares::brick_index(IVec3 b) const noexcept {
-  if (b.x < 0 || b.y < 0 || b.z < 0 || b.x >= bricks_.x || b.y >= bricks_.y || b.z >= bricks_.z) return -1;
-  return b.x + bricks_.x * (b.y + bricks_.y * b.z);
-}
-
-float SolidShares::of_two(IVec3 c) const noexcept {
-  const int b = brick_index({c.x >> 2, c.y >> 2, c.z >> 2});
-  if (b < 0) return 0.0f;
-  const std::int32_t place = place_[static_cast<std::size_t>(b)];
-  if (place < 0) return eight_[static_cast<std::size_t>(b)];
-  return two_[static_cast<std::size_t>(place)][static_cast<std::size_t>((c.x & 3) | (c.y & 3) << 2 | (c.z & 3) << 4)];
-}
-
-float SolidShares::of_four(IVec3 c) const noexcept {
-  const int b = brick_index({c.x >> 1, c.y >> 1, c.z >> 1});
-  if (b < 0) return 0.0f;
-  return four_[static_cast<std::size_t>(b)][static_cast<std::size_t>((c.x & 1) | (c.y & 1) << 1 | (c.z & 1) << 2)];
-}
-
-float SolidShares::of_eight(IVec3 c) const noexcept {
-  const int b = brick_index(c);
-  return b < 0 ? 0.0f : eight_[static_cast<std::size_t>(b)];
+  levels_[1].set(at, all >> 14);
 }
 
 float SolidShares::at(Cell cell, Vec3f voxel) const noexcept {
-  const float size = static_cast<float>(2 << static_cast<int>(cell));
-  const Vec3f p = (voxel + 0.5f) / size - 0.5f;
-  const IVec3 low(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)), static_cast<int>(std::floor(p.z)));
-  const Vec3f f = p - Vec3f(low);
-  const auto mean = [&](const auto& of) {
-    const auto row = [&](int y, int z) {
-      const float a = of(low + IVec3(0, y, z)), b = of(low + IVec3(1, y, z));
-      return a + f.x * (b - a);
-    };
-    const float near = row(0, 0) + f.y * (row(1, 0) - row(0, 0)), far = row(0, 1) + f.y * (row(1, 1) - row(0, 1));
-    return (near + f.z * (far - near)) / 255.0f;
-  };
-  if (cell == Cell::two) return mean([this](IVec3 c) { return of_two(c); });
-  if (cell == Cell::four) return mean([this](IVec3 c) { return of_four(c); });
-  return mean([this](IVec3 c) { return of_eight(c); });
+  const Level& of = level(cell);
+  const Vec3f p = in_cells(voxel, edge_of(cell)) - 0.5f + static_cast<float>(Level::kEdge);
+  const IVec3 low = glm::clamp(floor_of(p), IVec3(0), of.size - 2);
+  const Vec3f f = glm::clamp(p - Vec3f(low), 0.0f, 1.0f);
+  const std::uint8_t* c = &of.cell[of.index(low)];
+  const int up = of.size.x, far = of.size.x * of.size.y;
+  const auto row = [&](int i) { return static_cast<float>(c[i]) + f.x * static_cast<float>(c[i + 1] - c[i]); };
+  const float a = row(0) + f.y * (row(up) - row(0)), b = row(far) + f.y * (row(far + up) - row(far));
+  return (a + f.z * (b - a)) * (1.0f / 255.0f);
 }
 
-float SolidShares::mean_about(Vec3f voxel) const noexcept {
-  const Vec3f p = (voxel + 0.5f) / 8.0f;
-  const IVec3 middle(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)), static_cast<int>(std::floor(p.z)));
-  float weight[3][3];  // a quadratic spline's
-  for (int axis = 0; axis < 3; ++axis) {
-    const float t = p[axis] - static_cast<float>(middle[axis]);
-    weight[axis][0] = 0.5f * (1.0f - t) * (1.0f - t);
-    weight[axis][1] = 0.5f + t * (1.0f - t);
-    weight[axis][2] = 0.5f * t * t;
-  }
+float SolidShares::smooth_at(Cell cell, Vec3f voxel) const noexcept {
+  const Level& of = level(cell);
+  const Vec3f p = in_cells(voxel, edge_of(cell)) + static_cast<float>(Level::kEdge);
+  const IVec3 middle = glm::clamp(floor_of(p), IVec3(1), of.size - 2);
+  const Vec3f t = glm::clamp(p - Vec3f(middle), 0.0f, 1.0f);
+  const Vec3f weight[3] = {0.5f * (1.0f - t) * (1.0f - t), 0.5f + t * (1.0f - t), 0.5f * t * t};  // a quadratic spline's
   float sum = 0.0f;
   for (int z = 0; z < 3; ++z)
-    for (int y = 0; y < 3; ++y)
-      for (int x = 0; x < 3; ++x)
-        sum += weight[0][x] * weight[1][y] * weight[2][z] * of_eight(middle + IVec3(x, y, z) - 1);
-  return sum / 255.0f;
+    for (int y = 0; y < 3; ++y) {
+      const std::uint8_t* c = &of.cell[of.index(middle + IVec3(-1, y - 1, z - 1))];
+      sum += weight[z].z * weight[y].y * (weight[0].x * c[0] + weight[1].x * c[1] + weight[2].x * c[2]);
+    }
+  return sum * (1.0f / 255.0f);
 }
 
 namespace {
@@ -115,14 +85,13 @@ struct Tap {
   SolidShares::Cell cell;
   float stops;  // share of the cone's light that a wholly solid cell there stops
 };
-// A fissure is some tenths wide, a cavity 1 to 2 mm.
-constexpr std::array<Tap, 4> kAlong = {{{0.25f, SolidShares::Cell::two, 0.8f},
-                                        {0.55f, SolidShares::Cell::four, 0.8f},
-                                        {1.05f, SolidShares::Cell::four, 0.7f},
+// A fossa is a millimetre wide, a cavity 1 to 2.
+constexpr std::array<Tap, 3> kAlong = {{{0.40f, SolidShares::Cell::four, 0.8f},
+                                        {0.90f, SolidShares::Cell::four, 0.7f},
                                         {1.80f, SolidShares::Cell::eight, 0.6f}}};
-constexpr std::array<Tap, 3> kAslant = {{{0.35f, SolidShares::Cell::two, 0.9f},
-                                         {0.80f, SolidShares::Cell::four, 0.9f},
-                                         {1.60f, SolidShares::Cell::eight, 0.7f}}};
+constexpr std::array<Tap, 3> kAslant = {{{0.45f, SolidShares::Cell::four, 0.8f},
+                                         {0.95f, SolidShares::Cell::four, 0.8f},
+                                         {1.80f, SolidShares::Cell::eight, 0.6f}}};
 constexpr float kSolidFrom = 0.10f;       // what the plane itself lends to a cell above it
 constexpr float kAslantCos = 0.60f, kAslantSin = 0.80f;
 constexpr float kShareAlong = 0.32f, kShareAslant = 0.17f;  // of the half sphere's light; 0.32 + 4 * 0.17 = 1

@@ -1,4 +1,4 @@
-/// How solid the surroundings are, coarse and quick to ask: means over cells of 2, 4 and 8 voxels. Light that reaches a
+/// How solid the surroundings are, coarse and quick to ask: means over cells of 4 and 8 voxels. Light that reaches a
 /// place is reckoned from them. Thread: the volume's owner.
 #pragma once
 
@@ -19,24 +19,25 @@ class SolidShares {
   /// Reads a brick anew.
   void update(const Volume& volume, int brick);
 
-  enum class Cell : std::uint8_t { two, four, eight };  // voxels on a side
+  enum class Cell : std::uint8_t { four, eight };  // voxels on a side
   /// Mean solid fraction about a place, 0 to 1, interpolated between cells. `voxel`: in voxels, whole at their centres.
   float at(Cell cell, Vec3f voxel) const noexcept;
-
-  /// Mean of a wide neighbourhood: cells of 8 voxels, blended without edges.
-  float mean_about(Vec3f voxel) const noexcept;
+  /// The same over a wider neighbourhood, blended without edges.
+  float smooth_at(Cell cell, Vec3f voxel) const noexcept;
 
  private:
-  float of_two(IVec3 cell) const noexcept;
-  float of_four(IVec3 cell) const noexcept;
-  float of_eight(IVec3 cell) const noexcept;
-  int brick_index(IVec3 brick) const noexcept;
+  /// Means of one size of cell, with two empty cells beyond the grid on every side.
+  struct Level {
+    static constexpr int kEdge = 2;
+    IVec3 size{0};
+    std::vector<std::uint8_t> cell;  // [x][y][z], x fastest
+    std::size_t index(IVec3 c) const noexcept { return static_cast<std::size_t>(c.x + size.x * (c.y + size.y * c.z)); }
+    void resize(IVec3 cells);
+    void set(IVec3 c, std::uint32_t value) noexcept { cell[index(c + kEdge)] = static_cast<std::uint8_t>(value); }
+  };
+  const Level& level(Cell cell) const noexcept { return levels_[static_cast<std::size_t>(cell)]; }
 
-  IVec3 bricks_{0};
-  std::vector<std::int32_t> place_;               // [brick]: place in two_; -1: all of it is as eight_ says
-  std::vector<std::array<std::uint8_t, 64>> two_;  // [place][x + 4 y + 16 z]
-  std::vector<std::array<std::uint8_t, 8>> four_;  // [brick][x + 2 y + 4 z]
-  std::vector<std::uint8_t> eight_;                // [brick]
+  std::array<Level, 2> levels_;  // by Cell
 };
 
 /// Light from around that reaches a surface place, 0 to 1: five cones through the shares. `voxel` as above.

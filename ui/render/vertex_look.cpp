@@ -68,6 +68,12 @@ Vec3f enamel_colour(float depth_mm) noexcept {
   return back * kept + through * through * under / (1.0f - back * under);
 }
 
+void stain(VertexLook& look, float groove) noexcept {
+  look.colour *= glm::mix(Vec3f(1.0f), vec(kFissureStain), 0.40f * groove * look.enamel * (1.0f - look.cut));
+}
+
+Vec3f ridge_colour(Vec3f enamel, float thin) noexcept { return glm::mix(enamel, vec(kThinEnamel), 0.34f * thin); }
+
 Vec3f body_colour(Tissue tissue, Vec3f at_mm) noexcept {
   static const std::array<Vec3f, kTissueCodes> table = linear_tissues();
   if (tissue == Tissue::gingiva) {
@@ -117,22 +123,32 @@ void LookWindow::read_brick(IVec3 brick) {
     }
 }
 
-/// Weights of a bell about a place and their slopes, per axis.
+/// Weights of a bell about a place and their slopes, per axis. Exact for a plane: the weights' sum is 1 and the slopes'
+/// moment 1, wherever the place lies between the voxels; else a smooth surface shows rings.
 struct LookWindow::Kernel {
   explicit Kernel(Vec3f voxel) : first(floor_of(voxel) - (kTaps / 2 - 1)) {
     for (int axis = 0; axis < 3; ++axis) {
-      float sum = 0.0f;
+      float sum = 0.0f, moment = 0.0f;
       for (int i = 0; i < kTaps; ++i) {
         const float x = static_cast<float>(first[axis] + i) - voxel[axis];
         const float t = std::max(1.0f - x * x / 9.0f, 0.0f);
         weight[axis][i] = t * t;
-        slope[axis][i] = t * x * (4.0f / 9.0f);
         sum += t * t;
+        moment += t * t * x;
       }
-      for (int i = 0; i < kTaps; ++i) weight[axis][i] /= sum, slope[axis][i] /= sum;
+      off[axis] = moment / sum;
+      float steep = 0.0f;
+      for (int i = 0; i < kTaps; ++i) {
+        const float x = static_cast<float>(first[axis] + i) - voxel[axis];
+        weight[axis][i] /= sum;
+        slope[axis][i] = weight[axis][i] * (x - off[axis]);
+        steep += slope[axis][i] * x;
+      }
+      for (int i = 0; i < kTaps; ++i) slope[axis][i] /= steep;
     }
   }
   IVec3 first;
+  Vec3f off;  // of the weights' middle from the place
   float weight[3][kTaps], slope[3][kTaps];
 };
 
@@ -156,6 +172,7 @@ LookWindow::Sums LookWindow::sums_at(Vec3f voxel) const noexcept {
       const Tissue* t = &tissue_[static_cast<std::size_t>(row)];
       for (int x = 0; x < kTaps; ++x) out.tissue[index_of(t[x]) % kTissueCodes] += kernel.weight[0][x] * wy * wz;
     }
+  out.solid -= glm::dot(out.gradient, kernel.off);
   if (!mixed_) out.tissue[index_of(only_) % kTissueCodes] = 1.0f;
   return out;
 }
@@ -163,13 +180,13 @@ LookWindow::Sums LookWindow::sums_at(Vec3f voxel) const noexcept {
 VertexLook LookWindow::look(const PatchVertex& vertex, const Around& around) const {
   const Grid& grid = specimen_.grid();
   Vec3f voxel = Vec3f((Vec3(vertex.position_mm) - grid.origin_mm) / grid.voxel_mm);
-  VertexLook out{vertex.position_mm, vertex.normal, {}, 0.0f, 0.0f, vertex.cut ? 1.0f : 0.0f};
+  VertexLook out{.position_mm = vertex.position_mm, .normal = vertex.normal, .cut = vertex.cut ? 1.0f : 0.0f};
   Sums sums = sums_at(voxel);
   const bool smooth_field = specimen_.reading() == Reading::banded && glm::length(sums.gradient) > 0.02f;
-  const float groove = sums.solid - 0.5f;
+  const float behind = sums.solid - 0.5f;  // above 0 in a groove, and where a bur went under the surface
   if (smooth_field && vertex.cut) {
     // At the margin the specimen's own surface begins, wherever the voxels end.
-    out.cut = smooth(0.0f, 0.22f, groove);
+    out.cut = smooth(0.0f, 0.22f, behind);
     out.normal = glm::normalize(glm::mix(-glm::normalize(sums.gradient), vertex.normal, out.cut) + roughness(vertex.position_mm) * out.cut);
   } else if (smooth_field) {
     float filled = 0.0f;
@@ -204,9 +221,7 @@ VertexLook LookWindow::look(const PatchVertex& vertex, const Around& around) con
   depth *= 1.0f + 0.16f * noise(vertex.position_mm, 1.7f) + 0.09f * noise(vertex.position_mm, 0.5f);
   Vec3f body = enamel_colour(depth * (1.0f - 0.2f * out.cut));
   out.thin = smooth(0.03f, 0.17f, around.ridge) * smooth(0.25f, 0.9f, depth) * out.enamel * (1.0f - out.cut);
-  body = glm::mix(body, vec(kThinEnamel), 0.34f * out.thin);
-  const float stain = (1.0f - out.cut) * smooth(0.06f, 0.22f, vertex.cut ? 0.0f : groove);
-  body *= glm::mix(Vec3f(1.0f), vec(kFissureStain), 0.55f * stain);
+  body = ridge_colour(body, out.thin);
   body = glm::mix(body, vec(kCutEnamel), 0.55f * out.cut);
   out.colour += out.enamel * body;
   return out;

@@ -55,6 +55,10 @@ class LookWindow {
 
 /// Colour of enamel over dentine, linear light.
 Vec3f enamel_colour(float depth_mm) noexcept;
+/// What settles in a fissure of whole enamel. `groove`: 0 to 1.
+void stain(VertexLook& look, float groove) noexcept;
+/// Enamel where light comes through from behind, by how much of it does, 0 to 1.
+Vec3f ridge_colour(Vec3f enamel, float thin) noexcept;
 /// The body's colour of a tissue, linear light. `at_mm`: gums and dentine vary from place to place.
 Vec3f body_colour(Tissue tissue, Vec3f at_mm) noexcept;
 /// Smooth noise of a wavelength, -1 to 1.

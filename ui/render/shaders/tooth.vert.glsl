@@ -27,16 +27,16 @@ out vec3 beyond;     // as the screen shows it: brightness of a hatch there; the
 #endif
 out float gloss;
 
-const vec3 key_colour = 1.75 * vec3(1.0, 0.955, 0.875);
+const vec3 key_colour = 1.80 * vec3(1.0, 0.955, 0.875);
 const vec3 fill_colour = 0.45 * vec3(0.86, 0.93, 1.0);
 const vec3 back_colour = 0.49 * vec3(0.90, 0.96, 1.0);
-const vec3 sky = vec3(0.33, 0.35, 0.38), ground = vec3(0.21, 0.165, 0.125);
+const vec3 sky = vec3(0.38, 0.395, 0.42), ground = vec3(0.27, 0.22, 0.17);
 const vec3 rim_colour = vec3(0.66, 0.73, 0.80);      // enamel lets light through at its edge
-const vec3 bounced = vec3(0.52, 0.45, 0.35);         // light that comes from wall to wall
+const vec3 bounced = vec3(0.62, 0.55, 0.46);         // light that comes from wall to wall
 const uint gingiva = 7u, pulp = 5u;
 
-/// Linear light to what the screen shows: bright light fades into white slowly, as a film's does.
-vec3 screen(vec3 linear) { return sqrt(1.0 - exp2(-1.32 * linear)); }
+/// Linear light to what the screen shows. Dark tissue keeps the colour that it is told apart by; white fades slowly.
+vec3 screen(vec3 linear) { return sqrt(1.0 - exp2(-linear * (0.75 + 0.48 * linear))); }
 
 void main() {
   gl_Position = clip_from_world * vec4(position, 1.0);
@@ -55,7 +55,7 @@ void main() {
   if (bur.w > 0.0) ambient *= mix(0.55, 1.0, clamp(apart / (1.6 * bur.w), 0.0, 1.0));
   // A cavity's walls light each other.
   float open = mix(ambient, sqrt(ambient), 0.75 * cut);
-  float lit = mix(mix(0.12, 0.40, cut), 1.0, smoothstep(0.10, 0.85, open));
+  float lit = mix(mix(0.14, 0.45, cut), 1.0, smoothstep(0.10, 0.85, open));
 #ifdef BY_DEVIATION
   open = 0.45 + 0.55 * open;  // the map's colours are to be read at the bottom of a hole too
   lit = 0.4 + 0.6 * lit;
