@@ -15,13 +15,14 @@ MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, con
   program.set("fill_light", view.fill_light);
   program.set("up", view.up);
   program.set("clip_plane", clip_plane);
-  program.set("half_way", view.half_way);
   program.set("show_target", scene.show_target ? 1 : 0);
   program.set("target_colour", linear(kTargetLine));
   program.set("over_colour", glm::vec3(kOverCut.r, kOverCut.g, kOverCut.b));
   program.set("to_eye", view.to_eye);
   program.set("back_light", view.back_light);
-  program.set("right", glm::cross(view.up, view.to_eye));
+  const glm::vec3 right = glm::cross(view.up, view.to_eye);
+  program.set("right", right);
+  program.set("half_way", glm::vec3(glm::dot(view.half_way, right), glm::dot(view.half_way, view.up), glm::dot(view.half_way, view.to_eye)));
   std::array<glm::vec3, 5> map;
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = linear(kDifference[i]);
   program.set_array("map_colour", map.data(), static_cast<int>(map.size()));

@@ -73,6 +73,33 @@ class FlatPasses {
   glm::dvec2 size_mm_{0.0};
 };
 
+/// What the passes share. `scenery`: its box, which the view has to reach.
+FrameView view_of(const Scene3d& scene, const Box& scenery, int width_px, int height_px) {
+  const Camera& camera = scene.camera;
+  const double aspect = static_cast<double>(width_px) / std::max(height_px, 1);
+  FrameView view;
+  const Vec3 furthest = glm::max(glm::abs(scenery.low - camera.centre_mm()), glm::abs(scenery.high - camera.centre_mm()));
+  const bool bare = scenery == Box{};
+  view.clip_from_world = glm::mat4(camera.clip_from_world(aspect, bare ? kReachMm : std::max(kReachMm, glm::length(furthest))));
+  view.eye = glm::vec3(camera.eye_mm());
+  // The lamp moves with the eye, as a dentist's does: upper left before, a weaker one at the right, one behind.
+  const Vec3 back = -camera.forward();
+  const auto towards = [&](double right, double up, double near) {
+    return glm::vec3(glm::normalize(right * camera.right() + up * camera.up() + near * back));
+  };
+  view.key_light = towards(-0.45, 0.55, 0.70);
+  view.fill_light = towards(0.85, 0.30, 0.42);
+  view.back_light = towards(0.25, 0.80, -0.50);
+  view.to_eye = glm::vec3(back);
+  view.half_way = glm::normalize(view.key_light + glm::vec3(back));
+  // Half the picture's shorter side, at the distance of its middle.
+  view.lamp = glm::vec4(glm::vec3(camera.centre_mm()), static_cast<float>(0.5 * 1000.0 / camera.px_per_mm(1000.0)));
+  view.up = glm::vec3(camera.up());
+  view.view_px = glm::vec2(width_px, height_px);
+  view.line_scale = scene.line_scale;
+  return view;
+}
+
 }  // namespace
 
 struct ToothPicture::Inner {
@@ -117,28 +144,7 @@ void ToothPicture::set_section(const SectionImage& image) { inner_->flat.set_sec
 DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) {
   Inner& in = *inner_;
   const Camera& camera = scene.camera;
-  const double aspect = static_cast<double>(width_px) / std::max(height_px, 1);
-  FrameView view;
-  const Vec3 furthest = glm::max(glm::abs(in.scenery_bounds.low - camera.centre_mm()), glm::abs(in.scenery_bounds.high - camera.centre_mm()));
-  const bool bare = in.scenery_bounds == Box{};
-  view.clip_from_world = glm::mat4(camera.clip_from_world(aspect, bare ? kReachMm : std::max(kReachMm, glm::length(furthest))));
-  view.eye = glm::vec3(camera.eye_mm());
-  // The lamp moves with the eye, as a dentist's does: upper left before, a weaker one at the right, one behind.
-  const Vec3 back = -camera.forward();
-  const auto towards = [&](double right, double up, double near) {
-    return glm::vec3(glm::normalize(right * camera.right() + up * camera.up() + near * back));
-  };
-  view.key_light = towards(-0.45, 0.55, 0.70);
-  view.fill_light = towards(0.85, 0.30, 0.42);
-  view.back_light = towards(0.25, 0.80, -0.50);
-  view.to_eye = glm::vec3(back);
-  view.half_way = glm::normalize(view.key_light + glm::vec3(back));
-  // Half the picture's shorter side, at the distance of its middle.
-  view.lamp = glm::vec4(glm::vec3(camera.centre_mm()), static_cast<float>(0.5 * 1000.0 / camera.px_per_mm(1000.0)));
-  view.up = glm::vec3(camera.up());
-  view.view_px = glm::vec2(width_px, height_px);
-  view.line_scale = scene.line_scale;
-
+  const FrameView view = view_of(scene, in.scenery_bounds, width_px, height_px);
   glViewport(0, 0, width_px, height_px);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);

@@ -198,16 +198,28 @@ void print_all_frames(const Shown& shown, const std::vector<Scene3d>& views) {
   for (std::size_t i = 0; i < views.size(); ++i) print_frames(shown, kNames[i], views[i]);
 }
 
-/// "name.png" becomes "name-1.png" to "name-4.png", "name" with the state before it.
+/// "name.png" becomes "name-WHAT.png".
+std::string named(std::string path, const std::string& what) { return path.insert(path.size() - 4, "-" + what); }
+
+/// Each view, then the target's with its lines and as a difference map, then a section through its middle.
 bool write_views(const Shown& shown, std::vector<Scene3d> views, const std::string& path, const std::string& state) {
+  Scene3d lines = views[0], map = views[0];
+  map.colouring = Colouring::deviation;
+  for (Scene3d& scene : views) scene.show_target = false;
+  views.push_back(lines);
+  views.push_back(map);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    views[i].show_target = false;
     shown.picture->draw(views[i], shown.size.width, shown.size.height);
-    std::string numbered = path;
-    numbered.insert(numbered.size() - 4, "-" + state + std::to_string(i + 1));
-    if (!write_png(numbered, shown.size, shown.context->read_rgba())) return false;
+    if (!write_png(named(path, state + std::to_string(i + 1)), shown.size, shown.context->read_rgba())) return false;
   }
-  return true;
+  SectionSettings settings;
+  settings.plane.centre_mm = views[0].camera.centre_mm();
+  settings.width = 542, settings.height = 404, settings.mm_per_px = 0.0225;
+  shown.look->put_into(settings);
+  const SectionImage section = draw_section(*shown.volume, settings);
+  std::vector<std::uint8_t> rgba(section.rgba.size() * 4);
+  std::memcpy(rgba.data(), section.rgba.data(), rgba.size());
+  return write_png(named(path, state + "-section"), {section.width, section.height}, rgba);
 }
 
 Colour hex(const char* text) { return colour_of(static_cast<std::uint32_t>(std::strtoul(text, nullptr, 16))); }

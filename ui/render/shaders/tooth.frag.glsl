@@ -1,16 +1,12 @@
 #version 330 core
-in vec3 facing;
+in vec4 facing;
 #ifdef BY_DEVIATION
-in vec3 light;
-in float deviation;
+in vec4 light;
 #else
-in vec3 shaded;
-in vec3 beyond;
+in vec4 shaded;
 #endif
-in float gloss;
 
-uniform vec3 half_way;                   // unit, between key light and eye
-uniform vec3 to_eye, up, right;          // unit
+uniform vec3 half_way;                   // unit, between key light and eye; in the view's frame, as facing
 uniform vec3 over_colour;                // as the screen shows it
 uniform vec3 map_colour[5];              // linear light, -0.5 -0.3 0 +0.3 +0.5 mm
 
@@ -29,24 +25,25 @@ vec3 difference(float mm) {
 #endif
 
 void main() {
-  vec3 n = facing * inversesqrt(dot(facing, facing));
-  float s = max(dot(n, half_way), 0.0);
-  float s4 = s * s * s * s;
+  float shorter = 1.0 / dot(facing.xyz, facing.xyz);
+  float s = max(dot(facing.xyz, half_way), 0.0);
+  float s2 = s * s * shorter;
+  float s4 = s2 * s2;
   float s16 = s4 * s4 * s4 * s4;
 #ifdef BY_DEVIATION
   float s64 = s16 * s16 * s16 * s16;
-  vec3 lit = difference(deviation) * light + vec3(gloss * (0.22 * s64 + 0.05 * s16));
+  vec3 lit = difference(light.a) * light.rgb + vec3(facing.w * (0.22 * s64 + 0.05 * s16));
   colour = vec4(sqrt(min(lit, vec3(1.0))), 1.0);
 #else
   // Cut beyond the leeway: hatched.
   float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) * 0.1);
-  vec3 surface = mix(shaded, over_colour * beyond.x, beyond.y > 0.5 ? (stripe < 0.5 ? 1.0 : 0.25) : 0.0);
-  // A wet surface mirrors the lamp's square face.
-  vec3 mirrored = 2.0 * dot(n, to_eye) * n - to_eye;
-  vec2 place = vec2(dot(mirrored, right) + 0.50, dot(mirrored, up) - 0.62);
+  float hatch = shaded.a > 0.5 ? (stripe < 0.5 ? 1.0 : 0.25) : 0.0;
+  vec3 surface = mix(shaded.rgb, over_colour * (0.25 + 0.75 * shaded.r), hatch);
+  // A wet surface mirrors the lamp's square face: where the mirrored eye's way goes, right and up.
+  vec2 place = 2.0 * facing.z * shorter * facing.xy + vec2(0.50, -0.62);
   vec2 inside = clamp((vec2(0.20, 0.14) - abs(place)) * 6.0 + 0.5, 0.0, 1.0);
   float face = inside.x * inside.y;
-  float shine = gloss * (0.75 * face * face * beyond.z + 0.14 * s16);
+  float shine = facing.w * (0.75 * face * face * facing.w + 0.14 * s16);
   colour = vec4(surface + shine * (1.0 - surface), 1.0);
 #endif
 }

@@ -17,15 +17,15 @@ uniform vec4 bur;                      // pivot, radius; radius 0: none
 uniform vec3 bur_axis;
 uniform vec4 lamp;                     // middle of its beam, radius
 
-out vec3 facing;
+uniform vec3 right, to_eye;            // unit; with up the frame of the view
+
+// Two of four numbers each: what is interpolated costs software OpenGL as much as what is reckoned.
+out vec4 facing;     // normal in the view's frame; gloss
 #ifdef BY_DEVIATION
-out vec3 light;      // that reaches the eye from a white surface
-out float deviation;
+out vec4 light;      // that reaches the eye from a white surface; mm from the target
 #else
-out vec3 shaded;     // as the screen shows it
-out vec3 beyond;     // as the screen shows it: brightness of a hatch there; the leeway; how wet
+out vec4 shaded;     // as the screen shows it; cut beyond the leeway
 #endif
-out float gloss;
 
 const vec3 key_colour = 1.80 * vec3(1.0, 0.955, 0.875);
 const vec3 fill_colour = 0.45 * vec3(0.86, 0.93, 1.0);
@@ -42,7 +42,6 @@ void main() {
   gl_Position = clip_from_world * vec4(position, 1.0);
   gl_ClipDistance[0] = dot(clip_plane, vec4(position, 1.0));
   vec3 normal = normal_thin.xyz;
-  facing = normal;
   float cut = float(kind.y) / 255.0;
   float enamel = look.w;
   float whole = enamel * (1.0 - cut);
@@ -74,9 +73,8 @@ void main() {
   float aslant = 1.0 - max(dot(normal, normalize(eye - position)), 0.0);
 
 #ifdef BY_DEVIATION
-  light = 0.42 * total;
-  deviation = value;
-  gloss = 0.25 * open;
+  light = vec4(0.42 * total, value);
+  float gloss = 0.25 * open;
 #else
   float thin = normal_thin.w;
   total += thin * open * (0.12 + 0.25 * (0.5 - 0.5 * dot(normal, back_light))) * vec3(0.8, 0.95, 1.1);
@@ -86,8 +84,9 @@ void main() {
   body = mix(body, rim_colour, 0.28 * edge * whole);
   // Enamel left whole is wet, gums and pulp are moist, what a bur left is matt.
   float wet = mix(kind.x == gingiva || kind.x == pulp ? 0.55 : 0.16, mix(1.0, 0.28, cut), enamel);
-  gloss = wet * ambient * ambient;
-  shaded = screen(body * total + gloss * (0.035 + 0.55 * edge * aslant) * sky);
-  beyond = vec3(sqrt(min(0.5 * total.g, 1.0)), show_target != 0 ? float(kind.w) / 255.0 : 0.0, wet);
+  float gloss = wet * ambient * ambient;
+  shaded.rgb = screen(body * total + gloss * (0.035 + 0.55 * edge * aslant) * sky);
+  shaded.a = show_target != 0 ? float(kind.w) / 255.0 : 0.0;
 #endif
+  facing = vec4(dot(normal, right), dot(normal, up), dot(normal, to_eye), gloss);
 }
