@@ -25,18 +25,20 @@ Colour over(Colour under, Colour top, float alpha) {
   return {mix(under.r, top.r), mix(under.g, top.g), mix(under.b, top.b), a};
 }
 
-/// Solid fraction between the voxels' centres, 0 to 1; for a filled volume the share of occupied corners.
-double solid_at(const Volume& volume, Vec3 p) {
+/// Solid fraction between the voxels' centres, 0 to 1; for a filled volume the share of occupied corners. `volume`: it, or
+/// its specimen, uncut.
+template <class Field>
+double solid_at(const Field& volume, Reading reading, Vec3 p) {
   const IVec3 cell(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
                    static_cast<int>(std::floor(p.z)));
   const Vec3 f = p - Vec3(cell);
-  const bool filled = volume.specimen().reading() == Reading::filled;
+  const bool filled = reading == Reading::filled;
   double sum = 0;
   for (int i = 0; i < 8; ++i) {
     const IVec3 corner(i & 1, i >> 1 & 1, i >> 2);
     const double w = (corner.x ? f.x : 1 - f.x) * (corner.y ? f.y : 1 - f.y) * (corner.z ? f.z : 1 - f.z);
     const IVec3 v = cell + corner;
-    sum += w * (filled ? (volume.occupied(v) ? 1.0 : 0.0) : volume.s(v) / 65535.0);
+    sum += w * (filled ? (volume.s(v) > 0 ? 1.0 : 0.0) : volume.s(v) / 65535.0);
   }
   return sum;
 }
@@ -125,7 +127,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       const IVec3 v(static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5)),
                     static_cast<int>(std::floor(p.z + 0.5)));
       double s = volume.s(v) / 65535.0;
-      if ((s > 0.0 && s < 1.0) || volume.specimen().reading() == Reading::filled) s = solid_at(volume, p);
+      if ((s > 0.0 && s < 1.0) || volume.specimen().reading() == Reading::filled) s = solid_at(volume, volume.specimen().reading(), p);
       // Distance to the surface in pixels, below 0 in tissue.
       const double d_px = volume.specimen().reading() == Reading::filled ? (0.5 - s) * voxel_px * 2
                                                                          : (0.5 - s) * 2 * kBandVoxels * voxel_px;
@@ -139,8 +141,10 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       if (d_px < 1.0) {
         c = over(c, tissues.at(x, y, colours), static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
         c = over(c, settings.edge, 0.85f * line(d_px, 0.6));
-      } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) >= kHalf) {
-        c = over(c, kTargetLine, 0.10f);  // what was taken away as it should be
+      } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) > 0) {
+        // What was taken away as it should be, to where the specimen's surface was.
+        const double was_px = (solid_at(volume.specimen(), volume.specimen().reading(), p) - 0.5) * 2 * kBandVoxels * voxel_px;
+        c = over(c, kTargetLine, 0.10f * static_cast<float>(std::clamp(was_px + 0.5, 0.0, 1.0)));
       }
       if (settings.bur) c = over_bur(c, settings, at);
       if (volume.specimen().s(v) > 0) {  // the target goes up without end; its lines end just above the specimen
