@@ -32,7 +32,8 @@ const vec3 fill_colour = 0.45 * vec3(0.86, 0.93, 1.0);
 const vec3 back_colour = 0.49 * vec3(0.90, 0.96, 1.0);
 const vec3 sky = vec3(0.38, 0.395, 0.42), ground = vec3(0.27, 0.22, 0.17);
 const vec3 rim_colour = vec3(0.66, 0.73, 0.80);      // enamel lets light through at its edge
-const vec3 bounced = vec3(0.62, 0.55, 0.46);         // light that comes from wall to wall
+const vec3 bounced = vec3(0.46, 0.42, 0.36);         // light that comes from wall to wall
+const vec3 from_floor = vec3(1.4, 1.32, 1.18);         // the handpiece's own light, back from the floor to a wall
 const uint gingiva = 7u, pulp = 5u;
 
 /// Linear light to what the screen shows. Dark tissue keeps the colour that it is told apart by; white fades slowly.
@@ -67,13 +68,14 @@ void main() {
   float behind = max(dot(normal, back_light), 0.0);
   vec3 warm = open * (1.0 + (1.0 - open) * vec3(0.25, 0.08, -0.06));  // what light has gone through
   vec3 total = key * key_colour * lit + warm * (fill * fill_colour + behind * back_colour + mix(ground, sky, 0.5 + 0.5 * dot(normal, up)));
-  total += cut * (1.0 - ambient) * bounced;
+  float nearly = max(dot(normal, normalize(eye - position)), 0.0);
+  total += cut * ((1.0 - ambient) * bounced + nearly * (1.0 - nearly) * from_floor);
   // The lamp lights where one looks; towards the edge of its beam it fades.
   total *= mix(1.06, 0.62, smoothstep(0.35, 1.9, distance(position, lamp.xyz) / lamp.w));
-  float aslant = 1.0 - max(dot(normal, normalize(eye - position)), 0.0);
+  float aslant = 1.0 - nearly;
 
 #ifdef BY_DEVIATION
-  light = vec4(0.42 * total, value);
+  light = vec4(0.06 + 0.40 * total, value);
   float gloss = 0.25 * open;
 #else
   float thin = normal_thin.w;
