@@ -59,7 +59,7 @@ Vec3f enamel_colour(float depth_mm) noexcept;
 void stain(VertexLook& look, float groove) noexcept;
 /// Enamel where light comes through from behind, by how much of it does, 0 to 1.
 Vec3f ridge_colour(Vec3f enamel, float thin) noexcept;
-/// The body's colour of a tissue, linear light. `at_mm`: gums and dentine vary from place to place.
+/// The body's colour of a tissue, linear light. `at_mm`: gums vary from place to place.
 Vec3f body_colour(Tissue tissue, Vec3f at_mm) noexcept;
 /// Smooth noise of a wavelength, -1 to 1.
 float noise(Vec3f at_mm, float wavelength_mm) noexcept;
