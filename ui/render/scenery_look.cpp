@@ -45,13 +45,13 @@ std::vector<PackedVertex> packed(const SceneryMesh& mesh) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Vec3f at = mesh.points_mm[i];
     const bool enamel = is_enamel(mesh.tissue[i]);
-    const float thin = glm::smoothstep(0.9f, kMostEnamelMm, depth[i]) * static_cast<float>(mesh.ambient[i]) / 255.0f;
+    const float thin = 0.45f * glm::smoothstep(0.9f, kMostEnamelMm, depth[i]) * static_cast<float>(mesh.ambient[i]) / 255.0f;
     const float mottled = depth[i] * (1.0f + 0.16f * noise(at, 1.7f));
     put_look({.position_mm = at,
               .normal = mesh.normals[i],
               .colour = enamel ? ridge_colour(enamel_colour(mottled), thin) : body_colour(mesh.tissue[i], at),
               .enamel = enamel ? 1.0f : 0.0f,
-              .thin = enamel ? 0.6f * thin : 0.0f},
+              .thin = enamel ? thin : 0.0f},
              out[i]);
     out[i].tissue = static_cast<std::uint8_t>(mesh.tissue[i]);
     out[i].ambient = mesh.ambient[i];
