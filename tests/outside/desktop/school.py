@@ -92,8 +92,11 @@ def row_of(program, table, *parts):
 def brief(program, exercise):
     """The briefing of the first exercise with this name, found by its text."""
     page(program, "Exercises")
-    program.find("text", "Find an exercise").type(exercise)
-    program.find("list item", exercise)
+
+    def found():  # the page may be made anew meanwhile
+        program.find("text", "Find an exercise").type(exercise)
+        return program.here("list item", exercise)
+    until(f"the card of {exercise}", found)
     program.keys("Return")
 
 
