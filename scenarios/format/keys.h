@@ -40,7 +40,7 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"convergence_buccolingual", "deg", -90, 90},
     MetricKey{"floor_flatness", "mm"},             // RMS about the floor's best plane
     MetricKey{"floor_tilt", "deg", 0, 45},         // of that plane
-    MetricKey{"isthmus_width", "mm"},              // least width between facing walls
+    MetricKey{"isthmus_width", "mm"},              // least buccolingual width at the occlusal cavosurface
     MetricKey{"ridge_mesial", "mm"},               // marginal ridge: wall to greatest proximal contour
     MetricKey{"ridge_distal", "mm"},
     MetricKey{"remaining_over_pulp", "mm"},        // least wall between the cavity and the pulp

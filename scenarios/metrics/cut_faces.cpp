@@ -38,14 +38,6 @@ class FaceSink : public SolidSink {
   FieldCells cells_;
 };
 
-FaceName wall_by_normal(Vec3 n, int mesial_x) noexcept {
-  if (std::fabs(n.x) >= std::fabs(n.y)) {
-    const double mesial = mesial_x == 0 ? n.x : n.x * mesial_x;
-    return mesial < 0.0 ? FaceName::mesial_wall : FaceName::distal_wall;
-  }
-  return n.y < 0.0 ? FaceName::buccal_wall : FaceName::lingual_wall;
-}
-
 /// As floor_depth(): a quarter of a voxel more than the inset, so that a slot as wide as the bur keeps its floor.
 double floor_inset_mm(const Reference& reference) noexcept {
   return reference.shape().corner_mm() - 0.25 * reference.specimen().grid().voxel_mm;
@@ -120,6 +112,14 @@ class TreeFaces final : public FaceSink {
 };
 
 }  // namespace
+
+FaceName wall_by_normal(Vec3 into_void, int mesial_x) noexcept {
+  if (std::fabs(into_void.x) >= std::fabs(into_void.y)) {
+    const double mesial = mesial_x == 0 ? into_void.x : into_void.x * mesial_x;
+    return mesial < 0.0 ? FaceName::mesial_wall : FaceName::distal_wall;
+  }
+  return into_void.y < 0.0 ? FaceName::buccal_wall : FaceName::lingual_wall;
+}
 
 CutFaces::CutFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth) {
   if (reference.shape().empty() || volume.specimen().reading() == Reading::filled) return;

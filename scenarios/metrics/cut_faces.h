@@ -44,6 +44,9 @@ class CutFaces {
   std::array<bool, kFaceNames> side_known_{};
 };
 
+/// Name of a wall whose normal into the void leans so. Without a tooth's number (mesial_x 0) mesial is taken along +x.
+[[nodiscard]] FaceName wall_by_normal(Vec3 into_void, int mesial_x) noexcept;
+
 /// Further off the target a cut is damage and none of its faces, mm [M].
 inline constexpr double kWallReachMm = 1.0;
 

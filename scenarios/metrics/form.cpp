@@ -59,10 +59,11 @@ void add_floor(const Reference& reference, const CutFaces& faces, std::vector<Me
 
 }  // namespace
 
-void add_form(const CutFaces& faces, const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
+void add_form(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
+              std::vector<Measure>& out) {
   add_walls(reference, faces, out);
   add_floor(reference, faces, out);
-  if (const auto narrow = isthmus(faces, volume, reference.point_sigma_mm()))
+  if (const auto narrow = isthmus(margin, reference))
     out.push_back({"isthmus_width", true, narrow->width_mm, narrow->uncertainty_mm, "mm", narrow->from_mm});
   else
     out.push_back(not_measured("isthmus_width", "mm"));

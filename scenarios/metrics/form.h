@@ -6,6 +6,7 @@
 #include "engine/volume/volume.h"
 #include "scenarios/grading/grade.h"
 #include "scenarios/metrics/cut_faces.h"
+#include "scenarios/metrics/margin.h"
 #include "scenarios/metrics/reference.h"
 #include "scenarios/modules.h"
 
@@ -13,6 +14,7 @@ namespace cusp::scenarios {
 
 /// Appends wall_angle_*, convergence_*, floor_flatness, floor_tilt, isthmus_width, ridge_mesial and ridge_distal. What
 /// cannot be measured is there with measured = false.
-void add_form(const CutFaces& faces, const Reference& reference, const Volume& volume, std::vector<Measure>& out);
+void add_form(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
+              std::vector<Measure>& out);
 
 }  // namespace cusp::scenarios

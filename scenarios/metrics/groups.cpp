@@ -26,19 +26,16 @@ bool asks_for_faces(const Reference& reference) {
 
 }  // namespace
 
-void add_groups(const CutFaces& faces, const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
+void add_groups(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
+                std::vector<Measure>& out) {
   const auto wanted = [&](std::initializer_list<std::string_view> starts) {
     return std::ranges::any_of(starts, [&](std::string_view start) { return reference.asks(start); });
   };
   if (asks_for_faces(reference)) add_volume(reference, volume, out);
   if (wanted({"surface_"})) add_surface(reference, volume, out);
   if (wanted({"gingival_above_cej", "box_height", "axial_past_junction_"})) add_box(faces, reference, out);
-  const bool proximal = wanted({"contact_broken", "clearance_", "gingival_floor_"}), margin = wanted({"cavosurface_"});
-  if (margin || proximal) {
-    const std::vector<MarginPoint> points = margin_points(volume);
-    if (margin) add_margin(points, reference, out);
-    if (proximal) add_proximal(faces, points, reference, volume, out);
-  }
+  if (wanted({"cavosurface_"})) add_margin(margin, reference, out);
+  if (wanted({"contact_broken", "clearance_", "gingival_floor_"})) add_proximal(faces, margin, reference, volume, out);
   if (wanted({"caries_left_", "sound_lost"})) add_caries(reference, volume, out);
 }
 

@@ -6,12 +6,14 @@
 #include "engine/volume/volume.h"
 #include "scenarios/grading/grade.h"
 #include "scenarios/metrics/cut_faces.h"
+#include "scenarios/metrics/margin.h"
 #include "scenarios/metrics/reference.h"
 #include "scenarios/modules.h"
 
 namespace cusp::scenarios {
 
 /// Appends whole groups: volume, surface, box, margin, proximal, caries. What cannot be measured is there with measured = false.
-void add_groups(const CutFaces& faces, const Reference& reference, const Volume& volume, std::vector<Measure>& out);
+void add_groups(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
+                std::vector<Measure>& out);
 
 }  // namespace cusp::scenarios

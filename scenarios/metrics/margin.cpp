@@ -63,6 +63,7 @@ class Margin {
 
  private:
   std::optional<double> angle(const MarginPoint& m) {
+    if (2.0 * volume_.grid().voxel_mm > kChordMm) return std::nullopt;
     const double across = glm::dot(m.out, m.into_void);
     const std::optional<Vec3> wall = chord(m, Field::cut, -(m.out - across * m.into_void));
     const std::optional<Vec3> skin = chord(m, Field::base, -(m.into_void - across * m.out));
@@ -95,7 +96,7 @@ double chord_sigma_deg(double point_sigma_mm) noexcept { return std::sqrt(2.0) *
 
 std::vector<MarginPoint> margin_points(const Volume& volume) {
   std::vector<MarginPoint> out;
-  if (volume.specimen().reading() == Reading::filled || 2.0 * volume.grid().voxel_mm > kChordMm) return out;
+  if (volume.specimen().reading() == Reading::filled) return out;
   Margin margin(volume);
   for (const int brick : bricks_to_measure(volume)) {
     const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;

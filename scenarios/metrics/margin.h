@@ -29,7 +29,8 @@ struct MarginPoint {
   std::optional<double> angle_deg;  // none at a line angle, and where a chord has no room
 };
 
-/// In the order of the bricks. Tens of milliseconds. Empty for a filled reading, and where a chord is not resolved.
+/// In the order of the bricks. Tens of milliseconds. Empty for a filled reading. Voxels above half a chord leave every place
+/// without an angle.
 [[nodiscard]] std::vector<MarginPoint> margin_points(const Volume& volume);
 
 struct Cavosurface {

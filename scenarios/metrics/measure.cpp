@@ -7,6 +7,7 @@
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/form.h"
 #include "scenarios/metrics/groups.h"
+#include "scenarios/metrics/margin.h"
 #include "scenarios/metrics/protected_parts.h"
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/modules.h"
@@ -150,7 +151,8 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
   const std::optional<FloorDepth> depth = floor_depth(reference, volume);
   add_depth(reference, depth, out);
   const CutFaces faces(reference, volume, depth);
-  add_form(faces, reference, volume, out);
+  const std::vector<MarginPoint> margin = margin_points(volume);
+  add_form(faces, margin, reference, volume, out);
   for (const Tissue tissue : reference.tissues()) {
     const std::size_t i = index_of(tissue);
     if (!reference.has(tissue)) {
@@ -176,7 +178,7 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
     out.push_back(measured("protected_damage", damage->damaged, 0.0, "", damage->at_mm));
   }
   if (reference.heat()) add_heat(process, out);
-  add_groups(faces, reference, volume, out);
+  add_groups(faces, margin, reference, volume, out);
   return out;
 }
 

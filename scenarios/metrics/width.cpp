@@ -2,48 +2,89 @@
 
 #include <cmath>
 
-#include "scenarios/metrics/surface_search.h"
+#include "scenarios/metrics/cut_faces.h"
 
 namespace cusp::scenarios {
 
 namespace {
 
-/// Wider than any crown: nothing faces the wall.
+/// A surface whose normal leans less than 60 degrees from the axis is occlusal; a steeper one is proximal, buccal or lingual [M].
+constexpr double kOcclusalCosine = 0.5;
+/// Two margins face each other if their normals lean less than 45 degrees from opposite.
+constexpr double kOppositeCosine = 0.70710678;
+/// Beside the line from one margin to the other, voxels: one of the margin's places lies in each cell that it passes.
+constexpr double kBesideVoxels = 0.75;
+/// Nearer than this the margin meets itself at a line angle, voxels.
+constexpr double kNearestVoxels = 1.5;
+/// Wider than any crown: nothing faces the margin.
 constexpr double kWidestMm = 15.0;
 
-/// Distance from a wall level into the void to the next tissue, at most `at_most`; nullopt beyond.
-std::optional<double> across(SurfaceSearch& search, const Grid& grid, Vec3 from, Vec3 into, double at_most) {
-  const double step = 0.5 * grid.voxel_mm;
-  if (!search.inside(from - grid.voxel_mm * into)) return std::nullopt;  // no tissue behind it: no wall
-  // The first voxel and a half belong to the wall itself.
-  for (double mm = 1.5 * grid.voxel_mm; mm <= at_most + step; mm += step) {
-    const Vec3 p = from + mm * into;
-    if (!grid.contains(nearest_voxel(grid, p))) return std::nullopt;
-    if (!search.inside(p)) continue;
-    // The voxel's centre is inside, the place itself may be half a voxel before the surface.
-    const Vec3 surface = search.between(p - grid.voxel_mm * into, p + grid.voxel_mm * into);
-    return std::sqrt(glm::dot(surface - from, surface - from));
+enum class Side : std::uint8_t { buccal, lingual, any, none };
+
+/// A place of the margin in plan.
+struct Edge {
+  Vec3 at_mm{0.0};
+  Vec2 into_void{0.0};  // at right angles to the margin, of length 1
+  Side side = Side::none;
+};
+
+Side side_of(FaceName wall) noexcept {
+  return wall == FaceName::buccal_wall ? Side::buccal : wall == FaceName::lingual_wall ? Side::lingual : wall == FaceName::side_wall ? Side::any : Side::none;
+}
+
+/// The wall below the margin: by its name in the target, else by its normal.
+Side side_of(const MarginPoint& m, const Reference& reference) {
+  const TargetShape& shape = reference.shape();
+  if (shape.upright() != nullptr) {
+    if (shape.outline_mm({m.at_mm.x, m.at_mm.y}) > kWallReachMm) return Side::none;
+    return reference.mesial_x() == 0 ? Side::any : side_of(wall_by_normal(m.into_void, reference.mesial_x()));
   }
-  return std::nullopt;
+  const std::optional<Facing> facing = shape.facing(m.at_mm, m.into_void);
+  if (!facing || facing->beyond_mm > kWallReachMm || facing->beside_mm > kWallReachMm) return Side::none;
+  const bool named = facing->face != FaceName::side_wall || reference.mesial_x() == 0;
+  return side_of(named ? facing->face : wall_by_normal(m.into_void, reference.mesial_x()));
+}
+
+std::vector<Edge> occlusal_edges(const std::vector<MarginPoint>& margin, const Reference& reference) {
+  std::vector<Edge> out;
+  for (const MarginPoint& m : margin) {
+    if (m.out.z < kOcclusalCosine) continue;
+    const Vec3 along = glm::cross(m.out, m.into_void);
+    Vec2 across(-along.y, along.x);
+    const double length = std::sqrt(glm::dot(across, across)), into = across.x * m.into_void.x + across.y * m.into_void.y;
+    if (!(length > 0.0) || into == 0.0) continue;
+    const Side side = side_of(m, reference);
+    if (side != Side::none) out.push_back({m.at_mm, (into > 0.0 ? 1.0 : -1.0) / length * across, side});
+  }
+  return out;
+}
+
+bool opposite(Side a, Side b) noexcept {
+  return a == Side::any || b == Side::any ? a == b : a != b;
+}
+
+/// Way from one edge straight into the void to where the other one crosses it; nullopt where it passes beside.
+std::optional<double> across(const Edge& from, const Edge& to, double voxel_mm) noexcept {
+  const Vec2 way(to.at_mm.x - from.at_mm.x, to.at_mm.y - from.at_mm.y);
+  const double facing = -glm::dot(from.into_void, to.into_void);
+  if (facing < kOppositeCosine) return std::nullopt;
+  const double beside = way.x * from.into_void.y - way.y * from.into_void.x;
+  if (std::fabs(beside) > kBesideVoxels * voxel_mm) return std::nullopt;
+  const double mm = -glm::dot(way, to.into_void) / facing;
+  return mm > kNearestVoxels * voxel_mm && mm < kWidestMm ? std::optional(mm) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Isthmus> isthmus(const CutFaces& faces, const Volume& volume, double point_sigma_mm) {
-  SurfaceSearch search(volume, Solid::remaining);
+std::optional<Isthmus> isthmus(const std::vector<MarginPoint>& margin, const Reference& reference) {
+  const std::vector<Edge> edges = occlusal_edges(margin, reference);
+  const double voxel = reference.specimen().grid().voxel_mm;
   std::optional<Isthmus> best;
-  double least = kWidestMm;
-  for (const FaceName wall : {FaceName::mesial_wall, FaceName::distal_wall, FaceName::buccal_wall, FaceName::lingual_wall,
-                              FaceName::side_wall})
-    for (const CutFace& face : faces.of(wall)) {
-      const Vec3 level(face.normal.x, face.normal.y, 0.0);
-      const double length = std::sqrt(glm::dot(level, level));
-      if (!(length > 0.0)) continue;
-      const Vec3 into = level / length;
-      const auto mm = across(search, volume.grid(), face.middle_mm, into, least);
-      if (!mm || *mm >= least) continue;
-      least = *mm;
-      best = Isthmus{*mm, std::sqrt(2.0) * point_sigma_mm, face.middle_mm, face.middle_mm + *mm * into};
+  for (const Edge& from : edges)
+    for (const Edge& to : edges) {
+      if (!opposite(from.side, to.side)) continue;
+      const std::optional<double> mm = across(from, to, voxel);
+      if (mm && (!best || *mm < best->width_mm)) best = Isthmus{*mm, std::sqrt(2.0) * reference.point_sigma_mm(), from.at_mm, to.at_mm};
     }
   return best;
 }

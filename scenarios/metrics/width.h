@@ -1,12 +1,15 @@
-/// Width of a preparation. Source: dental.md 2.2 ("isthmus", row sets A and B).
+/// Width of a preparation. Source: dentistry.md, group "width"; dental.md 2.2 ("isthmus", row sets A and B).
 ///
-/// isthmus_width (mm): least horizontal distance between two walls that face each other, above the rounded line angle.
-/// Needs: a target, a banded volume, walls.
+/// isthmus_width (mm): least level distance across the void between a buccal and a lingual margin of the occlusal cavosurface, at right
+/// angles to the margin. Without a tooth's number: between any two of its margins that face each other.
+/// Needs: a target, a banded volume, a margin on the occlusal surface.
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "scenarios/metrics/cut_faces.h"
+#include "scenarios/metrics/margin.h"
+#include "scenarios/metrics/reference.h"
 
 namespace cusp::scenarios {
 
@@ -16,7 +19,7 @@ struct Isthmus {
   Vec3 from_mm{0.0}, to_mm{0.0};
 };
 
-/// From each wall straight into the void, level, until tissue stands against it. nullopt where nothing does.
-[[nodiscard]] std::optional<Isthmus> isthmus(const CutFaces& faces, const Volume& volume, double point_sigma_mm);
+/// nullopt where no margin of the occlusal surface faces another.
+[[nodiscard]] std::optional<Isthmus> isthmus(const std::vector<MarginPoint>& margin, const Reference& reference);
 
 }  // namespace cusp::scenarios

@@ -133,7 +133,7 @@ std::map<std::string, double> truth_of(const Preparation& p, double low) {
     return 2.0 * half + (z + p.depth) * (std::tan(a * kRadians) + std::tan(b * kRadians));
   };
   const auto& own = p.wall_deg;
-  out["isthmus_width"] = std::min(width(low, p.half_y, own[2], own[3]), width(0.0, p.half_y, own[2], own[3]));
+  out["isthmus_width"] = width(0.0, p.half_y, own[2], own[3]);
   out["ridge_mesial"] = kBlockHalf.x - std::max(p.furthest_x(low, 1.0), p.furthest_x(0.0, 1.0));
   out["ridge_distal"] = kBlockHalf.x - std::max(p.furthest_x(low, -1.0), p.furthest_x(0.0, -1.0));
   return out;
@@ -158,7 +158,7 @@ void measure_one(const Preparation& p, double voxel_mm, Vec3 phase, std::map<std
   const auto depth = floor_depth(reference, volume);
   ASSERT_TRUE(depth);
   std::vector<Measure> measures;
-  add_form(CutFaces(reference, volume, depth), reference, volume, measures);
+  add_form(CutFaces(reference, volume, depth), margin_points(volume), reference, volume, measures);
   const auto truth = truth_of(p, -depth->mean_mm + kCorner + 0.5 * voxel_mm);
   EXPECT_EQ(measures.size(), truth.size());
   for (const Measure& m : measures) {
@@ -224,7 +224,7 @@ TEST(Form, OfABlockHasNoSides) {
   carved::carve(volume, [](Vec3 at) { return Preparation{}.distance(at); });
   std::vector<Measure> measures;
   const Reference reference(scenario, specimen);
-  add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
+  add_form(CutFaces(reference, volume, floor_depth(reference, volume)), margin_points(volume), reference, volume, measures);
   for (const Measure& m : measures) {
     const bool of_no_side = m.metric.starts_with("floor_") || m.metric == "isthmus_width";
     EXPECT_EQ(m.measured, of_no_side) << m.metric;
@@ -241,7 +241,7 @@ TEST(Form, OfAnUntouchedOrFilledSpecimenIsNotMeasured) {
     if (reading == Reading::filled) carved::carve(volume, [](Vec3 at) { return Preparation{}.distance(at); });
     std::vector<Measure> measures;
     const Reference reference(exercise_on_36(), specimen);
-    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), margin_points(volume), reference, volume, measures);
     ASSERT_EQ(measures.size(), 11u);
     for (const Measure& m : measures) EXPECT_FALSE(m.measured) << m.metric;
   }
@@ -262,7 +262,7 @@ TEST(Form, OfAMirroredToothNamesTheOtherSide) {
     scenario.specimen.fdi = fdi;
     std::vector<Measure> measures;
     const Reference reference(scenario, specimen);
-    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), margin_points(volume), reference, volume, measures);
     EXPECT_EQ(measures[0].metric, "wall_angle_mesial");
     EXPECT_NEAR(measures[0].value, mesial, measures[0].uncertainty) << fdi;
   }
@@ -279,7 +279,7 @@ TEST(Form, ARidgeIsOfTheToothsOwnTissuesWhateverTheirCodes) {
     carved::carve(volume, [](Vec3 at) { return Preparation{.half_x = 1.2}.distance(at); });
     std::vector<Measure> measures;
     const Reference reference(exercise_on_36(), specimen);
-    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), reference, volume, measures);
+    add_form(CutFaces(reference, volume, floor_depth(reference, volume)), margin_points(volume), reference, volume, measures);
     return *std::ranges::find(measures, "ridge_mesial", &Measure::metric);
   };
   for (const Tissue own : {Tissue::enamel, Tissue{16}, kFirmCariousDentine})

@@ -73,6 +73,9 @@ std::string bits(double value) {
   return out;
 }
 
+/// Format 1 did not measure damage. It measured the isthmus at all heights of the walls, evaluator 5 at the cavosurface alone.
+bool as_in_format_1(std::string_view metric) { return !metric.starts_with("protected_") && metric != "isthmus_width"; }
+
 /// The name that format 1 has for a metric.
 std::string name_in_format_1(const std::string& metric) { return metric == "uncut_remainder" ? "undercut" : metric; }
 
@@ -93,7 +96,7 @@ std::string figures_of(const Case& c) {
     for (const CriterionGrade& one : graded.criteria)
       out << "  points " << name_in_format_1(one.id) << ' ' << bits(one.points) << ' ' << bits(one.points_max) << ' ' << one.band << ' ' << one.reason_code << '\n';
     for (const Measure& m : measures)
-      if (m.measured && !m.metric.starts_with("protected_"))  // format 1 did not measure damage
+      if (m.measured && as_in_format_1(m.metric))
         out << "  value " << name_in_format_1(m.metric) << ' ' << bits(m.value) << ' ' << bits(m.uncertainty) << '\n';
   }
   return out.str();
@@ -110,7 +113,8 @@ std::vector<Attempt> attempts_of(const std::string& figures) {
   std::istringstream lines(figures);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("  ")) out.push_back({line, {}, {}});
-    else (line.starts_with("  value") ? out.back().values : out.back().points).push_back(line);
+    else if (line.starts_with("  points")) out.back().points.push_back(line);
+    else if (!line.starts_with("  value isthmus_width ")) out.back().values.push_back(line);
   }
   return out;
 }
