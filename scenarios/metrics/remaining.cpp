@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "scenarios/metrics/surface_search.h"
 #include "scenarios/teeth/own_tissues.h"
@@ -17,6 +18,15 @@ struct Contour {
   bool sharp = true;  // the surface borders on air
   bool found = false;
 };
+
+/// The tooth's voxel furthest along x in a row.
+std::optional<IVec3> outermost_own(const Specimen& specimen, int y, int z, int direction) noexcept {
+  const int size = specimen.grid().size.x;
+  IVec3 v(direction > 0 ? size - 1 : 0, y, z);
+  for (; v.x >= 0 && v.x < size; v.x -= direction)
+    if (specimen.s(v) >= kHalf && is_own_hard(specimen.tissue(v))) return v;
+  return std::nullopt;
+}
 
 /// Furthest place of the tooth along x at one buccolingual place, over all heights of the crown's voxels from `from_mm` up.
 class ProximalContour {
@@ -34,20 +44,15 @@ class ProximalContour {
 
  private:
   void offer(IVec3 v, double y_mm, Contour& best) {
+    const std::optional<IVec3> outermost = outermost_own(volume_.specimen(), v.y, v.z, direction_);
+    if (!outermost) return;
     const Grid& grid = volume_.grid();
-    const Specimen& specimen = volume_.specimen();
-    const int last = direction_ > 0 ? grid.size.x - 1 : 0;
-    for (v.x = last; v.x >= 0 && v.x < grid.size.x; v.x -= direction_) {
-      if (specimen.s(v) < kHalf || !is_own_hard(specimen.tissue(v))) continue;
-      const IVec3 next = v + IVec3(direction_, 0, 0);
-      const bool sharp = specimen.s(next) < kHalf;
-      Vec3 p = grid.centre_mm(v);
-      p.y = y_mm;
-      const Vec3 out(direction_ * grid.voxel_mm, 0, 0);
-      p = sharp ? search_.between(p + out, p - out) : p + 0.5 * out;
-      if (!best.found || direction_ * (p.x - best.x) > 0.0) best = {p.x, p, sharp, true};
-      return;
-    }
+    const bool sharp = volume_.specimen().s(*outermost + IVec3(direction_, 0, 0)) < kHalf;
+    Vec3 p = grid.centre_mm(*outermost);
+    p.y = y_mm;
+    const Vec3 out(direction_ * grid.voxel_mm, 0, 0);
+    p = sharp ? search_.between(p + out, p - out) : p + 0.5 * out;
+    if (!best.found || direction_ * (p.x - best.x) > 0.0) best = {p.x, p, sharp, true};
   }
 
   const Volume& volume_;
@@ -55,12 +60,35 @@ class ProximalContour {
   int direction_;
 };
 
+bool opened_by_target(const Reference& reference, int direction) {
+  const Specimen& specimen = reference.specimen();
+  const TargetShape& shape = reference.shape();
+  const Grid& grid = specimen.grid();
+  const IVec3 last = grid.size - 1;
+  const IVec3 low = glm::clamp(nearest_voxel(grid, {0, shape.low().y, shape.floor_mm()}), IVec3(0), last);
+  const IVec3 high = glm::clamp(nearest_voxel(grid, {0, shape.high().y, 0}), IVec3(0), last);
+  double greatest = 0;
+  std::vector<double> held;  // mesially or distally, of what the target holds
+  bool any = false;
+  for (int z = low.z; z <= last.z; ++z)
+    for (int y = low.y; y <= high.y; ++y) {
+      const std::optional<IVec3> v = outermost_own(specimen, y, z, direction);
+      if (!v) continue;
+      const Vec3 at = grid.centre_mm(*v);
+      greatest = any ? std::max(greatest, direction * at.x) : direction * at.x;
+      any = true;
+      if (shape.distance_mm(at) < 0.0) held.push_back(direction * at.x);
+    }
+  return std::ranges::any_of(held, [greatest](double mm) { return mm > greatest - kRidgeMm; });
+}
+
 }  // namespace
 
 std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference, const Volume& volume,
                                               FaceName wall) {
   if (reference.mesial_x() == 0 || faces.of(wall).empty()) return std::nullopt;
   const int direction = wall == FaceName::mesial_wall ? reference.mesial_x() : -reference.mesial_x();
+  if (opened_by_target(reference, direction)) return std::nullopt;
   // The wall's outermost place in each strip of half a voxel: no other of that strip can be nearer to the contour.
   std::map<int, Vec3> outermost;
   const double strip = 0.5 * volume.grid().voxel_mm;

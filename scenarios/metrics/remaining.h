@@ -2,7 +2,7 @@
 ///
 /// ridge_mesial, ridge_distal (mm): least mesiodistal distance from the wall to the tooth's greatest proximal contour at
 /// the same buccolingual place, as a calliper held across the marginal ridge measures it.
-/// Needs: a tooth whose sides are known, a banded volume, the wall of that side.
+/// Needs: a tooth whose sides are known, a banded volume, the wall of that side, a target that leaves that ridge.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,17 @@
 
 namespace cusp::scenarios {
 
+/// Thinner than any marginal ridge that is to stay, mm [M].
+inline constexpr double kRidgeMm = 1.0;
+
 struct RidgeThickness {
   double mm = 0;
   double uncertainty_mm = 0;  // 95 %: two places; half a voxel where a neighbour touches, for its border is known so
   Vec3 wall_at_mm{0.0}, contour_at_mm{0.0};
 };
 
-/// Pre: `wall` is mesial_wall or distal_wall. nullopt where that wall was not cut.
+/// Pre: `wall` is mesial_wall or distal_wall. nullopt where that wall was not cut, and where a proximal box of the target opens
+/// that side: it holds some of the tooth's outer surface within kRidgeMm of the greatest contour.
 [[nodiscard]] std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference,
                                                             const Volume& volume, FaceName wall);
 

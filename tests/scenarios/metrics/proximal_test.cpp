@@ -144,6 +144,21 @@ Measure get(const std::vector<Measure>& measures, std::string_view metric) {
   return found == measures.end() ? not_measured("absent", "") : *found;
 }
 
+TEST(Proximal, ABoxThatOpensASideLeavesNoRidgeThereToMeasure) {
+  Draw draw{std::mt19937_64(1)};
+  Scenario s = exercise();
+  const auto specimen = two_teeth(0.1, draw, tissue_at);
+  Volume volume(specimen);
+  const Region slot = Box::target().parts.front();
+  // 0.9 mm stay before the neighbour, and the end of the box is a mesial wall.
+  carved::carve(volume, [](Vec3 p) { return std::max(Box{}.distance(p), p.x - 4.1); });
+  const auto measures = measure(Reference(s, specimen), volume, {});
+  EXPECT_FALSE(get(measures, "ridge_mesial").measured) << "the target's box holds the contact";
+  EXPECT_TRUE(get(measures, "ridge_distal").measured);
+  s.target = slot;
+  EXPECT_TRUE(get(measure(Reference(s, specimen), volume, {}), "ridge_mesial").measured) << "the ridge was to stay";
+}
+
 TEST(Proximal, AContactThatStandsIsNotBroken) {
   Draw draw{std::mt19937_64(1)};
   const auto specimen = two_teeth(0.1, draw, tissue_at);
