@@ -111,9 +111,12 @@ std::optional<MeasuredLength> box_height(const CutFaces& faces, const Reference&
 
 std::optional<AxialDepth> axial_past_junction(const CutFaces& faces, const Reference& reference) {
   const double voxel = reference.specimen().grid().voxel_mm;
+  const std::vector<CutFace>& pulpal = faces.of(FaceName::pulpal_floor);
+  const double below = pulpal.empty() ? std::numeric_limits<double>::max() : mean_z(pulpal);
   std::optional<AxialDepth> out;
   double sum = 0, area = 0;
   for (const CutFace& face : faces.of(FaceName::axial_wall)) {
+    if (face.middle_mm.z >= below) continue;
     const double mm2 = mm2_of(face);
     const std::optional<Facing> target = mm2 > 0.0 ? reference.shape().facing(face.middle_mm, face.area_mm2 / mm2) : std::nullopt;
     const std::optional<double> mm = target ? depth_in_dentine(reference.specimen(), face.middle_mm, target->into_void) : std::nullopt;

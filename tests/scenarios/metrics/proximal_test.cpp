@@ -89,9 +89,8 @@ std::map<std::string, double> truth_of(const Box& b, double voxel_mm) {
   double least = 1e9, most = -1e9, sum = 0;
   int count = 0;
   const double floor = -b.gingival + 0.2 + 0.5 * voxel_mm;  // the wall begins above the line angle
-  for (double z = floor; z < 0; z += 0.01)
+  for (double z = floor; z < -b.pulpal; z += 0.01)
     for (double y = b.wall_y(z, false); y < b.wall_y(z, true); y += 0.01) {
-      if (std::fabs(y) < 0.6 && z > -b.pulpal) continue;  // the slot
       least = std::min(least, past(y, z));
       most = std::max(most, past(y, z));
       sum += past(y, z);
