@@ -18,6 +18,8 @@ constexpr double kNeighbourVoxels = 0.3;
 /// A margin faces a neighbour if its normal leans less than 60 degrees from mesial or distal.
 constexpr double kProximalCosine = 0.5;
 constexpr double kFurthestNeighbourMm = 5.0;
+/// Along the way across a contact.
+constexpr double kGapStepVoxels = 0.05;
 
 TissueSet neighbours() noexcept {
   TissueSet out{};
@@ -28,24 +30,30 @@ TissueSet neighbours() noexcept {
 /// Sides of the tooth by the sign of x: [0] below 0, [1] above.
 std::size_t side_at(double x) noexcept { return x > 0.0 ? 1 : 0; }
 
+/// A place of the tooth and how far it is from there to the neighbour.
+struct Clear {
+  Vec3 at_mm{0.0};
+  double mm = 0;
+};
+
 class Proximal {
  public:
   Proximal(const Reference& reference, const Volume& volume)
-      : reference_(reference), volume_(volume), search_(volume, Solid::remaining), neighbours_(reference.specimen(), neighbours()) {
+      : reference_(reference), volume_(volume), original_(volume, Solid::original), search_(volume, Solid::remaining),
+        neighbours_(reference.specimen(), neighbours()) {
     find_contacts();
   }
   bool prepared(double x) const noexcept { return prepared_[side_at(x)]; }
   bool any_prepared() const noexcept { return prepared_[0] || prepared_[1]; }
-  /// Where the tooth still touches a neighbour on a prepared side.
-  std::optional<Vec3> standing_contact() const {
-    for (const auto& [own, at] : contacts_)
-      if (prepared(at.x) && volume_.occupied(own)) return at;
-    return std::nullopt;
-  }
-  Vec3 first_contact() const {
-    for (const auto& [own, at] : contacts_)
-      if (prepared(at.x)) return at;
-    return Vec3(0.0);
+  /// The least gap between the tooth that is left and a neighbour, on the prepared sides. Pre: any_prepared().
+  MeasuredLength least_gap(double sigma_mm) {
+    MeasuredLength out{kContactReachMm, sigma_mm, contact_};
+    for (const IVec3 own : facing_) {
+      const Vec3 at = volume_.grid().centre_mm(own);
+      if (!prepared(at.x) || !volume_.occupied(own)) continue;
+      if (const auto gap = gap_at(at, search_); gap && gap->mm < out.mm) out = {gap->mm, sigma_mm, gap->at_mm};
+    }
+    return out;
   }
   /// From a place of the margin to the neighbour; nullopt where the tooth itself stands between, or none is near.
   std::optional<double> clearance(Vec3 from) {
@@ -64,20 +72,51 @@ class Proximal {
   }
 
  private:
-  /// The teeth touch where less than a voxel lies between them: a contact is a point, and its gap may hold a voxel's centre.
   void find_contacts() {
     const Specimen& specimen = reference_.specimen();
     const Grid& grid = specimen.grid();
+    const int reach = static_cast<int>(std::ceil(kContactReachMm / grid.voxel_mm)) + 1;
     for (const IVec3 v : neighbours_.surface_voxels())
       for (int axis = 0; axis < 3; ++axis)
-        for (const int step : {-2, -1, 1, 2}) {
+        for (int step = -reach; step <= reach; ++step) {
           IVec3 own = v;
           own[axis] += step;
-          if (!was_solid(specimen, own) || !is_own_hard(specimen.tissue(own))) continue;
-          const Vec3 at = grid.centre_mm(own);
-          contacts_.emplace_back(own, at);
-          if (reference_.shape().distance_mm(at) < 0.0) prepared_[side_at(at.x)] = true;
+          if (was_solid(specimen, own) && is_own_hard(specimen.tissue(own))) facing_.push_back(own);
         }
+    const auto order = [](IVec3 v) { return std::array{v.z, v.y, v.x}; };
+    std::ranges::sort(facing_, {}, order);
+    facing_.erase(std::ranges::unique(facing_).begin(), facing_.end());
+    double least = kOpenContactMm;
+    for (const IVec3 own : facing_) {
+      const Vec3 at = grid.centre_mm(own);
+      if (reference_.shape().distance_mm(at) >= 0.0) continue;
+      const std::optional<Clear> gap = gap_at(at, original_);
+      if (!gap || gap->mm >= kOpenContactMm) continue;
+      prepared_[side_at(at.x)] = true;
+      if (gap->mm < least) contact_ = gap->at_mm;
+      least = std::min(least, gap->mm);
+    }
+  }
+  /// From a place in the tooth: how much air lies before the neighbour on the straight way there. nullopt where there is none near.
+  std::optional<Clear> gap_at(Vec3 from, SurfaceSearch& search) {
+    const Grid& grid = volume_.grid();
+    const double far = neighbours_.distance_mm(from, 2.0 * kContactReachMm);
+    const Vec3 way = towards(from, far);
+    const double step = kGapStepVoxels * grid.voxel_mm;
+    double air = 0.0, since_air = 0.0;
+    for (double mm = 0.0; mm <= far + grid.voxel_mm; mm += step) {
+      const Vec3 p = from + mm * way;
+      if (search.distance(p) >= 0.0) {
+        air += step;
+        since_air = 0.0;
+        continue;
+      }
+      if (is_neighbour(volume_.tissue(nearest_voxel(grid, p)))) return Clear{from + (mm - air) * way, air};
+      // Where air ends, the nearest voxel may still be the tooth's own.
+      if (since_air > grid.voxel_mm) air = 0.0;
+      since_air += step;
+    }
+    return std::nullopt;
   }
   /// Distance to the surface about a place of it: the foot of a perpendicular, in a few steps along the surface. Gums lead from
   /// one tooth to the other: it ends where the surface is no longer the neighbour's.
@@ -112,16 +151,12 @@ class Proximal {
 
   const Reference& reference_;
   const Volume& volume_;
-  SurfaceSearch search_;
+  SurfaceSearch original_, search_;
   FieldCells cells_;
   VoxelIndex neighbours_;
-  std::vector<std::pair<IVec3, Vec3>> contacts_;  // own voxels that touch a neighbour's
-  std::array<bool, 2> prepared_{};                // [side]
-};
-
-struct Clear {
-  Vec3 at_mm{0.0};
-  double mm = 0;
+  std::vector<IVec3> facing_;       // own voxels so near to a neighbour's that the contact may be there
+  Vec3 contact_{0.0};               // where the target holds it
+  std::array<bool, 2> prepared_{};  // [side]
 };
 
 std::optional<MeasuredLength> least_of(const std::vector<Clear>& all, double low, double high, double sigma) {
@@ -209,16 +244,14 @@ ProximalForm proximal_form(const CutFaces& faces, const std::vector<MarginPoint>
   if (reference.mesial_x() == 0 || volume.specimen().reading() == Reading::filled) return out;
   Proximal proximal(reference, volume);
   if (!proximal.any_prepared()) return out;
-  const std::optional<Vec3> standing = proximal.standing_contact();
-  out.contact_broken = !standing && !volume.cut_bricks().empty();
-  out.contact_at_mm = standing.value_or(proximal.first_contact());
+  const double border = kNeighbourVoxels * volume.grid().voxel_mm, place = std::sqrt(2.0) * reference.point_sigma_mm();
+  const double sigma = std::sqrt(border * border + place * place);
+  out.contact_gap = proximal.least_gap(sigma);
   std::map<FaceName, std::vector<Clear>> clear;
   for (const auto& [m, face] : named) {
     if (!proximal.prepared(m.at_mm.x) || m.out.x * (m.at_mm.x > 0.0 ? 1.0 : -1.0) < kProximalCosine) continue;
     if (const auto mm = proximal.clearance(m.at_mm)) clear[face].push_back({m.at_mm, *mm});
   }
-  const double border = kNeighbourVoxels * volume.grid().voxel_mm, place = std::sqrt(2.0) * reference.point_sigma_mm();
-  const double sigma = std::sqrt(border * border + place * place);
   out.buccal = by_height(clear[FaceName::buccal_wall], sigma);
   out.lingual = by_height(clear[FaceName::lingual_wall], sigma);
   constexpr double kAnyHeight = 1e9;
@@ -229,8 +262,12 @@ ProximalForm proximal_form(const CutFaces& faces, const std::vector<MarginPoint>
 void add_proximal(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
                   std::vector<Measure>& out) {
   const ProximalForm form = proximal_form(faces, margin, reference, volume);
-  if (form.contact_broken) out.push_back({"contact_broken", true, *form.contact_broken ? 1.0 : 0.0, 0.0, "", form.contact_at_mm});
-  else out.push_back(not_measured("contact_broken", ""));
+  if (const auto& gap = form.contact_gap) {
+    const double unsure = std::fabs(gap->mm - kOpenContactMm) < gap->uncertainty_mm ? 1.0 : 0.0;
+    out.push_back({"contact_broken", true, gap->mm >= kOpenContactMm ? 1.0 : 0.0, unsure, "", gap->at_mm});
+  } else {
+    out.push_back(not_measured("contact_broken", ""));
+  }
   const auto add = [&](std::string key, const std::optional<MeasuredLength>& one) {
     if (one) out.push_back({std::move(key), true, one->mm, one->uncertainty_mm, "mm", one->at_mm});
     else out.push_back(not_measured(std::move(key), "mm"));

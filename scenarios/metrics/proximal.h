@@ -1,7 +1,8 @@
 /// A proximal box against the tooth beside it. Source: dentistry.md, group "proximal"; dental.md 2.2, row set B (class II box: 0.5 mm
 /// clearance buccal, lingual and gingival).
 ///
-/// contact_broken (1 yes, 0 no): nothing of the tooth touches a neighbour any more, on each side where the target holds a contact.
+/// contact_broken (1 yes, 0 no): what is left of the tooth stands kOpenContactMm or more off the neighbour, on each side where the target
+/// holds some of the contact, that is of the tooth that stood nearer. The uncertainty is 1 where the least gap is known no better.
 /// clearance_<buccal|lingual>_<gingival|middle|occlusal> (mm): least distance from that wall's proximal margin to the neighbour, in
 /// the lowest, middle and highest third of that margin.
 /// clearance_gingival (mm): least distance from the gingival floor's proximal margin to the neighbour.
@@ -24,11 +25,16 @@
 
 namespace cusp::scenarios {
 
+/// Floss passes such a gap, mm [M]: the contact is open.
+inline constexpr double kOpenContactMm = 0.1;
+
+/// A wider gap is not looked for: the contact is open by far.
+inline constexpr double kContactReachMm = 0.2;
+
 enum class Height : std::uint8_t { gingival, middle, occlusal };
 
 struct ProximalForm {
-  std::optional<bool> contact_broken;
-  Vec3 contact_at_mm{0.0};  // where it still stands, or stood
+  std::optional<MeasuredLength> contact_gap;  // least gap between the teeth; kContactReachMm where they stand further apart
   std::array<std::optional<MeasuredLength>, 3> buccal, lingual;  // by Height
   std::optional<MeasuredLength> gingival;
   std::optional<MeasuredLength> floor_mesiodistal;

@@ -53,12 +53,13 @@ class SurfaceSearch {
     }
     return 0.5 * (outside + within);
   }
-
- private:
+  /// Signed distance of the fields: negative inside, a bound beyond their band.
   double distance(Vec3 p) noexcept {
     const double base = cells_.at(volume_, Field::base, p).d_mm;
     return solid_ == Solid::original ? base : std::max(base, cells_.at(volume_, Field::cut, p).d_mm);
   }
+
+ private:
 
   const Volume& volume_;
   NearestVoxel voxels_;

@@ -169,8 +169,39 @@ TEST(Proximal, AContactThatStandsIsNotBroken) {
   ASSERT_TRUE(standing.measured);
   EXPECT_EQ(standing.value, 0.0);
   ASSERT_TRUE(standing.where_mm);
-  EXPECT_NEAR(glm::length(*standing.where_mm - Vec3(5, 0, -1.5)), 0.0, 1.2) << "where less than a voxel lies between the balls";
+  EXPECT_NEAR(glm::length(*standing.where_mm - Vec3(5, 0, -1.5)), 0.0, 1.0) << "where less than 0.1 mm lies between the balls";
   EXPECT_EQ(get(measure(reference, Volume(specimen), {}), "contact_broken").value, 0.0) << "untouched";
+}
+
+TEST(Proximal, AContactIsBrokenAtTheSameGapWhateverTheVoxel) {
+  // A slab along the neighbour, cut so thick: the tooth then stands as far off.
+  const auto along_neighbour = [](double thick) {
+    return [thick](Vec3 p) {
+      const double off = ball_distance(p, Vec3(kBeside, 0, kMiddle), kRadius);
+      return std::max(off - thick, -off);
+    };
+  };
+  Scenario s = exercise();
+  s.rubric = rubric_of({{"contact_broken", 0}});
+  for (const double voxel_mm : {0.05, 0.078, 0.1})
+    for (const std::uint64_t phase : {1u, 2u}) {
+      Draw draw{std::mt19937_64(phase)};
+      const auto specimen = two_teeth(voxel_mm, draw, tissue_at);
+      const Reference reference(s, specimen);
+      for (const auto& [gap_mm, broken, sure] : {std::tuple(0.05, 0.0, true), {0.15, 1.0, true}, {0.1, 1.0, false}}) {
+        SCOPED_TRACE(testing::Message() << "voxel " << voxel_mm << " mm, phase " << phase << ", gap " << gap_mm);
+        Volume volume(specimen);
+        carved::carve(volume, along_neighbour(gap_mm));
+        const Measure m = get(measure(reference, volume, {}), "contact_broken");
+        ASSERT_TRUE(m.measured);
+        if (sure) {
+          EXPECT_EQ(m.value, broken);
+        }
+        EXPECT_EQ(m.uncertainty, sure ? 0.0 : 1.0);
+        ASSERT_TRUE(m.where_mm);
+        EXPECT_NEAR(ball_distance(*m.where_mm, Vec3(kBeside, 0, kMiddle), kRadius), gap_mm, voxel_mm) << "on the tooth, before the neighbour";
+      }
+    }
 }
 
 TEST(Proximal, AClearanceIsShownOnTheMarginThatItIsOf) {
