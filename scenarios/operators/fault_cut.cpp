@@ -1,6 +1,7 @@
 #include "scenarios/operators/fault_cut.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/format/keys.h"
 #include "scenarios/operators/faulty_path.h"
@@ -13,7 +14,7 @@ namespace cusp::scenarios {
 
 namespace {
 
-constexpr double kContactMm = 0.3;     // a target so near to a neighbour opens the contact
+constexpr double kContactMm = 0.1;     // teeth so near to each other touch
 constexpr double kOverPulpMm = 0.3;    // that over-excavation leaves
 constexpr double kThickestRidgeMm = 4.0, kThinnestRidgeMm = 0.8;
 constexpr double kMarchMm = 0.02;
@@ -103,17 +104,27 @@ std::optional<Region> longer(const Exercise& on, double mm) {
   return out;
 }
 
-std::optional<Region> contact_closed(const Exercise& on, double mm) {
-  const Region neighbour = region_of(kNeighbourEnamel);
-  if (!on.tooth() || !on.has(neighbour)) return std::nullopt;
+/// Whether the target holds some of the contact with a neighbour: own tissue as near to it as teeth that touch.
+bool opens_contact(const Exercise& on) {
   const Grid& grid = on.specimen.grid();
+  const int reach = static_cast<int>(std::ceil(kContactMm / grid.voxel_mm - 0.5));  // from a centre to the next voxel's face
   IVec3 v;
   for (v.z = 0; v.z < grid.size.z; ++v.z)
     for (v.y = 0; v.y < grid.size.y; ++v.y)
-      for (v.x = 0; v.x < grid.size.x; ++v.x)
-        if (on.specimen.tissue(v) == kNeighbourEnamel && on.specimen.s(v) >= kHalf && on.target.distance_mm(grid.centre_mm(v)) < kContactMm)
-          return without(on.scenario.target, grown(neighbour, mm));
-  return std::nullopt;
+      for (v.x = 0; v.x < grid.size.x; ++v.x) {
+        if (on.specimen.tissue(v) != kNeighbourEnamel || on.specimen.s(v) < kHalf) continue;
+        for (int step = -reach; step <= reach; ++step) {
+          const Vec3 beside = grid.centre_mm(v + IVec3(step, 0, 0));
+          if (on.own_at(beside) && on.target.distance_mm(beside) < 0.0) return true;
+        }
+      }
+  return false;
+}
+
+std::optional<Region> contact_closed(const Exercise& on, double mm) {
+  const Region neighbour = region_of(kNeighbourEnamel);
+  if (!on.tooth() || !on.has(neighbour) || !opens_contact(on)) return std::nullopt;
+  return without(on.scenario.target, grown(neighbour, mm));
 }
 
 /// The target without its leaves of voxels; nullopt if nothing else is there.
