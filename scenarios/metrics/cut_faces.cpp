@@ -98,7 +98,7 @@ class TreeFaces final : public FaceSink {
     const std::optional<Facing> facing = reference_.shape().facing(face.middle_mm, face.area_mm2 / mm2);
     if (!facing || facing->beyond_mm > kWallReachMm || facing->beside_mm > kWallReachMm) return;
     if (is_floor(facing->face)) {
-      if (facing->wall_mm > -floor_inset_mm(reference_)) return;
+      if (facing->wall_mm > -floor_inset_mm(reference_) || !reference_.shape().bounded_by(*facing, face.middle_mm)) return;
       const auto floor = static_cast<std::size_t>(facing->face);
       floor_sum_[floor] += mm2 * facing->beyond_mm;
       floor_mm2_[floor] += mm2;

@@ -102,7 +102,7 @@ class FilledColumn {
 /// Of a tree: a floor that faces its pulpal floor, and off that part's walls by the inset.
 bool on_pulpal_floor(const TargetShape& shape, Vec3 p, double inset) noexcept {
   const std::optional<Facing> facing = shape.facing(p, Vec3(0.0, 0.0, 1.0));
-  return facing && facing->face == FaceName::pulpal_floor && facing->wall_mm <= -inset;
+  return facing && facing->face == FaceName::pulpal_floor && facing->wall_mm <= -inset && shape.bounded_by(*facing, p);
 }
 
 template <class Column>

@@ -22,6 +22,12 @@ class TargetShape {
   const OutlineShape* upright() const noexcept { return upright_ ? &*upright_ : nullptr; }
   Near near(Vec3 p) const noexcept { return region_.near(p); }
   std::optional<Facing> facing(Vec3 p, Vec3 into_void) const noexcept { return region_.facing(p, into_void); }
+  /// Whether the target's own surface passes over a place at the face that it faces: another part has not taken it away there, and
+  /// the edge between two parts is not rounded there.
+  bool bounded_by(const Facing& facing, Vec3 p) const noexcept {
+    constexpr double kRoundedMm = 0.01;  // an edge begins where the surface leaves the face by so much
+    return distance_mm(p + facing.beyond_mm * facing.into_void) > -kRoundedMm;
+  }
   /// Signed distance: exact or a lower bound.
   double distance_mm(Vec3 p) const noexcept { return upright_ ? upright_->distance_mm(p) : region_.near(p).distance_mm; }
   /// From the wall in plan, negative inside: of an upright outline; of any other target its distance at half its depth.

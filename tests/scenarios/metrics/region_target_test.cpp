@@ -100,6 +100,16 @@ TEST(TreeTarget, DepthIsThatOfThePulpalFloorAlone) {
   EXPECT_NEAR(get(measures, "depth_most").value, 2.0, 0.02) << "the gingival floor at 4 mm is none";
 }
 
+TEST(TreeTarget, ARoundedAxiopulpalLineAngleIsNoFloor) {
+  Region target = class_two(4);
+  target.rounding_mm = 0.5;
+  const auto measures = measured(exercise(target), exactly(target));
+  const Measure tilt = get(measures, "floor_tilt");
+  ASSERT_TRUE(tilt.measured);
+  EXPECT_NEAR(tilt.value, 0.0, tilt.uncertainty);
+  EXPECT_NEAR(get(measures, "depth_most").value, 2.0, 0.02);
+}
+
 TEST(TreeTarget, WithoutAnOutlineHasNoDepth) {
   const Region target = sphere({0, 0, 0}, 1.5);
   const auto measures = measured(exercise(target), exactly(target));
