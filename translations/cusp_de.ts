@@ -7478,6 +7478,14 @@ Ihr bester davor</translation>
         <source>Brings no points: it takes a device of %1 axes, and this one has %2</source>
         <translation>Ohne Punkte: Dafür braucht es ein Gerät mit %1 Achsen, dieses hat %2</translation>
     </message>
+    <message>
+        <source>Unsupported enamel</source>
+        <translation>Ununterstützter Schmelz</translation>
+    </message>
+    <message>
+        <source>Let every wall end on dentine: take away enamel that has none beneath it.</source>
+        <translation>Lassen Sie jede Wand auf Dentin enden: Entfernen Sie Schmelz, unter dem keines liegt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>

@@ -50,7 +50,8 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"force_mean", "N"},
     MetricKey{"dry_cutting_time", "s"},            // the bur worked without coolant; needs the phenomenon "heat"
     MetricKey{"temperature_rise_peak", "K"},       // likewise
-    // Groups of dentistry.md; definitions in scenarios/metrics: volume.h, surface.h, box.h, margin.h, proximal.h, caries.h.
+    // Groups of dentistry.md; definitions in scenarios/metrics: volume.h, surface.h, box.h, margin.h,
+    // unsupported.h, proximal.h, caries.h.
     MetricKey{"overcut_leeway_pulpal_floor", "mm3"},
     MetricKey{"overcut_leeway_mesial_wall", "mm3"},
     MetricKey{"overcut_leeway_distal_wall", "mm3"},
@@ -82,6 +83,7 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"axial_past_junction_most", "mm", -20, 20},
     MetricKey{"cavosurface_angle", "deg", 0, 180},
     MetricKey{"cavosurface_off", "%", 0, 100},
+    MetricKey{"unsupported_enamel", "mm3"},
     MetricKey{"contact_broken", "", 0, 1},
     MetricKey{"clearance_buccal_gingival", "mm"},
     MetricKey{"clearance_buccal_middle", "mm"},

@@ -19,8 +19,8 @@ struct DefaultRow {
 /// diverge as much as the others may converge [M]. Opposite walls: the sums. Row set A has flatness below 0.12 excellent
 /// and below 0.25 acceptable; row set B an isthmus of 0.8 to 1.2 mm. 72 % of the target within 200 µm passed (Sadid-Zadeh 2019).
 /// Row set A has an axial height of 1.0 to 1.5 excellent and 0.8 to 2.0 acceptable; row set B a clearance of 0.5 mm and 90 degrees
-/// at the margin; dentistry.md an axial wall 0.2 to 0.5 mm past the junction and a gingival floor of 1.0 to 1.5 mm. Every other
-/// edge, the tilt and the caries: [M].
+/// at the margin; dentistry.md an axial wall 0.2 to 0.5 mm past the junction and a gingival floor of 1.0 to 1.5 mm. Unsupported
+/// enamel is known to 1 or 2 mm3. Every other edge, the tilt and the caries: [M].
 constexpr std::array kRows = {
     DefaultRow{"wall_angle_buccal", {-12, -8, -5, 3, 5, 8}},
     DefaultRow{"wall_angle_lingual", {-12, -8, -5, 3, 5, 8}},
@@ -41,6 +41,7 @@ constexpr std::array kRows = {
     DefaultRow{"axial_past_junction_most", {-kNoEdgeMm, -kNoEdgeMm, -kNoEdgeMm, 0.5, 1.5, 2.5}},
     DefaultRow{"cavosurface_angle", {70, 80, 85, 100, 110, 120}},
     DefaultRow{"cavosurface_off", {0, 0, 0, 10, 25, 50}},
+    DefaultRow{"unsupported_enamel", {0, 0, 0, 2, 4, 8}},
     DefaultRow{"contact_broken", {0, 0.5, 1, 1, 1, 1}},
     DefaultRow{"clearance_buccal_gingival", kClearance},
     DefaultRow{"clearance_buccal_middle", kClearance},

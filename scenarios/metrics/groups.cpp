@@ -9,6 +9,7 @@
 #include "scenarios/metrics/margin.h"
 #include "scenarios/metrics/proximal.h"
 #include "scenarios/metrics/surface.h"
+#include "scenarios/metrics/unsupported.h"
 #include "scenarios/metrics/volume.h"
 
 namespace cusp::scenarios {
@@ -35,6 +36,7 @@ void add_groups(const CutFaces& faces, const std::vector<MarginPoint>& margin, c
   if (wanted({"surface_"})) add_surface(reference, volume, out);
   if (wanted({"gingival_above_cej", "box_height", "axial_past_junction_"})) add_box(faces, reference, out);
   if (wanted({"cavosurface_"})) add_margin(margin, reference, out);
+  if (wanted({"unsupported_enamel"})) add_unsupported(reference, volume, out);
   if (wanted({"contact_broken", "clearance_", "gingival_floor_"})) add_proximal(faces, margin, reference, volume, out);
   if (wanted({"caries_left_", "sound_lost"})) add_caries(reference, volume, out);
 }

@@ -12,7 +12,7 @@
 
 namespace cusp::scenarios {
 
-/// Appends whole groups: volume, surface, box, margin, proximal, caries. What cannot be measured is there with measured = false.
+/// Appends whole groups: volume, surface, box, margin, unsupported enamel, proximal, caries. What cannot be measured is there with measured = false.
 void add_groups(const CutFaces& faces, const std::vector<MarginPoint>& margin, const Reference& reference, const Volume& volume,
                 std::vector<Measure>& out);
 

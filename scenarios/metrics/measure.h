@@ -11,7 +11,7 @@
 /// the model of engine/removal/heat.h) and dry_cutting (how often the pulp's criterion was reached).
 ///
 /// Only where the rubric asks for one of their keys: the groups of groups.h, each with its definition and source: volume.h,
-/// surface.h, box.h, margin.h, proximal.h, caries.h.
+/// surface.h, box.h, margin.h, unsupported.h, proximal.h, caries.h.
 #pragma once
 
 #include <string>

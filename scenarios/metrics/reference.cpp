@@ -6,6 +6,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/metrics/region_classifier.h"
+#include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tooth.h"
 
 namespace cusp::scenarios {
@@ -79,6 +80,15 @@ const VoxelIndex& Reference::shell() const {
     later_->shell.emplace(*specimen_, tissues);
   });
   return *later_->shell;
+}
+
+const TissueShape& Reference::dentine() const {
+  std::call_once(later_->dentine_once, [&] {
+    TissueSet tissues{};
+    for (const Tissue t : {Tissue::dentine, Tissue::carious_dentine, kFirmCariousDentine}) tissues[index_of(t)] = true;
+    later_->dentine.emplace(specimen_, tissues);
+  });
+  return *later_->dentine;
 }
 
 const ToothLandmarks* Reference::landmarks() const {

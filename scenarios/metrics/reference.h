@@ -15,6 +15,7 @@
 #include "scenarios/metrics/target_surface.h"
 #include "scenarios/modules.h"
 #include "scenarios/shapes/place.h"
+#include "scenarios/shapes/tissue_shape.h"
 #include "scenarios/shapes/voxel_index.h"
 #include "scenarios/teeth/landmarks.h"
 
@@ -56,6 +57,8 @@ class Reference {
   const std::vector<SurfacePatch>& target_surface() const;
   /// Enamel and cementum, sound or carious: what dentine lies under. As above.
   const VoxelIndex& shell() const;
+  /// Sound and carious dentine, with its signed distance. As above.
+  const TissueShape& dentine() const;
   /// Of the grown tooth; nullptr where the specimen is none. As above.
   const ToothLandmarks* landmarks() const;
   double surface_sigma_mm() const noexcept;  // of a face's mean place
@@ -72,9 +75,10 @@ class Reference {
   double target_mm3_ = 0;
   /// What is made once, when it is first asked for.
   struct Later {
-    std::once_flag surface_once, shell_once, landmarks_once;
+    std::once_flag surface_once, shell_once, dentine_once, landmarks_once;
     std::vector<SurfacePatch> surface;
     std::optional<VoxelIndex> shell;
+    std::optional<TissueShape> dentine;
     std::optional<ToothLandmarks> landmarks;
   };
 

@@ -67,7 +67,7 @@ double TissueShape::beside(Vec3 p, IVec3 v, bool belongs) const noexcept {
 double TissueShape::distance_mm(Vec3 p) const noexcept {
   if (within_.empty()) return kFarMm;
   const Grid& grid = specimen_->grid();
-  const IVec3 v(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5));
+  const IVec3 v = voxel_of(p);
   const bool inside = has(v);
   // No voxel but the 26 lies nearer than a voxel; further off their distance bounds the search.
   double mm = least_mm(p) > 2.0 * grid.voxel_mm ? kFarMm : beside(p, v, !inside);

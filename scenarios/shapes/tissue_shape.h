@@ -22,6 +22,7 @@ class TissueShape {
   /// The sign is exact: a place belongs to the voxel whose centre is the nearest. The distance is exact. An empty shape lies
   /// kFarMm off everywhere.
   double distance_mm(Vec3 p) const noexcept;
+  bool contains(Vec3 p) const noexcept { return has(voxel_of(p)); }
   /// Out of the shape, by differences over a voxel; of length 1.
   Vec3 out_of(Vec3 p) const noexcept;
   /// No distance outside its box is below this.
@@ -33,6 +34,10 @@ class TissueShape {
 
  private:
   bool has(IVec3 v) const noexcept { return tissues_[index_of(specimen_->tissue(v))] && was_solid(*specimen_, v); }
+  IVec3 voxel_of(Vec3 p) const noexcept {
+    const Grid& grid = specimen_->grid();
+    return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5));
+  }
   /// Distance to the nearest of the 26 voxels about v that belongs to it, or does not; kFarMm where there is none.
   double beside(Vec3 p, IVec3 v, bool belongs) const noexcept;
 

@@ -26,6 +26,7 @@ constexpr std::array kNames = {
     Named{"axial_past_junction_most", QT_TRANSLATE_NOOP("cusp::ui::Text", "Axial wall in dentine, greatest")},
     Named{"cavosurface_angle", QT_TRANSLATE_NOOP("cusp::ui::Text", "Cavosurface angle, mean")},
     Named{"cavosurface_off", QT_TRANSLATE_NOOP("cusp::ui::Text", "Margin below 80° or above 110° (band not verified)")},
+    Named{"unsupported_enamel", QT_TRANSLATE_NOOP("cusp::ui::Text", "Unsupported enamel")},
     Named{"contact_broken", QT_TRANSLATE_NOOP("cusp::ui::Text", "Contact open (1 yes, 0 no)")},
     Named{"clearance_buccal_gingival", QT_TRANSLATE_NOOP("cusp::ui::Text", "Clearance, buccal, gingival third")},
     Named{"clearance_buccal_middle", QT_TRANSLATE_NOOP("cusp::ui::Text", "Clearance, buccal, middle third")},
@@ -73,6 +74,7 @@ QString group_advice(const std::string& m, bool too_little) {
                                 : Text::tr("Keep the bur’s edge inside the target line; push less near the walls.");
   if (m.starts_with("surface_")) return Text::tr("Look at the section and even out where the cut leaves the target.");
   if (m.starts_with("cavosurface_")) return Text::tr("Hold the bur at right angles to the tooth’s surface along the margin.");
+  if (m == "unsupported_enamel") return Text::tr("Let every wall end on dentine: take away enamel that has none beneath it.");
   if (m == "contact_broken") return Text::tr("Open the box until nothing touches the neighbour.");
   if (m.starts_with("clearance_"))
     return too_little ? Text::tr("Widen the box until half a millimetre lies between the margin and the neighbour.")

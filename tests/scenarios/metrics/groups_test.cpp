@@ -291,7 +291,7 @@ TEST(Groups, WhatCannotBeMeasuredIsNotZero) {
   const auto specimen = specimen_of({}, 0.1, draw);
   const auto untouched = measure(Reference(s, specimen), Volume(specimen), {});
   for (const char* metric : {"surface_within_200", "surface_greatest", "gingival_above_cej", "box_height", "axial_past_junction_mean", "cavosurface_angle",
-                             "cavosurface_off", "contact_broken", "clearance_gingival", "gingival_floor_mesiodistal", "caries_left_periphery"}) {
+                             "cavosurface_off", "unsupported_enamel", "contact_broken", "clearance_gingival", "gingival_floor_mesiodistal", "caries_left_periphery"}) {
     EXPECT_EQ(get(untouched, metric).metric, metric);
     EXPECT_FALSE(get(untouched, metric).measured) << metric;
   }

@@ -4,6 +4,7 @@
 #include "scenarios/metrics/proximal.h"
 
 #include "scenarios/metrics/caries.h"
+#include "scenarios/metrics/unsupported.h"
 #include "scenarios/shapes/distance.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "tests/engine/volume/carved.h"
@@ -277,6 +278,61 @@ TEST(Proximal, TheGingivalFloorIsMeasuredFromTheJunctionBesideIt) {
   ASSERT_TRUE(above.measured);
   EXPECT_GE(above.value, -3.2 - high - above.uncertainty);
   EXPECT_LE(above.value, -3.2 - low + above.uncertainty);
+}
+
+/// A slot through enamel into a ball of dentine, and a groove beneath the enamel about it. Rods are the ball's radii.
+struct UndercutSlot {
+  double half_x = 0.7, half_y = 0.5, depth = 2.0, groove = 0.2, x = 1.0;
+  static constexpr Vec3 kMiddleMm{1, 0, -5};
+  static constexpr double kBallMm = 3.5;
+
+  static double dentine(Vec3 p) { return ball_distance(p, kMiddleMm, kBallMm); }
+  static Tissue tissue(Vec3 p) { return neighbour(p) < own_tooth(p) ? kNeighbourEnamel : dentine(p) < 0.0 ? Tissue::dentine : Tissue::enamel; }
+
+  bool removed(Vec3 p) const { return distance(p) < 0.0; }
+  double distance(Vec3 p) const {
+    const auto slot = [&](double more) { return std::max({std::fabs(p.x - x) - half_x - more, std::fabs(p.y) - half_y - more, -depth - p.z}); };
+    return std::min(slot(0.0), std::max(slot(groove), dentine(p)));
+  }
+  bool unsupported(Vec3 p) const {
+    const Vec3 out = p - kMiddleMm;
+    const double radius = glm::length(out);
+    for (double mm = kBallMm - kCarrierMm; mm < radius; mm += 0.02)
+      if (removed(kMiddleMm + mm / radius * out)) return true;
+    return false;
+  }
+  double unsupported_mm3() const {
+    constexpr double kStep = 0.04;
+    double sum = 0;
+    for (double px = -1.0; px < 3.0; px += kStep)
+      for (double py = -1.6; py < 1.6; py += kStep)
+        for (double pz = -depth; pz < 0.0; pz += kStep) {
+          const Vec3 p = Vec3(px, py, pz) + 0.5 * kStep;
+          const bool enamel = own_tooth(p) < 0.0 && dentine(p) >= 0.0;
+          if (enamel && !removed(p) && unsupported(p)) sum += kStep * kStep * kStep;
+        }
+    return sum;
+  }
+};
+
+TEST(Unsupported, EnamelOverAKnownGrooveIsWithinItsUncertainty) {
+  constexpr std::uint64_t kSeed = 43;
+  for (const double voxel_mm : known_voxels()) {
+    SCOPED_TRACE(testing::Message() << "voxel " << voxel_mm << " mm, seed " << kSeed);
+    Draw draw{std::mt19937_64(kSeed)};
+    KnownRows rows;
+    for (int i = 0; i < (full_run() ? 20 : 8); ++i) {
+      const UndercutSlot cut{draw(0.5, 0.9), draw(0.4, 0.6), draw(1.8, 2.2), i % 4 == 0 ? 0.0 : draw(0.05, 0.3), draw(0.7, 1.3)};
+      const auto specimen = two_teeth(voxel_mm, draw, UndercutSlot::tissue);
+      const std::map<std::string, double> truth = {{"unsupported_enamel", cut.unsupported_mm3()}};
+      Scenario s = exercise();
+      s.rubric = rubric_of(truth);
+      Volume volume(specimen);
+      carved::carve(volume, [&](Vec3 p) { return cut.distance(p); });
+      count_case(Reference(s, specimen), volume, truth, rows);
+    }
+    expect_known(voxel_mm, rows);
+  }
 }
 
 /// A ball of soft caries in the dentine, firm for its outer 0.3 mm, under the middle of the tooth's top.
