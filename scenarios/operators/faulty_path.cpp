@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "scenarios/operators/poses.h"
+#include "scenarios/shapes/target.h"
+#include "scenarios/shapes/tissue_shape.h"
 #include "scenarios/teeth/own_tissues.h"
 
 namespace cusp::scenarios {
@@ -21,6 +23,7 @@ constexpr double kPitsApartMm = 1.3;
 constexpr double kLookMm = 0.1;        // between places of a stroke that are looked at
 constexpr double kFloorMm = 0.03;      // a tip is on the floor if the target ends so far below it
 constexpr double kSparedMm = 0.1;      // between the bur and the own tooth beside a nick
+constexpr double kSteepestNick = 4.0;    // times its depth, straight down: on a slope of 75 degrees
 constexpr double kFurthestNickMm = 4.0;  // from the target's rectangle
 
 Vec3 tremor_at(double along, double most_mm) {
@@ -80,6 +83,31 @@ std::optional<double> touch_down(const Columns& columns, const Poses& poses, int
       if (off <= poses.radius_mm()) out = std::max(out, columns.height(column) - poses.underside_mm(off));
     }
   return std::isfinite(out) ? std::optional(out) : std::nullopt;
+}
+
+/// How deep the bur's underside stands in a shape, at right angles to its surface; `pivot`: the bur's.
+double depth_in(const TissueShape& shape, const Poses& poses, Vec3 pivot, double step) {
+  const int far = static_cast<int>(std::floor(poses.radius_mm() / step));
+  double most = 0.0;
+  for (int j = -far; j <= far; ++j)
+    for (int i = -far; i <= far; ++i) {
+      const double off = step * std::sqrt(static_cast<double>(i * i + j * j));
+      if (off <= poses.radius_mm()) most = std::max(most, -shape.distance_mm(pivot + Vec3(step * i, step * j, poses.underside_mm(off))));
+    }
+  return most;
+}
+
+/// Below a touch: the height of the pivot where the bur stands so deep in the neighbour. On a slope that is further down than deep_mm.
+double height_of_nick(const Specimen& specimen, const Poses& poses, Vec3 touch, double deep_mm) {
+  TissueSet tissues{};
+  tissues[index_of(kNeighbourEnamel)] = tissues[index_of(kNeighbourDentine)] = true;
+  const TissueShape neighbour(lent(specimen), tissues);
+  double low = touch.z - kSteepestNick * deep_mm, high = touch.z;
+  for (int pass = 0; pass < 20; ++pass) {
+    const double middle = 0.5 * (low + high);
+    (depth_in(neighbour, poses, Vec3(touch.x, touch.y, middle), 0.5 * specimen.grid().voxel_mm) < deep_mm ? high : low) = middle;
+  }
+  return high;
 }
 
 }  // namespace
@@ -167,7 +195,7 @@ bool add_nick(Plan& plan, const CutTools& tools, double deep_mm) {
       least = off;
       best = Vec3(p.x, p.y, *height);
     }
-  if (best) add_plunge(plan, *best, best->z - deep_mm, above_of(plan));
+  if (best) add_plunge(plan, *best, height_of_nick(tools.specimen, poses, *best, deep_mm), above_of(plan));
   return best.has_value();
 }
 
