@@ -31,7 +31,7 @@ GROUPS = (("target", ("target_removed",)), ("depth", ("depth_*",)), ("floor over
           ("wall angles", ("wall_angle_*", "convergence_*")), ("isthmus", ("isthmus_width",)), ("ridges", ("ridge_*",)),
           ("pulp", ("remaining_over_pulp", "pulp_exposure")), ("protected", ("protected_*",)),
           ("contact", ("contact_broken", "clearance_*")), ("box", ("gingival_*", "box_height", "axial_*")),
-          ("margin", ("cavosurface_*",)), ("surface", ("surface_within_*",)), ("caries", ("caries_*",)), ("coolant", ("dry_*",)))
+          ("margin", ("cavosurface_*", "unsupported_*")), ("surface", ("surface_within_*",)), ("caries", ("caries_*",)), ("coolant", ("dry_*",)))
 
 
 def run(program, *arguments):
