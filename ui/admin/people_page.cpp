@@ -21,12 +21,7 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
   auto* head = new PageHead(tr("People"));
-  auto* search = new QLineEdit;
-  search->setPlaceholderText(tr("Find somebody"));
-  search->setAccessibleName(tr("Find somebody"));
-  search->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
-  search->setClearButtonEnabled(true);
-  search->setFixedWidth(px(200));
+  QLineEdit* search = make_search_field(tr("Find somebody"), px(200));
   head->buttons()->addWidget(search);
   QPushButton* add = make_button(tr("Add a person"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
   head->buttons()->addWidget(add);

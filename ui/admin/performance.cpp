@@ -140,12 +140,7 @@ QWidget* Performance::make_filters() {
   for (const int days : {1, 7, 30, 365}) period_->addItem(tr("Last %n day(s)", nullptr, days), days);
   for (QComboBox* box : {exercise_, result_, device_, period_}) row->addWidget(box);
   row->addStretch();
-  search_ = new QLineEdit;
-  search_->setPlaceholderText(tr("Find a student"));
-  search_->setAccessibleName(tr("Find a student"));
-  search_->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
-  search_->setClearButtonEnabled(true);
-  search_->setFixedWidth(px(200));
+  search_ = make_search_field(tr("Find a student"), px(200));
   row->addWidget(search_);
   return bar;
 }

@@ -100,13 +100,7 @@ void LibraryPage::read() {
 }
 
 void LibraryPage::make_search() {
-  search_ = new QLineEdit;
-  search_->setPlaceholderText(tr("Find an exercise"));
-  search_->setAccessibleName(tr("Find an exercise"));
-  search_->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
-  search_->setClearButtonEnabled(true);
-  search_->setMinimumWidth(px(140));
-  search_->setMaximumWidth(px(200));
+  search_ = make_search_field(tr("Find an exercise"), px(180));
   connect(search_, &QLineEdit::textChanged, this, &LibraryPage::filter);
   connect(search_, &QLineEdit::returnPressed, this, &LibraryPage::open_chosen);
   auto* find = new QShortcut(QKeySequence::Find, this);

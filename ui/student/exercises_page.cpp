@@ -113,12 +113,7 @@ void ExercisesPage::make_section(ExerciseGroup group, QWidget& body) {
 }
 
 void ExercisesPage::make_search() {
-  search_ = new QLineEdit;
-  search_->setPlaceholderText(tr("Find an exercise"));
-  search_->setAccessibleName(tr("Find an exercise"));
-  search_->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
-  search_->setClearButtonEnabled(true);
-  search_->setFixedWidth(px(240));
+  search_ = make_search_field(tr("Find an exercise"), px(240));
   connect(search_, &QLineEdit::textChanged, this, &ExercisesPage::filter);
   connect(search_, &QLineEdit::returnPressed, this, [this] {
     for (const Section& section : sections_) {

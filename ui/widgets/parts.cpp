@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
@@ -241,6 +242,16 @@ PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) 
   buttons_ = new QHBoxLayout;
   buttons_->setSpacing(px(8));
   row->addLayout(buttons_);
+}
+
+QLineEdit* make_search_field(const QString& name, int width_px) {
+  auto* field = new QLineEdit;
+  field->setPlaceholderText(name);
+  field->setAccessibleName(name);
+  field->addAction(icon(QStringLiteral("search"), Ink::text2), QLineEdit::LeadingPosition);
+  field->setClearButtonEnabled(true);
+  field->setFixedWidth(width_px);
+  return field;
 }
 
 QWidget* make_page(QWidget* content) {

@@ -8,6 +8,7 @@
 
 #include "ui/widgets/icon.h"
 
+class QLineEdit;
 class QBoxLayout;
 class QButtonGroup;
 class QFormLayout;
@@ -116,6 +117,9 @@ class PageHead : public QWidget {
  private:
   QHBoxLayout* buttons_;
 };
+
+/// A field to search by, with its sign; `name` is placeholder and accessible name.
+QLineEdit* make_search_field(const QString& name, int width_px);
 
 /// A page that one widget fills.
 QWidget* make_page(QWidget* content);
