@@ -141,9 +141,4 @@ void ExerciseCards::focusInEvent(QFocusEvent* event) {
   QListView::focusInEvent(event);
 }
 
-void ExerciseCards::focusOutEvent(QFocusEvent* event) {
-  QListView::focusOutEvent(event);
-  viewport()->update();
-}
-
 }  // namespace cusp::ui

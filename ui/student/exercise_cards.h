@@ -28,7 +28,6 @@ class ExerciseCards : public QListView {
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   /// Columns that fill the width, and the height of all rows.
