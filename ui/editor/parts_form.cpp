@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scenarios/format/ranges.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/shape_form.h"
 #include "ui/text/names.h"
@@ -19,7 +20,6 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kReachMm = 1000, kMostSizeMm = 100, kMostRoundingMm = 5;  // of scenarios/format/ranges.cpp
 constexpr int kRowsShown = 7;
 constexpr std::array kAddable = {RegionKind::outline, RegionKind::box, RegionKind::cylinder, RegionKind::cone, RegionKind::sphere,
                                  RegionKind::capsule, RegionKind::ellipsoid, RegionKind::half_space};
@@ -122,7 +122,8 @@ QVBoxLayout* PartsForm::add_group(QVBoxLayout* column, const QString& title, std
   return rows;
 }
 
-void PartsForm::add_number(QVBoxLayout* group, const QString& name, Limits mm, std::function<double&(Region&)> in) {
+void PartsForm::add_number(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double&(Region&)> in) {
+  const NumberRange& mm = *range_of(range);
   const QString field = u"part/"_qs + QString::number(numbers_.size());
   auto* box = new NumberBox(model_, name, u"mm"_qs, mm.least, mm.most, 0.05, 2, [this, in, field](double value) {
     Region part = model_.chosen();
@@ -133,10 +134,10 @@ void PartsForm::add_number(QVBoxLayout* group, const QString& name, Limits mm, s
   numbers_.push_back({box, std::move(in)});
 }
 
-void PartsForm::add_point(QVBoxLayout* group, const QString& title, Limits mm, std::function<Vec3&(Region&)> in) {
+void PartsForm::add_point(QVBoxLayout* group, const QString& title, std::string_view range, std::function<Vec3&(Region&)> in) {
   const std::array names = {tr("Along the arch"), tr("Towards the cheek"), tr("Height")};
   for (int axis = 0; axis < 3; ++axis) {
-    add_number(group, names[static_cast<std::size_t>(axis)], mm, [in, axis](Region& part) -> double& { return in(part)[axis]; });
+    add_number(group, names[static_cast<std::size_t>(axis)], range, [in, axis](Region& part) -> double& { return in(part)[axis]; });
     numbers_.back().box->setAccessibleName(tr("%1: %2").arg(title, names[static_cast<std::size_t>(axis)]));
   }
 }
@@ -154,19 +155,19 @@ void PartsForm::make_numbers(QVBoxLayout* column) {
     model_.set_part(part, u"joined"_qs);
     model_.end_gesture();
   });
-  add_number(rows, tr("Rounding of the edges"), {0, kMostRoundingMm}, [](Region& part) -> double& { return part.rounding_mm; });
+  add_number(rows, tr("Rounding of the edges"), "/target/rounding_mm", [](Region& part) -> double& { return part.rounding_mm; });
   rows = add_group(column, {}, [](RegionKind kind) { return kind == RegionKind::offset; });
-  add_number(rows, tr("Grown by"), {-kMostRoundingMm, kMostRoundingMm}, [](Region& part) -> double& { return part.by_mm; });
+  add_number(rows, tr("Grown by"), "/target/by_mm", [](Region& part) -> double& { return part.by_mm; });
   rows = add_group(column, tr("Place"), has_place);
-  add_point(rows, tr("Place"), {-kReachMm, kReachMm}, [](Region& part) -> Vec3& { return part.from_mm; });
+  add_point(rows, tr("Place"), "/target/from_mm/0", [](Region& part) -> Vec3& { return part.from_mm; });
   rows = add_group(column, tr("Other end"), has_ends);
-  add_point(rows, tr("Other end"), {-kReachMm, kReachMm}, [](Region& part) -> Vec3& { return part.to_mm; });
+  add_point(rows, tr("Other end"), "/target/to_mm/0", [](Region& part) -> Vec3& { return part.to_mm; });
   rows = add_group(column, tr("Size"), [](RegionKind kind) { return kind == RegionKind::box || kind == RegionKind::ellipsoid; });
-  add_point(rows, tr("Size"), {0.1, kMostSizeMm}, [](Region& part) -> Vec3& { return part.size_mm; });
+  add_point(rows, tr("Size"), "/target/size_mm/0", [](Region& part) -> Vec3& { return part.size_mm; });
   rows = add_group(column, {}, [](RegionKind kind) { return has_ends(kind) || kind == RegionKind::sphere; });
-  add_number(rows, tr("Radius"), {0.05, kMostSizeMm}, [](Region& part) -> double& { return part.radius_mm; });
+  add_number(rows, tr("Radius"), "/target/radius_mm", [](Region& part) -> double& { return part.radius_mm; });
   rows = add_group(column, {}, [](RegionKind kind) { return kind == RegionKind::cone; });
-  add_number(rows, tr("Radius at the other end"), {0, kMostSizeMm}, [](Region& part) -> double& { return part.end_radius_mm; });
+  add_number(rows, tr("Radius at the other end"), "/target/end_radius_mm", [](Region& part) -> double& { return part.end_radius_mm; });
 }
 
 void PartsForm::show_list() {

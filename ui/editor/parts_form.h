@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "ui/editor/editor_model.h"
@@ -37,11 +38,9 @@ class PartsForm : public QWidget {
   void make_list(QVBoxLayout* column);
   void make_numbers(QVBoxLayout* column);
   QVBoxLayout* add_group(QVBoxLayout* column, const QString& title, std::function<bool(RegionKind)> of);
-  struct Limits {
-    double least, most;
-  };
-  void add_number(QVBoxLayout* group, const QString& name, Limits mm, std::function<double&(Region&)> in);
-  void add_point(QVBoxLayout* group, const QString& title, Limits mm, std::function<Vec3&(Region&)> in);
+  /// `range`: the place of a number in a document, of scenarios/format/ranges.h.
+  void add_number(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double&(Region&)> in);
+  void add_point(QVBoxLayout* group, const QString& title, std::string_view range, std::function<Vec3&(Region&)> in);
   void follow_model();
   void show_list();
 

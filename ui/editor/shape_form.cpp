@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <array>
 
+#include "scenarios/format/ranges.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/parts_form.h"
 #include "ui/text/names.h"
@@ -19,7 +20,6 @@ namespace {
 // Tolerance zone of the three levels of block exercises, beginner to exam, mm.
 constexpr std::array kStrictness = {0.5, 0.3, 0.2};
 constexpr double kMostSizeMm = 30, kMostDepthMm = 15, kReachMm = 100;
-constexpr double kMostTaperDeg = 30;  // of scenarios/format/ranges.cpp
 
 QWidget* group(QVBoxLayout** column) {
   auto* box = new QWidget;
@@ -104,8 +104,9 @@ void ShapeForm::make_size(QVBoxLayout* column) {
 
 void ShapeForm::make_tapers(QVBoxLayout* column) {
   for (std::size_t side = 0; side < tapers_.size(); ++side) {
-    auto* box = new NumberBox(model_, side_name({}, side), u"deg"_qs, -kMostTaperDeg, kMostTaperDeg, 1, 1,
-                              [this, side](double deg) { return model_.set_taper_deg(side, deg); });
+    const NumberRange& deg = *range_of(std::string("/target/taper_deg/") + kTaperKeys[side]);
+    auto* box = new NumberBox(model_, side_name({}, side), u"deg"_qs, deg.least, deg.most, 1, 1,
+                              [this, side](double value) { return model_.set_taper_deg(side, value); });
     box->setToolTip(tr("Above 0 the wall opens upwards"));
     tapers_[side] = {box, add_row(column, side_name({}, side), box)};
   }

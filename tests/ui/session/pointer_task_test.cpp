@@ -233,7 +233,7 @@ TEST(PointerTask, AHeldButtonThatSweepsDoesNotSinkPastTheRequiredDepth) {
   }
 }
 
-TEST(PointerTask, TwentyHandsCutTheTargetAndLittleBelowIt) {
+TEST(PointerTask, HandsCutTheTargetAndNothingBelowItsFloor) {
   const unsigned hands = full_run() ? 20 : 4;
   std::vector<double> removed, over;
   for (unsigned seed = 1; seed <= hands; ++seed) {
