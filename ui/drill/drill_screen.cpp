@@ -82,7 +82,7 @@ void DrillScreen::make_main(QVBoxLayout& column) {
   in.tray = new BurTray(this);
   connect(in.tray, &BurTray::bur_chosen, this, [this](int index) {
     if (inner_->attempt && inner_->attempt->session) inner_->attempt->session->change_bur(static_cast<std::size_t>(index));
-    if (inner_->input) inner_->input->hold_depth(false);  // another head stands on another pivot
+    if (inner_->input) inner_->input->forget_depth();  // another head stands on another pivot
     if (inner_->attempt && inner_->attempt->device.hand) inner_->attempt->device.hand->set_bur(static_cast<std::uint16_t>(index));
   });
   left->addWidget(in.tray);

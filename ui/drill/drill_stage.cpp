@@ -27,7 +27,6 @@ namespace {
 
 constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::buccal, PresetView::distal,
                                               PresetView::lingual};
-constexpr int kGap = 12;
 constexpr double kLidMm = 24.0, kWideLidMm = 44.0, kLidMmPerPx = 0.05;  // a tooth is 25 mm high, a row of three 34 long
 
 QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number) {
@@ -135,28 +134,6 @@ void DrillStage::make_gauges() {
   connect(hold_, &QPushButton::toggled, this, &DrillStage::depth_hold_wanted);
 }
 
-void DrillStage::make_coach() {
-  coach_card_ = make_card(this);
-  auto* row = new QHBoxLayout(coach_card_);
-  row->setContentsMargins(px(16), px(8), px(16), px(8));
-  row->setSpacing(px(12));
-  coach_sign_ = new QLabel(coach_card_);
-  coach_sign_->setObjectName(QStringLiteral("coach_sign"));
-  coach_sign_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  row->addWidget(coach_sign_);
-  coach_ = make_label({}, TextRole::live, Weight::bold);
-  coach_->setAccessibleName(tr("Coach"));
-  row->addWidget(coach_, 1);
-  sign_coach(CoachTone::good);
-  coach_card_->hide();
-  bur_tag_ = make_label({}, TextRole::body, Weight::bold);
-  bur_tag_->setParent(this);
-  set_kind(bur_tag_, "pin");
-  bur_tag_->setAutoFillBackground(true);
-  bur_tag_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  bur_tag_->hide();
-}
-
 void DrillStage::make_legend() {
   legend_ = make_card(this);
   auto* row = new QHBoxLayout(legend_);
@@ -181,10 +158,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
   const double depth = required_depth_mm();
   scale_depth(0);
-  if (!look.empty()) {
-    depth_->set_band(depth - leeway_.floor_mm, depth);
-    depth_->set_limit(depth + leeway_.floor_mm);
-  }
+  if (!look.empty()) show_required(depth);
   // Harder than full force cuts no faster.
   if (scenario.device.full_force_n <= push_->most()) push_->set_limit(scenario.device.full_force_n);
   depth_->set_value(std::nullopt);
@@ -214,6 +188,11 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
 double DrillStage::required_depth_mm() const {
   constexpr double kUsualMm = 2.0;  // without a target
   return look_ && !look_->empty() ? look_->shape().top_mm() - look_->shape().floor_mm() : kUsualMm;
+}
+
+void DrillStage::show_required(double depth_mm) {
+  depth_->set_band(depth_mm - leeway_.floor_mm, depth_mm);
+  depth_->set_limit(depth_mm + leeway_.floor_mm);
 }
 
 void DrillStage::scale_depth(double seen_mm) {
@@ -257,46 +236,6 @@ void DrillStage::show_depth_held(bool on) {
   announce(hold_, on ? tr("Depth held") : tr("Depth free"));
 }
 
-void DrillStage::follow_bur(Vec3 pivot_mm) {
-  const CoachTone tone = tone_of(shown_, leeway_);
-  const auto at = tone == CoachTone::good ? std::nullopt : view_->project(pivot_mm);
-  bur_tag_->setVisible(at.has_value());
-  if (!at) return;
-  // Beside the bur, where neither handpiece nor cavity lies under it.
-  const QPoint place = at->toPoint() + QPoint(px(28), -bur_tag_->height() / 2);
-  bur_tag_->move(std::clamp(place.x(), 0, std::max(0, width() - bur_tag_->width())),
-                 std::clamp(place.y(), 0, std::max(0, height() - bur_tag_->height())));
-}
-
-QString DrillStage::coach_text(const CoachLine& line) const {
-  const QString mm = format({line.mm, {}, QStringLiteral("mm"), 1});
-  switch (line.what) {
-    case Coach::begin:
-      return by_mouse_ ? tr("Hold the left button on the target to drill")
-                       : tr("Touch the target and hold the button to drill");
-    case Coach::pulp_open: return tr("The pulp is open");
-    case Coach::over_pulp: return tr("Only %1 left over the pulp").arg(mm);
-    case Coach::too_deep: return tr("%1 too deep here").arg(mm);
-    case Coach::outside: return tr("Back inside the line: %1 outside").arg(mm);
-    case Coach::deeper: return tr("%1 deeper").arg(mm);
-    case Coach::nearly: return tr("Slowly: %1 to the floor").arg(mm);
-    case Coach::sideways: return tr("Deep enough, move sideways");
-    case Coach::finish: return tr("Nearly all is out: smooth it, then finish");
-    case Coach::carry_on: return tr("Continue where the target remains");
-    case Coach::quiet: return {};
-  }
-  return {};
-}
-
-void DrillStage::sign_coach(CoachTone tone) {
-  const QString name = tone == CoachTone::bad    ? QStringLiteral("cross")
-                       : tone == CoachTone::look ? QStringLiteral("warning")
-                                                 : QStringLiteral("chevron_right");
-  const Ink ink = tone == CoachTone::bad ? Ink::bad : tone == CoachTone::look ? Ink::look : Ink::good;
-  coach_sign_->setPixmap(icon_pixmap(name, ink, 18, devicePixelRatioF()));
-  set_ink(coach_, tone == CoachTone::bad ? "bad" : tone == CoachTone::look ? "look" : "text");
-}
-
 void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   live_ = live;
   const double radius =
@@ -325,26 +264,13 @@ void DrillStage::show_depth(const LiveView& live, double bur_radius_mm) {
   const Vec3 at = live.output.proxy_mm;
   const bool over_target = !look_ || look_->empty() ||
                            wall_mm(look_->shape(), {at.x, at.y}) < bur_radius_mm + leeway_.side_mm;
+  if (look_ && !look_->empty()) {
+    const TargetShape& shape = look_->shape();
+    show_required(shape.top_mm() - floor_under_mm(shape, {at.x, at.y}).value_or(shape.floor_mm()));
+  }
   const bool known = live.device != Sample::Status::gone && (live.output.contact || over_target) && live.bur_depth_mm >= 0;
   if (known && live.bur_depth_mm > depth_->most()) scale_depth(live.bur_depth_mm);
   depth_->set_value(known ? std::optional(live.bur_depth_mm) : std::nullopt);
-}
-
-void DrillStage::show_coach(CoachLine line) {
-  line.mm = std::round(line.mm * 10) / 10;
-  if (line == shown_) return;
-  shown_ = line;
-  coach_->setText(coach_text(line));
-  const CoachTone tone = tone_of(line, leeway_);
-  sign_coach(tone);
-  bur_tag_->setText(line.what == Coach::pulp_open ? tr("Pulp") : format({line.mm, {}, QStringLiteral("mm"), 1}));
-  set_ink(bur_tag_, tone == CoachTone::bad ? "bad" : "look");
-  bur_tag_->adjustSize();
-  coach_card_->setVisible(line.what != Coach::quiet);
-  place_all();
-  if (!worth_saying(spoken_, line)) return;
-  spoken_ = line;
-  if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
 void DrillStage::show_stopped(Stop stop, const Message& record, Fault fault) {
@@ -375,7 +301,7 @@ void DrillStage::set_centre(QWidget* widget) {
 }
 
 void DrillStage::place_all() {
-  const int gap = px(kGap), w = width(), h = height();
+  const int gap = px(kStageGap), w = width(), h = height();
   view_->setGeometry(rect());
   const auto place = [](QWidget* widget, int x, int y) {
     widget->adjustSize();
@@ -405,20 +331,6 @@ void DrillStage::place_all() {
     centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);
     centre_->raise();
   }
-}
-
-void DrillStage::place_coach() {
-  const int gap = px(kGap), w = width(), h = height();
-  coach_->setWordWrap(false);
-  coach_card_->adjustSize();
-  const int most = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
-  coach_->setMinimumWidth(0);
-  if (coach_card_->width() > most) {
-    coach_->setMinimumWidth(most - px(16 + 18 + 12 + 16));
-    coach_->setWordWrap(true);
-    coach_card_->resize(most, coach_card_->layout()->heightForWidth(most));
-  }
-  coach_card_->move((w - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
 }
 
 void DrillStage::resizeEvent(QResizeEvent* event) {

@@ -22,6 +22,8 @@ class QPushButton;
 
 namespace cusp::ui {
 
+inline constexpr int kStageGap = 12;  // between what stands over the view and its edges, px at 100 %
+
 class Compass;
 class Gauge;
 
@@ -82,6 +84,8 @@ class DrillStage : public QWidget {
   void want_sections();
   double required_depth_mm() const;
   void scale_depth(double seen_mm);
+  /// Band and limit of the depth gauge about the required depth.
+  void show_required(double depth_mm);
   void show_depth(const LiveView& live, double bur_radius_mm);
   void show_coach(CoachLine line);
   QString coach_text(const CoachLine& line) const;

@@ -154,15 +154,19 @@ bool PointerInput::release_key(int key) {
 }
 
 void PointerInput::follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_mm) {
-  pivot_mm_ = pivot_mm;
+  if (button_ || space_) drilled_mm_ = pivot_mm;
   hand_.set_floor(above_floor_mm ? std::optional(pivot_mm - axis_ * *above_floor_mm) : std::nullopt);
 }
 
 void PointerInput::hold_depth(bool on) {
-  if (on == held_) return;
-  held_ = on;
-  hand_.hold_depth(on ? std::optional(pivot_mm_) : std::nullopt);
-  Q_EMIT depth_held(on);
+  held_ = on && drilled_mm_;
+  hand_.hold_depth(held_ ? drilled_mm_ : std::nullopt);
+  Q_EMIT depth_held(held_);
+}
+
+void PointerInput::forget_depth() {
+  drilled_mm_.reset();
+  hold_depth(false);
 }
 
 void PointerInput::step_keys() {

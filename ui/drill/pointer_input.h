@@ -31,8 +31,11 @@ class PointerInput : public QObject {
 
   /// Where the bur stands, and how far above the floor of the target: a sweeping push goes no deeper. nullopt: no floor there.
   void follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_mm);
-  /// Holds the bur's present depth, or lets it go.
+  /// Holds the depth at which the bur stood while it drilled last, or no longer. Before the first drilling nothing is held.
   void hold_depth(bool on);
+
+  /// The next depth to hold is that of the next drilling.
+  void forget_depth();
 
   /// What drilling pushes with, N.
   double push_n() const { return push_n_; }
@@ -65,7 +68,7 @@ class PointerInput : public QObject {
   double held_push_n_ = 0;  // of Page Down: rests on the tooth without drilling
   bool button_ = false, space_ = false, enabled_ = true;
   bool held_ = false;
-  Vec3 pivot_mm_{0.0};      // of the bur, as it was last seen
+  std::optional<Vec3> drilled_mm_;  // pivot of the bur, as it was last seen drilling: a press of a button lifts it
   Vec3 plane_at_{0.0};      // the place that was pressed: while drilling the mouse slides over the plane through it
   QSet<int> arrows_;
   QTimer timer_;

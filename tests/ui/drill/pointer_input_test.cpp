@@ -79,16 +79,20 @@ TEST_F(Input, a_mouse_held_still_while_drilling_does_not_move_the_bur_sideways_a
 TEST_F(Input, h_holds_the_depth_at_which_the_bur_stands_and_lets_it_go) {
   std::vector<bool> held;
   QObject::connect(input.get(), &PointerInput::depth_held, [&](bool on) { held.push_back(on); });
+  input->press_key(Qt::Key_H);
+  EXPECT_TRUE(std::isinf(hand.wish().stop_mm)) << "nothing was drilled yet";
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
   input->follow_bur({0.3, 0, 1.4}, 0.5);
   EXPECT_NEAR(hand.wish().floor_mm, -0.9, 1e-12);  // along the approach, which points down
+  Q_EMIT view.released(px({0, 0, 2}));
+  input->follow_bur({0.3, 0, 5}, std::nullopt);  // lifted, on the way to the button
   input->press_key(Qt::Key_H);
   EXPECT_NEAR(hand.wish().stop_mm, -1.4, 1e-12);
-  input->follow_bur({0.3, 0, 1.6}, std::nullopt);
   EXPECT_NEAR(hand.wish().stop_mm, -1.4, 1e-12);
   EXPECT_TRUE(std::isinf(hand.wish().floor_mm));
   input->press_key(Qt::Key_H);
   EXPECT_TRUE(std::isinf(hand.wish().stop_mm));
-  EXPECT_EQ(held, (std::vector<bool>{true, false}));
+  EXPECT_EQ(held, (std::vector<bool>{false, true, false}));
 }
 
 TEST_F(Input, whatever_takes_the_mouse_away_releases_at_once) {
