@@ -24,7 +24,11 @@ double quantile(std::vector<float> values, double q) {
 void FrameStats::frame(Clock::time_point shown, const std::vector<Clock::time_point>& changes, double draw_ms) {
   ++frames_;
   if (draw_ms_.size() < kKept) draw_ms_.push_back(static_cast<float>(draw_ms));
-  if (changes.empty()) return;
+  if (changes.empty()) {
+    ++unchanged_;
+    return;
+  }
+  ++changed_frames_;
   for (const Clock::time_point change : changes) {
     const std::chrono::duration<double, std::milli> latency = shown - change;
     if (latency_ms_.size() < kKept) latency_ms_.push_back(static_cast<float>(latency.count()));
@@ -33,15 +37,17 @@ void FrameStats::frame(Clock::time_point shown, const std::vector<Clock::time_po
     const std::chrono::duration<double> since = shown - *last_cutting_;
     if (since.count() <= kGapS) {
       cutting_s_ += since.count();
-      ++cutting_frames_;
+      cutting_frames_ += unchanged_ + 1;
     }
   }
+  unchanged_ = 0;
   last_cutting_ = shown;
 }
 
 FrameFigures FrameStats::figures() const {
   FrameFigures out;
   out.frames = frames_;
+  out.changed_frames = changed_frames_;
   out.cutting_frames = cutting_frames_;
   out.cutting_s = cutting_s_;
   out.fps_while_cutting = cutting_s_ > 0 ? static_cast<double>(cutting_frames_) / cutting_s_ : 0;
@@ -57,7 +63,7 @@ std::string FrameStats::json() const {
   const FrameFigures f = figures();
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out << "{\n  \"frames\": " << f.frames << ",\n  \"cutting_frames\": " << f.cutting_frames
+  out << "{\n  \"frames\": " << f.frames << ",\n  \"changed_frames\": " << f.changed_frames << ",\n  \"cutting_frames\": " << f.cutting_frames
       << ",\n  \"cutting_s\": " << f.cutting_s << ",\n  \"fps_while_cutting\": " << f.fps_while_cutting
       << ",\n  \"latency_p50_ms\": " << f.latency_p50_ms << ",\n  \"latency_p95_ms\": " << f.latency_p95_ms
       << ",\n  \"latency_max_ms\": " << f.latency_max_ms << ",\n  \"draw_p50_ms\": " << f.draw_p50_ms

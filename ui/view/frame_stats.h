@@ -13,8 +13,9 @@ namespace cusp::ui {
 
 struct FrameFigures {
   std::uint64_t frames = 0;          // shown at all
-  std::uint64_t cutting_frames = 0;  // that showed a changed tooth
+  std::uint64_t changed_frames = 0;  // that showed a changed tooth
   double cutting_s = 0;              // time with changes coming in (gaps above 0.25 s left out)
+  std::uint64_t cutting_frames = 0;  // shown in that time, with a change or with the moved bur alone
   double fps_while_cutting = 0;      // cutting_frames / cutting_s
   double latency_p50_ms = 0, latency_p95_ms = 0, latency_max_ms = 0;
   double draw_p50_ms = 0, draw_p95_ms = 0;  // of the view's own drawing
@@ -35,7 +36,8 @@ class FrameStats {
   void write_where_asked() const;
 
  private:
-  std::uint64_t frames_ = 0, cutting_frames_ = 0;
+  std::uint64_t frames_ = 0, changed_frames_ = 0, cutting_frames_ = 0;
+  std::uint64_t unchanged_ = 0;  // frames since the last change
   double cutting_s_ = 0;
   std::optional<Clock::time_point> last_cutting_;
   std::vector<float> latency_ms_, draw_ms_;  // at most kKept: later ones are left out

@@ -39,6 +39,17 @@ TEST(FrameStats, a_rest_of_the_hand_and_frames_without_a_change_do_not_count_as_
   EXPECT_EQ(stats.figures().frames, 27u);
 }
 
+TEST(FrameStats, a_frame_between_two_changes_counts_though_the_bur_alone_has_moved) {
+  FrameStats stats;
+  const Clock::time_point start{};
+  for (int i = 0; i <= 100; ++i) {
+    const auto shown = start + milliseconds(50 * i);
+    stats.frame(shown, i % 4 == 0 ? std::vector{shown - milliseconds(10)} : std::vector<Clock::time_point>{}, 1.0);
+  }
+  EXPECT_NEAR(stats.figures().fps_while_cutting, 20.0, 1e-6);
+  EXPECT_EQ(stats.figures().changed_frames, 26u);
+}
+
 TEST(FrameStats, the_slow_tail_is_in_p95_and_not_in_the_median) {
   FrameStats stats;
   const Clock::time_point start{};
