@@ -2289,6 +2289,10 @@
         <source>Pulp</source>
         <translation>Pulpa</translation>
     </message>
+    <message>
+        <source>Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away</source>
+        <translation>Spiegel (2): ziehen, mit der rechten Taste neigen, oder I J K L; Umschalt neigt, U und O holen ihn näher und weiter weg</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorModel</name>
@@ -3299,6 +3303,10 @@
     <message>
         <source>hold the depth, let it go (mouse)</source>
         <translation>Tiefe halten, wieder freigeben (Maus)</translation>
+    </message>
+    <message>
+        <source>move the mirror; with Shift: tilt it; U, O: nearer, away</source>
+        <translation>Spiegel bewegen; mit Umschalt: neigen; U, O: näher, weiter weg</translation>
     </message>
 </context>
 <context>
@@ -5050,6 +5058,10 @@
     <message>
         <source>%1 deep</source>
         <translation>%1 tief</translation>
+    </message>
+    <message>
+        <source>Where points were lost</source>
+        <translation>Wo Punkte verloren gingen</translation>
     </message>
 </context>
 <context>
@@ -7721,6 +7733,10 @@ Ihr bester davor</translation>
     <message>
         <source>Tooth</source>
         <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>The tooth could not be drawn: %1</source>
+        <translation>Der Zahn konnte nicht gezeichnet werden: %1</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,5 @@
 /// The view of the drilling screen with what stands on it: tool bar, depth and push, coach, legend, directions, hint,
-/// and the band that stops everything. Opaque child widgets: nothing is blended under software OpenGL. Thread: GUI.
+/// and the band that stops everything. Opaque child widgets: each pixel is copied once a frame. Thread: GUI.
 #pragma once
 
 #include <QWidget>

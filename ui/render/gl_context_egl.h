@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/render/framebuffer.h"
+
 namespace cusp::ui {
 
 class EglContext {
@@ -18,8 +20,8 @@ class EglContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  int width() const noexcept { return width_; }
-  int height() const noexcept { return height_; }
+  int width() const noexcept { return framebuffer_->size().width_px; }
+  int height() const noexcept { return framebuffer_->size().height_px; }
   /// What is in the framebuffer: top row first, R, G, B, A.
   std::vector<std::uint8_t> read_rgba() const;
   /// The first error since the last asking, as "OpenGL 0x0505"; empty without one.
@@ -29,8 +31,7 @@ class EglContext {
   EglContext() = default;
   void* display_ = nullptr;
   void* context_ = nullptr;
-  unsigned framebuffer_ = 0, colour_ = 0, depth_ = 0;
-  int width_ = 0, height_ = 0;
+  std::unique_ptr<Framebuffer> framebuffer_;
 };
 
 }  // namespace cusp::ui

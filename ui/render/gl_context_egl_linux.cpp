@@ -1,7 +1,6 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <mutex>
@@ -76,33 +75,15 @@ std::unique_ptr<EglContext> EglContext::create(int width_px, int height_px, std:
   out->context_ = context;
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return give_up("eglMakeCurrent");
 
-  out->width_ = width_px;
-  out->height_ = height_px;
-  glGenFramebuffers(1, &out->framebuffer_);
-  glGenRenderbuffers(1, &out->colour_);
-  glGenRenderbuffers(1, &out->depth_);
-  glBindFramebuffer(GL_FRAMEBUFFER, out->framebuffer_);
-  glBindRenderbuffer(GL_RENDERBUFFER, out->colour_);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_px, height_px);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, out->colour_);
-  glBindRenderbuffer(GL_RENDERBUFFER, out->depth_);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width_px, height_px);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, out->depth_);
-  if (const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
-    if (why != nullptr) *why = with_code("glCheckFramebufferStatus", status);
-    return nullptr;
-  }
+  out->framebuffer_ = Framebuffer::create({width_px, height_px}, Multisampling::off, why);
+  if (!out->framebuffer_) return nullptr;
   return out;
 }
 
 EglContext::~EglContext() {
   if (display_ == nullptr) return;
   if (context_ != nullptr) {
-    if (framebuffer_ != 0) {
-      glDeleteFramebuffers(1, &framebuffer_);
-      glDeleteRenderbuffers(1, &colour_);
-      glDeleteRenderbuffers(1, &depth_);
-    }
+    framebuffer_.reset();
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
   }
@@ -115,15 +96,8 @@ std::string EglContext::failed_call() const {
 }
 
 std::vector<std::uint8_t> EglContext::read_rgba() const {
-  const auto row = static_cast<std::size_t>(width_) * 4;
-  std::vector<std::uint8_t> out(row * static_cast<std::size_t>(height_));
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
-  for (int y = 0; y < height_ / 2; ++y) {
-    std::swap_ranges(out.begin() + static_cast<std::ptrdiff_t>(row) * y,
-                     out.begin() + static_cast<std::ptrdiff_t>(row) * (y + 1),
-                     out.begin() + static_cast<std::ptrdiff_t>(row) * (height_ - 1 - y));
-  }
+  std::vector<std::uint8_t> out(4 * static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()));
+  framebuffer_->read(PixelOrder::rgba, out);
   return out;
 }
 

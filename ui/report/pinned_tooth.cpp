@@ -24,7 +24,6 @@ class Ring : public QWidget {
   explicit Ring(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFixedSize(px(22), px(22));
-    // Shaped, not translucent: the view below is OpenGL.
     setMask(QRegion(rect(), QRegion::Ellipse) - QRegion(rect().adjusted(px(6), px(6), -px(6), -px(6)), QRegion::Ellipse));
     hide();
   }

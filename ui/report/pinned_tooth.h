@@ -1,5 +1,5 @@
-/// The tooth of the report: the 3D view, a ring on one place, and a card with its measure. Ring and card are opaque children, for
-/// software OpenGL allows no translucency. Thread: GUI.
+/// The tooth of the report: the 3D view, a ring on one place, and a card with its measure. Ring and card are masked or opaque
+/// children. Thread: GUI.
 #pragma once
 
 #include <QLineF>
@@ -12,7 +12,7 @@
 #include "ui/modules.h"
 #include "ui/render/scenery_look.h"
 #include "ui/render/tooth_picture.h"
-#include "ui/report/place_view.h"
+#include "ui/render/place_view.h"
 
 class QLabel;
 

@@ -1,47 +1,22 @@
 #include "ui/view/tooth_view.h"
 
-#include <QGuiApplication>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QOpenGLWidget>
-#include <QSurfaceFormat>
+#include <QPainter>
+#include <QPointer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/view/frame_stats.h"
+#include "ui/view/view_painter.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
 namespace {
 
-// What a frame may upload: a bur changes some 40 patches of 5 kB; a whole molar comes over a few frames.
-constexpr std::size_t kUploadBytes = 1u << 20;
 constexpr double kTurnPerPx = 0.008;  // radians; half a turn across a view 400 px wide
 constexpr double kZoomPerNotch = 1.15;
-
-QSurfaceFormat wanted_format() {
-  QSurfaceFormat format;
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setSamples(0);       // multisampling halves the rate under software OpenGL
-  format.setSwapInterval(0);  // a frame is asked for, never waited for
-  return format;
-}
-
-/// False on platforms whose windows have no OpenGL, and where a context cannot be made.
-bool windows_have_opengl() {
-  static const bool able = [] {
-    const QString platform = QGuiApplication::platformName();
-    if (platform == u"offscreen" || platform == u"minimal" || platform == u"vnc") return false;
-    QOpenGLContext context;
-    context.setFormat(wanted_format());
-    return context.create();
-  }();
-  return able;
-}
 
 Colour colour_of(const QColor& c) {
   return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF()), 1.0f};
@@ -49,92 +24,95 @@ Colour colour_of(const QColor& c) {
 
 }  // namespace
 
-class ToothView::Surface : public QOpenGLWidget {
- public:
-  explicit Surface(ToothView* view) : QOpenGLWidget(view), view_(*view) {
-    setFormat(wanted_format());
-    setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setFocusPolicy(Qt::NoFocus);
-    connect(this, &QOpenGLWidget::frameSwapped, this, [this] { view_.frame_ended(); });
-  }
-  ~Surface() override {
-    makeCurrent();
-    picture_.reset();
-    doneCurrent();
-  }
-
-  bool scenery_changed = true, lines_changed = true, section_changed = true, all_changed = true;
-
- protected:
-  void initializeGL() override {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-      makeCurrent();
-      picture_.reset();
-      doneCurrent();
-    });
-    picture_ = ToothPicture::create();
-    scenery_changed = lines_changed = section_changed = all_changed = true;
-  }
-
-  void paintGL() override {
-    if (!picture_) return;
-    view_.draw_start_ = std::chrono::steady_clock::now();
-    view_.drawn_ = true;
-    view_.asked_.store(false);
-    if (view_.bur_source_) view_.scene_.bur = view_.bur_source_();
-    if (all_changed) {
-      picture_->clear();
-      for (const auto& [brick, patch] : view_.store_.patches()) picture_->put(patch);
-    }
-    if (view_.feed_) {
-      FedPatches fed = view_.feed_->take(all_changed ? ~std::size_t{0} : kUploadBytes);
-      for (BakedPatch& patch : fed.patches) {
-        picture_->put(patch);
-        view_.store_.put(std::move(patch));
-      }
-      view_.changes_.insert(view_.changes_.end(), fed.changes.begin(), fed.changes.end());
-      if (fed.more) QMetaObject::invokeMethod(this, [this] { update(); }, Qt::QueuedConnection);
-    }
-    all_changed = false;
-    if (std::exchange(scenery_changed, false)) picture_->set_scenery(view_.scenery_.get());
-    if (std::exchange(lines_changed, false)) picture_->set_lines(view_.lines_);
-    if (std::exchange(section_changed, false) && view_.section_) picture_->set_section(*view_.section_);
-    const qreal ratio = devicePixelRatioF();
-    view_.scene_.line_scale = static_cast<float>(ratio);
-    picture_->draw(view_.scene_, static_cast<int>(std::lround(width() * ratio)),
-                   static_cast<int>(std::lround(height() * ratio)));
-  }
-
- private:
-  ToothView& view_;
-  std::unique_ptr<ToothPicture> picture_;
-};
-
 ToothView::ToothView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(240, 200);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  if (windows_have_opengl()) {
-    surface_ = new Surface(this);
-  } else {
-    auto* lay = new QVBoxLayout(this);
-    auto* note = make_label(tr("The tooth is drawn where the screen has OpenGL."), TextRole::body, Weight::regular, "text2");
-    note->setAlignment(Qt::AlignCenter);
-    note->setWordWrap(true);
-    lay->addWidget(note);
-    setAttribute(Qt::WA_OpaquePaintEvent, false);
-  }
+  // A view that is gone takes no frame: the painter, a member, ends with it.
+  painter_ = ViewPainter::create([this](FinishedFrame frame) {
+    auto shared = std::make_shared<FinishedFrame>(std::move(frame));
+    QMetaObject::invokeMethod(this, [this, shared] { take(std::move(*shared)); }, Qt::QueuedConnection);
+  });
+  if (!painter_) show_placeholder(tr("The tooth is drawn where the screen has OpenGL."));
   setAccessibleName(tr("Tooth"));
   read_theme();
 }
 
-ToothView::~ToothView() {
-  delete surface_;
-  surface_ = nullptr;
+ToothView::~ToothView() { painter_.reset(); }
+
+void ToothView::show_placeholder(const QString& text) {
+  auto* lay = new QVBoxLayout(this);
+  auto* note = make_label(text, TextRole::body, Weight::regular, "text2");
+  note->setAlignment(Qt::AlignCenter);
+  note->setWordWrap(true);
+  lay->addWidget(note);
+  setAttribute(Qt::WA_OpaquePaintEvent, false);
 }
 
 void ToothView::repaint_soon() {
-  if (surface_ != nullptr) surface_->update();
+  if (!painter_ || std::exchange(wanted_, true) || drawing_) return;
+  QMetaObject::invokeMethod(this, &ToothView::order_frame, Qt::QueuedConnection);
+}
+
+void ToothView::order_frame() {
+  if (!wanted_ || drawing_ || !painter_ || !isVisible()) return;
+  wanted_ = false;
+  drawing_ = true;
+  asked_.store(false);
+  ordered_at_ = std::chrono::steady_clock::now();
+  if (bur_source_) scene_.bur = bur_source_();
+  const qreal ratio = devicePixelRatioF();
+  scene_.line_scale = static_cast<float>(ratio);
+  FrameOrder order;
+  order.scene = scene_;
+  order.size_px = {std::max(1, static_cast<int>(std::lround(width() * ratio))),
+                   std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+  order.mesh = mesh_;
+  order.feed = feed_;
+  if (std::exchange(changed_.mesh, false))
+    for (const auto& [brick, patch] : store_.patches()) order.patches.push_back(patch);
+  if (std::exchange(changed_.scenery, false)) order.scenery = scenery_;
+  if (std::exchange(changed_.lines, false)) order.lines = lines_;
+  if (std::exchange(changed_.section, false)) order.section = section_;
+  order.spare = std::exchange(spare_, QImage());
+  painter_->draw(std::move(order));
+}
+
+void ToothView::take(FinishedFrame frame) {
+  drawing_ = false;
+  if (frame.image.isNull()) {
+    painter_.reset();
+    show_placeholder(tr("The tooth could not be drawn: %1").arg(frame.why));
+    take_feed();
+    return;
+  }
+  if (frame.mesh == mesh_) {
+    for (BakedPatch& patch : frame.fed) store_.put(std::move(patch));
+    changes_.insert(changes_.end(), frame.changes.begin(), frame.changes.end());
+  }
+  spare_ = std::exchange(image_, std::move(frame.image));
+  draw_ms_ = frame.draw_ms;
+  fresh_ = true;
+  update();
+  if (frame.more) wanted_ = true;
+  order_frame();
+}
+
+void ToothView::paintEvent(QPaintEvent*) {
+  if (!painter_) return;
+  QPainter painter(this);
+  if (image_.isNull()) {
+    painter.fillRect(rect(), tokens().view_middle);
+  } else {
+    painter.drawImage(rect(), image_);  // scaled only until a frame of the new size is there
+  }
+  // Behind this event the window's pixels are handed over.
+  if (std::exchange(fresh_, false)) QMetaObject::invokeMethod(this, &ToothView::frame_ended, Qt::QueuedConnection);
+}
+
+void ToothView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  wanted_ = true;
+  order_frame();
 }
 
 void ToothView::read_theme() {
@@ -155,58 +133,47 @@ void ToothView::show_volume(const Volume& volume, const FeedSettings& settings) 
       framed_ = true;
     }
   }
-  if (surface_ != nullptr) surface_->all_changed = true;
+  ++mesh_;
+  changed_.mesh = true;
   repaint_soon();
 }
 
 void ToothView::set_feed(std::shared_ptr<PatchFeed> feed) {
   feed_ = std::move(feed);
   store_.clear();
-  if (surface_ != nullptr) {
-    surface_->all_changed = true;
-  } else if (feed_) {
-    for (BakedPatch& patch : feed_->take(~std::size_t{0}).patches) store_.put(std::move(patch));
-  }
+  ++mesh_;
+  changed_.mesh = true;
+  if (!painter_) take_feed();
   repaint_soon();
+}
+
+void ToothView::take_feed() {
+  asked_.store(false);
+  if (!feed_) return;
+  for (BakedPatch& patch : feed_->take(~std::size_t{0}).patches) store_.put(std::move(patch));
 }
 
 void ToothView::feed_changed() {
   if (asked_.exchange(true)) return;
   QMetaObject::invokeMethod(
-      this,
-      [this] {
-        if (surface_ != nullptr) {
-          surface_->update();
-        } else {
-          asked_.store(false);
-          if (feed_)
-            for (BakedPatch& patch : feed_->take(~std::size_t{0}).patches) store_.put(std::move(patch));
-        }
-      },
-      Qt::QueuedConnection);
+      this, [this] { painter_ ? repaint_soon() : take_feed(); }, Qt::QueuedConnection);
 }
 
 void ToothView::frame_ended() {
-  if (!drawn_) return;
-  drawn_ = false;
-  const auto now = std::chrono::steady_clock::now();
-  if (stats_ != nullptr) {
-    const std::chrono::duration<double, std::milli> took = now - draw_start_;
-    stats_->frame(now, changes_, took.count());
-  }
+  if (stats_ != nullptr) stats_->frame(std::chrono::steady_clock::now(), changes_, draw_ms_);
   changes_.clear();
 }
 
 void ToothView::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
   if (scenery == scenery_) return;
   scenery_ = std::move(scenery);
-  if (surface_ != nullptr) surface_->scenery_changed = true;
+  changed_.scenery = true;
   repaint_soon();
 }
 
 void ToothView::set_lines(std::vector<OverlayLine> lines) {
   lines_ = std::move(lines);
-  if (surface_ != nullptr) surface_->lines_changed = true;
+  changed_.lines = true;
   repaint_soon();
 }
 
@@ -236,14 +203,14 @@ void ToothView::set_bur(const std::optional<BurPose>& bur) {
 }
 
 void ToothView::follow_bur(std::chrono::milliseconds pause) {
-  if (!bur_source_ || std::chrono::steady_clock::now() - draw_start_ < pause) return;
+  if (!bur_source_ || std::chrono::steady_clock::now() - ordered_at_ < pause) return;
   if (moved_visibly(bur_source_())) repaint_soon();
 }
 
 void ToothView::set_cutaway(std::optional<SectionImage> image) {
   scene_.cutaway = image ? std::optional(image->plane) : std::nullopt;
   section_ = std::move(image);
-  if (surface_ != nullptr) surface_->section_changed = true;
+  changed_.section = true;
   repaint_soon();
 }
 
@@ -279,11 +246,8 @@ std::optional<QPointF> ToothView::project(Vec3 mm) const {
 }
 
 void ToothView::resizeEvent(QResizeEvent* event) {
-  if (surface_ != nullptr) {
-    surface_->setGeometry(rect());
-    surface_->lower();
-  }
   QWidget::resizeEvent(event);
+  repaint_soon();
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {

@@ -1,8 +1,9 @@
 /// The tooth in a window: draws a ToothPicture, turns with the right mouse button, zooms and picks. Report, editor and
-/// drilling use it alike; what the left button means is theirs. Where the platform has no OpenGL window (offscreen) a
-/// plain placeholder stands instead and everything else answers as before. Thread: GUI.
+/// drilling use it alike; what the left button means is theirs. Where the platform has no OpenGL (offscreen) a plain
+/// placeholder stands instead and everything else answers as before. Thread: GUI; a ViewPainter draws.
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <atomic>
 #include <chrono>
@@ -16,6 +17,8 @@
 namespace cusp::ui {
 
 class FrameStats;
+class ViewPainter;
+struct FinishedFrame;
 
 class ToothView : public QWidget {
   Q_OBJECT
@@ -77,7 +80,9 @@ class ToothView : public QWidget {
   void wheel_turned(int delta);
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -85,28 +90,40 @@ class ToothView : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  class Surface;  // the QOpenGLWidget
-  friend class Surface;
+  /// What the next frame shows otherwise than the last one.
+  struct Changed {
+    bool scenery = true, lines = true, section = true, mesh = true;
+  };
   void repaint_soon();
+  void order_frame();
+  void take(FinishedFrame frame);
+  void take_feed();
+  void show_placeholder(const QString& text);
   bool moved_visibly(const std::optional<BurPose>& bur) const;
   void read_theme();
   void frame_ended();
 
-  Surface* surface_ = nullptr;
+  std::unique_ptr<ViewPainter> painter_;  // null: a placeholder stands
+  QImage image_, spare_;                  // the newest frame; one to draw into
   Scene3d scene_;
   PatchStore store_;
   std::shared_ptr<PatchFeed> feed_;
   std::shared_ptr<const SceneryLook> scenery_;
   std::vector<OverlayLine> lines_;
   std::optional<SectionImage> section_;
+  Changed changed_;
   FrameStats* stats_ = nullptr;
   std::function<std::optional<BurPose>()> bur_source_;
-  TickTimes changes_;                      // shown by the frame being drawn
-  std::chrono::steady_clock::time_point draw_start_;
+  TickTimes changes_;  // shown by the newest frame, not yet on the screen
+  double draw_ms_ = 0;
+  std::chrono::steady_clock::time_point ordered_at_;
   QPointF last_;
+  int mesh_ = 0;  // rises with each volume and feed
   bool left_turns_ = false, wheel_taken_ = false;
-  bool framed_ = false;      // the camera was set or found
-  bool drawn_ = false;       // draw_start_ belongs to a frame not yet ended
+  bool framed_ = false;   // the camera was set or found
+  bool wanted_ = false;   // a frame is wanted
+  bool drawing_ = false;  // the painter has an order
+  bool fresh_ = false;    // the newest frame is not yet on the screen
   std::atomic<bool> asked_{false};
 };
 

@@ -194,7 +194,7 @@ class FocusRing : public QObject {
     // Pages and scroll areas answer no keys, so they get no ring.
     const bool wanted = now && now->isVisible() && now->parentWidget() && !now->isWindow() &&
                         !now->property("no_focus_ring").toBool() && now->focusPolicy() != Qt::NoFocus &&
-                        !now->inherits("QMenu") && !now->inherits("QOpenGLWidget");
+                        !now->inherits("QMenu");
     if (!wanted) {
       delete frame_;
       return;

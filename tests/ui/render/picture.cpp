@@ -147,6 +147,50 @@ TEST_F(Drawn, a_target_line_is_drawn_in_its_colour) {
     for (int x = 0; x < 200; ++x) EXPECT_FALSE(at(*without, x, y).g > at(*without, x, y).r + 60);
 }
 
+TEST_F(Drawn, four_samples_soften_an_edge) {
+  std::string why;
+  const auto context = EglContext::create(16, 16, &why);
+  const auto picture = ToothPicture::create(&why);
+  ASSERT_TRUE(context && picture) << why;
+  const Volume volume = ball_volume();
+  PatchFeed feed({});
+  feed.build_all(volume);
+  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  Scene3d scene;
+  scene.background_middle = scene.background_edge = Colour{0, 0, 1};
+  scene.camera = Camera::about({0, 0, 0}, 2.0);
+  const auto colours_between = [&](Multisampling multisampling) {
+    const auto onto = Framebuffer::create({120, 120}, multisampling, &why);
+    if (!onto) return -1;
+    picture->draw(scene, 120, 120);
+    std::vector<std::uint8_t> rgba(4 * 120 * 120);
+    onto->read(PixelOrder::rgba, rgba);
+    int between = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) between += rgba[i] > 8 && rgba[i] < 90 && rgba[i + 2] > 150 ? 1 : 0;
+    return between;
+  };
+  EXPECT_LT(colours_between(Multisampling::off), 5);
+  EXPECT_GT(colours_between(Multisampling::four), 40);
+}
+
+TEST_F(Drawn, a_framebuffer_reads_the_same_picture_in_both_orders) {
+  const auto context = EglContext::create(16, 16);
+  ASSERT_TRUE(context);
+  const auto picture = ToothPicture::create();
+  const auto onto = Framebuffer::create({30, 20}, Multisampling::off);
+  ASSERT_TRUE(picture && onto);
+  Scene3d scene;
+  picture->draw(scene, 30, 20);
+  std::vector<std::uint8_t> rgba(4 * 30 * 20), bgra(rgba.size());
+  onto->read(PixelOrder::rgba, rgba);
+  onto->read(PixelOrder::bgra, bgra);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    ASSERT_EQ(rgba[i], bgra[i + 2]);
+    ASSERT_EQ(rgba[i + 1], bgra[i + 1]);
+    ASSERT_EQ(rgba[i + 2], bgra[i]);
+  }
+}
+
 TEST_F(Drawn, the_mirrored_picture_is_the_picture_turned_left_to_right_in_its_outline) {
   // Background and light go with the eye, so only what is tooth and what is not can be compared.
   std::string why;

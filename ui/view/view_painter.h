@@ -1,0 +1,76 @@
+/// Draws a ToothPicture into images on a thread of its own. The window stays a raster one: nothing is composed with OpenGL,
+/// which in software costs more than the tooth. One frame at a time. Thread: GUI, but for what Drawn says.
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "ui/render/patch_feed.h"
+#include "ui/render/tooth_picture.h"
+
+class QOffscreenSurface;
+class QOpenGLContext;
+class QThread;
+
+namespace cusp::ui {
+
+/// What a frame shows. What is nullopt stays as it was in the frame before.
+struct FrameOrder {
+  Scene3d scene;
+  QSize size_px;
+  int mesh = 0;                               // number of the mesh; another one than before begins empty
+  std::vector<BakedPatch> patches;            // to put first
+  std::shared_ptr<PatchFeed> feed;            // then what waits there, a bounded number of bytes; may be null
+  std::optional<std::shared_ptr<const SceneryLook>> scenery;
+  std::optional<std::vector<OverlayLine>> lines;
+  std::optional<SectionImage> section;
+  QImage spare;                               // reused where its size fits
+};
+
+struct FinishedFrame {
+  QImage image;  // null: drawing failed
+  QString why;   // then the OpenGL call that failed
+  int mesh = 0;
+  std::vector<BakedPatch> fed;  // taken from the feed
+  TickTimes changes;            // that this frame shows first
+  bool more = false;            // further patches wait in the feed
+  double draw_ms = 0;           // uploading, drawing and reading back
+};
+
+class ViewPainter {
+ public:
+  using Drawn = std::function<void(FinishedFrame frame)>;  // on the painter's thread
+
+  /// nullptr where the platform has no OpenGL.
+  static std::unique_ptr<ViewPainter> create(Drawn drawn);
+  /// Waits for the frame in work.
+  ~ViewPainter();
+  ViewPainter(const ViewPainter&) = delete;
+  ViewPainter& operator=(const ViewPainter&) = delete;
+
+  /// Pre: every order before has been answered.
+  void draw(FrameOrder order);
+
+ private:
+  class Canvas;
+  explicit ViewPainter(Drawn drawn);
+  void run();
+  std::optional<FrameOrder> next_order();
+
+  Drawn drawn_;
+  std::unique_ptr<QOffscreenSurface> surface_;
+  std::unique_ptr<QOpenGLContext> context_;
+  std::unique_ptr<QThread> thread_;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable wake_;
+  std::optional<FrameOrder> order_;
+  bool over_ = false;
+};
+
+}  // namespace cusp::ui
