@@ -30,13 +30,17 @@ struct PictureRequest {
   Box look_at;
   PresetView view = PresetView::working;
   std::vector<Vec3> places_mm;  // whose position in the picture is wanted
+  std::vector<Vec3> closeups_mm;  // a picture of its own each, from a side where nothing hides the place
+  int closeup_px = 360;           // side of a close-up, which shows kCloseupMm from its middle to its edge
 };
+inline constexpr double kCloseupMm = 3.0;
 
 /// Pixels, top row first, 4 bytes each (R, G, B, A).
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
   std::vector<std::optional<glm::dvec2>> places_px{};  // of places_mm; none: hidden, or outside the picture
+  std::vector<Picture> closeups{};                       // of closeups_mm; each has one place
 };
 
 Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request);

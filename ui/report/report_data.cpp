@@ -21,6 +21,17 @@ struct ReportText {
 
 constexpr double kCrownMm = 4.0;  // below the specimen's top: the part of a molar that is drilled
 
+QImage image_of(const Picture& picture) {
+  const QImage view(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBX8888);
+  return view.convertToFormat(QImage::Format_RGB32);
+}
+
+std::vector<std::optional<QPointF>> places_of(const Picture& picture) {
+  std::vector<std::optional<QPointF>> out;
+  for (const auto& at : picture.places_px) out.push_back(at ? std::optional(QPointF(at->x, at->y)) : std::nullopt);
+  return out;
+}
+
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC).toLocalTime(); }
 
 }  // namespace
@@ -143,11 +154,11 @@ QStringList burs_used_text(const ReportData& data) {
   return lines;
 }
 
-DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std::vector<Vec3>& places_mm) {
+DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order) {
   if (!result.volume) return fail(PictureError::drawing, "volume", "no volume");
   const TargetLook look(result.scenario.target, result.scenario.leeway);
   PictureRequest request;
-  request.width_px = request.height_px = side_px;
+  request.width_px = request.height_px = order.side_px;
   request.colouring = Colouring::deviation;
   request.deviation = look.deviation();
   request.leeway_mm = result.scenario.leeway.side_mm;
@@ -157,12 +168,12 @@ DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std
   const Vec3 top = grid.centre_mm(grid.size);
   request.look_at = {{grid.origin_mm.x, grid.origin_mm.y, top.z - kCrownMm}, top};
   request.scenery = scenery_of(result.scenario.specimen);
-  request.places_mm = places_mm;
+  request.places_mm = order.places_mm;
+  request.closeups_mm = order.closeups_mm;
   const auto picture = draw_tooth(*result.volume, request);
   if (!picture) return std::unexpected(picture.error());
-  const QImage view(picture->rgba.data(), picture->width, picture->height, picture->width * 4, QImage::Format_RGBX8888);
-  ToothDrawing out{view.convertToFormat(QImage::Format_RGB32), {}};
-  for (const auto& at : picture->places_px) out.places_px.push_back(at ? std::optional(QPointF(at->x, at->y)) : std::nullopt);
+  ToothDrawing out{image_of(*picture), places_of(*picture), {}};
+  for (const Picture& closeup : picture->closeups) out.closeups.push_back({image_of(closeup), places_of(closeup).front()});
   return out;
 }
 

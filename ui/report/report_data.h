@@ -58,14 +58,25 @@ QString circumstances_text(const ReportData& data);
 /// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; empty without records.
 QStringList burs_used_text(const ReportData& data);
 
+/// A place on the tooth seen close by.
+struct CloseUp {
+  QImage image;
+  std::optional<QPointF> at_px;  // of the place; nullopt: no side shows it
+};
 /// The tooth coloured by deviation, with the pixel of each asked place; nullopt if the tooth hides it.
 struct ToothDrawing {
   QImage image;
   std::vector<std::optional<QPointF>> places_px;
+  std::vector<CloseUp> closeups;
 };
 using DrawnTooth = Result<ToothDrawing, PictureFailure>;
+struct DrawingOrder {
+  int side_px = 1200;
+  std::vector<Vec3> places_mm{};    // marked on the picture
+  std::vector<Vec3> closeups_mm{};  // each also in a picture of its own
+};
 /// Draws without a window, in about one second; the first of a jaw takes longer.
-DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std::vector<Vec3>& places_mm = {});
+DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order);
 /// "The tooth could not be drawn: OpenGL 3.3 did not start (eglMakeCurrent 0x3002)."
 QString picture_failure_text(const PictureFailure& failure);
 

@@ -324,7 +324,7 @@ QWidget* ReportPage::make_against() {
 }
 
 const DrawnTooth& ReportPage::drawing() {
-  if (!drawing_ || !*drawing_) drawing_ = draw_report_tooth(data_.result, kPictureSide, places_on_paper(data_));
+  if (!drawing_ || !*drawing_) drawing_ = draw_report_tooth(data_.result, order_for_paper(data_, kPictureSide));
   return *drawing_;
 }
 
@@ -356,7 +356,7 @@ void ReportPage::print() {
     QPainter painter(printer);
     const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
     const DrawnTooth& tooth = drawing();
-    paint_report(painter, page, printer->resolution() / 84.0, data_, tooth);
+    paint_report(painter, page, printer->resolution() / 84.0, data_, tooth, [printer] { printer->newPage(); });
     if (!tooth) {
       band_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
                           picture_failure_text(tooth.error()));

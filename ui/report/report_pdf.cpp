@@ -11,6 +11,8 @@
 #include <numbers>
 
 #include "ui/report/criteria_model.h"
+#include "ui/report/paper.h"
+#include "ui/report/paper_closeups.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -26,64 +28,12 @@ struct PdfText {
 
 // Pixels of the screen at 100 %; `unit` of the paper to each.
 constexpr double kToothHigh = 250, kToothRatio = 1.35;  // of the picture, and how much wider than high it is
-constexpr double kRing = 8;                             // radius of a number on the picture
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
 constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time" that fit one page
 
-struct Type {
-  double size;  // px at 100 %
-  Weight weight;
-  QColor ink;
-};
-/// Left edge and width, in units of the painter.
-struct Column {
-  double x, width;
-};
-/// Whether the next paragraph stands below this one or beside it.
-enum class Then { advance, stay };
-
-/// Writes paragraphs from the top of the page to its foot.
-class Paper {
- public:
-  Paper(QPainter& painter, const QRectF& page, double unit) : p_(painter), page_(page), u_(unit), y_(page.top()) {}
-
-  double u(double px_at_100) const { return px_at_100 * u_; }
-  double y() const { return y_; }
-  void skip(double px_at_100) { y_ += u(px_at_100); }
-  QPainter& painter() { return p_; }
-  const QRectF& page() const { return page_; }
-
-  QFont font(double size, Weight weight = Weight::regular) const {
-    QFont f = font_of(TextRole::body, weight);
-    f.setPixelSize(std::max(1, static_cast<int>(std::lround(size * u_))));
-    return f;
-  }
-  /// Writes one paragraph into a column, from y() on; returns its height.
-  double write(const QString& text, const Column& column, const Type& type, Qt::Alignment align = Qt::AlignLeading,
-               Then then = Then::advance) {
-    p_.setFont(font(type.size, type.weight));
-    p_.setPen(type.ink);
-    const QRectF area(column.x, y_, column.width, page_.bottom() - y_);
-    const int flags = static_cast<int>(align | Qt::AlignTop) | Qt::TextWordWrap;
-    const QRectF used = p_.boundingRect(area, flags, text);
-    p_.drawText(area, flags, text);
-    if (then == Then::advance) y_ += used.height();
-    return used.height();
-  }
-  void rule(const QColor& ink) {
-    p_.fillRect(QRectF(page_.left(), y_, page_.width(), std::max(1.0, u(0.7))), ink);
-  }
-
- private:
-  QPainter& p_;
-  QRectF page_;
-  double u_;
-  double y_;
-};
-
 void write_head(Paper& paper, const ReportData& d, const Tokens& t) {
   const double x = paper.page().left(), w = paper.page().width();
-  paper.write(u"Cusp"_qs, {x, w}, {12, Weight::bold, t.accent}, Qt::AlignTrailing, Then::stay);
+  paper.write(u"Cusp"_qs, {x, w}, {12, Weight::bold, t.accent}, Qt::AlignTrailing, Paper::Then::stay);
   paper.write(d.title, {x, w * 0.8}, {22, Weight::bold, t.text});
   paper.skip(2);
   QString line = occasion_text(d);
@@ -100,7 +50,7 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   const QString score = format_points(g.score);
   paper.painter().setFont(paper.font(40, Weight::bold));
   const double width = paper.painter().fontMetrics().horizontalAdvance(score);
-  paper.write(score, {x, w}, {40, Weight::bold, t.text}, Qt::AlignLeft, Then::stay);
+  paper.write(score, {x, w}, {40, Weight::bold, t.text}, Qt::AlignLeft, Paper::Then::stay);
   const double right = x + width + paper.u(14);
   paper.skip(8);
   paper.write((g.passed ? PdfText::tr("Passed") : PdfText::tr("Not passed")) + u" · "_qs +
@@ -115,18 +65,6 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
     if (const QString how = critical_circumstances(d, event); !how.isEmpty()) paper.write(how + u'.', {x, w}, {11, Weight::regular, t.text2});
     paper.skip(4);
   }
-}
-
-/// A number in a ring: on the picture, and before its sentence.
-void draw_number(Paper& paper, QPointF middle, int number, const Tokens& t) {
-  QPainter& p = paper.painter();
-  const double r = paper.u(kRing);
-  p.setPen(QPen(t.text, paper.u(1)));
-  p.setBrush(t.surface);
-  p.drawEllipse(middle, r, r);
-  p.setFont(paper.font(9, Weight::bold));
-  p.setPen(t.text);
-  p.drawText(QRectF(middle.x() - r, middle.y() - r, 2 * r, 2 * r), Qt::AlignCenter, QLocale().toString(number));
 }
 
 /// One entry of "Next time" on paper, with its number on the picture; 0 if the picture does not show its place.
@@ -180,7 +118,7 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
     p.drawLine(at, beside);
     p.setBrush(t.text);
     p.drawEllipse(at, paper.u(1.6), paper.u(1.6));
-    draw_number(paper, beside, mark.number, t);
+    paper.number(beside, mark.number);
   }
   p.restore();
 }
@@ -233,7 +171,7 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
   paper.write(PdfText::tr("Next time"), {x, w}, {13, Weight::bold, t.text});
   paper.skip(4);
   for (const auto& [advice, at, number] : shown) {
-    if (number > 0) draw_number(paper, {x + paper.u(kRing), paper.y() + paper.u(8)}, number, t);
+    if (number > 0) paper.number({x + paper.u(kNumberRing), paper.y() + paper.u(8)}, number);
     paper.write(advice.head, {x + indent, w - indent}, {11, Weight::bold, advice.grave ? t.bad : t.text});
     paper.write((advice.why + u' ' + advice.what_to_do).trimmed(), {x + indent, w - indent}, {11, Weight::regular, t.text});
     paper.skip(4);
@@ -283,11 +221,11 @@ QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<Q
     const double a = degrees * std::numbers::pi / 180;
     return at + QPointF(std::cos(a), std::sin(a)) * far * unit;
   };
-  for (const double far : {kBeside, kBeside + 2 * kRing + 2}) {
+  for (const double far : {kBeside, kBeside + 2 * kNumberRing + 2}) {
     for (const double turn : {0, 60, -60, 120, -120, 180}) {
       const QPointF here = spot(first + turn, far);
       const auto clear_of = [&](QPointF other) {
-        return std::hypot(here.x() - other.x(), here.y() - other.y()) >= (2 * kRing + 1) * unit;
+        return std::hypot(here.x() - other.x(), here.y() - other.y()) >= (2 * kNumberRing + 1) * unit;
       };
       if (std::ranges::all_of(taken, clear_of)) return here;
     }
@@ -295,17 +233,20 @@ QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<Q
   return spot(first, kBeside);
 }
 
-std::vector<Vec3> places_on_paper(const ReportData& data) {
-  std::vector<Vec3> out;
+DrawingOrder order_for_paper(const ReportData& data, int side_px) {
+  DrawingOrder out{.side_px = side_px};
   std::size_t shown = 0;
   for (const Advice& advice : next_time(data)) {
-    if (shown++ == kAdviceShown) break;
-    if (advice.place_mm) out.push_back(*advice.place_mm);
+    const bool marked = shown++ < kAdviceShown;
+    if (!advice.place_mm) continue;
+    if (marked) out.places_mm.push_back(*advice.place_mm);
+    if (out.closeups_mm.size() < kCloseupsShown) out.closeups_mm.push_back(*advice.place_mm);
   }
   return out;
 }
 
-void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth) {
+void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth,
+                  const std::function<void()>& new_page) {
   const Tokens& t = Tokens::light();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -325,6 +266,11 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
   if (data.result.changes) foot = changes_text(*data.result.changes) + u'\n' + foot;
   painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, foot);
+  if (!tooth || tooth->closeups.empty()) return;
+  new_page();
+  Paper second(painter, page, unit);
+  write_head(second, data, t);
+  write_closeups(second, data, tooth->closeups);
 }
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
@@ -341,7 +287,7 @@ Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, con
     QPainter painter;
     if (!painter.begin(&writer)) return fail(PdfError::cannot_write, file.string());
     // 84 screen pixels an inch, not 96: the text fills the width of the page.
-    paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), 300.0 / 84.0, data, tooth);
+    paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), 300.0 / 84.0, data, tooth, [&writer] { writer.newPage(); });
     if (!painter.end()) return fail(PdfError::cannot_write, file.string());
   }
   // QPdfWriter reports no full disk; a whole PDF ends in %%EOF.

@@ -1,9 +1,11 @@
-/// The report on paper: one A4 page, always in the light colours. Needs a QGuiApplication; without a display its
+/// The report on paper, always in the light colours: one A4 page, and a second one with a picture of each place where points
+/// were lost. Needs a QGuiApplication; without a display its
 /// platform is "offscreen" ("minimal" has no fonts).
 #pragma once
 
 #include <QRectF>
 #include <filesystem>
+#include <functional>
 
 #include "engine/base/result.h"
 #include "ui/report/report_data.h"
@@ -19,14 +21,16 @@ using PdfFailure = Failure<PdfError>;
 /// whose middles are `taken`. `middle`: of the picture; `unit`: of the paper to a pixel of the screen at 100 %.
 QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<QPointF>& taken);
 
-/// Places marked on the paper's tooth: those of the first entries of next_time(), in the same order.
-std::vector<Vec3> places_on_paper(const ReportData& data);
+/// Places marked on the paper's tooth, those of the first entries of next_time(), and a close-up of each entry's place; both in
+/// the order of next_time().
+DrawingOrder order_for_paper(const ReportData& data, int side_px);
 
-/// `tooth` is of places_on_paper(). If it failed, its place on the page gives the cause. Written beside the name and renamed, so that no half file is left.
+/// `tooth` is of order_for_paper(). If it failed, its place on the page gives the cause. Written beside the name and renamed, so that no half file is left.
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
                                           const DrawnTooth& tooth);
 
-/// Onto any paper: `page` in the painter's units, `unit` of them to a pixel of the screen.
-void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth);
+/// Onto any paper: `page` in the painter's units, `unit` of them to a pixel of the screen. `new_page` begins another sheet.
+void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth,
+                  const std::function<void()>& new_page);
 
 }  // namespace cusp::ui

@@ -191,6 +191,23 @@ TEST_F(Drawn, a_framebuffer_reads_the_same_picture_in_both_orders) {
   }
 }
 
+TEST_F(Drawn, a_close_up_has_its_place_in_the_middle_where_nothing_hides_it) {
+  PictureRequest request = small();
+  request.closeup_px = 120;
+  request.closeups_mm = {{0, 0, kBallMm}, {0, 0, -kBallMm}, {kBallMm, 0, 0}};
+  const auto picture = draw_tooth(ball_volume(), request);
+  ASSERT_TRUE(picture);
+  ASSERT_EQ(picture->closeups.size(), 3u);
+  for (std::size_t i : {0u, 2u}) {
+    const Picture& closeup = picture->closeups[i];
+    ASSERT_TRUE(closeup.places_px.front()) << i;
+    EXPECT_NEAR(closeup.places_px.front()->x, 60, 1);
+    EXPECT_NEAR(closeup.places_px.front()->y, 60, 1);
+    EXPECT_GT(at(closeup, 60, 60).r, at(closeup, 60, 60).b);  // enamel
+  }
+  EXPECT_FALSE(picture->closeups[1].places_px.front()) << "no view from above the horizon shows the underside";
+}
+
 TEST_F(Drawn, the_mirrored_picture_is_the_picture_turned_left_to_right_in_its_outline) {
   // Background and light go with the eye, so only what is tooth and what is not can be compared.
   std::string why;

@@ -9,7 +9,7 @@
 #include "tests/modules.h"
 #include "ui/view/tooth_view.h"
 #include "ui/report/pinned_tooth.h"
-#include "ui/report/place_view.h"
+#include "ui/render/place_view.h"
 
 namespace cusp::test {
 namespace {

@@ -348,13 +348,45 @@ TEST(ReportPdf, holds_the_picture_of_the_tooth) {
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
   ReportData data = whole_block();
   ASSERT_TRUE(data.result.volume);
-  const DrawnTooth tooth = draw_report_tooth(data.result, 300, places_on_paper(data));
+  const DrawnTooth tooth = draw_report_tooth(data.result, order_for_paper(data, 300));
   ASSERT_TRUE(tooth) << tooth.error().detail;
   // More than its background: the middle is tooth, the corner is not.
   EXPECT_NE(tooth->image.pixel(150, 150), tooth->image.pixel(2, 2));
   ASSERT_TRUE(write_report_pdf(file, data, tooth));
   EXPECT_GE(images_in(file).size(), 1) << "no image in the PDF";
   EXPECT_EQ(text_in(file).find("could not be drawn"), std::string::npos);
+}
+
+TEST(ReportPdf, has_a_second_page_with_a_picture_of_each_lost_place) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  const ReportData data = whole_block();
+  ASSERT_TRUE(data.result.volume);
+  const DrawingOrder order = order_for_paper(data, 300);
+  ASSERT_FALSE(order.closeups_mm.empty()) << "the sample lost no points at a place";
+  const DrawnTooth tooth = draw_report_tooth(data.result, order);
+  ASSERT_TRUE(tooth) << tooth.error().detail;
+  ASSERT_EQ(tooth->closeups.size(), order.closeups_mm.size());
+  ASSERT_TRUE(write_report_pdf(file, data, tooth));
+  EXPECT_EQ(images_in(file).filter(QStringLiteral(" image ")).size(), 1 + static_cast<qsizetype>(order.closeups_mm.size()));
+  const std::string text = text_in(file);
+  const auto second = text.find("Where points were lost");
+  ASSERT_NE(second, std::string::npos) << text;
+  const Advice first = [&] {
+    for (const Advice& advice : next_time(data))
+      if (advice.place_mm) return advice;
+    return Advice{};
+  }();
+  EXPECT_NE(text.find(first.head.toStdString(), second), std::string::npos) << text.substr(second);
+}
+
+TEST(ReportPdf, has_one_page_if_no_place_lost_points) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = whole_block();
+  for (CriterionGrade& c : data.result.grade.criteria) c.measure.where_mm.reset();
+  ASSERT_TRUE(write_report_pdf(file, data, draw_report_tooth(data.result, order_for_paper(data, 300))));
+  EXPECT_EQ(text_in(file).find("Where points were lost"), std::string::npos);
 }
 
 TEST(ReportPdf, gives_the_cause_of_a_missing_picture) {

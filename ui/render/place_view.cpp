@@ -1,4 +1,4 @@
-#include "ui/report/place_view.h"
+#include "ui/render/place_view.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,58 @@
+#include "ui/report/paper_closeups.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <algorithm>
+
+namespace cusp::ui {
+namespace {
+
+struct CloseupsText {
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
+};
+
+// Pixels of the screen at 100 %.
+constexpr int kAcross = 3;
+constexpr double kGap = 14;
+constexpr double kTextHigh = 62;  // of head and reason below a picture
+constexpr double kPlaceRing = 9;  // about the place
+
+void draw_closeup(Paper& paper, const QRectF& where, const CloseUp& closeup) {
+  QPainter& p = paper.painter();
+  const Tokens& t = Tokens::light();
+  p.drawImage(where, closeup.image);
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(t.line, paper.u(0.7)));
+  p.drawRect(where);
+  if (!closeup.at_px) return;
+  const QPointF at = where.topLeft() + *closeup.at_px * (where.width() / closeup.image.width());
+  p.setPen(QPen(ToothColours::get().casing, paper.u(3.5)));
+  p.drawEllipse(at, paper.u(kPlaceRing), paper.u(kPlaceRing));
+  p.setPen(QPen(ToothColours::get().map[2], paper.u(1.5)));
+  p.drawEllipse(at, paper.u(kPlaceRing), paper.u(kPlaceRing));
+}
+
+}  // namespace
+
+void write_closeups(Paper& paper, const ReportData& data, const std::vector<CloseUp>& closeups) {
+  const Tokens& t = Tokens::light();
+  const QRectF page = paper.page();
+  paper.write(CloseupsText::tr("Where points were lost"), {page.left(), page.width()}, {13, Weight::bold, t.text});
+  paper.skip(8);
+  const double top = paper.y(), gap = paper.u(kGap);
+  const double side = std::min((page.width() - (kAcross - 1) * gap) / kAcross,
+                               (page.bottom() - top - kAcross * (paper.u(kTextHigh) + gap)) / kAcross);
+  std::size_t i = 0;
+  for (const Advice& advice : next_time(data)) {
+    if (!advice.place_mm) continue;
+    if (i == closeups.size()) break;
+    const double x = page.left() + static_cast<double>(i % kAcross) * (page.width() - side) / (kAcross - 1);
+    const double y = top + static_cast<double>(i / kAcross) * (side + paper.u(kTextHigh) + gap);
+    draw_closeup(paper, QRectF(x, y, side, side), closeups[i++]);
+    Paper below(paper.painter(), QRectF(x, y + side + paper.u(4), side, paper.u(kTextHigh)), paper.u(1));
+    below.write(advice.head, {x, side}, {10.5, Weight::bold, advice.grave ? t.bad : t.text});
+    below.write(advice.why, {x, side}, {9.5, Weight::regular, t.text2});
+  }
+}
+
+}  // namespace cusp::ui
