@@ -76,6 +76,7 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
                       {{tr("Space")}, tr("cut while held")},
                       {{u"H"_qs}, tr("hold the depth, let it go (mouse)")},
                       {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
+                      {{u"I"_qs, u"J"_qs, u"K"_qs, u"L"_qs}, tr("move the mirror; with Shift: tilt it; U, O: nearer, away")},
                       {{u"["_qs, u"]"_qs}, tr("previous bur, next bur")},
                       {{u"P"_qs}, tr("pause and resume")},
                       {{u"W"_qs}, tr("coolant on and off, where the exercise has it")},

@@ -1,6 +1,5 @@
 #include "ui/device/space_mouse_turner.h"
 
-#include <QMetaMethod>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,6 +15,7 @@ constexpr int kIdleMs = 100;           // while it is not there, or nobody sees 
 constexpr double kLongestS = 0.1;      // after a stall the view continues, it does not leap
 constexpr double kTurnRadS = std::numbers::pi / 2;
 constexpr double kMoveShareS = 0.5;    // of the view's shorter side
+constexpr double kMoveMmS = 20.0;      // of the mirror
 constexpr double kSidePx = 1000.0;     // moves are shares: any length will do
 constexpr std::uint32_t kLeft = 1, kRight = 2;
 
@@ -29,6 +29,12 @@ Camera led(const Camera& camera, const hid::SpaceMouseMotion& motion, double spe
   out.pan(kMoveShareS * kSidePx * s * glm::dvec2(motion.move[0], -motion.move[1]), kSidePx);
   if (motion.move[2] != 0.0) out.zoom(std::exp(motion.move[2] * s));
   return out;
+}
+
+MouthMirror led(const MouthMirror& mirror, const Camera& camera, const hid::SpaceMouseMotion& motion, double speed, double dt_s) {
+  const double s = speed * dt_s;
+  const MouthMirror there = moved(mirror, camera, kMoveMmS * s * Vec3(motion.move[0], motion.move[1], -motion.move[2]));
+  return turned(there, camera, kTurnRadS * s * glm::dvec2(motion.turn[1], motion.turn[0]));
 }
 
 SpaceMouseTurner::SpaceMouseTurner(ToothView& view, hid::SpaceMouseReader& reader)
@@ -53,21 +59,13 @@ void SpaceMouseTurner::look() {
   before_ = now;
   const std::uint32_t pressed = latest.motion.buttons & ~buttons_;
   buttons_ = latest.motion.buttons;
-  if ((pressed & kRight) != 0) {
-    if (isSignalConnected(QMetaMethod::fromSignal(&SpaceMouseTurner::mirror_asked))) {
-      Q_EMIT mirror_asked();
-    } else {
-      Camera camera = view_.camera();
-      camera.set_mirrored(!camera.mirrored());
-      view_.set_camera(camera);
-    }
-  }
-  if ((pressed & kLeft) != 0 && first_) {
-    Camera back = *first_;
-    back.set_mirrored(view_.camera().mirrored());
-    view_.set_camera(back);
-  }
+  if ((pressed & kRight) != 0) Q_EMIT mirror_asked();
+  if ((pressed & kLeft) != 0 && first_) view_.set_camera(*first_);
   if (latest.motion.still()) return;
+  if (const auto& mirror = view_.scene().mirror) {
+    view_.set_mirror(led(*mirror, view_.camera(), latest.motion, reader_.settings().speed, dt_s));
+    return;
+  }
   if (!first_) first_ = view_.camera();
   view_.set_camera(led(view_.camera(), latest.motion, reader_.settings().speed, dt_s));
 }

@@ -1,5 +1,6 @@
-/// The SpaceMouse turns, moves and zooms a view of the tooth, as the right mouse button and the wheel do. Its left button
-/// brings back the view that it began from, its right one puts in the dental mirror or takes it out. Thread: GUI.
+/// The SpaceMouse turns, moves and zooms a view of the tooth, as the right mouse button and the wheel do; while the mouth mirror
+/// is in, it leads the mirror. Its left button brings back the view that it began from, its right one puts the mirror in or takes
+/// it out. Thread: GUI.
 #pragma once
 
 #include <QObject>
@@ -9,6 +10,7 @@
 #include "device/hid/space_mouse_reader.h"
 #include "ui/modules.h"
 #include "ui/render/camera.h"
+#include "ui/render/mouth_mirror.h"
 
 namespace cusp::ui {
 
@@ -17,6 +19,8 @@ class ToothView;
 /// The camera after dt_s of this motion. A full deflection turns by 90 degrees a second, moves by half the view and
 /// comes nearer by a factor of e, times `speed`. Pure.
 Camera led(const Camera& camera, const hid::SpaceMouseMotion& motion, double speed, double dt_s);
+/// The mirror after dt_s: the hand leads it as the camera shows it, by up to 20 mm and 90 degrees a second, times `speed`. Pure.
+MouthMirror led(const MouthMirror& mirror, const Camera& camera, const hid::SpaceMouseMotion& motion, double speed, double dt_s);
 
 class SpaceMouseTurner : public QObject {
   Q_OBJECT
@@ -26,7 +30,7 @@ class SpaceMouseTurner : public QObject {
   SpaceMouseTurner(ToothView& view, hid::SpaceMouseReader& reader);
 
  Q_SIGNALS:
-  /// The right button; where nobody is connected the camera's own mirror is switched.
+  /// The right button.
   void mirror_asked();
 
  private:

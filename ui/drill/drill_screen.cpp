@@ -268,7 +268,7 @@ void DrillScreen::keyPressEvent(QKeyEvent* event) {
     using KeyPress = PointerInput::KeyPress;
     if (in.input->press_key(event->key(), event->isAutoRepeat() ? KeyPress::repeated : KeyPress::first)) return;
   }
-  if (event->modifiers() == Qt::NoModifier && in.stage->press_tool(event->key())) return;
+  if (!(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && in.stage->press_key(event->key(), event->modifiers())) return;
   QWidget::keyPressEvent(event);
 }
 

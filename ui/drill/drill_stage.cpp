@@ -13,6 +13,7 @@
 
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
+#include "ui/drill/mirror_hold.h"
 #include "ui/session/bur_depth.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
@@ -48,6 +49,7 @@ QFrame* make_card(QWidget* parent) {
 DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   setMinimumSize(px(480), px(320));
   view_ = new ToothView(this);
+  mirror_hold_ = new MirrorHold(*view_);
   make_tools();
   make_gauges();
   make_coach();
@@ -74,6 +76,7 @@ void DrillStage::make_tools() {
   cutaway_ = tool(tools_, tr("Cutaway"), QStringLiteral("cutaway"), 3);
   above_ = tool(tools_, tr("From above"), QStringLiteral("eye"), 4);
   target_ = tool(tools_, tr("Target"), QStringLiteral("target"), 5);
+  mirror_->setToolTip(tr("Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away"));
   for (QPushButton* button : {mirror_, cutaway_, target_}) button->setCheckable(true);
   target_->setChecked(true);
   int number = 1;
@@ -100,12 +103,9 @@ void DrillStage::connect_tools() {
     camera.set_preset(PresetView::occlusal);
     view_->set_camera(camera);
   });
-  connect(mirror_, &QPushButton::toggled, this, [this](bool on) {
-    Camera camera = view_->camera();
-    camera.set_mirrored(on);
-    view_->set_camera(camera);
-  });
+  connect(mirror_, &QPushButton::toggled, this, &DrillStage::hold_mirror);
   connect(cutaway_, &QPushButton::toggled, this, [this](bool on) {
+    if (on) mirror_->setChecked(false);
     if (!on) view_->set_cutaway(std::nullopt);
     want_sections();
   });
@@ -280,10 +280,17 @@ void DrillStage::show_stopped(Stop stop, const Message& record, Fault fault) {
 
 void DrillStage::enable_tools(bool on) { tools_->setEnabled(on); }
 
-bool DrillStage::press_tool(int key) {
+void DrillStage::hold_mirror(bool on) {
+  if (!on) return mirror_hold_->put_away();
+  if (cutaway_->isChecked()) cutaway_->setChecked(false);  // a tooth cut open is no tooth in a mouth
+  mirror_hold_->take(view_->camera().centre_mm());
+}
+
+bool DrillStage::press_key(int key, Qt::KeyboardModifiers modifiers) {
+  if (mirror_hold_->press_key(key, modifiers)) return true;
   QPushButton* const buttons[] = {turn_, mirror_, cutaway_, above_, target_};
   const int index = key - Qt::Key_1;
-  if (index < 0 || index >= 5 || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
+  if (modifiers != Qt::NoModifier || index < 0 || index >= 5 || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
   buttons[index]->click();
   return true;
 }

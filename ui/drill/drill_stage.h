@@ -26,6 +26,7 @@ inline constexpr int kStageGap = 12;  // between what stands over the view and i
 
 class Compass;
 class Gauge;
+class MirrorHold;
 
 class DrillStage : public QWidget {
   Q_OBJECT
@@ -57,8 +58,8 @@ class DrillStage : public QWidget {
   /// While a question stands over the screen, the pause that it made is not shown besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
-  /// 1 to 5 of the tool bar; false for other keys.
-  bool press_tool(int key);
+  /// 1 to 5 of the tool bar, and the mirror's keys; false for other keys.
+  bool press_key(int key, Qt::KeyboardModifiers modifiers);
   /// Live values as one sentence, for a screen reader on request.
   QString spoken() const;
   /// A widget in the middle of the view (loading).
@@ -82,6 +83,7 @@ class DrillStage : public QWidget {
   void place_all();
   void place_coach();
   void want_sections();
+  void hold_mirror(bool on);
   double required_depth_mm() const;
   void scale_depth(double seen_mm);
   /// Band and limit of the depth gauge about the required depth.
@@ -92,6 +94,7 @@ class DrillStage : public QWidget {
   void sign_coach(CoachTone tone);
 
   ToothView* view_;
+  MirrorHold* mirror_hold_;
   QFrame *tools_, *coach_card_, *legend_;
   StopCard* stop_card_;
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;

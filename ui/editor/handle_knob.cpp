@@ -149,8 +149,7 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
       const Vec3 right = stage_.view_->camera().right();
       const bool along_x = std::abs(right.x) >= std::abs(right.y);
       const Vec3 axis = along_x ? Vec3(right.x >= 0 ? 1 : -1, 0, 0) : Vec3(0, right.y >= 0 ? 1 : -1, 0);
-      const double turn = stage_.view_->camera().mirrored() ? -1 : 1;
-      const Vec3 away(-axis.y * turn, axis.x * turn, 0);
+      const Vec3 away(-axis.y, axis.x, 0);
       to += step * (static_cast<double>(x) * axis + static_cast<double>(y) * away);
       break;
     }

@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <numbers>
 
 namespace cusp::ui {
 namespace {
 
 constexpr int kAround = 28;
 
-struct Ring {
-  float z, radius;
-  float nz, nr;  // normal
-  float cutting;
-};
-
 /// The outline's parts as rings; where two meet at an edge, both with their own normals.
-void add_head(const Profile& head, std::vector<Ring>& out) {
+void add_head(const Profile& head, std::vector<BodyRing>& out) {
   constexpr int kArc = 10;
   const auto add = [&out](OnHalf at, OnHalf normal) {
     // The end towards the neck has no blades.
@@ -44,8 +36,8 @@ void add_head(const Profile& head, std::vector<Ring>& out) {
   }
 }
 
-std::vector<Ring> profile(const Bur& bur) {
-  std::vector<Ring> out;
+std::vector<BodyRing> profile(const Bur& bur) {
+  std::vector<BodyRing> out;
   const auto r = static_cast<float>(bur.radius_mm);
   const auto neck = static_cast<float>(std::min(bur.neck_radius_mm, bur.radius_mm));
   const auto neck_end = static_cast<float>(bur.neck_length_mm);
@@ -77,21 +69,9 @@ std::vector<Ring> profile(const Bur& bur) {
 
 }  // namespace
 
-std::vector<BurVertex> bur_mesh(const Bur& bur) {
-  const std::vector<Ring> rings = profile(bur);
-  std::vector<BurVertex> out;
-  const auto at = [&](const Ring& ring, int i) {
-    const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i % kAround) / kAround;
-    const float c = std::cos(a), s = std::sin(a);
-    return BurVertex{{ring.radius * c, ring.radius * s, ring.z}, {ring.nr * c, ring.nr * s, ring.nz}, ring.cutting};
-  };
-  for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
-    for (int i = 0; i < kAround; ++i) {
-      const BurVertex a = at(rings[k], i), b = at(rings[k], i + 1), c = at(rings[k + 1], i + 1), d = at(rings[k + 1], i);
-      if (rings[k].radius > 0) out.insert(out.end(), {a, b, c});
-      out.insert(out.end(), {a, c, d});
-    }
-  }
+std::vector<BodyVertex> bur_mesh(const Bur& bur) {
+  std::vector<BodyVertex> out;
+  add_body(out, profile(bur), kAround);
   return out;
 }
 
@@ -106,31 +86,23 @@ bool BurPass::create(std::string& why) {
   glGenBuffers(1, &vertices_);
   glBindVertexArray(array_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
-  for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(BurVertex), at(offsetof(BurVertex, position_mm)));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(BurVertex), at(offsetof(BurVertex, normal)));
-  glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(BurVertex), at(offsetof(BurVertex, cutting)));
+  describe_body_vertices();
   return true;
 }
 
 void BurPass::draw(const FrameView& view, const BurPose& pose) {
   glBindVertexArray(array_);
   if (!made_ || !(*made_ == pose.bur)) {
-    const std::vector<BurVertex> mesh = bur_mesh(pose.bur);
+    const std::vector<BodyVertex> mesh = bur_mesh(pose.bur);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(BurVertex)), mesh.data(),
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(BodyVertex)), mesh.data(),
                  GL_STATIC_DRAW);
     count_ = static_cast<GLsizei>(mesh.size());
     made_ = pose.bur;
   }
-  const Vec3 z = glm::normalize(pose.axis);
-  const Vec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), z));
-  const Vec3 y = glm::cross(z, x);
   program_.use();
   program_.set("clip_from_world", view.clip_from_world);
-  program_.set("world_from_tool", glm::mat4(glm::vec4(glm::vec3(x), 0), glm::vec4(glm::vec3(y), 0),
-                                            glm::vec4(glm::vec3(z), 0), glm::vec4(glm::vec3(pose.pivot_mm), 1)));
+  program_.set("world_from_tool", world_from_body(pose.pivot_mm, pose.axis));
   program_.set("eye", view.eye);
   program_.set("key_light", view.key_light);
   program_.set("up", view.up);

@@ -6,17 +6,12 @@
 
 #include "ui/render/gl_program.h"
 #include "ui/render/tooth_picture.h"
+#include "ui/render/turned_body.h"
 
 namespace cusp::ui {
 
-struct BurVertex {
-  Vec3f position_mm;  // tool's frame: pivot at the origin, z towards the shank
-  Vec3f normal;
-  float cutting;      // 1 on the head
-};
-
-/// Triangles of a bur, counter-clockwise seen from outside; the shank's far end is open.
-std::vector<BurVertex> bur_mesh(const Bur& bur);
+/// Triangles of a bur, pivot at the origin, z towards the shank, whose far end is open.
+std::vector<BodyVertex> bur_mesh(const Bur& bur);
 
 class BurPass {
  public:

@@ -22,7 +22,7 @@ Camera Camera::about(Vec3 centre_mm, double radius_mm) {
   return out;
 }
 
-void Camera::orbit(double yaw, double pitch) noexcept { set_angles(yaw_ + (mirrored_ ? -yaw : yaw), pitch_ + pitch); }
+void Camera::orbit(double yaw, double pitch) noexcept { set_angles(yaw_ + yaw, pitch_ + pitch); }
 
 void Camera::set_angles(double yaw, double pitch) noexcept {
   yaw_ = std::remainder(yaw, 2 * std::numbers::pi);
@@ -54,15 +54,9 @@ Vec3 Camera::forward() const noexcept {
   return -Vec3(-std::sin(yaw_) * std::cos(pitch_), std::cos(yaw_) * std::cos(pitch_), std::sin(pitch_));
 }
 
-Vec3 Camera::right() const noexcept {
-  const Vec3 r(-std::cos(yaw_), -std::sin(yaw_), 0.0);
-  return mirrored_ ? -r : r;
-}
+Vec3 Camera::right() const noexcept { return {-std::cos(yaw_), -std::sin(yaw_), 0.0}; }
 
-Vec3 Camera::up() const noexcept {
-  const Vec3 r(-std::cos(yaw_), -std::sin(yaw_), 0.0);
-  return glm::cross(r, forward());
-}
+Vec3 Camera::up() const noexcept { return glm::cross(right(), forward()); }
 
 Vec3 Camera::eye_mm() const noexcept { return centre_ - distance_ * forward(); }
 
@@ -72,9 +66,7 @@ glm::dmat4 Camera::clip_from_view(double aspect, double reach_mm) const noexcept
   // A view that is wider than high keeps its height; one that is higher than wide keeps its width.
   const double fov = aspect >= 1.0 ? kFieldOfView : 2 * std::atan(std::tan(kFieldOfView / 2) / aspect);
   const double nearest = std::max(distance_ - reach_mm, 0.02 * distance_);
-  glm::dmat4 out = glm::perspective(fov, aspect, nearest, distance_ + reach_mm);
-  if (mirrored_) out = glm::scale(glm::dmat4(1.0), Vec3(-1.0, 1.0, 1.0)) * out;
-  return out;
+  return glm::perspective(fov, aspect, nearest, distance_ + reach_mm);
 }
 
 glm::dmat4 Camera::clip_from_world(double aspect, double reach_mm) const noexcept {

@@ -22,17 +22,13 @@ class Camera {
   /// Looks at `centre`, far enough that a ball of `radius_mm` about it fills the shorter side of the view.
   static Camera about(Vec3 centre_mm, double radius_mm);
 
-  /// Turns by angles; pitch stops short of the poles. With the mirror on, the same hand movement turns the picture the
-  /// way the hand goes.
+  /// Turns by angles; pitch stops short of the poles.
   void orbit(double yaw, double pitch) noexcept;
   /// Factor above 1 comes nearer. The distance stays within 0.15 and 8 times the first one.
   void zoom(double factor) noexcept;
   /// Moves the centre in the view's plane by pixels of a view whose shorter side has `shorter_px`.
   void pan(glm::dvec2 by_px, double shorter_px) noexcept;
   void set_preset(PresetView view) noexcept;
-  /// Dental mirror: the picture is turned left to right.
-  void set_mirrored(bool on) noexcept { mirrored_ = on; }
-  bool mirrored() const noexcept { return mirrored_; }
   void set_centre(Vec3 mm) noexcept { centre_ = mm; }
   void set_angles(double yaw, double pitch) noexcept;
 
@@ -49,7 +45,6 @@ class Camera {
   glm::dmat4 view_from_world() const noexcept;
   /// Depth range fits a ball of `reach_mm` about the centre.
   glm::dmat4 clip_from_view(double aspect, double reach_mm) const noexcept;
-  /// Triangles come out clockwise when mirrored.
   glm::dmat4 clip_from_world(double aspect, double reach_mm) const noexcept;
 
   /// Through a pixel (from the upper left corner) of a view of this size.
@@ -67,7 +62,6 @@ class Camera {
   double first_distance_ = 30.0;
   double yaw_ = 0.0;    // 0: the eye on the +y side (buccal), x pointing left; grows as the eye goes towards -x
   double pitch_ = 1.0;  // above the occlusal plane
-  bool mirrored_ = false;
 };
 
 }  // namespace cusp::ui

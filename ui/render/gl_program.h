@@ -47,7 +47,7 @@ struct FrameView {
   glm::mat4 clip_from_world{1.0f};
   glm::vec3 eye{0.0f};
   glm::vec3 key_light{0.0f, 0.0f, 1.0f}, fill_light{0.0f, 0.0f, 1.0f}, up{0.0f, 0.0f, 1.0f};  // unit, towards the light
-  glm::vec3 back_light{0.0f, 0.0f, -1.0f}, to_eye{0.0f, 0.0f, 1.0f};  // unit; from the view's middle
+  glm::vec3 back_light{0.0f, 0.0f, -1.0f}, right{1.0f, 0.0f, 0.0f}, to_eye{0.0f, 0.0f, 1.0f};  // unit; from the view's middle
   glm::vec3 half_way{0.0f, 0.0f, 1.0f};  // unit, between key light and the view's direction
   glm::vec4 lamp{0.0f, 0.0f, 0.0f, 1.0f};  // middle of its beam, radius (mm)
   glm::vec2 view_px{1.0f};

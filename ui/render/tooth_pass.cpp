@@ -20,9 +20,8 @@ MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, con
   program.set("over_colour", glm::vec3(kOverCut.r, kOverCut.g, kOverCut.b));
   program.set("to_eye", view.to_eye);
   program.set("back_light", view.back_light);
-  const glm::vec3 right = glm::cross(view.up, view.to_eye);
-  program.set("right", right);
-  program.set("half_way", glm::vec3(glm::dot(view.half_way, right), glm::dot(view.half_way, view.up), glm::dot(view.half_way, view.to_eye)));
+  program.set("right", view.right);
+  program.set("half_way", glm::vec3(glm::dot(view.half_way, view.right), glm::dot(view.half_way, view.up), glm::dot(view.half_way, view.to_eye)));
   std::array<glm::vec3, 5> map;
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = linear(kDifference[i]);
   program.set_array("map_colour", map.data(), static_cast<int>(map.size()));

@@ -7,6 +7,7 @@
 #include "ui/render/bur_pass.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/mesh_buffers.h"
+#include "ui/render/mirror_pass.h"
 #include "ui/render/overlay_pass.h"
 #include "ui/render/tooth_pass.h"
 
@@ -90,6 +91,7 @@ FrameView view_of(const Scene3d& scene, const Box& scenery, int width_px, int he
   view.key_light = towards(-0.45, 0.55, 0.70);
   view.fill_light = towards(0.85, 0.30, 0.42);
   view.back_light = towards(0.25, 0.80, -0.50);
+  view.right = glm::vec3(camera.right());
   view.to_eye = glm::vec3(back);
   view.half_way = glm::normalize(view.key_light + glm::vec3(back));
   // Half the picture's shorter side, at the distance of its middle.
@@ -108,7 +110,11 @@ struct ToothPicture::Inner {
   ToothPass tooth;
   OverlayPass overlay;
   BurPass bur;
+  MirrorPass mirror;
   FlatPasses flat;
+
+  DrawStats draw_solids(const FrameView& view, const Scene3d& scene, glm::vec4 clip);
+  DrawStats draw_mirror(const FrameView& view, const Scene3d& scene);
 };
 
 ToothPicture::ToothPicture() = default;
@@ -122,7 +128,8 @@ std::unique_ptr<ToothPicture> ToothPicture::create(std::string* why) {
     std::unique_ptr<ToothPicture> out(new ToothPicture);
     out->inner_ = std::make_unique<Inner>();
     Inner& in = *out->inner_;
-    if (in.tooth.create(reason) && in.overlay.create(reason) && in.bur.create(reason) && in.flat.create(reason))
+    if (in.tooth.create(reason) && in.overlay.create(reason) && in.bur.create(reason) && in.mirror.create(reason) &&
+        in.flat.create(reason))
       return out;
   }
   if (why != nullptr) *why = reason;
@@ -141,9 +148,34 @@ void ToothPicture::set_scenery(const SceneryLook* scenery) {
 void ToothPicture::set_lines(const std::vector<OverlayLine>& lines) { inner_->overlay.set(lines); }
 void ToothPicture::set_section(const SectionImage& image) { inner_->flat.set_section(image); }
 
+DrawStats ToothPicture::Inner::draw_solids(const FrameView& view, const Scene3d& scene, glm::vec4 clip) {
+  const bool clipped = clip != glm::vec4(0.0f);
+  if (clipped) glEnable(GL_CLIP_DISTANCE0);
+  const MeshBuffers::Drawn specimen = tooth.draw(mesh, view, scene, clip);
+  const MeshBuffers::Drawn about = tooth.draw(scenery, view, scene, clip);  // last: much of it lies behind
+  if (clipped) glDisable(GL_CLIP_DISTANCE0);
+  return {specimen.triangles + about.triangles, specimen.bricks + about.bricks};
+}
+
+DrawStats ToothPicture::Inner::draw_mirror(const FrameView& view, const Scene3d& scene) {
+  const MouthMirror& held = *scene.mirror;
+  DrawStats out;
+  if (shows_glass(held, Vec3(view.eye))) {
+    mirror.begin_glass(view, held);
+    const FrameView behind = reflected(view, held);
+    glFrontFace(GL_CW);
+    out = draw_solids(behind, scene, before_glass(held));
+    if (scene.bur) bur.draw(behind, *scene.bur);
+    if (scene.show_target) overlay.draw(behind);
+    glFrontFace(GL_CCW);
+    mirror.end_glass(view, held);
+  }
+  mirror.draw_mount(view, held);
+  return out;
+}
+
 DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) {
   Inner& in = *inner_;
-  const Camera& camera = scene.camera;
   const FrameView view = view_of(scene, in.scenery_bounds, width_px, height_px);
   glViewport(0, 0, width_px, height_px);
   glDisable(GL_BLEND);
@@ -151,34 +183,34 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
   glDisable(GL_STENCIL_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   in.flat.background(scene);
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
-  glFrontFace(camera.mirrored() ? GL_CW : GL_CCW);
+  glFrontFace(GL_CCW);
   glm::vec4 clip(0.0f);
   if (scene.cutaway) {
     const Vec3 n = -scene.cutaway->normal();
     clip = glm::vec4(glm::vec3(n), static_cast<float>(-glm::dot(n, scene.cutaway->centre_mm)));
-    glEnable(GL_CLIP_DISTANCE0);
   }
-  MeshBuffers::Drawn drawn = in.tooth.draw(in.mesh, view, scene, clip);
-  const MeshBuffers::Drawn about = in.tooth.draw(in.scenery, view, scene, clip);  // last: much of it lies behind
-  drawn.triangles += about.triangles;
-  drawn.bricks += about.bricks;
+  DrawStats drawn = in.draw_solids(view, scene, clip);
   if (scene.cutaway) {
-    glDisable(GL_CLIP_DISTANCE0);
     in.flat.lid(view);
     glEnable(GL_CULL_FACE);
   }
   if (scene.bur) in.bur.draw(view, *scene.bur);
   if (scene.show_target && !scene.cutaway) in.overlay.draw(view);
+  if (scene.mirror && !scene.cutaway) {
+    const DrawStats mirrored = in.draw_mirror(view, scene);
+    drawn.triangles += mirrored.triangles;
+    drawn.bricks += mirrored.bricks;
+  }
   glBindVertexArray(0);
   glUseProgram(0);
-  return {drawn.triangles, drawn.bricks};
+  return drawn;
 }
 
 }  // namespace cusp::ui

@@ -12,6 +12,7 @@
 #include "ui/modules.h"
 #include "ui/render/camera.h"
 #include "ui/render/colours.h"
+#include "ui/render/mouth_mirror.h"
 #include "ui/render/overlay_line.h"
 #include "ui/render/patch_store.h"
 #include "ui/render/scenery_look.h"
@@ -39,6 +40,7 @@ struct Scene3d {
   bool show_target = true;                // tint of the uncut remainder, the lines, hatching of the over-cut
   std::optional<BurPose> bur;
   std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
+  std::optional<MouthMirror> mirror;      // reflects all of it but itself; left out of a cutaway
   float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines
 };
 

@@ -207,6 +207,12 @@ void ToothView::follow_bur(std::chrono::milliseconds pause) {
   if (moved_visibly(bur_source_())) repaint_soon();
 }
 
+void ToothView::set_mirror(const std::optional<MouthMirror>& mirror) {
+  if (mirror == scene_.mirror) return;
+  scene_.mirror = mirror;
+  repaint_soon();
+}
+
 void ToothView::set_cutaway(std::optional<SectionImage> image) {
   scene_.cutaway = image ? std::optional(image->plane) : std::nullopt;
   section_ = std::move(image);

@@ -46,6 +46,8 @@ class ToothView : public QWidget {
   /// Asks for a frame when the bur has moved and none came within `pause`, so that a bur alone never doubles the
   /// frames that the mesh asks for.
   void follow_bur(std::chrono::milliseconds pause);
+  /// The mouth mirror; nullopt: none.
+  void set_mirror(const std::optional<MouthMirror>& mirror);
   /// Takes away what lies before the image's plane and closes it with the image; nullopt: whole tooth.
   void set_cutaway(std::optional<SectionImage> image);
 

@@ -79,7 +79,7 @@ TEST(BurMesh, lies_on_the_skin_of_head_neck_and_shank_and_looks_outwards) {
                            oval_head(0.5, 0.2, 1.5, 0.3, 3.0)}) {
     const Bur bur{"x", 0.5, 0.2, 5.0, 0.8, 6.0, head.value()};
     int on_head = 0;
-    for (const BurVertex& v : bur_mesh(bur)) {
+    for (const BodyVertex& v : bur_mesh(bur)) {
       EXPECT_NEAR(glm::length(v.normal), 1.0f, 1e-5f);
       if (v.cutting < 0.5f) continue;
       const Vec3 at(v.position_mm);
