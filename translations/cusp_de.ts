@@ -13,6 +13,60 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::AssignmentForm</name>
+    <message>
+        <source>Assign an exercise</source>
+        <translation>Übung aufgeben</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Open from</source>
+        <translation>Offen ab</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Fällig</translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>beliebig viele</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Aufgeben</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::AssignmentsModel</name>
+    <message>
+        <source>any number</source>
+        <translation>beliebig viele</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Fällig</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AttemptsModel</name>
     <message>
         <source>Passed</source>
@@ -1763,6 +1817,152 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::CohortStudentsModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::CohortsModel</name>
+    <message>
+        <source>Cohort</source>
+        <translation>Kohorte</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Studierende</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::CohortsPage</name>
+    <message>
+        <source>Cohorts</source>
+        <translation>Kohorten</translation>
+    </message>
+    <message>
+        <source>Name of a new cohort</source>
+        <translation>Name einer neuen Kohorte</translation>
+    </message>
+    <message>
+        <source>New cohort</source>
+        <translation>Neue Kohorte</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Studierende</translation>
+    </message>
+    <message>
+        <source>Students of the cohort</source>
+        <translation>Studierende der Kohorte</translation>
+    </message>
+    <message>
+        <source>Student numbers, one a line; names may stand beside them</source>
+        <translation>Matrikelnummern, eine je Zeile; Namen dürfen daneben stehen</translation>
+    </message>
+    <message>
+        <source>Student numbers to add</source>
+        <translation>Matrikelnummern zum Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Add students</source>
+        <translation>Studierende aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>Assigned exercises</source>
+        <translation>Aufgegebene Übungen</translation>
+    </message>
+    <message>
+        <source>No cohort is chosen.</source>
+        <translation>Keine Kohorte ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Make one with a name, for a year or a group.</source>
+        <translation>Legen Sie eine mit Namen an, für ein Jahr oder eine Gruppe.</translation>
+    </message>
+    <message>
+        <source>A cohort needs a name.</source>
+        <translation>Eine Kohorte braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a cohort %1 already.</source>
+        <translation>Es gibt schon eine Kohorte %1.</translation>
+    </message>
+    <message>
+        <source>The cohort %1 is made.</source>
+        <translation>Die Kohorte %1 ist angelegt.</translation>
+    </message>
+    <message>
+        <source>Paste the numbers of its students below the table.</source>
+        <translation>Fügen Sie die Nummern ihrer Studierenden unter der Tabelle ein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) were in it already.</source>
+        <translation>
+            <numerusform>%n war schon darin.</numerusform>
+            <numerusform>%n waren schon darin.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No student has: %1.</source>
+        <translation>Niemand hat: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message numerus="yes">
+        <source>Nor %n more.</source>
+        <translation>
+            <numerusform>Und %n weitere.</numerusform>
+            <numerusform>Und %n weitere.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) added.</source>
+        <translation>
+            <numerusform>%n aufgenommen.</numerusform>
+            <numerusform>%n aufgenommen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take %1 out of %2?</source>
+        <translation>%1 aus %2 herausnehmen?</translation>
+    </message>
+    <message>
+        <source>Account and results are kept. What is assigned to the cohort no longer stands on the student&apos;s start page.</source>
+        <translation>Konto und Ergebnisse bleiben. Was der Kohorte aufgegeben ist, steht nicht mehr auf der Startseite.</translation>
+    </message>
+    <message>
+        <source>%1 is taken out.</source>
+        <translation>%1 ist herausgenommen.</translation>
+    </message>
+    <message>
+        <source>It would be due before it opens.</source>
+        <translation>Es wäre fällig, bevor es offen ist.</translation>
+    </message>
+    <message>
+        <source>Choose a later day for Due.</source>
+        <translation>Wählen Sie einen späteren Tag für „Fällig“.</translation>
+    </message>
+    <message>
+        <source>%1 is assigned to %2.</source>
+        <translation>%1 ist %2 aufgegeben.</translation>
+    </message>
+    <message>
+        <source>It stands on the start page of its students.</source>
+        <translation>Es steht auf der Startseite ihrer Studierenden.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Compass</name>
     <message>
         <source>Directions</source>
@@ -2013,6 +2213,10 @@
     <message>
         <source>Practice, attempt %1</source>
         <translation>Training, Versuch %1</translation>
+    </message>
+    <message>
+        <source>Cohorts</source>
+        <translation>Kohorten</translation>
     </message>
 </context>
 <context>
@@ -4477,6 +4681,164 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PeopleImport</name>
+    <message>
+        <source>Import a list of students</source>
+        <translation>Liste von Studierenden importieren</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>CSV with the columns number and name, and if wanted PIN and cohort</source>
+        <translation>CSV mit den Spalten Nummer und Name, auf Wunsch PIN und Kohorte</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Make the accounts</source>
+        <translation>Konten anlegen</translation>
+    </message>
+    <message>
+        <source>Save the PIN slips</source>
+        <translation>PIN-Zettel speichern</translation>
+    </message>
+    <message>
+        <source>Lines of the list</source>
+        <translation>Zeilen der Liste</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Leave without the PIN slips?</source>
+        <translation>Ohne die PIN-Zettel gehen?</translation>
+    </message>
+    <message>
+        <source>The PINs stand nowhere else. Each student would need a new one.</source>
+        <translation>Die PINs stehen nirgends sonst. Alle brauchten eine neue.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Choose a list of students</source>
+        <translation>Liste von Studierenden wählen</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv *.txt)</source>
+        <translation>CSV (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a list of students.</source>
+        <translation>%1 ist zu groß für eine Liste von Studierenden.</translation>
+    </message>
+    <message>
+        <source>4 MB are the most.</source>
+        <translation>Höchstens 4 MB.</translation>
+    </message>
+    <message>
+        <source>A quote that opens in line %1 is never closed.</source>
+        <translation>Ein Anführungszeichen aus Zeile %1 wird nie geschlossen.</translation>
+    </message>
+    <message>
+        <source>It has no line below the heads of the columns.</source>
+        <translation>Unter den Spaltenköpfen steht keine Zeile.</translation>
+    </message>
+    <message>
+        <source>Its first line needs the heads number and name, or number, first name and surname.</source>
+        <translation>Die erste Zeile braucht die Köpfe Nummer und Name, oder Nummer, Vorname und Nachname.</translation>
+    </message>
+    <message>
+        <source>%1 is no list of students.</source>
+        <translation>%1 ist keine Liste von Studierenden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new account(s).</source>
+        <translation>
+            <numerusform>%n neues Konto.</numerusform>
+            <numerusform>%n neue Konten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) have one already.</source>
+        <translation>
+            <numerusform>%n hat schon eines.</numerusform>
+            <numerusform>%n haben schon eines.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) belong to another name and stay as they are.</source>
+        <translation>
+            <numerusform>%n Nummer gehört zu einem anderen Namen und bleibt, wie sie ist.</numerusform>
+            <numerusform>%n Nummern gehören zu anderen Namen und bleiben, wie sie sind.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) are left out; the table says why.</source>
+        <translation>
+            <numerusform>%n Zeile wird ausgelassen; die Tabelle zeigt den Grund.</numerusform>
+            <numerusform>%n Zeilen werden ausgelassen; die Tabelle zeigt den Grund.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Making accounts</source>
+        <translation>Konten werden angelegt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The list is imported.</source>
+        <translation>Die Liste ist importiert.</translation>
+    </message>
+    <message>
+        <source>Stopped at line %1.</source>
+        <translation>Angehalten in Zeile %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) made.</source>
+        <translation>
+            <numerusform>%n Konto angelegt.</numerusform>
+            <numerusform>%n Konten angelegt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the PIN slips now: the PINs stand nowhere else.</source>
+        <translation>Speichern Sie jetzt die PIN-Zettel: Die PINs stehen nirgends sonst.</translation>
+    </message>
+    <message>
+        <source>PIN slips.pdf</source>
+        <translation>PIN-Zettel.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Choose another place. The accounts are kept.</source>
+        <translation>Wählen Sie einen anderen Ort. Die Konten bleiben.</translation>
+    </message>
+    <message>
+        <source>The PIN slips are saved.</source>
+        <translation>Die PIN-Zettel sind gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::PeopleModel</name>
     <message>
         <source>PIN or password</source>
@@ -4624,6 +4986,10 @@
     <message>
         <source>They can no longer sign in. All results are kept, and you can switch it on again.</source>
         <translation>Eine Anmeldung ist dann nicht mehr möglich. Alle Ergebnisse bleiben aufbewahrt, und Sie können das Konto wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>Import a list</source>
+        <translation>Liste importieren</translation>
     </message>
 </context>
 <context>
@@ -4818,6 +5184,21 @@
             <numerusform>%n Versuch exportiert.</numerusform>
             <numerusform>%n Versuche exportiert.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::PinSlips</name>
+    <message>
+        <source>Sign in to Cusp with</source>
+        <translation>Anmelden bei Cusp mit</translation>
+    </message>
+    <message>
+        <source>Number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>PIN %1</source>
+        <translation>PIN %1</translation>
     </message>
 </context>
 <context>
@@ -6024,6 +6405,73 @@ Ihr bester davor</translation>
     <message>
         <source>The attempt ends here and is measured as it stands.</source>
         <translation>Der Versuch endet hier und wird vermessen, wie er ist.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::StudentListModel</name>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>has an account</source>
+        <translation>hat ein Konto</translation>
+    </message>
+    <message>
+        <source>number has another name</source>
+        <translation>Nummer hat anderen Namen</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>keine Nummer</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>kein Name</translation>
+    </message>
+    <message>
+        <source>number stands above too</source>
+        <translation>Nummer steht schon weiter oben</translation>
+    </message>
+    <message>
+        <source>PIN is not six digits</source>
+        <translation>PIN hat nicht sechs Ziffern</translation>
+    </message>
+    <message>
+        <source>number is a member of staff</source>
+        <translation>Nummer gehört zum Personal</translation>
+    </message>
+    <message>
+        <source>made here</source>
+        <translation>wird vergeben</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>aus der Datei</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Account</source>
+        <translation>Konto</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Kohorte</translation>
     </message>
 </context>
 <context>

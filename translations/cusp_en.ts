@@ -57,6 +57,30 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::CohortsPage</name>
+    <message numerus="yes">
+        <source>%n student(s) were in it already.</source>
+        <translation>
+            <numerusform>%n student was in it already.</numerusform>
+            <numerusform>%n students were in it already.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Nor %n more.</source>
+        <translation>
+            <numerusform>Nor %n more.</numerusform>
+            <numerusform>Nor %n more.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) added.</source>
+        <translation>
+            <numerusform>%n student added.</numerusform>
+            <numerusform>%n students added.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::EditorPage</name>
     <message numerus="yes">
         <source>%n thing(s) to look at</source>
@@ -172,6 +196,44 @@
         <translation>
             <numerusform>%n gap of %1 at %2</numerusform>
             <numerusform>%n gaps, the widest of %1 at %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::PeopleImport</name>
+    <message numerus="yes">
+        <source>%n new account(s).</source>
+        <translation>
+            <numerusform>%n new account.</numerusform>
+            <numerusform>%n new accounts.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) have one already.</source>
+        <translation>
+            <numerusform>%n student has one already.</numerusform>
+            <numerusform>%n students have one already.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) belong to another name and stay as they are.</source>
+        <translation>
+            <numerusform>%n number belongs to another name and stays as it is.</numerusform>
+            <numerusform>%n numbers belong to other names and stay as they are.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) are left out; the table says why.</source>
+        <translation>
+            <numerusform>%n line is left out; the table says why.</numerusform>
+            <numerusform>%n lines are left out; the table says why.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) made.</source>
+        <translation>
+            <numerusform>%n account made.</numerusform>
+            <numerusform>%n accounts made.</numerusform>
         </translation>
     </message>
 </context>

@@ -24,6 +24,8 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   QLineEdit* search = make_search_field(tr("Find somebody"), px(200));
   head->buttons()->addWidget(search);
   QPushButton* add = make_button(tr("Add a person"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
+  QPushButton* import = make_button(tr("Import a list"), ButtonKind::standard, u"import"_qs);
+  head->buttons()->addWidget(import);
   head->buttons()->addWidget(add);
   outer->addWidget(head);
   band_ = new Band;
@@ -46,6 +48,7 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
     table_->choose_row(0);
   });
   connect(add, &QPushButton::clicked, this, &PeoplePage::begin_new);
+  connect(import, &QPushButton::clicked, this, &PeoplePage::import_wanted);
   connect(table_, &Table::row_opened, this, [this] { name_->setFocus(); });
   read();
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PeoplePage::show_chosen);

@@ -29,6 +29,9 @@ class PeoplePage : public QWidget {
   Table* table() const { return table_; }
   QString message() const;
 
+ Q_SIGNALS:
+  void import_wanted();
+
  private:
   QWidget* make_form();
   void read();

@@ -19,6 +19,7 @@
 #include "ui/device/space_mouse_turner.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
+#include "ui/instructor/cohorts_page.h"
 #include "ui/instructor/library_page.h"
 #include "ui/modules.h"
 #include "ui/settings/device_settings.h"
@@ -177,8 +178,16 @@ QVector<NavEntry> Desktop::entries() {
              }};
   }
   if (may(role, Action::manage_accounts)) {
-    list += {u"people"_qs, tr("People"), u"people"_qs,
-             [this]() -> QWidget* { return new PeoplePage(*store_, account_->actor(), ports_); }};
+    list += {u"people"_qs, tr("People"), u"person"_qs,
+             [this]() -> QWidget* {
+               auto* page = new PeoplePage(*store_, account_->actor(), ports_);
+               connect(page, &PeoplePage::import_wanted, this, &Desktop::import_people);
+               return page;
+             }};
+  }
+  if (writing && may(role, Action::manage_cohorts)) {
+    list += {u"cohorts"_qs, tr("Cohorts"), u"people"_qs,
+             [this]() -> QWidget* { return new CohortsPage(*store_, account_->actor(), ports_); }};
   }
   if (may(role, Action::see_all_results)) {
     list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {

@@ -74,6 +74,7 @@ class Desktop : public QMainWindow {
   void grade_interrupted(const SessionId& session);
   void edit(const EditorStart& start);
   void import_specimen();
+  void import_people();
 
   void set_scheme(ColourScheme scheme);
   void set_language(const QString& code);

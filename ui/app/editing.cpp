@@ -1,6 +1,8 @@
-// The desktop's way into the editor, and from there to a try-out and back with everything as it was.
+// The desktop's ways into editor and imports, and from the editor to a try-out and back with everything as it was.
 
+#include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
+#include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
@@ -24,6 +26,15 @@ void Desktop::import_specimen() {
   connect(page, &ImportPage::edit_wanted, this, [this](const EditorStart& start) {
     back();
     edit(start);
+  });
+  push(page);
+}
+
+void Desktop::import_people() {
+  auto* page = new PeopleImport(*store_, account_->actor(), ports_);
+  connect(page, &PeopleImport::back_wanted, this, [this] {
+    back();
+    shell_->show_page(u"people"_qs);
   });
   push(page);
 }

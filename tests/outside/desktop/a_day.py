@@ -6,6 +6,7 @@ import sys
 import time
 
 import administrator
+import cohort
 import desk
 import instructor
 import school
@@ -32,6 +33,8 @@ def main():
         program = own.start()
         row = administrator.visit(program, points)
         done(f"the administrator, after a new start, exported {row}")
+        row = cohort.visit(program)
+        done(f"a list of students was imported, and what their cohort was assigned stood on a student's start page: {row}")
         program.close()
 
 

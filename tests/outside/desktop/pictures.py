@@ -6,6 +6,7 @@ import os
 import sys
 import time
 
+import cohort
 import desk
 import school
 import student
@@ -95,6 +96,16 @@ def of_administrator(album, program):
     for page in ("People", "Performance"):
         school.page(program, page)
         album.take(program, page.lower())
+    school.page(program, "People")
+    program.press("Import a list")
+    album.take(program, "import-people")
+    program.keys("alt+Left")
+    school.sign_out(program)
+    cohort.import_list(program)
+    cohort.assign(program)
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Cohorts")
+    album.take(program, "cohorts")
 
 
 def main():

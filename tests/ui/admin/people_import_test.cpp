@@ -1,0 +1,142 @@
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/admin/people_import.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace cusp::test {
+namespace {
+
+using State = ListedStudent::State;
+using Problem = ListedStudent::Problem;
+
+TEST(Csv, reads_quotes_separators_and_line_breaks_in_cells) {
+  const auto table = read_csv(QStringLiteral("a;b\r\n\"x;\"\"y\"\"\";\"two\nlines\"\r\n\r\nlast;1"));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 3u);
+  EXPECT_EQ(table->rows[1], (std::vector<QString>{QStringLiteral("x;\"y\""), QStringLiteral("two\nlines")}));
+  EXPECT_EQ(table->lines, (std::vector<int>{1, 2, 5}));
+}
+
+TEST(Csv, names_the_line_of_a_quote_that_never_closes) {
+  const auto table = read_csv(QStringLiteral("a,b\n1,2\n\"3,4\n5,6"));
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().where, "3");
+}
+
+TEST(Csv, reads_names_in_either_encoding) {
+  EXPECT_EQ(decode_text("\xEF\xBB\xBFM\xC3\xBCller"), QStringLiteral("Müller"));
+  EXPECT_EQ(decode_text("M\xFCller, \x8A"), QStringLiteral("Müller, Š"));
+}
+
+std::vector<ListedStudent> list_of(const char* text, const std::vector<Account>& accounts = {}) {
+  const auto list = read_student_list(text, accounts);
+  return list ? *list : std::vector<ListedStudent>{};
+}
+
+TEST(StudentList, takes_its_columns_by_their_heads_in_english_and_german) {
+  const auto english = list_of("Name,Student number,Cohort\nLena Brandt,4711,Year 3\n");
+  ASSERT_EQ(english.size(), 1u);
+  EXPECT_EQ(english[0].name, QStringLiteral("Lena Brandt"));
+  EXPECT_EQ(english[0].number, QStringLiteral("4711"));
+  EXPECT_EQ(english[0].cohort, QStringLiteral("Year 3"));
+  const auto german = list_of("Nachname;Vorname;Matrikel-Nr.;PIN\nBrandt;Lena;4711;123456\n");
+  ASSERT_EQ(german.size(), 1u);
+  EXPECT_EQ(german[0].name, QStringLiteral("Lena Brandt"));
+  EXPECT_EQ(german[0].pin, QStringLiteral("123456"));
+}
+
+TEST(StudentList, says_of_each_line_why_it_is_left_out) {
+  const auto list = list_of("number,name,pin\n,Nobody,\n1,,\n2,Two,12345\n3,Three,\n3,Three,\n");
+  ASSERT_EQ(list.size(), 5u);
+  const Problem expected[] = {Problem::no_number, Problem::no_name, Problem::bad_pin, Problem::none, Problem::twice};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(list[i].problem, expected[i]) << i;
+  EXPECT_EQ(list[2].line, 4);
+}
+
+TEST(StudentList, leaves_accounts_that_stand_as_they_are) {
+  Account lena, berg;
+  lena.number = "4711", lena.name = "Lena Brandt";
+  berg.number = "berg", berg.name = "Dr Berg", berg.role = Role::instructor;
+  const auto list = list_of("number,name\n4711,Lena Brandt\n4711 ,Someone\nBERG,Dr Berg\n", {lena, berg});
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].state, State::known);
+  EXPECT_EQ(list[1].problem, Problem::twice);
+  EXPECT_EQ(list[2].problem, Problem::staff);
+  EXPECT_EQ(list_of("number,name\n4711,Someone\n", {lena})[0].state, State::other_name);
+}
+
+TEST(StudentList, is_refused_without_heads_or_lines) {
+  EXPECT_EQ(read_student_list("4711,Lena\n", {}).error().code, ListError::no_columns);
+  EXPECT_EQ(read_student_list("number,name\n", {}).error().code, ListError::empty);
+  EXPECT_EQ(read_student_list("", {}).error().code, ListError::empty);
+}
+
+struct Import : testing::Test {
+  DeskRecords records;
+  QTemporaryDir folder;
+  Ports ports = Ports::of_the_system();
+  QString path = folder.filePath(QStringLiteral("list.csv"));
+  void SetUp() override {
+    records.administrator();
+    ports.pick_file = [this](QWidget*, const FileWish& wish, std::function<void(const QString&)> then) {
+      then(wish.saving ? folder.filePath(QStringLiteral("slips.pdf")) : path);
+    };
+  }
+  void write(const QByteArray& text) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+};
+
+TEST_F(Import, makes_accounts_with_pins_cohorts_and_slips) {
+  records.student("1", "Known One");
+  write("number,name,pin,cohort\n1,Known One,,Year 3\n2,New Two,222222,Year 3\n3,New Three,,Year 4\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  ASSERT_EQ(page.model().count(State::fresh), 2) << page.message().toStdString();
+  page.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+  ASSERT_EQ(page.slips().size(), 2u) << page.message().toStdString();
+  EXPECT_EQ(page.slips()[0].pin, QStringLiteral("222222"));
+  for (const PinSlip& slip : page.slips())
+    EXPECT_TRUE(records.store().accounts.sign_in_with_pin(slip.number.toStdString(), slip.pin.toStdString())) << slip.number.toStdString();
+  const auto cohorts = records.store().cohorts.list();
+  ASSERT_EQ(cohorts->size(), 2u);
+  EXPECT_EQ((*cohorts)[0].name, "Year 3");
+  EXPECT_EQ((*cohorts)[0].students, 2);
+  page.save_slips();
+  QFile slips(folder.filePath(QStringLiteral("slips.pdf")));
+  ASSERT_TRUE(slips.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(slips.read(5) == "%PDF-");
+}
+
+TEST_F(Import, a_second_import_of_the_same_list_makes_nothing_new) {
+  write("number,name\n2,New Two\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  page.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+  page.choose_file();
+  EXPECT_EQ(page.model().count(State::fresh), 0);
+  EXPECT_EQ(page.model().count(State::known), 1);
+}
+
+TEST_F(Import, a_file_that_is_no_list_is_named_and_changes_nothing) {
+  write(QByteArray("\x89PNG\r\n\x1a\n\0\0", 10));
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("list.csv is no list of students"))) << page.message().toStdString();
+  path = folder.filePath(QStringLiteral("not-there.csv"));
+  page.choose_file();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("cannot be read")));
+  EXPECT_EQ(page.model().rowCount(), 0);
+}
+
+}  // namespace
+}  // namespace cusp::test

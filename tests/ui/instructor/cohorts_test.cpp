@@ -1,0 +1,107 @@
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/instructor/cohorts_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "ui/instructor/number_list.h"
+#include "ui/student/course.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+class Cohorts : public testing::Test {
+ protected:
+  Cohorts() {
+    lena = records.student("4711", "Lena Brandt");
+    omar = records.student("K-12", "Omar Said");
+    instructor = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+    ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(9, 0)); };
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked = question.what;
+      then(true);
+    };
+  }
+  std::vector<Account> students() { return {lena, omar}; }
+
+  DeskRecords records;
+  Account lena, omar, instructor;
+  Ports ports;
+  QString asked;
+};
+
+TEST_F(Cohorts, NumbersAreReadFromLinesAndListsWithNamesBesideThem) {
+  const NumberList list = read_numbers(QStringLiteral("Brandt, Lena; 4711\n k-12 , 4711\n"), students(), {});
+  ASSERT_EQ(list.found.size(), 2u);
+  EXPECT_EQ(list.found[0].name, "Lena Brandt");
+  EXPECT_EQ(list.found[1].name, "Omar Said");
+  EXPECT_TRUE(list.unknown.isEmpty());
+}
+
+TEST_F(Cohorts, WhatIsNoNumberIsNamedAndWhoIsInsideIsCounted) {
+  const NumberList list = read_numbers(QStringLiteral("4711\n9999 Nobody\njust words\n\n"), students(), {lena.id});
+  EXPECT_TRUE(list.found.empty());
+  EXPECT_EQ(list.already, 1);
+  EXPECT_EQ(list.unknown, (QStringList{QStringLiteral("9999"), QStringLiteral("just words")}));
+}
+
+TEST_F(Cohorts, AreMadeWithANameThatNoOtherHas) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("  "));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("needs a name")));
+  page.make_cohort(QStringLiteral("Year 3"));
+  ASSERT_EQ(page.cohorts().rowCount(), 1);
+  page.make_cohort(QStringLiteral("year 3"));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("already"))) << page.message().toStdString();
+  EXPECT_EQ(page.cohorts().rowCount(), 1);
+}
+
+TEST_F(Cohorts, TakeStudentsInByTheirNumbersAndOutAfterAQuestion) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.add_numbers(QStringLiteral("4711\nK-12\n8888"));
+  ASSERT_EQ(page.students().rowCount(), 2);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("8888")));
+  EXPECT_EQ(page.cohorts().cohort(0).students, 2);
+  for (Table* table : page.findChildren<Table*>())
+    if (table->model() == &page.students()) table->choose_row(0);
+  page.remove_chosen_student();
+  EXPECT_TRUE(asked.contains(QStringLiteral("Lena Brandt"))) << asked.toStdString();
+  ASSERT_EQ(page.students().rowCount(), 1);
+  EXPECT_EQ(page.students().student(0).name, "Omar Said");
+}
+
+TEST_F(Cohorts, AnAssignedExerciseStandsWithItsDayInTheCourseOfTheirStudentsAlone) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.add_numbers(QStringLiteral("4711"));
+  const auto exercises = load_exercises(records.store());
+  ASSERT_TRUE(exercises);
+  const ScenarioId wanted = exercises->exercises[3].scenario.id;
+  page.form()->choose_exercise(wanted);
+  const QDateTime due(QDate(2026, 12, 4), QTime(18, 0));
+  page.form()->choose_due(due);
+  page.assign();
+  ASSERT_EQ(page.assignments().rowCount(), 1) << page.message().toStdString();
+  const auto due_of = [&](const Account& student) {
+    const auto course = load_course(records.store(), student.actor());
+    for (const CourseRow& row : course->rows)
+      if (row.exercise.scenario.id == wanted) return row.due_utc_us;
+    return std::optional<std::int64_t>();
+  };
+  EXPECT_EQ(due_of(lena), due.toMSecsSinceEpoch() * 1000);
+  EXPECT_EQ(due_of(omar), std::nullopt);
+}
+
+TEST_F(Cohorts, AnAdministratorMakesCohortsAndAssignsNothing) {
+  CohortsPage page(records.store(), records.administrator().actor(), ports);
+  EXPECT_EQ(page.form(), nullptr);
+  page.make_cohort(QStringLiteral("Year 3"));
+  EXPECT_EQ(page.cohorts().rowCount(), 1);
+}
+
+}  // namespace
+}  // namespace cusp::test

@@ -1,0 +1,180 @@
+#include "ui/admin/people_csv.h"
+
+#include <QRegularExpression>
+#include <QStringDecoder>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace cusp::ui {
+namespace {
+
+QChar separator_of(const QString& text) {
+  const QString first = text.section(u'\n', 0, 0);
+  QChar best = u',';
+  for (const QChar c : {QChar(u';'), QChar(u'\t')})
+    if (first.count(c) > first.count(best)) best = c;
+  return best;
+}
+
+/// Reads cell by cell; a row ends at a line break outside quotes.
+class CsvReader {
+ public:
+  explicit CsvReader(const QString& text) : text_(text), separator_(separator_of(text)) {}
+
+  Result<CsvTable, CsvFailure> read() {
+    for (; at_ < text_.size(); ++at_) {
+      const QChar c = text_[at_];
+      if (c == u'\n') ++line_;
+      if (quoted_) {
+        in_quotes(c);
+      } else if (c == u'"' && cell_.isEmpty()) {
+        quoted_ = true;
+        opened_ = line_;
+      } else if (c == separator_) {
+        end_cell();
+      } else if (c == u'\n') {
+        end_row();
+      } else if (c != u'\r') {
+        cell_ += c;
+      }
+    }
+    if (quoted_) return fail(CsvError::open_quote, std::to_string(opened_));
+    end_row();
+    return std::move(out_);
+  }
+
+ private:
+  void in_quotes(QChar c) {
+    if (c != u'"') {
+      cell_ += c;
+    } else if (at_ + 1 < text_.size() && text_[at_ + 1] == u'"') {
+      cell_ += c;
+      ++at_;
+    } else {
+      quoted_ = false;
+    }
+  }
+  void end_cell() {
+    row_.push_back(cell_.trimmed());
+    cell_.clear();
+  }
+  void end_row() {
+    end_cell();
+    const bool any = std::ranges::any_of(row_, [](const QString& cell) { return !cell.isEmpty(); });
+    if (any) {
+      out_.rows.push_back(std::move(row_));
+      out_.lines.push_back(row_line_);
+    }
+    row_.clear();
+    row_line_ = line_;
+  }
+
+  const QString& text_;
+  QChar separator_;
+  CsvTable out_;
+  std::vector<QString> row_;
+  QString cell_;
+  qsizetype at_ = 0;
+  int line_ = 1, row_line_ = 1, opened_ = 0;
+  bool quoted_ = false;
+};
+
+enum Head { kNumber, kName, kFirst, kSurname, kPin, kCohort, kHeads };
+
+/// Heads as schools write them, without blanks, dots and case.
+const std::array<std::vector<QString>, kHeads>& heads() {
+  static const std::array<std::vector<QString>, kHeads> kNames = {{
+      {u"number"_qs, u"studentnumber"_qs, u"studentid"_qs, u"id"_qs, u"nummer"_qs, u"matrikelnummer"_qs, u"matrikelnr"_qs, u"matrnr"_qs},
+      {u"name"_qs, u"fullname"_qs, u"student"_qs},
+      {u"firstname"_qs, u"givenname"_qs, u"forename"_qs, u"vorname"_qs},
+      {u"surname"_qs, u"lastname"_qs, u"familyname"_qs, u"nachname"_qs, u"familienname"_qs},
+      {u"pin"_qs},
+      {u"cohort"_qs, u"group"_qs, u"class"_qs, u"kohorte"_qs, u"gruppe"_qs, u"semester"_qs},
+  }};
+  return kNames;
+}
+
+std::array<int, kHeads> columns_of(const std::vector<QString>& row) {
+  static const QRegularExpression kDropped(QStringLiteral("[\\s._-]"));
+  std::array<int, kHeads> out;
+  out.fill(-1);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    QString head = row[i].toCaseFolded();
+    head.remove(kDropped);
+    for (std::size_t h = 0; h < kHeads; ++h)
+      if (out[h] < 0 && std::ranges::find(heads()[h], head) != heads()[h].end()) out[h] = static_cast<int>(i);
+  }
+  return out;
+}
+
+ListedStudent student_of(const std::vector<QString>& row, const std::array<int, kHeads>& columns) {
+  const auto cell = [&](Head head) {
+    const int i = columns[head];
+    return i >= 0 && static_cast<std::size_t>(i) < row.size() ? row[static_cast<std::size_t>(i)] : QString();
+  };
+  ListedStudent out;
+  out.number = cell(kNumber);
+  out.name = cell(kName);
+  if (const QString parts = (cell(kFirst) + u' ' + cell(kSurname)).trimmed(); !parts.isEmpty()) out.name = parts;
+  out.pin = cell(kPin);
+  out.cohort = cell(kCohort);
+  return out;
+}
+
+ListedStudent::Problem problem_of(const ListedStudent& student) {
+  using enum ListedStudent::Problem;
+  static const QRegularExpression kSixDigits(QStringLiteral("^[0-9]{6}$"));
+  if (student.number.isEmpty()) return no_number;
+  if (student.name.isEmpty()) return no_name;
+  if (!student.pin.isEmpty() && !kSixDigits.match(student.pin).hasMatch()) return bad_pin;
+  return none;
+}
+
+}  // namespace
+
+Result<CsvTable, CsvFailure> read_csv(const QString& text) { return CsvReader(text).read(); }
+
+QString decode_text(const QByteArray& bytes) {
+  QStringDecoder utf8(QStringDecoder::Utf8);
+  const QString text = utf8(bytes);
+  if (!utf8.hasError()) return text;
+  QString out = QString::fromLatin1(bytes);
+  // The signs that Windows-1252 has beyond Latin-1 and that names hold.
+  constexpr std::array<std::pair<char16_t, char16_t>, 6> kBeyond = {
+      {{0x8a, u'Š'}, {0x9a, u'š'}, {0x8e, u'Ž'}, {0x9e, u'ž'}, {0x92, u'’'}, {0x9f, u'Ÿ'}}};
+  for (const auto& [from, to] : kBeyond) out.replace(QChar(from), QChar(to));
+  return out;
+}
+
+Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArray& file, const std::vector<Account>& accounts) {
+  const auto table = read_csv(decode_text(file));
+  if (!table) return fail(ListError::open_quote, table.error().where);
+  if (table->rows.empty()) return fail(ListError::empty, "list");
+  const auto columns = columns_of(table->rows.front());
+  if (columns[kNumber] < 0 || (columns[kName] < 0 && columns[kSurname] < 0)) return fail(ListError::no_columns, "heads");
+  if (table->rows.size() < 2) return fail(ListError::empty, "list");
+
+  std::map<QString, const Account*> by_number;
+  for (const Account& account : accounts) by_number[QString::fromStdString(account.number).toCaseFolded()] = &account;
+  std::vector<ListedStudent> out;
+  std::set<QString> seen;
+  for (std::size_t i = 1; i < table->rows.size(); ++i) {
+    ListedStudent student = student_of(table->rows[i], columns);
+    student.line = table->lines[i];
+    student.problem = problem_of(student);
+    const QString key = student.number.toCaseFolded();
+    if (student.problem == ListedStudent::Problem::none && !seen.insert(key).second) student.problem = ListedStudent::Problem::twice;
+    if (const auto it = by_number.find(key); student.problem == ListedStudent::Problem::none && it != by_number.end()) {
+      if (it->second->role != Role::student) student.problem = ListedStudent::Problem::staff;
+      const bool same = QString::fromStdString(it->second->name) == student.name;
+      student.state = same ? ListedStudent::State::known : ListedStudent::State::other_name;
+    }
+    if (student.problem != ListedStudent::Problem::none) student.state = ListedStudent::State::bad;
+    out.push_back(std::move(student));
+  }
+  return out;
+}
+
+}  // namespace cusp::ui

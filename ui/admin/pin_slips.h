@@ -1,0 +1,20 @@
+/// Slips of paper with number and PIN, ten on an A4 sheet, to be cut apart. Thread: GUI.
+#pragma once
+
+#include <QString>
+#include <filesystem>
+#include <vector>
+
+#include "ui/modules.h"
+
+namespace cusp::ui {
+
+struct PinSlip {
+  QString name, number, pin, cohort;
+};
+
+enum class SlipsWritten : bool { no, yes };
+/// A PDF in the light colours.
+SlipsWritten write_pin_slips(const std::filesystem::path& file, const std::vector<PinSlip>& slips);
+
+}  // namespace cusp::ui

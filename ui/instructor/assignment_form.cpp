@@ -1,0 +1,80 @@
+#include "ui/instructor/assignment_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTimeEdit>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <algorithm>
+
+#include "ui/text/names.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kBetween = 4;          // px at 100 %
+constexpr int kUsualDays = 14;       // until an assignment is due
+constexpr int kMostAttempts = 99;
+
+}  // namespace
+
+AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent)
+    : Card(tr("Assign an exercise"), {}, parent), exercises_(std::move(exercises)) {
+  setFixedWidth(px(300));
+  QFormLayout* form = make_form();
+  body()->addLayout(form);
+  exercise_ = new QComboBox;
+  exercise_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  for (const Exercise& exercise : exercises_) exercise_->addItem(local(exercise.scenario.title));
+  add_field(*form, tr("Exercise"), exercise_);
+  const QDateTime day(now.date(), QTime(8, 0));
+  opens_ = add_moment(*form, tr("Open from"), day);
+  due_ = add_moment(*form, tr("Due"), QDateTime(now.date().addDays(kUsualDays), QTime(18, 0)));
+  due_.on->setChecked(true);
+  attempts_ = new QSpinBox;
+  attempts_->setRange(0, kMostAttempts);
+  attempts_->setSpecialValueText(tr("any number"));
+  add_field(*form, tr("Attempts"), attempts_, kBetween);
+  body()->addSpacing(px(8));
+  act_ = make_button(tr("Assign"), ButtonKind::primary);
+  body()->addWidget(act_);
+  connect(act_, &QPushButton::clicked, this, &AssignmentForm::assign_wanted);
+}
+
+AssignmentForm::Moment AssignmentForm::add_moment(QFormLayout& form, const QString& label, const QDateTime& usual) {
+  Moment out;
+  out.on = new QCheckBox(label);
+  out.when = new QDateTimeEdit(usual);
+  out.when->setCalendarPopup(true);
+  out.when->setDisplayFormat(QStringLiteral("d MMM yyyy, HH:mm"));
+  out.when->setAccessibleName(label);
+  out.when->setEnabled(false);
+  connect(out.on, &QCheckBox::toggled, out.when, &QWidget::setEnabled);
+  form.addRow(out.on);
+  form.addRow(out.when);
+  return out;
+}
+
+void AssignmentForm::choose_exercise(const ScenarioId& id) {
+  const auto it = std::ranges::find_if(exercises_, [&](const Exercise& e) { return e.scenario.id == id; });
+  if (it != exercises_.end()) exercise_->setCurrentIndex(static_cast<int>(it - exercises_.begin()));
+}
+
+void AssignmentForm::choose_due(const QDateTime& due) {
+  due_.on->setChecked(true);
+  due_.when->setDateTime(due);
+}
+
+AssignmentForm::Wish AssignmentForm::wish() const {
+  Wish out;
+  out.exercise = exercises_[static_cast<std::size_t>(std::max(0, exercise_->currentIndex()))];
+  if (opens_.on->isChecked()) out.opens = opens_.when->dateTime();
+  if (due_.on->isChecked()) out.due = due_.when->dateTime();
+  if (attempts_->value() > 0) out.attempts = attempts_->value();
+  return out;
+}
+
+}  // namespace cusp::ui

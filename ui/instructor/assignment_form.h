@@ -1,0 +1,54 @@
+/// Assigns an exercise to a cohort: which one, from when, until when, how many attempts. Thread: GUI.
+#pragma once
+
+#include <QDateTime>
+#include <optional>
+#include <vector>
+
+#include "ui/student/exercises.h"
+#include "ui/widgets/parts.h"
+
+class QCheckBox;
+class QComboBox;
+class QDateTimeEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace cusp::ui {
+
+class AssignmentForm : public Card {
+  Q_OBJECT
+
+ public:
+  /// What is to be assigned; the version is the page's to find.
+  struct Wish {
+    Exercise exercise;
+    std::optional<QDateTime> opens, due;  // local time
+    std::optional<int> attempts;          // none = any number
+  };
+
+  /// `now`: from which usual dates are counted.
+  AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent = nullptr);
+  void choose_exercise(const ScenarioId& id);
+  void choose_due(const QDateTime& due);
+  Wish wish() const;
+  QPushButton* act() const { return act_; }
+
+ Q_SIGNALS:
+  void assign_wanted();
+
+ private:
+  struct Moment {
+    QCheckBox* on = nullptr;
+    QDateTimeEdit* when = nullptr;
+  };
+  Moment add_moment(class QFormLayout& form, const QString& label, const QDateTime& usual);
+
+  std::vector<Exercise> exercises_;
+  QComboBox* exercise_;
+  Moment opens_, due_;
+  QSpinBox* attempts_;
+  QPushButton* act_;
+};
+
+}  // namespace cusp::ui

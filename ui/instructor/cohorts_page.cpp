@@ -1,0 +1,276 @@
+#include "ui/instructor/cohorts_page.h"
+
+#include <QBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <algorithm>
+#include <set>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "ui/instructor/number_list.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
+#include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kNamedUnknown = 5;  // unknown numbers that the message names
+
+std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
+  return when ? std::optional(when->toMSecsSinceEpoch() * 1000) : std::nullopt;
+}
+
+}  // namespace
+
+CohortsPage::CohortsPage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent)
+    : QWidget(parent),
+      store_(store),
+      actor_(actor),
+      ports_(ports),
+      cohorts_(new CohortsModel(this)),
+      students_(new CohortStudentsModel(this)),
+      assignments_(new AssignmentsModel(this)) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setSpacing(px(12));
+  auto* head = new PageHead(tr("Cohorts"));
+  name_ = new QLineEdit;
+  name_->setPlaceholderText(tr("Name of a new cohort"));
+  name_->setAccessibleName(tr("Name of a new cohort"));
+  name_->setFixedWidth(px(240));
+  head->buttons()->addWidget(name_);
+  QPushButton* make = make_button(tr("New cohort"), ButtonKind::standard, u"plus"_qs);
+  head->buttons()->addWidget(make);
+  outer->addWidget(head);
+  band_ = new Band;
+  outer->addWidget(band_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(16));
+  row->addWidget(make_list());
+  auto* middle = new QVBoxLayout;
+  middle->setSpacing(px(16));
+  middle->addWidget(make_students(), 3);
+  middle->addWidget(make_assignments(), 2);
+  row->addLayout(middle, 1);
+  if (may(actor.role, Action::assign)) {
+    if (auto list = load_exercises(store_)) {
+      form_ = new AssignmentForm(std::move(list->exercises), ports_.now());
+      connect(form_, &AssignmentForm::assign_wanted, this, &CohortsPage::assign);
+      row->addWidget(form_, 0, Qt::AlignTop);
+    }
+  }
+  outer->addLayout(row, 1);
+  const auto make_named = [this] { make_cohort(name_->text()); };
+  connect(make, &QPushButton::clicked, this, make_named);
+  connect(name_, &QLineEdit::returnPressed, this, make_named);
+  read();
+  connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &CohortsPage::show_chosen);
+  list_->choose_row(0);
+  show_chosen();
+  setFocusProxy(cohorts_->rowCount() > 0 ? static_cast<QWidget*>(list_) : name_);
+}
+
+QString CohortsPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+
+QWidget* CohortsPage::make_list() {
+  auto* card = new Card;
+  card->setFixedWidth(px(240));
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  list_ = new Table;
+  list_->setAccessibleName(tr("Cohorts"));
+  list_->setModel(cohorts_);
+  list_->set_stretch_column(CohortsModel::kName);
+  card->body()->addWidget(list_);
+  return card;
+}
+
+QWidget* CohortsPage::make_students() {
+  students_card_ = new Card(tr("Students"));
+  table_ = new Table;
+  table_->setAccessibleName(tr("Students of the cohort"));
+  table_->setModel(students_);
+  table_->set_stretch_column(CohortStudentsModel::kName);
+  students_card_->body()->addWidget(table_, 1);
+  numbers_ = new QPlainTextEdit;
+  numbers_->setPlaceholderText(tr("Student numbers, one a line; names may stand beside them"));
+  numbers_->setAccessibleName(tr("Student numbers to add"));
+  numbers_->setFixedHeight(px(72));
+  numbers_->setTabChangesFocus(true);
+  students_card_->body()->addWidget(numbers_);
+  auto* row = new QHBoxLayout;
+  add_ = make_button(tr("Add students"), ButtonKind::standard, u"plus"_qs);
+  remove_ = make_button(tr("Take out"), ButtonKind::erase);
+  row->addWidget(add_);
+  row->addStretch();
+  row->addWidget(remove_);
+  students_card_->body()->addLayout(row);
+  connect(add_, &QPushButton::clicked, this, [this] { add_numbers(numbers_->toPlainText()); });
+  connect(remove_, &QPushButton::clicked, this, &CohortsPage::remove_chosen_student);
+  const auto fit = [this] { remove_->setEnabled(table_->chosen_row() >= 0); };
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, fit);
+  connect(students_, &QAbstractItemModel::modelReset, this, fit);
+  return students_card_;
+}
+
+QWidget* CohortsPage::make_assignments() {
+  assignments_card_ = new Card(tr("Assigned exercises"));
+  auto* table = new Table;
+  table->setAccessibleName(tr("Assigned exercises"));
+  table->setModel(assignments_);
+  table->set_stretch_column(AssignmentsModel::kExercise);
+  assignments_card_->body()->addWidget(table);
+  return assignments_card_;
+}
+
+void CohortsPage::show_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
+}
+
+std::optional<Cohort> CohortsPage::chosen() {
+  const int row = list_->chosen_row();
+  if (row >= 0) return cohorts_->cohort(row);
+  band_->show_message(Band::Kind::look, tr("No cohort is chosen."), tr("Make one with a name, for a year or a group."));
+  return std::nullopt;
+}
+
+void CohortsPage::read() {
+  auto list = store_.cohorts.list();
+  if (!list) return show_failure(list.error());
+  const int row = list_->chosen_row();
+  const std::optional<CohortId> kept = row >= 0 ? std::optional(cohorts_->cohort(row).id) : std::nullopt;
+  cohorts_->set_cohorts(std::move(*list));
+  if (kept) list_->choose_row(cohorts_->row_of(*kept));
+}
+
+void CohortsPage::show_chosen() {
+  const int row = list_->chosen_row();
+  for (QWidget* part : {static_cast<QWidget*>(numbers_), static_cast<QWidget*>(add_)}) part->setEnabled(row >= 0);
+  if (form_ != nullptr) form_->setEnabled(row >= 0);
+  if (row < 0) {
+    students_->set_students({});
+    assignments_->set_rows({});
+    return;
+  }
+  const Cohort cohort = cohorts_->cohort(row);
+  const auto inside = store_.cohorts.students(cohort.id);
+  if (!inside) return show_failure(inside.error());
+  auto accounts = store_.accounts.list(actor_);
+  if (!accounts) return show_failure(accounts.error());
+  const std::set<UserId> ids(inside->begin(), inside->end());
+  std::erase_if(*accounts, [&](const Account& account) { return !ids.contains(account.id); });
+  students_card_->set_aside(QString::fromStdString(cohort.name));
+  students_->set_students(std::move(*accounts));
+  show_assignments();
+}
+
+void CohortsPage::show_assignments() {
+  const auto list = store_.assignments.for_cohort(cohorts_->cohort(list_->chosen_row()).id);
+  if (!list) return show_failure(list.error());
+  std::vector<AssignmentRow> rows;
+  for (const Assignment& assignment : *list) {
+    const auto version = store_.scenarios.version(assignment.version);
+    rows.push_back({assignment, version ? version->title : LocalText{}});
+  }
+  assignments_->set_rows(std::move(rows));
+}
+
+void CohortsPage::make_cohort(const QString& name) {
+  const QString wanted = name.trimmed();
+  if (wanted.isEmpty()) {
+    band_->show_message(Band::Kind::bad, tr("A cohort needs a name."), {});
+    name_->setFocus();
+    return;
+  }
+  const auto made = store_.cohorts.create(actor_, wanted.toStdString());
+  if (!made) {
+    if (made.error().code != StorageError::duplicate) return show_failure(made.error());
+    band_->show_message(Band::Kind::bad, tr("There is a cohort %1 already.").arg(wanted), {});
+    return;
+  }
+  name_->clear();
+  read();
+  list_->choose_row(cohorts_->row_of(made->id));
+  band_->show_message(Band::Kind::good, tr("The cohort %1 is made.").arg(wanted), tr("Paste the numbers of its students below the table."));
+}
+
+void CohortsPage::add_numbers(const QString& text) {
+  const auto cohort = chosen();
+  if (!cohort) return;
+  auto accounts = store_.accounts.list(actor_);
+  if (!accounts) return show_failure(accounts.error());
+  std::erase_if(*accounts, [](const Account& account) { return account.role != Role::student; });
+  const auto inside = store_.cohorts.students(cohort->id);
+  if (!inside) return show_failure(inside.error());
+  const NumberList numbers = read_numbers(text, *accounts, {inside->begin(), inside->end()});
+  for (const Account& student : numbers.found) {
+    if (const auto added = store_.cohorts.add(actor_, cohort->id, student.id); !added) {
+      show_failure(added.error());
+      read();
+      return show_chosen();
+    }
+  }
+  read();
+  show_chosen();
+  QStringList more;
+  if (numbers.already > 0) more += tr("%n student(s) were in it already.", nullptr, numbers.already);
+  if (!numbers.unknown.isEmpty()) {
+    more += tr("No student has: %1.").arg(numbers.unknown.mid(0, kNamedUnknown).join(tr(", ")));
+    if (numbers.unknown.size() > kNamedUnknown)
+      more += tr("Nor %n more.", nullptr, static_cast<int>(numbers.unknown.size()) - kNamedUnknown);
+  }
+  // What was not found stays to be mended.
+  numbers_->setPlainText(numbers.unknown.join(u'\n'));
+  band_->show_message(numbers.unknown.isEmpty() ? Band::Kind::good : Band::Kind::look,
+                      tr("%n student(s) added.", nullptr, static_cast<int>(numbers.found.size())), more.join(u' '));
+}
+
+void CohortsPage::remove_chosen_student() {
+  const int row = table_->chosen_row();
+  const auto cohort = chosen();
+  if (row < 0 || !cohort) return;
+  const Account student = students_->student(row);
+  ports_.ask(this,
+             {tr("Take %1 out of %2?").arg(QString::fromStdString(student.name), QString::fromStdString(cohort->name)),
+              tr("Account and results are kept. What is assigned to the cohort no longer stands on the student's start page."),
+              tr("Take out"), true},
+             [this, student, cohort](bool yes) {
+               if (!yes) return;
+               if (const auto done = store_.cohorts.remove(actor_, cohort->id, student.id); !done) return show_failure(done.error());
+               read();
+               show_chosen();
+               band_->show_message(Band::Kind::good, tr("%1 is taken out.").arg(QString::fromStdString(student.name)), {});
+             });
+}
+
+void CohortsPage::assign() {
+  const auto cohort = chosen();
+  if (!cohort || form_ == nullptr) return;
+  const AssignmentForm::Wish wish = form_->wish();
+  if (wish.opens && wish.due && *wish.opens >= *wish.due) {
+    band_->show_message(Band::Kind::bad, tr("It would be due before it opens."), tr("Choose a later day for Due."));
+    return;
+  }
+  Assignment fresh;
+  fresh.cohort = cohort->id;
+  fresh.version = wish.exercise.version;
+  if (fresh.version.is_nil()) {
+    const Scenario& scenario = wish.exercise.scenario;
+    const auto version = store_.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+    if (!version) return show_failure(version.error());
+    fresh.version = version->id;
+  }
+  fresh.opens_utc_us = utc_us(wish.opens);
+  fresh.due_utc_us = utc_us(wish.due);
+  fresh.attempts_allowed = wish.attempts;
+  if (const auto made = store_.assignments.create(actor_, fresh); !made) return show_failure(made.error());
+  show_assignments();
+  band_->show_message(Band::Kind::good, tr("%1 is assigned to %2.").arg(local(wish.exercise.scenario.title), QString::fromStdString(cohort->name)),
+                      tr("It stands on the start page of its students."));
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,65 @@
+/// Cohorts: makes them, puts students in by pasted numbers, assigns exercises to them. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "storage/store.h"
+#include "ui/instructor/assignment_form.h"
+#include "ui/instructor/cohort_models.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
+
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace cusp::ui {
+
+class Band;
+class Table;
+
+class CohortsPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  CohortsPage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  const CohortsModel& cohorts() const { return *cohorts_; }
+  const CohortStudentsModel& students() const { return *students_; }
+  const AssignmentsModel& assignments() const { return *assignments_; }
+  AssignmentForm* form() const { return form_; }  // null for a role that assigns nothing
+  QString message() const;
+
+  void make_cohort(const QString& name);
+  void add_numbers(const QString& text);
+  /// Asks first.
+  void remove_chosen_student();
+  void assign();
+
+ private:
+  QWidget* make_list();
+  QWidget* make_students();
+  QWidget* make_assignments();
+  void read();
+  void show_chosen();
+  void show_assignments();
+  /// Nullopt, and a message, where nothing is chosen.
+  std::optional<Cohort> chosen();
+  void show_failure(const StorageFailure& failure);
+
+  Store& store_;
+  Actor actor_;
+  const Ports& ports_;
+  CohortsModel* cohorts_;
+  CohortStudentsModel* students_;
+  AssignmentsModel* assignments_;
+  Band* band_ = nullptr;
+  Table *list_ = nullptr, *table_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QPlainTextEdit* numbers_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr;
+  Card *students_card_ = nullptr, *assignments_card_ = nullptr;
+  AssignmentForm* form_ = nullptr;
+};
+
+}  // namespace cusp::ui
