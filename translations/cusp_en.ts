@@ -68,8 +68,8 @@
     <message numerus="yes">
         <source>Nor %n more.</source>
         <translation>
-            <numerusform>Nor %n more.</numerusform>
-            <numerusform>Nor %n more.</numerusform>
+            <numerusform>Nor %n other.</numerusform>
+            <numerusform>Nor %n others.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
