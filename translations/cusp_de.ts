@@ -337,16 +337,8 @@
         <translation>%1 am Boden, %2 an den Seiten</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>%1 at most</source>
         <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>as much as you need; time earns no points</source>
-        <translation>so viel Sie brauchen; Zeit bringt keine Punkte</translation>
     </message>
     <message>
         <source>Pass mark</source>
@@ -400,6 +392,22 @@
     <message>
         <source>Fails the attempt</source>
         <translation>Führt zum Nichtbestehen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Expected time</source>
+        <translation>Erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>none; time earns no points</source>
+        <translation>keine; Zeit bringt keine Punkte</translation>
     </message>
 </context>
 <context>
@@ -941,6 +949,14 @@
     <message>
         <source>Damage of a protected part fails the attempt, and nothing is protected.</source>
         <translation>Verletzung von Geschütztem lässt den Versuch scheitern, und nichts ist geschützt.</translation>
+    </message>
+    <message>
+        <source>The expected time</source>
+        <translation>Die erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>The expected time, %1, is longer than the time limit, %2.</source>
+        <translation>Die erwartete Zeit, %1, ist länger als die Zeitgrenze, %2.</translation>
     </message>
 </context>
 <context>
@@ -1815,6 +1831,10 @@
         <source>Folder for scenario.json</source>
         <translation>Ordner für scenario.json</translation>
     </message>
+    <message>
+        <source>the expected time is longer than the time limit</source>
+        <translation>die erwartete Zeit ist länger als die Zeitgrenze</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -2083,6 +2103,11 @@
     <message>
         <source>Practice blocks</source>
         <translation>Übungsblöcke</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <extracomment>%1: level and expected time of an exercise, %2: the student&apos;s standing at it.</extracomment>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -2623,6 +2648,14 @@
     <message>
         <source>Taper</source>
         <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Expected time</source>
+        <translation>Erwartete Zeit</translation>
     </message>
 </context>
 <context>
@@ -7946,6 +7979,30 @@ Ihr bester davor</translation>
         <source>Let every wall end on dentine: take away enamel that has none beneath it.</source>
         <translation>Lassen Sie jede Wand auf Dentin enden: Entfernen Sie Schmelz, unter dem keines liegt.</translation>
     </message>
+    <message>
+        <source>Beginner</source>
+        <comment>level of an exercise</comment>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <comment>level of an exercise</comment>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <comment>level of an exercise</comment>
+        <translation>Fortgeschritten</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: level of an exercise, %2: time that it takes.</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 names no level of an exercise: %2.</source>
+        <translation>%1 nennt keine Stufe einer Übung: %2.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -7964,6 +8021,18 @@ Ihr bester davor</translation>
     <message>
         <source>Briefing, German</source>
         <translation>Aufgabe, Deutsch</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Expected time</source>
+        <translation>Erwartete Zeit</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,7 @@ enum class FormatError : std::uint8_t {
   unknown_face,       // a face of a region, or of the tolerance zone
   unknown_severity,
   unknown_hardness,   // of a leaf lesion
+  unknown_level,
   unknown_bur,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key
 };

@@ -23,6 +23,7 @@ constexpr std::string_view kTargetKeys[] = {"shape",  "paths",            "width
                                             "top_mm", "corner_radius_mm", "box_size_mm"};
 constexpr std::string_view kLeewayKeys[] = {"floor_mm", "side_mm"};
 constexpr std::string_view kProtectedKeys[] = {"tissue"};  // the object's one key stands for format 1's bare text
+constexpr const char* kLaterKeys[] = {"level", "expected_time_s"};  // of the document itself
 constexpr std::string_view kCriterionKeys[] = {"metric", "weight", "bands"};
 
 /// First key of an object that is not of the list; none where it is no object.
@@ -51,6 +52,8 @@ Result<void, FormatFailure> refuse_later_words(const json& document) {
     if (const auto key = key_beyond(*node, keys)) return fail(FormatError::unknown_key, where + json_text::pointer_step(*key));
     return {};
   };
+  for (const char* key : kLaterKeys)
+    if (document.contains(key)) return fail(FormatError::unknown_key, json_text::pointer_step(key));
   if (auto done = check(find(document, "target"), "/target", kTargetKeys); !done) return done;
   if (auto done = check(find(document, "leeway"), "/leeway", kLeewayKeys); !done) return done;
   const json* rubric = find(document, "rubric");
@@ -103,6 +106,8 @@ Result<void, FormatFailure> migrate(json& document) {
 void migrate_rubric(json& rubric) { rename_metric(rubric, kOldRemainder, kRemainder); }
 
 std::optional<json> in_format_1(const json& document) {
+  for (const char* key : kLaterKeys)
+    if (document.contains(key)) return std::nullopt;
   json out = document;
   json& target = out["target"];
   if (target["kind"] != "outline") return std::nullopt;

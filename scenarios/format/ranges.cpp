@@ -23,6 +23,7 @@ constexpr std::string_view kShapeSize = "two voxels of the finest grid to the la
 constexpr auto kRanges = std::to_array<NumberRange>({
     {"/format", "", kScenarioFormat, kScenarioFormat, false, "older ones are migrated before"},
     {"/version", "", 1, 1e9, false, "counts from 1; fits 32 bits"},
+    {"/expected_time_s", "s", 10, 86400, true, "0: not stated; in less nobody reaches the tooth; a day"},
     {"/specimen/fdi", "", 11, 48, false, "FDI numbers of permanent teeth"},
     {"/specimen/seed", "", 0, 9007199254740991.0, false, "2^53 - 1: every JSON reader keeps it"},
     {"/specimen/voxel_mm", "mm", 0.04, 1, false, "the finest grid of a molar that fits memory; coarser no bur is resolved"},

@@ -19,6 +19,11 @@ std::optional<Method> method_from_key(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<Level> level_from_key(std::string_view key) {
+  const auto at = std::ranges::find(kLevelKeys, key);
+  return at == kLevelKeys.end() ? std::nullopt : std::optional(static_cast<Level>(at - kLevelKeys.begin()));
+}
+
 bool is_key(std::string_view key) {
   return !key.empty() && key.size() <= 64 &&
          std::ranges::all_of(key, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
@@ -78,6 +83,8 @@ Scenario read_document(const json& document, Problems& problems) {
   read_identity(root, out);
   out.title = root.need("title").texts();
   out.briefing = root.need("briefing").texts();
+  root.maybe("level", [&](const Value& v) { out.level = v.key(FormatError::unknown_level, level_from_key); });
+  root.maybe("expected_time_s", [&](const Value& v) { out.expected_time_s = v.number({0, 86400}); });
   out.specimen = read_specimen(root.need("specimen"));
   read_tissues_and_burs(root, out);
   read_device(root.need("device"), out);

@@ -108,6 +108,10 @@ struct Protected {
   friend bool operator==(const Protected&, const Protected&) = default;
 };
 
+/// What an exercise asks of a student; its author's judgement.
+enum class Level : std::uint8_t { beginner, intermediate, advanced };
+inline constexpr std::array<std::string_view, 3> kLevelKeys = {"beginner", "intermediate", "advanced"};
+
 struct DeviceNeeds {
   int needs_dof = 3;
   std::vector<std::string> admitted;  // device classes; empty = all
@@ -121,6 +125,8 @@ struct Scenario {
   int version = 1;
   std::string key;  // built-in id ("paper-block"), else empty
   LocalText title, briefing;
+  std::optional<Level> level;             // nullopt: not stated
+  double expected_time_s = 0;             // that a student needs; 0: not stated; no criterion
   SpecimenSource specimen;
   std::vector<ScenarioTissue> tissues;
   std::vector<Bur> instruments;

@@ -89,6 +89,8 @@ class Checks {
       if (!s_.title.contains(language)) warn("/title", "language_missing", {}, language);
       if (!s_.briefing.contains(language)) warn("/briefing", "language_missing", {}, language);
     }
+    if (s_.time_limit_s > 0 && s_.expected_time_s > s_.time_limit_s)
+      warn("/expected_time_s", "expected_beyond_limit", {{"value", s_.expected_time_s}, {"limit", s_.time_limit_s}});
   }
 
   void tissues() {

@@ -189,6 +189,8 @@ Json json_of(const Scenario& scenario) {
   if (!scenario.key.empty()) out["key"] = scenario.key;
   out["title"] = json_of<Json>(scenario.title);
   out["briefing"] = json_of<Json>(scenario.briefing);
+  if (scenario.level) out["level"] = kLevelKeys[static_cast<std::size_t>(*scenario.level)];
+  if (scenario.expected_time_s != 0.0) out["expected_time_s"] = scenario.expected_time_s;
   out["specimen"] = json_of<Json>(scenario.specimen);
   Json tissues = Json::array();
   for (const ScenarioTissue& tissue : scenario.tissues) {

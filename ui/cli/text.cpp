@@ -51,6 +51,7 @@ QString reason(const Finding& f) {
   if (c == "point_off_floor") return CliText::tr("points of the path do not lie on the floor");
   if (c == "target_scores_less") return CliText::tr("an attempt that meets the target loses points");
   if (c == "language_missing") return CliText::tr("a text is missing in a language (%1)").arg(text(f.detail));
+  if (c == "expected_beyond_limit") return CliText::tr("the expected time is longer than the time limit");
   if (c == "weight_vanishes") return CliText::tr("a criterion brings less than a twentieth of a point");
   if (c == "target_opens_pulp") return CliText::tr("the target opens the pulp");
   if (c == "target_holds_pulp") return CliText::tr("the target holds pulp, as the access to a root canal does");

@@ -42,6 +42,7 @@ QString figure_name(const std::string& path) {
   if (ends("/corner_radius_mm")) return CheckText::tr("The corner radius");
   if (path.starts_with("/leeway/")) return CheckText::tr("The tolerance zone");
   if (ends("/time_s")) return CheckText::tr("The time limit");
+  if (ends("/expected_time_s")) return CheckText::tr("The expected time");
   if (ends("/pass")) return CheckText::tr("The pass mark");
   if (ends("/weight")) return CheckText::tr("The points of a criterion");
   if (ends("/voxel_mm")) return CheckText::tr("The fineness");
@@ -197,13 +198,15 @@ QString check_message(const Finding& f) {
     return f.path == "/title" ? CheckText::tr("The title is missing in %1.").arg(language_of(f))
                               : CheckText::tr("The briefing is missing in %1.").arg(language_of(f));
   }
+  if (c == u"expected_beyond_limit")
+    return CheckText::tr("The expected time, %1, is longer than the time limit, %2.").arg(format_clock(value), format_clock(limit));
   if (c == u"nothing_can_be_cut") return CheckText::tr("Nothing of this tooth can be cut.");
   return CheckText::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
 }
 
 EditorPlace place_of(const Finding& f) {
   const std::string& p = f.path;
-  if (p.starts_with("/title") || p.starts_with("/briefing")) return EditorPlace::title;
+  if (p.starts_with("/title") || p.starts_with("/briefing") || p == "/level" || p == "/expected_time_s") return EditorPlace::title;
   if (p.starts_with("/instruments")) return EditorPlace::burs;
   if (p.starts_with("/rubric")) return EditorPlace::points;
   if (p.starts_with("/phenomena")) return EditorPlace::tissues;

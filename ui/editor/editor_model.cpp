@@ -30,7 +30,7 @@ bool finite(const Region& region) {
 
 /// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
-  bool all = finite(s.target) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) &&
+  bool all = finite(s.target) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.expected_time_s) &&
              std::isfinite(s.rubric.pass) && std::isfinite(s.specimen.voxel_mm);
   for (const Criterion& c : s.rubric.criteria) {
     const Bands& b = c.bands;
@@ -136,6 +136,15 @@ bool EditorModel::set_briefing(const std::string& language, const QString& text)
       s.briefing[language] = text.toStdString();
     }
   });
+}
+
+bool EditorModel::set_level(std::optional<Level> level) {
+  end_gesture();
+  return edit(tr("Level"), u"level"_qs, [&](Scenario& s) { s.level = level; });
+}
+
+bool EditorModel::set_expected_time_s(double seconds) {
+  return edit(tr("Expected time"), u"expected_time"_qs, [&](Scenario& s) { s.expected_time_s = seconds; });
 }
 
 bool EditorModel::set_leeway(double floor_mm, double side_mm) {

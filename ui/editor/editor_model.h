@@ -41,6 +41,8 @@ class EditorModel : public QObject {
   bool take(const Scenario& draft);  // another window's draft, as one step: undo restores this one's
   bool set_title(const std::string& language, const QString& text);     // an empty text removes the language
   bool set_briefing(const std::string& language, const QString& text);
+  bool set_level(std::optional<Level> level);
+  bool set_expected_time_s(double seconds);  // 0: not stated
   /// A specimen brings its tissues; the critical ones among them (scenarios/tissues) are protected. New pulp brings the rule that
   /// opening it fails the attempt. If the grown specimen shows pulp inside the target (an endodontic access), set_facts() removes
   /// that rule within the same step.

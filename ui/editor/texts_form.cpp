@@ -1,10 +1,13 @@
 #include "ui/editor/texts_form.h"
 
 #include <QBoxLayout>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 
+#include "ui/editor/form_parts.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -12,6 +15,8 @@ namespace cusp::ui {
 namespace {
 
 constexpr const char* kLanguages[] = {"en", "de"};
+constexpr double kMostMinutes = 240;  // half a day of a course
+constexpr int kNoLevel = -1;          // of a box's entry
 
 }  // namespace
 
@@ -56,13 +61,31 @@ TextsForm::TextsForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
       model_.set_briefing(code, edit->toPlainText().trimmed());
     });
   }
+  make_level_and_time(*column);
   column->addStretch();
   connect(&model_, &EditorModel::changed, this, &TextsForm::follow_model);
   follow_model();
 }
 
+void TextsForm::make_level_and_time(QVBoxLayout& column) {
+  level_ = new QComboBox;
+  level_->addItem(tr("not stated"), kNoLevel);
+  for (std::size_t i = 0; i < kLevelKeys.size(); ++i) level_->addItem(level_name(static_cast<Level>(i)), static_cast<int>(i));
+  column.addWidget(labelled(tr("Level"), level_));
+  connect(level_, &QComboBox::activated, this, [this] {
+    const int chosen = level_->currentData().toInt();
+    model_.set_level(chosen == kNoLevel ? std::nullopt : std::optional(static_cast<Level>(chosen)));
+  });
+  expected_ = new NumberBox(model_, tr("Expected time"), u"min"_qs, 0, kMostMinutes, 5, 0,
+                            [this](double minutes) { return model_.set_expected_time_s(60 * minutes); });
+  expected_->setSpecialValueText(tr("not stated"));
+  add_row(&column, tr("Expected time"), expected_);
+}
+
 void TextsForm::follow_model() {
   const Scenario& s = model_.scenario();
+  level_->setCurrentIndex(level_->findData(s.level ? static_cast<int>(*s.level) : kNoLevel));
+  expected_->show_value(s.expected_time_s / 60);
   for (int i = 0; i < 2; ++i) {
     show_text(*titles_[i], s.title, kLanguages[i]);
     const auto it = s.briefing.find(kLanguages[i]);

@@ -130,14 +130,16 @@ void Briefing::add_facts(QVBoxLayout& text) {
     label->setWordWrap(true);
     facts->addRow(make_label(name, TextRole::body, Weight::regular, "text2"), label);
   };
+  if (s.level) fact(tr("Level"), level_name(*s.level));
+  if (s.expected_time_s > 0) fact(tr("Expected time"), expected_time_text(s.expected_time_s));
   fact(tr("Burs"), burs_text(s));
   if (const auto outlines = outlines_of(s.target); !outlines.empty())
     fact(tr("Required depth"), format({outlines.front()->depth_mm, std::nullopt, u"mm"_qs, 1}));
   fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
-  fact(tr("Time"), s.time_limit_s > 0 ? tr("%1 at most").arg(format_clock(s.time_limit_s))
-                                      : tr("as much as you need; time earns no points"));
+  fact(tr("Time limit"), s.time_limit_s > 0 ? tr("%1 at most").arg(format_clock(s.time_limit_s))
+                                      : tr("none; time earns no points"));
   fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
   for (const std::string& critical : s.rubric.critical) fact(tr("Fails the attempt"), critical_name(critical));
   text.addLayout(facts);

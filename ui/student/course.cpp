@@ -32,6 +32,15 @@ Chip::Kind standing_kind(const CourseRow& row) {
   return row.due_utc_us ? Chip::Kind::look : Chip::Kind::plain;
 }
 
+/// What a screen reader says of a card besides its name.
+QString description_of(const CourseRow& row) {
+  const QString level = level_and_time_text(row.exercise.scenario), standing = standing_text(row);
+  //: %1: level and expected time of an exercise, %2: the student's standing at it.
+  return level.isEmpty() ? standing : CourseModel::tr("%1; %2").arg(level, standing);
+}
+
+int level_rank(const Scenario& scenario) { return static_cast<int>(scenario.level ? static_cast<std::size_t>(*scenario.level) : kLevelKeys.size()); }
+
 QVariant right() { return QVariant(static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter)); }
 
 }  // namespace
@@ -109,7 +118,10 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role == IconRole && index.column() == kOpen) return u"chevron_right"_qs;
   if (role == QuietRole && index.column() == kBest) return !r.best;
   if (role == Qt::AccessibleTextRole && index.column() == kOpen) return tr("Briefing");
-  if (role == StandingRole || role == Qt::AccessibleDescriptionRole) return standing_text(r);
+  if (role == StandingRole) return standing_text(r);
+  if (role == LevelTextRole) return level_and_time_text(r.exercise.scenario);
+  if (role == LevelRole) return level_rank(r.exercise.scenario);
+  if (role == Qt::AccessibleDescriptionRole) return description_of(r);
   if (role == StandingKindRole) return static_cast<int>(standing_kind(r));
   if (role == GroupRole) return static_cast<int>(group_of(r.exercise.scenario));
   if (role == SortRole) {

@@ -38,8 +38,9 @@ class CourseModel : public QAbstractTableModel {
 
  public:
   enum Column { kExercise, kKind, kDue, kAttempts, kBest, kOpen, kColumns };
-  /// Of a card: its standing as text, int(Chip::Kind) for it, int(ExerciseGroup).
-  enum Role { StandingRole = Qt::UserRole + 100, StandingKindRole, GroupRole };
+  /// Of a card: its standing as text, int(Chip::Kind) for it, int(ExerciseGroup), level and expected time as text, int(Level) with
+  /// unstated ones last.
+  enum Role { StandingRole = Qt::UserRole + 100, StandingKindRole, GroupRole, LevelTextRole, LevelRole };
   explicit CourseModel(std::vector<CourseRow> rows, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -15,7 +15,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLeastWidth = 188, kGap = 12, kPictureHeight = 126, kTextHeight = 90;
+constexpr int kLeastWidth = 188, kGap = 12, kPictureHeight = 126, kTextHeight = 108;
 constexpr int kCardHeight = kPictureHeight + kTextHeight;
 
 class CardDelegate : public QStyledItemDelegate {
@@ -75,6 +75,11 @@ class CardDelegate : public QStyledItemDelegate {
       painter.drawText(QRect(place.left(), y, place.width(), px(18)), (mirrored ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, line);
       y += px(18);
     }
+    painter.setFont(font_of(TextRole::caption));
+    painter.setPen(t.text2);
+    const QString level = index.data(CourseModel::LevelTextRole).toString();
+    painter.drawText(QRect(place.left(), y, place.width(), px(18)), (mirrored ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+                     QFontMetrics(painter.font(), painter.device()).elidedText(level, Qt::ElideRight, place.width()));
     const QString standing = index.data(CourseModel::StandingRole).toString();
     const auto kind = static_cast<Chip::Kind>(index.data(CourseModel::StandingKindRole).toInt());
     const QSize size = chip_size(standing, kind);

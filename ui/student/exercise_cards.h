@@ -1,4 +1,4 @@
-/// Exercises as cards in columns: picture, name, best result. The height follows the cards; the page scrolls. Arrow keys move,
+/// Exercises as cards in columns: picture, name, level, expected time, best result. The height follows the cards; the page scrolls. Arrow keys move,
 /// Enter or a click opens. Thread: GUI.
 #pragma once
 

@@ -16,12 +16,14 @@
 namespace cusp::ui {
 namespace {
 
-/// The exercises of one group whose name has the text.
+/// The exercises of one group whose name has the text, by level; those of one level in the order of the course.
 class OfGroup : public QSortFilterProxyModel {
  public:
   OfGroup(ExerciseGroup group, QObject* parent) : QSortFilterProxyModel(parent), group_(group) {
     setFilterKeyColumn(CourseModel::kExercise);
     setFilterCaseSensitivity(Qt::CaseInsensitive);
+    setSortRole(CourseModel::LevelRole);
+    sort(CourseModel::kExercise);
   }
 
  protected:

@@ -1,9 +1,13 @@
 #include "ui/text/names.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "scenarios/teeth/own_tissues.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
 #include "ui/text/text.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::ui {
 
@@ -42,6 +46,25 @@ QString kind_name(SessionKind kind) {
     case SessionKind::try_out: return Text::tr("Try-out");
   }
   return {};
+}
+
+QString level_name(Level level) {
+  switch (level) {
+    case Level::beginner: return Text::tr("Beginner", "level of an exercise");
+    case Level::intermediate: return Text::tr("Intermediate", "level of an exercise");
+    case Level::advanced: return Text::tr("Advanced", "level of an exercise");
+  }
+  return {};
+}
+
+QString expected_time_text(double seconds) { return format({std::max(1.0, std::round(seconds / 60)), std::nullopt, u"min"_qs, 0}); }
+
+QString level_and_time_text(const Scenario& scenario) {
+  const QString time = scenario.expected_time_s > 0 ? expected_time_text(scenario.expected_time_s) : QString();
+  if (!scenario.level) return time;
+  const QString level = level_name(*scenario.level);
+  //: %1: level of an exercise, %2: time that it takes.
+  return time.isEmpty() ? level : Text::tr("%1, %2").arg(level, time);
 }
 
 QString device_name(const std::string& device_class) {

@@ -18,6 +18,11 @@ QString local(const LocalText& text);
 QString role_name(Role role);
 QString state_name(SessionState state);
 QString kind_name(SessionKind kind);
+QString level_name(Level level);
+/// "15 min" of the time that a student needs, whole minutes, at least one.
+QString expected_time_text(double seconds);
+/// "Beginner, 15 min": what an exercise states of both; empty if neither.
+QString level_and_time_text(const Scenario& scenario);
 QString device_name(const std::string& device_class);
 QString tissue_name(Tissue tissue);
 /// "gingival floor" of a key of kFaceKeys; "other walls" of a side wall.

@@ -99,6 +99,7 @@ json with_everything() {
   s.instruments = {catalogue_bur("245")->bur};
   s.tool_turn_deg = 10;
   s.time_limit_s = 60;
+  s.expected_time_s = 60;
   s.rubric.criteria[0].needs_dof = 5;
   for (std::size_t face = 0; face < kFaceNames; ++face) s.leeway.faces[static_cast<FaceName>(face)] = 0.2;
   s.target = region_with_every_kind();

@@ -75,6 +75,24 @@ TEST(ScenarioFile, LeftOutKeysTakeTheirDefaults) {
   EXPECT_EQ(*scenario, sound_scenario());
 }
 
+TEST(ScenarioFile, StatesALevelAndAnExpectedTimeOrNone) {
+  const auto silent = read_scenario(sound().dump());
+  ASSERT_TRUE(silent);
+  EXPECT_EQ(silent->level, std::nullopt);
+  EXPECT_EQ(silent->expected_time_s, 0.0);
+  for (std::size_t i = 0; i < kLevelKeys.size(); ++i) {
+    json document = sound();
+    document["level"] = kLevelKeys[i];
+    document["expected_time_s"] = 900;
+    EXPECT_TRUE(check_schema(document.dump()).empty()) << kLevelKeys[i];
+    const auto scenario = read_scenario(document.dump());
+    ASSERT_TRUE(scenario) << kLevelKeys[i];
+    EXPECT_EQ(scenario->level, static_cast<Level>(i));
+    EXPECT_EQ(scenario->expected_time_s, 900.0);
+    EXPECT_EQ(json::parse(write_scenario(*scenario)), document);
+  }
+}
+
 TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
   json document = sound();
   document["tissues"] = {{{"tissue", "enamel"}}, {{"tissue", "dentine"}, {"speed_mm_s", 7}}};

@@ -162,6 +162,11 @@ TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
 TEST(Validate, WarnsOfTextsInOneLanguageOnlyAndPointsOffTheFloor) {
   using ::testing::ElementsAre;
   EXPECT_THAT(after([](Scenario& s) { s.briefing.erase("de"); }), ElementsAre("warning /briefing language_missing"));
+  EXPECT_THAT(after([](Scenario& s) {
+                s.time_limit_s = 300;
+                s.expected_time_s = 301;
+              }),
+              ElementsAre("warning /expected_time_s expected_beyond_limit"));
   EXPECT_THAT(after([](Scenario& s) { s.target.outline.paths[0][1].z = -1.9; }), ElementsAre("warning /target/paths/0/1 point_off_floor"));
 }
 
