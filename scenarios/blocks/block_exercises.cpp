@@ -57,39 +57,40 @@ struct ShapeTable {
   const char* title_de;
   const char* task_en;
   const char* task_de;
+  double expected_time_s;  // [M], at each level
   std::array<Published, 3> levels;
 };
 constexpr ShapeTable kShapes[] = {
     {"Straight channel", "Gerade Rinne", "Cut the marked channel to its floor, 2.0 mm deep, with upright walls.",
-     "Präparieren Sie die markierte Rinne bis zu ihrem Boden, 2,0 mm tief, mit senkrechten Wänden.",
-     {{{"019a9f3c-6a00-7c41-9b1e-5d0f6a3c2e02", 2, 0.1},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3005", 2, 0.1},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3006", 4, 0.125}}}},
+     "Präparieren Sie die markierte Rinne bis zu ihrem Boden, 2,0 mm tief, mit senkrechten Wänden.", 480,
+     {{{"019a9f3c-6a00-7c41-9b1e-5d0f6a3c2e02", 3, 0.1},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3005", 3, 0.1},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3006", 5, 0.125}}}},
     {"Line", "Linie",
      "Cut the marked line to its floor, 2.0 mm deep, in one even stroke after another. It is only 0.2 mm wider than the bur.",
      "Präparieren Sie die markierte Linie bis zu ihrem Boden, 2,0 mm tief, in gleichmäßigen Zügen. Sie ist nur 0,2 mm breiter "
-     "als der Bohrer.",
-     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c3001", 5, 0.08},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3002", 5, 0.08},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3003", 5, 0.1}}}},
+     "als der Bohrer.", 300,
+     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c3001", 6, 0.08},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3002", 6, 0.08},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3003", 6, 0.1}}}},
     {"Cross", "Kreuz",
      "Cut both arms of the marked cross to one even floor, 2.0 mm deep. Keep the four inner corners sharp.",
      "Präparieren Sie beide Arme des markierten Kreuzes bis zu einem gemeinsamen, ebenen Boden, 2,0 mm tief. Erhalten Sie die "
-     "vier inneren Ecken.",
-     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c3007", 4, 0.1},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3008", 4, 0.1},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3009", 2, 0.1}}}},
+     "vier inneren Ecken.", 720,
+     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c3007", 5, 0.1},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3008", 5, 0.1},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c3009", 3, 0.1}}}},
     {"Circle", "Kreis", "Remove the marked disc, 4.0 mm across, to an even floor, 2.0 mm deep, with a round upright wall.",
      "Tragen Sie die markierte Scheibe von 4,0 mm Durchmesser bis zu einem ebenen Boden ab, 2,0 mm tief, mit runder, "
-     "senkrechter Wand.",
-     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c300a", 3, 0.15},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300b", 2, 0.1},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300c", 2, 0.1}}}},
+     "senkrechter Wand.", 480,
+     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c300a", 4, 0.15},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300b", 3, 0.1},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300c", 3, 0.1}}}},
     {"Hollow circle", "Hohlkreis", "Cut the marked ring to its floor, 2.0 mm deep, and leave the island in its middle standing.",
-     "Präparieren Sie den markierten Ring bis zu seinem Boden, 2,0 mm tief, und lassen Sie die Insel in der Mitte stehen.",
-     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c300d", 3, 0.15},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300e", 2, 0.1},
-       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300f", 2, 0.1}}}},
+     "Präparieren Sie den markierten Ring bis zu seinem Boden, 2,0 mm tief, und lassen Sie die Insel in der Mitte stehen.", 720,
+     {{{"019aa0e2-4b00-7d10-8c00-5d0f6a3c300d", 4, 0.15},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300e", 3, 0.1},
+       {"019aa0e2-4b00-7d10-8c00-5d0f6a3c300f", 3, 0.1}}}},
 };
 
 constexpr BlockExercise kExercises[] = {
@@ -218,6 +219,8 @@ Scenario block_exercise(BlockShape shape, BlockLevel level) {
   out.title = {{"de", of_shape.title_de + std::string(", Stufe ") + std::to_string(number)},
                {"en", of_shape.title_en + std::string(", level ") + std::to_string(number)}};
   out.briefing = briefing_of(of_shape, of_level, level);
+  out.level = static_cast<Level>(level);
+  out.expected_time_s = of_shape.expected_time_s;
   out.specimen.generator = level == BlockLevel::third ? "layered-block" : "block";
   out.specimen.voxel_mm = published.voxel_mm;
   if (level == BlockLevel::third) out.tissues.push_back({Tissue::composite, 3.0, 1.5});

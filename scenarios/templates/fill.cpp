@@ -117,7 +117,7 @@ LesionSource lesion_of(const Json& one) {
   return out;
 }
 
-/// A text, or its parts: strings, and objects with "when" and "text".
+/// A text or a key, or its parts: strings, and objects with "when" and "text".
 std::string joined(const Json& node, Filler& filler) {
   if (node.is_string()) return node.get<std::string>();
   std::string out;
@@ -157,6 +157,8 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   out["version"] = 1;
   out["title"] = texts(body.at("title"), request, scope, filler);
   out["briefing"] = texts(body.at("briefing"), request, scope, filler);
+  out["level"] = joined(body.at("level"), filler);
+  out["expected_time_s"] = filler.filled(body.at("expected_time_s"), "/expected_time_s");
   SpecimenSource source;
   source.generator = "tooth";
   source.fdi = request.fdi;

@@ -58,11 +58,11 @@ def visit(program):
     editor = program.find(None, "Editor")
     depth = program.find("spin button", "Depth", within=editor)
     desk.check(depth.value == float(DEPTH_MM), f"after the try-out the depth is {depth.value}")
-    program.press(re.compile("^Publish version 3"), within=editor)
-    program.find("label", re.compile(r"^Version 3 is published\."))
+    program.press(re.compile("^Publish version 4"), within=editor)
+    program.find("label", re.compile(r"^Version 4 is published\."))
     program.keys("alt+Left")
     row = [cell.name for cell in school.row_of(program, "Exercises", EXERCISE)]
-    desk.check("3" in row and "Published" in row, f"the library shows {row}")
+    desk.check("4" in row and "Published" in row, f"the library shows {row}")
     school.sign_out(program)
     return depth_row
 

@@ -47,6 +47,18 @@ TEST(Templates, FitEveryPremolarAndMolarWithoutAFinding) {
     }
 }
 
+TEST(Templates, StateLevelAndExpectedTimeByWhatIsAskedFor) {
+  const auto states = [](const std::string& key, std::map<std::string, double> values, Level level, double minutes) {
+    const auto scenario = fitted(key, 46, std::move(values));
+    ASSERT_TRUE(scenario) << key;
+    EXPECT_EQ(scenario->level, level) << key;
+    EXPECT_EQ(scenario->expected_time_s, 60 * minutes) << key;
+  };
+  states("class-1-adhesive", {}, Level::beginner, 15);
+  states("class-2-adhesive", {}, Level::intermediate, 25);
+  states("class-2-classical", {{"mesial", 1}, {"distal", 1}}, Level::advanced, 35);
+}
+
 TEST(Templates, MirrorATargetOnTheOtherSideOfTheMouth) {
   for (const ExerciseTemplate& one : exercise_templates()) {
     const auto left = fitted(one.key, 36), right = fitted(one.key, 46);

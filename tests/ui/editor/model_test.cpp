@@ -36,6 +36,9 @@ const std::vector<Edit>& every_edit() {
       {"title", [](EditorModel& m) { return m.set_title("de", QStringLiteral("Anders")); }},
       {"no German title", [](EditorModel& m) { return m.set_title("de", {}); }},
       {"briefing", [](EditorModel& m) { return m.set_briefing("en", QStringLiteral("Cut it.")); }},
+      {"level", [](EditorModel& m) { return m.set_level(Level::advanced); }},
+      {"no level", [](EditorModel& m) { return m.set_level(std::nullopt); }},
+      {"expected time", [](EditorModel& m) { return m.set_expected_time_s(2400); }},
       {"specimen",
        [](EditorModel& m) {
          SpecimenSource s;

@@ -41,7 +41,7 @@ TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   ASSERT_NE(depth, nullptr);
   depth->setValue(2.35);
   EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.35);
-  auto* publish = named<QPushButton>(*page, "Publish version 3");
+  auto* publish = named<QPushButton>(*page, "Publish version 4");
   ASSERT_NE(publish, nullptr);
   EXPECT_TRUE(publish->isEnabled());
   page->activateWindow();
@@ -151,7 +151,7 @@ TEST_F(EditorPages, a_reader_meets_a_handle_as_something_that_slides_and_has_a_v
 TEST_F(EditorPages, publish_and_try_out_are_off_while_a_check_fails_and_the_reason_is_shown) {
   const auto page = open();
   named<QDoubleSpinBox>(*page, "Measured from height")->setValue(5);
-  EXPECT_FALSE(named<QPushButton>(*page, "Publish version 3")->isEnabled());
+  EXPECT_FALSE(named<QPushButton>(*page, "Publish version 4")->isEnabled());
   EXPECT_FALSE(named<QPushButton>(*page, "Try out")->isEnabled());
   bool shown = false;
   for (QLabel* label : page->findChildren<QLabel*>()) shown = shown || label->text().startsWith(QStringLiteral("The target reaches out"));
@@ -182,10 +182,10 @@ TEST_F(EditorPages, leaving_keeps_the_draft_and_publishing_takes_it_away) {
   page->leave();
   EXPECT_EQ(back.count(), 1);
   EXPECT_EQ(records.store().scenarios.drafts(instructor.actor())->size(), 1u);
-  named<QPushButton>(*page, "Publish version 3")->click();
+  named<QPushButton>(*page, "Publish version 4")->click();
   EXPECT_TRUE(records.store().scenarios.drafts(instructor.actor())->empty());
   EXPECT_EQ(records.store().scenarios.library()->size(), 1u);
-  EXPECT_NE(named<QPushButton>(*page, "Publish version 4"), nullptr);
+  EXPECT_NE(named<QPushButton>(*page, "Publish version 5"), nullptr);
 }
 
 TEST_F(EditorPages, criteria_and_burs_are_added_and_removed) {

@@ -159,7 +159,7 @@ TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_u
   ASSERT_TRUE(second->grown() || grown.wait(60'000));
   answer = false;
   second->publish_version();
-  EXPECT_EQ(asked, QStringList{QStringLiteral("Publish version 4")});
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Publish version 5")});
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 2u);
   answer = true;
   second->publish_version();

@@ -1,5 +1,6 @@
 // The student's pages over real records.
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -176,6 +177,23 @@ TEST_F(Pages, the_exercises_stand_in_groups_teeth_before_blocks) {
   EXPECT_EQ(page.cards(ExerciseGroup::other), nullptr);
   EXPECT_LT(page.cards(ExerciseGroup::class_2)->mapTo(&page, QPoint()).y(), page.cards(ExerciseGroup::block)->mapTo(&page, QPoint()).y());
   EXPECT_EQ(page.focusProxy(), page.cards(ExerciseGroup::class_1));
+}
+
+TEST_F(Pages, the_cards_of_a_group_stand_by_level_and_state_it_with_the_expected_time) {
+  const Account lena = records.student("1", "Lena Brandt");
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
+  for (const ExerciseGroup group : {ExerciseGroup::class_1, ExerciseGroup::class_2, ExerciseGroup::block}) {
+    const QAbstractItemModel& shown = *page.cards(group)->model();
+    for (int row = 0; row < shown.rowCount(); ++row) {
+      const QModelIndex index = shown.index(row, 0);
+      EXPECT_FALSE(index.data(CourseModel::LevelTextRole).toString().isEmpty()) << index.data().toString().toStdString();
+      const QModelIndex before = shown.index(std::max(row - 1, 0), 0);
+      EXPECT_LE(before.data(CourseModel::LevelRole).toInt(), index.data(CourseModel::LevelRole).toInt());
+    }
+  }
+  const QModelIndex first = page.cards(ExerciseGroup::class_1)->model()->index(0, 0);
+  EXPECT_EQ(first.data(CourseModel::LevelTextRole).toString(), QStringLiteral("Beginner, \u206615\u00A0min\u2069"));
+  EXPECT_TRUE(first.data(Qt::AccessibleDescriptionRole).toString().startsWith(first.data(CourseModel::LevelTextRole).toString()));
 }
 
 TEST_F(Pages, a_card_shows_the_best_result_and_opens_the_briefing_by_enter_and_by_click) {
