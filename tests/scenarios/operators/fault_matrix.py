@@ -103,6 +103,7 @@ def table(faults, matrices, missing):
     lines = [
         "# The fault matrix", "",
         f"Exercises: {', '.join(m['exercise'] for m in matrices)}. Written by `fault_matrix.py`; drawn in `fault_matrix.svg`.", "",
+        f"Figures of evaluator {matrices[0]['evaluator']}.", "",
         *([f"Not measured yet: {', '.join(missing)}.", ""] if missing else []),
         "*Loss*: share of its own criteria's points that a fault costs, small, medium and large; the mean of those that lose any. "
         "It counts by the bands alone, the exercise's and for other measurements the default ones. *By rubric*: exercises whose own "
@@ -186,6 +187,8 @@ def main():
     if not files:
         parser.error("nothing was measured")
     matrices = [judged(program, file) for file in files]
+    if len({m["evaluator"] for m in matrices}) > 1:
+        parser.error("some were measured by another evaluator: measure them again")
     faults = json.loads(run(program))
     missing = [key for key in keys if key not in {m["exercise"] for m in matrices}]
     (HERE / "fault_matrix.md").write_text(table(faults, matrices, missing), encoding="utf-8")

@@ -64,7 +64,7 @@ int measure_exercise(const std::string& key) {
     return 1;
   }
   const FaultMatrix matrix(*scenario, Specimen::build(**dense, reading_of(scenario->method)));
-  Json out = {{"exercise", key}, {"reference", json_of(matrix.reference())}, {"faults", Json::object()}};
+  Json out = {{"exercise", key}, {"evaluator", Grade().evaluator}, {"reference", json_of(matrix.reference())}, {"faults", Json::object()}};
   for (const SingleFaultRow& row : single_faults()) {
     const auto made = matrix.row(row.fault);
     out["faults"][std::string(row.key)] = made ? json_of(*made, row.fault, key) : Json();
