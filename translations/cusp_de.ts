@@ -1835,6 +1835,21 @@
         <source>the expected time is longer than the time limit</source>
         <translation>die erwartete Zeit ist länger als die Zeitgrenze</translation>
     </message>
+    <message numerus="yes">
+        <source>The lists are made anew from the records; %n value(s) differed.</source>
+        <translation>
+            <numerusform>Die Listen sind aus den Aufzeichnungen neu hergestellt; %n Wert wich ab.</numerusform>
+            <numerusform>Die Listen sind aus den Aufzeichnungen neu hergestellt; %n Werte wichen ab.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Makes what lists and charts show anew from the records</source>
+        <translation>Stellt aus den Aufzeichnungen neu her, was Listen und Diagramme zeigen</translation>
+    </message>
+    <message>
+        <source>The lists show something else than the record: %1%2.</source>
+        <translation>Die Listen zeigen etwas anderes als die Aufzeichnung: %1%2.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>

@@ -55,6 +55,13 @@
             <numerusform>%n entries of the audit log are not yet in the counter beside the key.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The lists are made anew from the records; %n value(s) differed.</source>
+        <translation>
+            <numerusform>The lists are made anew from the records; %n value differed.</numerusform>
+            <numerusform>The lists are made anew from the records; %n values differed.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>

@@ -13,9 +13,10 @@
 namespace cusp::storage {
 
 std::string_view key_of(FindingCode code) noexcept {
-  constexpr std::array<std::string_view, 13> keys = {
+  constexpr std::array<std::string_view, 14> keys = {
       "row_changed", "row_missing", "row_added",   "link_broken",     "head_broken",    "key_changed", "unreadable",
-      "count_wrong", "seal_broken", "rolled_back", "counter_missing", "counter_broken", "log_damaged"};
+      "count_wrong", "seal_broken", "rolled_back", "counter_missing", "counter_broken", "log_damaged",
+      "summary_differs"};
   return keys[static_cast<std::size_t>(code)];
 }
 

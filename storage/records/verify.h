@@ -27,6 +27,7 @@ enum class FindingCode : std::uint8_t {
   counter_missing,  // the counter's file is gone, and the log has seals
   counter_broken,   // the file is no counter, of another station, or its signature does not hold
   log_damaged,      // the log's head did not hold when the program appended to it
+  summary_differs,  // a column of session_summaries differs from the records; `what` names it
 };
 std::string_view key_of(FindingCode code) noexcept;
 
@@ -63,7 +64,7 @@ struct StoreVerification {
 };
 
 /// Verifies the log, its counter, every session, and all that the log seals: accounts, cohorts, assignments, comments,
-/// versions, blobs, keys. tests/storage/harmless.cpp lists what it cannot find.
+/// versions, blobs, keys, and every summary against its records. tests/storage/harmless.cpp lists what it cannot find.
 Stored<StoreVerification> verify_store(StorageContext& context);
 
 /// Every session that any table names.

@@ -4,6 +4,7 @@
 
 #include "storage/records/seal_index.h"
 #include "storage/records/rollback_counter.h"
+#include "storage/records/session_summary.h"
 #include "storage/records/session_tables.h"
 #include "storage/records/trace_codec.h"
 #include "storage/records/verify_log.h"
@@ -25,6 +26,7 @@ class StoreVerifier {
     check_station();
     check_keys();
     if (auto done = check_sessions(); !done) return std::unexpected(done.error());
+    check_summaries();
     check_accounts();
     check_comments();
     check_members();
@@ -170,6 +172,25 @@ class StoreVerifier {
       out_.findings.push_back({FindingCode::seal_broken, "session_chain", row, -1, id.uuid, {}, seal.at_utc_us});
       return;
     }
+  }
+
+  /// A session with findings of its own gives none here: its records decide.
+  void check_summaries() {
+    std::set<Uuid> named;
+    for (const ChainFinding& finding : out_.findings) named.insert(finding.owner);
+    const auto report = [&](const SummaryDifference& difference) {
+      const Uuid& id = difference.session.uuid;
+      if (named.contains(id)) return;
+      switch (difference.kind) {
+        case SummaryDifference::Kind::missing:
+          return find(FindingCode::row_missing, "session_summaries", id);
+        case SummaryDifference::Kind::added:
+          return find(FindingCode::row_added, "session_summaries", id);
+        case SummaryDifference::Kind::column:
+          return find(FindingCode::summary_differs, "session_summaries", id, std::string(difference.column));
+      }
+    };
+    if (!compare_summaries(db_, report)) find(FindingCode::unreadable, "session_summaries");
   }
 
   void check_accounts() {

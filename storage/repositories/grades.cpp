@@ -4,6 +4,7 @@
 
 #include "scenarios/format/keys.h"
 #include "storage/records/chain_writer.h"
+#include "storage/records/session_summary.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"
 
@@ -110,6 +111,7 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
   chain.add(SessionTable::session_events, insert_event(c_, transaction, session, EventKind::graded, "", end),
             end.second());
   chain.finish();
+  follow_event(transaction, session);
   log_session(c_, transaction, grader ? grader->id : UserId{}, session, key_of(EventKind::graded));
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   auto saved = newest(session);

@@ -1,6 +1,7 @@
 #include "storage/repositories/sessions.h"
 
 #include "storage/records/chain_writer.h"
+#include "storage/records/session_summary.h"
 #include "storage/base/process.h"
 #include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
@@ -44,6 +45,7 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   chain.add(SessionTable::sessions, 0, -1);
   chain.add(SessionTable::session_events, event, 0);
   chain.finish();
+  add_summary(transaction, id);
   log_session(c_, transaction, actor.id, id, key_of(EventKind::started));
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return find(id);
@@ -65,6 +67,7 @@ Stored<void> Sessions::add_event(SessionId session, EventKind kind, const std::s
   }
   chain.add(SessionTable::session_events, insert_event(c_, transaction, session, kind, reason, end), end.second());
   chain.finish();
+  follow_event(transaction, session);
   log_session(c_, transaction, UserId{}, session, key_of(kind));
   return commit_sealed(c_, transaction);
 }
@@ -84,9 +87,10 @@ Stored<void> Sessions::close(SessionId session, const std::string& reason) {
 
 Stored<std::vector<SessionId>> Sessions::mark_interrupted() {
   const auto running = c_.db.all(
-      "SELECT s.id, e.process FROM sessions s JOIN session_events e ON e.session = s.id "
-      "WHERE s.station = ?1 AND e.row = (SELECT max(row) FROM session_events WHERE session = s.id) "
-      "AND e.kind IN ('started', 'resumed')",
+      "SELECT m.session, e.process FROM session_summaries m INDEXED BY running_summaries "
+      "JOIN sessions s ON s.id = m.session JOIN session_events e ON e.session = m.session "
+      "AND e.row = (SELECT max(row) FROM session_events WHERE session = m.session) "
+      "WHERE m.state = 'running' AND s.station = ?1 AND e.kind IN ('started', 'resumed')",
       [](Row row) { return std::pair{row.id<SessionId>(0), row.text(1)}; }, c_.station);
   if (!running) return std::unexpected(running.error());
   std::vector<SessionId> marked;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "storage/records/chain_writer.h"
+#include "storage/records/session_summary.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/trace_codec.h"
 
@@ -51,6 +52,7 @@ Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
     chain.add(SessionTable::removed_tissues, row++, at);
   }
   chain.finish();
+  follow_second(transaction, session, elapsed);
   return transaction.commit();
 }
 

@@ -43,7 +43,7 @@ class Database {
   /// Fails with a code of "Opening" or "Any time" in StorageError; a refused file is unchanged. Only SQLite opens the file
   /// (main_file.h): connections of other threads keep their locks.
   /// For reading, if the log's index cannot be created or grown, it opens a copy in memory of file and log as of now
-  /// (memory_copy.h).
+  /// (memory_copy.h). A file of an older schema, too, is read from a copy in memory.
   static Stored<Database> open(const std::filesystem::path& file, const DatabaseOptions& options = {});
   ~Database();
   Database(Database&& other) noexcept;
@@ -109,8 +109,8 @@ class Database {
   static Stored<Database> open_for_reading(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<Database> read_in_place(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<Database> copy_in_memory(const std::filesystem::path& file, const DatabaseOptions& options);
-  /// Fails with read_only, detail "older schema", unless the file has the newest schema.
-  static Stored<Database> current(Database database, std::size_t newest);
+  /// The database, or, if its schema is older, a copy of it in memory that is migrated. The file stays as it is.
+  static Stored<Database> current(Database database, const DatabaseOptions& options);
   /// Removes the file that a failed open() created, if it is empty and unused.
   static void remove_if_empty(const std::filesystem::path& file, const DatabaseOptions& options);
 

@@ -144,15 +144,14 @@ Stored<Database> Database::connect(const fs::path& file, int flags, const Databa
 }
 
 Stored<Database> Database::open_for_reading(const fs::path& file, const DatabaseOptions& options) {
-  const std::size_t newest = options.migrations.size();
   auto in_place = read_in_place(file, options);
-  if (in_place) return current(std::move(*in_place), newest);
+  if (in_place) return current(std::move(*in_place), options);
   if (!lacks_space(in_place.error())) return in_place;
   auto copy = copy_in_memory(file, options);
   if (!copy) return std::unexpected(copy.error().code == StorageError::busy ? copy.error() : in_place.error());
-  const auto owner = owner_of(*copy, newest);
+  const auto owner = owner_of(*copy, options.migrations.size());
   if (!owner || *owner != Owner::cusp) return std::unexpected(owner ? in_place.error() : owner.error());
-  return current(std::move(*copy), newest);
+  return current(std::move(*copy), options);
 }
 
 Stored<Database> Database::read_in_place(const fs::path& file, const DatabaseOptions& options) {
@@ -164,10 +163,23 @@ Stored<Database> Database::read_in_place(const fs::path& file, const DatabaseOpt
   return database;
 }
 
-Stored<Database> Database::current(Database database, std::size_t newest) {
-  // A file of an older schema needs a migration, which read-only access forbids.
-  if (database.schema_version() == static_cast<int>(newest)) return database;
-  return fail(StorageError::read_only, database.file().string(), "older schema");
+Stored<Database> Database::current(Database database, const DatabaseOptions& options) {
+  if (database.schema_version() == static_cast<int>(options.migrations.size())) return database;
+  const std::string name = database.file().string();
+  sqlite3* handle = nullptr;
+  int status = sqlite3_open_v2(":memory:", &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
+  Database migrated{handle, database.file(), Access::read_only};
+  if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, name));
+  sqlite3_extended_result_codes(handle, 1);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_backup* backup = sqlite3_backup_init(handle, "main", database.handle_, "main");
+  if (backup == nullptr) return std::unexpected(failure_of(handle, sqlite3_errcode(handle), name));
+  sqlite3_backup_step(backup, -1);
+  status = sqlite3_backup_finish(backup);
+  if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, name));
+  if (auto done = migrate(migrated, options.migrations); !done) return std::unexpected(done.error());
+  if (auto done = migrated.run("PRAGMA query_only = ON"); !done) return std::unexpected(done.error());
+  return migrated;
 }
 
 Stored<Database> Database::copy_in_memory(const fs::path& file, const DatabaseOptions& options) {

@@ -46,6 +46,14 @@ std::array<std::uint8_t, N> fixed(std::span<const std::byte> from) noexcept {
 Uuid Row::uuid(int column) const noexcept { return Uuid{fixed<16>(bytes(column))}; }
 Hash256 Row::hash(int column) const noexcept { return fixed<32>(bytes(column)); }
 
+bool Row::same_value(int column, const Row& other) const {
+  const int type = sqlite3_column_type(statement_, column);
+  if (type != sqlite3_column_type(other.statement_, column)) return false;
+  if (type == SQLITE_INTEGER) return integer(column) == other.integer(column);
+  if (type == SQLITE_FLOAT) return std::bit_cast<std::uint64_t>(real(column)) == std::bit_cast<std::uint64_t>(other.real(column));
+  return type == SQLITE_NULL || std::ranges::equal(bytes(column), other.bytes(column));
+}
+
 Hash256 Row::content_hash(int first) const {
   Blake2b hash;
   for (int i = first; i < columns(); ++i) {

@@ -44,6 +44,8 @@ class Row {
   std::optional<double> maybe_real(int column) const noexcept {
     return is_null(column) ? std::nullopt : std::optional{real(column)};
   }
+  /// Same type and bytes in this column of both rows.
+  bool same_value(int column, const Row& other) const;
   /// Hash of every column from `first` on, with its type.
   Hash256 content_hash(int first = 0) const;
 

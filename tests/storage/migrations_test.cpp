@@ -36,6 +36,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
   // b2sum -l 256 storage/sqlite/migrations/NNNN.sql; a new file gets a new line here.
   const std::vector<std::string> landed = {
       "5bc9b29552351ccadbf5db0df66e71ce5641bfdff7d464e0fa6a0f107f679bb8",
+      "26f3b4caca55e8ba31c22c1e2f2a339d175cd8bbe99228d1bc5efccacfa4080a",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -93,6 +94,29 @@ TEST(Migrations, a_file_of_schema_1_opens_and_holds_what_it_held) {
   EXPECT_EQ(must(store->grades.newest(session))->grade.criteria.at(1).reason_args.at("limit"), 2.0);
   EXPECT_TRUE(must(verify_session(store->context(), session)).intact());
   EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
+TEST(Migrations, a_file_of_schema_1_opened_for_reading_shows_the_same_and_stays_as_it_is) {
+  const Folder folder;
+  const fs::path file = folder / "a.db";
+  {
+    auto db = must(Database::open(file, {.migrations = built_in_migrations().first(1)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0001.sql")));
+  }
+  const std::string before = text_of(file);
+  StoreOptions reading = quick();
+  reading.database.access = DatabaseOptions::Access::read_only;
+  {
+    const auto store = open(file, reading);
+    const Account student = must(store->accounts.find_number("20267314"));
+    const auto rows = must(store->history.list(student.actor()));
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].score, 81.5);
+    EXPECT_TRUE(must(verify_session(store->context(), rows[0].session)).intact());
+    EXPECT_EQ(code_of(store->database().run("DELETE FROM session_summaries")), StorageError::read_only);
+  }
+  EXPECT_EQ(text_of(file), before);
 }
 
 }  // namespace

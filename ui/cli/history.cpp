@@ -1,9 +1,10 @@
-// cusp history DB list|show|verify
+// cusp history DB list|show|verify|rebuild
 
 #include <nlohmann/json.hpp>
 
 #include "scenarios/grading/maxima.h"
 #include "storage/base/clock.h"
+#include "storage/records/session_summary.h"
 #include "storage/records/verify.h"
 #include "ui/cli/account.h"
 #include "ui/cli/outputs.h"
@@ -228,6 +229,22 @@ int verify(const HistoryOptions& o) {
   return kDone;
 }
 
+int rebuild(const HistoryOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  auto store = open_records(o.db);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
+  if (!account) return failed(account.error());
+  const auto differences = rebuild_summaries((*store)->context(), account->actor());
+  if (!differences) return failed(describe(differences.error()));
+  if (!o.json.write({{"differences", *differences}})) return kFailed;
+  if (!o.json.on_stdout()) {
+    print_line(plain(CliText::tr("The lists are made anew from the records; %n value(s) differed.", nullptr,
+                                 static_cast<int>(*differences))));
+  }
+  return kDone;
+}
+
 }  // namespace
 
 void add_history(CLI::App& program, Job& job) {
@@ -245,12 +262,16 @@ void add_history(CLI::App& program, Job& job) {
   CLI::App* show_one = verb->add_subcommand("show", help(CliText::tr("One session: events, removed tissue, grade")));
   show_one->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
   CLI::App* verify_all = verb->add_subcommand("verify", help(CliText::tr("The file, each session's chain, and the audit log")));
+  CLI::App* rebuild_all =
+      verb->add_subcommand("rebuild", help(CliText::tr("Makes what lists and charts show anew from the records")));
   list_of->fallthrough();
   show_one->fallthrough();
   verify_all->fallthrough();
+  rebuild_all->fallthrough();
   list_of->callback([&job, o] { job = [o] { return list(*o); }; });
   show_one->callback([&job, o] { job = [o] { return show(*o); }; });
   verify_all->callback([&job, o] { job = [o] { return verify(*o); }; });
+  rebuild_all->callback([&job, o] { job = [o] { return rebuild(*o); }; });
 }
 
 }  // namespace cusp::ui

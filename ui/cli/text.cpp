@@ -109,6 +109,8 @@ QString finding_text(const ChainFinding& f) {
       return CliText::tr("The counter beside the station’s key is not the one of this database: %1%2.").arg(where, when);
     case FindingCode::log_damaged:
       return CliText::tr("The audit log’s end was changed or taken out: %1%2.").arg(where, when);
+    case FindingCode::summary_differs:
+      return CliText::tr("The lists show something else than the record: %1%2.").arg(where, when);
   }
   return where;
 }
