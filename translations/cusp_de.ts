@@ -5233,6 +5233,14 @@
             <numerusform>%n Versuche exportiert.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Too many attempts for another order than the newest first.</source>
+        <translation>Zu viele Versuche für eine andere Reihenfolge als die neuesten zuerst.</translation>
+    </message>
+    <message>
+        <source>Up to %1 can be sorted: choose an exercise, a student or a period.</source>
+        <translation>Bis zu %1 lassen sich sortieren: wählen Sie eine Übung, eine Person oder einen Zeitraum.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PinSlips</name>

@@ -110,14 +110,14 @@ std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& opti
   return out;
 }
 
-Stored<std::string> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
+Stored<CsvFile> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                    const CsvOptions& options) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   const auto rows = History(context).list(actor, filter);
   if (!rows) return std::unexpected(rows.error());
   if (auto noted = note(context, actor, "history_exported", rows->size()); !noted)
     return std::unexpected(noted.error());
-  return history_csv(*rows, options);
+  return CsvFile{history_csv(*rows, options), rows->size()};
 }
 
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,

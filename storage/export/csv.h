@@ -2,6 +2,7 @@
 /// a formula gets an apostrophe in front. Column names are stable keys.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,8 +23,12 @@ std::string csv_number(double value);
 
 /// One line per session.
 std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options = {});
+struct CsvFile {
+  std::string text;
+  std::size_t rows = 0;  // without the head
+};
 /// Sessions that match. Needs export_results; adds an entry to the audit log.
-Stored<std::string> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
+Stored<CsvFile> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                    const CsvOptions& options = {});
 /// One line per criterion of the newest grade of each session that matches. Needs export_results; adds an entry.
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,

@@ -24,7 +24,7 @@ AuditWriter::AuditWriter(StorageContext& context, Transaction& transaction)
         return SignedHead{{row.u64(0), row.hash(1)}, row.hash(2), signature_of(row.bytes(3))};
       });
   const auto last =
-      transaction.first("SELECT number + 1, link FROM audit_log ORDER BY number DESC LIMIT 1", [](Row row) {
+      transaction.first("SELECT number + 1, link FROM audit_log WHERE number = (SELECT max(number) FROM audit_log)", [](Row row) {
         return ChainHead{row.u64(0), row.hash(1)};
       });
   if (!transaction.ok() || (!head && !last)) return;

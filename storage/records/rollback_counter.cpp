@@ -75,7 +75,7 @@ Stored<CounterCheck> check_counter(StorageContext& context) {
   // Reads the file before the log: another process may add an entry in between.
   const auto counter = read_counter(context.counter_file);
   const auto last =
-      context.db.first("SELECT number + 1, link FROM audit_log ORDER BY number DESC LIMIT 1", [](Row row) {
+      context.db.first("SELECT number + 1, link FROM audit_log WHERE number = (SELECT max(number) FROM audit_log)", [](Row row) {
         return ChainHead{row.u64(0), row.hash(1)};
       });
   if (!last) return std::unexpected(last.error());

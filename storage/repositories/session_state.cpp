@@ -28,6 +28,13 @@ std::optional<SessionKind> session_kind_from_key(std::string_view key) noexcept 
   }
   return std::nullopt;
 }
+std::optional<SessionState> session_state_from_key(std::string_view key) noexcept {
+  for (const auto state : {SessionState::running, SessionState::interrupted, SessionState::finished, SessionState::graded,
+                           SessionState::closed}) {
+    if (key_of(state) == key) return state;
+  }
+  return std::nullopt;
+}
 std::optional<EventKind> event_kind_from_key(std::string_view key) noexcept {
   for (const auto kind : {EventKind::started, EventKind::interrupted, EventKind::resumed, EventKind::finished,
                           EventKind::graded, EventKind::closed}) {

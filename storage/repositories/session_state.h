@@ -17,6 +17,7 @@ struct TraceEnd {
 };
 
 std::optional<SessionKind> session_kind_from_key(std::string_view key) noexcept;
+std::optional<SessionState> session_state_from_key(std::string_view key) noexcept;
 std::optional<EventKind> event_kind_from_key(std::string_view key) noexcept;
 
 enum class Need { running, interrupted, not_running };

@@ -1,124 +1,138 @@
 #include "storage/summary/history.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <functional>
+#include <iterator>
+#include <utility>
 
-#include "storage/repositories/session_state.h"
 #include "storage/repositories/title.h"
+#include "storage/summary/pages.h"
 
 namespace cusp::storage {
 namespace {
 
-/// ?1 session, ?2 student, ?3 scenario, ?4 cohort, ?5 device class, ?6 from, ?7 to, ?8 passed, ?9 search, ?10 scripted,
-/// ?11 most rows, ?12 guests and try-outs too. A null parameter filters nothing. Attempts are counted before filtering.
-constexpr const char* kRows = R"(
-WITH counted AS (
-  SELECT s.id, s.student, p.number AS student_number, p.name AS student_name, v.scenario, s.version,
-         v.number AS version_number, v.key, v.title, s.kind, s.hand, s.device, s.device_class, s.started_at, s.sequence,
-         s.engine_version, row_number() OVER (PARTITION BY s.student, v.scenario, s.kind IN ('practice', 'assessment')
-                            ORDER BY s.started_at, s.sequence) AS attempt
-  FROM sessions s
-  JOIN people p ON p.id = s.student
-  JOIN scenario_versions v ON v.id = s.version
-  WHERE (?2 IS NULL OR s.student = ?2)
-    AND (?12 OR (s.kind IN ('practice', 'assessment') AND p.guest = 0))
-)
-SELECT c.id, c.student, c.student_number, c.student_name, c.scenario, c.version, c.version_number, c.key, c.title,
-       c.kind, c.hand, c.device, c.device_class, c.started_at,
-       coalesce((SELECT elapsed_us FROM trace_chunks WHERE session = c.id ORDER BY row DESC LIMIT 1), 0),
-       (SELECT kind FROM session_events WHERE session = c.id ORDER BY row DESC LIMIT 1),
-       c.attempt, g.score, g.score_max, g.pass_mark, g.passed, g.critical, c.engine_version
-FROM counted c
-LEFT JOIN grades g ON g.session = c.id AND g.row = (SELECT max(row) FROM grades WHERE session = c.id)
-WHERE (?1 IS NULL OR c.id = ?1)
-  AND (?3 IS NULL OR c.scenario = ?3)
-  AND (?4 IS NULL OR EXISTS (SELECT 1 FROM cohort_students WHERE cohort = ?4 AND student = c.student))
-  AND (?5 IS NULL OR c.device_class = ?5)
-  AND (?6 IS NULL OR c.started_at >= ?6)
-  AND (?7 IS NULL OR c.started_at < ?7)
-  AND (?8 IS NULL OR g.passed = ?8)
-  AND (?9 = '' OR instr(lower(c.student_name), lower(?9)) > 0 OR instr(lower(c.student_number), lower(?9)) > 0)
-  AND (?10 IS NULL OR (c.hand <> 'person') = ?10)
-ORDER BY c.started_at DESC, c.sequence DESC
-LIMIT ?11)";
+constexpr int kRowsAtOnce = 1000;  // of list(): one page of many
 
-HistoryRow row_of(Row row) {
-  HistoryRow h;
-  h.session = row.id<SessionId>(0);
-  h.student = row.id<UserId>(1);
-  h.student_number = row.text(2);
-  h.student_name = row.text(3);
-  h.scenario = row.id<ScenarioId>(4);
-  h.version = row.id<VersionId>(5);
-  h.version_number = static_cast<int>(row.integer(6));
-  h.scenario_key = row.text(7);
-  h.title = title_from_json(row.text(8));
-  h.kind = session_kind_from_key(row.text(9)).value_or(SessionKind::practice);
-  h.operator_name = row.text(10);
-  h.device = row.text(11);
-  h.device_class = row.text(12);
-  h.started_utc_us = row.integer(13);
-  h.elapsed_us = row.u64(14);
-  const auto last = event_kind_from_key(row.text(15)).value_or(EventKind::closed);
-  h.attempt = static_cast<int>(row.integer(16));
-  h.score = row.maybe_real(17);
-  h.score_max = row.maybe_real(18);
-  h.pass_mark = row.maybe_real(19);
-  if (!row.is_null(20)) h.passed = row.flag(20);
-  h.engine_version = static_cast<int>(row.integer(22));
-  const auto critical = nlohmann::json::parse(row.text(21), nullptr, false);
-  if (critical.is_array()) {
-    for (const auto& item : critical) {
-      if (item.is_string()) h.critical.push_back(item.get<std::string>());
-    }
-  }
-  h.state = state_after({SessionEvent{.kind = last}});
-  if (h.state == SessionState::closed && h.passed) h.state = SessionState::graded;
-  return h;
-}
-
-Stored<std::vector<HistoryRow>> rows(Database& db, const HistoryFilter& f, std::optional<SessionId> session) {
-  return db.all(kRows, row_of, session, f.student, f.scenario, f.cohort, f.device_class, f.from_utc_us, f.to_utc_us,
-                f.passed, f.search, f.scripted, f.limit, session.has_value());
-}
-
-Stored<UserId> owner_of(Database& db, SessionId session) {
-  const auto student =
-      db.first("SELECT student FROM sessions WHERE id = ?1", [](Row row) { return row.id<UserId>(0); }, session);
-  if (!student) return std::unexpected(student.error());
-  if (!*student) return fail(StorageError::not_found, "sessions", session.text());
-  return **student;
-}
+SessionId session_of(Row row) { return row.id<SessionId>(0); }
 
 /// One session of any kind.
 Stored<HistoryRow> one(Database& db, const Actor& actor, SessionId session) {
-  const auto owner = owner_of(db, session);
+  const auto owner =
+      db.first("SELECT student FROM sessions WHERE id = ?1", [](Row row) { return row.id<UserId>(0); }, session);
   if (!owner) return std::unexpected(owner.error());
-  if (auto allowed = require_reading(actor, *owner); !allowed) return std::unexpected(allowed.error());
-  HistoryFilter filter;
-  filter.student = *owner;
-  auto found = rows(db, filter, session);
+  if (!*owner) return fail(StorageError::not_found, "sessions", session.text());
+  if (auto allowed = require_reading(actor, **owner); !allowed) return std::unexpected(allowed.error());
+  auto found = rows_of(db, {session});
   if (!found) return std::unexpected(found.error());
-  if (found->empty()) return fail(StorageError::not_found, "sessions", session.text());
+  if (found->empty()) return fail(StorageError::not_found, "session_summaries", session.text());
   return std::move(found->front());
 }
 
-/// Best by score, the earlier of two equal ones. Pre: rows come newest first.
-void keep_best(std::optional<HistoryRow>& best, const HistoryRow& row) {
-  if (row.score && (!best || *row.score >= *best->score)) best = row;
+/// The filter, narrowed to what the actor may read.
+Stored<HistoryFilter> readable(const Actor& actor, const HistoryFilter& filter) {
+  HistoryFilter narrowed = filter;
+  if (may(actor.role, Action::see_all_results)) return narrowed;
+  if (filter.student && *filter.student != actor.id) {
+    return fail(StorageError::not_allowed, std::string(key_of(Action::see_all_results)));
+  }
+  narrowed.student = actor.id;
+  return narrowed;
 }
+
+/// The scenarios and device classes of one student's listed sessions, or of all: each is found by the one before it.
+template <class Value>
+Stored<std::vector<Value>> each_value(Database& db, const char* next, const char* first,
+                                      const std::function<Value(Row)>& read) {
+  std::vector<Value> values;
+  auto found = db.first(first, [&](Row row) { return row.is_null(0) ? std::optional<Value>{} : read(row); });
+  while (found && *found && **found) {
+    values.push_back(***found);
+    found = db.first(
+        next, [&](Row row) { return row.is_null(0) ? std::optional<Value>{} : read(row); }, values.back());
+  }
+  if (!found) return std::unexpected(found.error());
+  return values;
+}
+
+struct Graded {
+  ScenarioId scenario;
+  HistoryKey key;
+  double score = 0;
+};
 
 }  // namespace
 
+Stored<HistoryPage> History::page(const Actor& actor, const HistoryFilter& filter,
+                                  const std::optional<HistoryKey>& after, int limit) {
+  const auto narrowed = readable(actor, filter);
+  if (!narrowed) return std::unexpected(narrowed.error());
+  const Snapshot snapshot(c_.db);
+  const auto keys = keys_of_page(c_.db, *narrowed, after, limit);
+  if (!keys) return std::unexpected(keys.error());
+  std::vector<SessionId> sessions;
+  for (const HistoryKey& key : *keys) sessions.push_back(key.session);
+  auto rows = rows_of(c_.db, sessions);
+  if (!rows) return std::unexpected(rows.error());
+  HistoryPage page{std::move(*rows), std::nullopt};
+  if (std::ssize(*keys) == limit) page.after = keys->back();
+  return page;
+}
+
 Stored<std::vector<HistoryRow>> History::list(const Actor& actor, const HistoryFilter& filter) {
-  HistoryFilter narrowed = filter;
-  if (!may(actor.role, Action::see_all_results)) {
-    if (filter.student && *filter.student != actor.id) {
-      return fail(StorageError::not_allowed, std::string(key_of(Action::see_all_results)));
-    }
-    narrowed.student = actor.id;
+  std::vector<HistoryRow> rows;
+  std::optional<HistoryKey> after;
+  while (true) {
+    const int left = filter.limit < 0 ? kRowsAtOnce : filter.limit - static_cast<int>(rows.size());
+    if (left <= 0) return rows;
+    auto more = page(actor, filter, after, std::min(left, kRowsAtOnce));
+    if (!more) return std::unexpected(more.error());
+    std::ranges::move(more->rows, std::back_inserter(rows));
+    if (!more->after) return rows;
+    after = more->after;
   }
-  return rows(c_.db, narrowed, std::nullopt);
+}
+
+Stored<FigureReading> History::figures(const Actor& actor, const HistoryFilter& filter) {
+  const auto narrowed = readable(actor, filter);
+  if (!narrowed) return std::unexpected(narrowed.error());
+  return read_figures(c_.db, *narrowed);
+}
+
+Stored<std::vector<PractisedScenario>> History::scenarios(const Actor& actor, const std::optional<UserId>& student) {
+  const auto narrowed = readable(actor, {.student = student});
+  if (!narrowed) return std::unexpected(narrowed.error());
+  const auto id = [](Row row) { return row.id<ScenarioId>(0); };
+  const auto ids =
+      narrowed->student
+          ? c_.db.all("SELECT DISTINCT scenario FROM session_summaries INDEXED BY summaries_of_student "
+                      "WHERE student = ?1 AND listed = 1",
+                      id, *narrowed->student)
+          : each_value<ScenarioId>(c_.db,
+                                   "SELECT min(scenario) FROM session_summaries INDEXED BY summaries_of_scenario "
+                                   "WHERE listed = 1 AND scenario > ?1",
+                                   "SELECT min(scenario) FROM session_summaries INDEXED BY summaries_of_scenario "
+                                   "WHERE listed = 1",
+                                   id);
+  if (!ids) return std::unexpected(ids.error());
+  std::vector<PractisedScenario> found;
+  for (const ScenarioId scenario : *ids) {
+    const auto title = c_.db.first(
+        "SELECT title FROM scenario_versions WHERE scenario = ?1 ORDER BY number DESC LIMIT 1",
+        [](Row row) { return title_from_json(row.text(0)); }, scenario);
+    if (!title) return std::unexpected(title.error());
+    found.push_back({scenario, title->value_or(LocalText{})});
+  }
+  return found;
+}
+
+Stored<std::vector<std::string>> History::device_classes(const Actor& actor) {
+  if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
+  return each_value<std::string>(c_.db,
+                                 "SELECT min(device_class) FROM session_summaries "
+                                 "INDEXED BY summaries_of_device_class WHERE listed = 1 AND device_class > ?1",
+                                 "SELECT min(device_class) FROM session_summaries "
+                                 "INDEXED BY summaries_of_device_class WHERE listed = 1",
+                                 [](Row row) { return row.text(0); });
 }
 
 Stored<SessionDetails> History::details(const Actor& actor, SessionId id) {
@@ -141,55 +155,84 @@ Stored<SessionDetails> History::details(const Actor& actor, SessionId id) {
 Stored<std::optional<HistoryRow>> History::best_before(const Actor& actor, SessionId session) {
   const auto row = one(c_.db, actor, session);
   if (!row) return std::unexpected(row.error());
-  HistoryFilter filter;
-  filter.student = row->student;
-  filter.scenario = row->scenario;
-  filter.device_class = row->device_class;
-  const auto all = rows(c_.db, filter, std::nullopt);
-  if (!all) return std::unexpected(all.error());
-  std::optional<HistoryRow> best;
-  // A try-out or a guest's attempt is in no list: every attempt that started before it counts.
-  const bool listed = std::ranges::any_of(*all, [&](const HistoryRow& other) { return other.session == session; });
-  for (const HistoryRow& other : *all) {
-    if (listed ? other.attempt < row->attempt : other.started_utc_us < row->started_utc_us) keep_best(best, other);
-  }
-  return best;
+  const auto best = c_.db.first(
+      "SELECT session FROM session_summaries INDEXED BY graded_of_student WHERE student = ?1 AND listed = 1 "
+      "AND scenario = ?2 AND device_class = ?3 AND score IS NOT NULL AND (started_at, sequence) < (?4, ?5) "
+      "ORDER BY score DESC, started_at, sequence LIMIT 1",
+      session_of, row->student, row->scenario, row->device_class, row->started_utc_us, row->sequence);
+  if (!best) return std::unexpected(best.error());
+  if (!*best) return std::optional<HistoryRow>{};
+  auto rows = rows_of(c_.db, {**best});
+  if (!rows) return std::unexpected(rows.error());
+  if (rows->empty()) return std::optional<HistoryRow>{};
+  return std::move(rows->front());
 }
 
 Stored<int> History::attempts(const Actor& actor, UserId student, ScenarioId scenario) {
-  HistoryFilter filter;
-  filter.student = student;
-  filter.scenario = scenario;
-  const auto all = list(actor, filter);
-  if (!all) return std::unexpected(all.error());
-  return static_cast<int>(all->size());
+  if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
+  const auto count = c_.db.first(
+      "SELECT count(*) FROM session_summaries INDEXED BY summaries_of_student WHERE student = ?1 AND listed = 1 "
+      "AND scenario = ?2",
+      [](Row row) { return static_cast<int>(row.integer(0)); }, student, scenario);
+  if (!count) return std::unexpected(count.error());
+  return count->value_or(0);
 }
 
 Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId student) {
-  HistoryFilter filter;
-  filter.student = student;
-  auto all = list(actor, filter);
-  if (!all) return all;
-  std::erase_if(*all, [](const HistoryRow& row) {
-    return row.state != SessionState::interrupted || row.engine_version != kEngineVersion;
-  });
-  return all;
+  if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
+  const auto sessions = c_.db.all(
+      "SELECT session FROM session_summaries INDEXED BY interrupted_summaries WHERE student = ?1 "
+      "AND state = 'interrupted' AND listed = 1 AND engine_version = ?2 ORDER BY started_at DESC, sequence DESC",
+      session_of, student, kEngineVersion);
+  if (!sessions) return std::unexpected(sessions.error());
+  return rows_of(c_.db, *sessions);
 }
 
 Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, UserId student) {
-  HistoryFilter filter;
-  filter.student = student;
-  const auto all = list(actor, filter);
-  if (!all) return std::unexpected(all.error());
-  std::vector<ExerciseStanding> out;
-  for (const HistoryRow& row : *all) {
-    auto at = std::ranges::find(out, row.scenario, &ExerciseStanding::scenario);
-    if (at == out.end()) at = out.insert(at, ExerciseStanding{row.scenario, 0, std::nullopt, std::nullopt});
-    ++at->attempts;
-    keep_best(at->best, row);
-    if (row.score && !at->last) at->last = row;
+  if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
+  const Snapshot snapshot(c_.db);
+  auto standings = c_.db.all(
+      "SELECT scenario, count(*) FROM session_summaries INDEXED BY summaries_of_student "
+      "WHERE student = ?1 AND listed = 1 GROUP BY scenario",
+      [](Row row) {
+        return ExerciseStanding{row.id<ScenarioId>(0), static_cast<int>(row.integer(1)), std::nullopt, std::nullopt};
+      },
+      student);
+  if (!standings) return standings;
+  // In the order of the index: by scenario, the oldest first.
+  const auto graded = c_.db.all(
+      "SELECT scenario, started_at, sequence, session, score FROM session_summaries INDEXED BY graded_of_student "
+      "WHERE student = ?1 AND listed = 1 AND score IS NOT NULL ORDER BY scenario, started_at, sequence",
+      [](Row row) {
+        return Graded{row.id<ScenarioId>(0), {row.integer(1), row.integer(2), row.id<SessionId>(3)}, row.real(4)};
+      },
+      student);
+  if (!graded) return std::unexpected(graded.error());
+  for (ExerciseStanding& standing : *standings) {
+    const auto of_scenario = std::ranges::equal_range(*graded, standing.scenario, {}, &Graded::scenario);
+    if (of_scenario.empty()) continue;
+    const Graded& best = *std::ranges::max_element(of_scenario, {}, &Graded::score);
+    auto rows = rows_of(c_.db, {best.key.session, of_scenario.back().key.session});
+    if (!rows) return std::unexpected(rows.error());
+    if (rows->size() != 2) continue;
+    standing.best = std::move(rows->front());
+    standing.last = std::move(rows->back());
   }
-  return out;
+  return standings;
+}
+
+Stored<std::optional<NewestComment>> History::newest_comment(const Actor& actor, UserId student) {
+  if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
+  const auto session = c_.db.first(
+      "SELECT m.session, m.started_at FROM session_summaries m INDEXED BY summaries_of_student "
+      "CROSS JOIN comments c ON c.session = m.session WHERE m.student = ?1 AND m.listed = 1 "
+      "ORDER BY m.started_at DESC, m.sequence DESC LIMIT 1",
+      [](Row row) { return std::pair{row.id<SessionId>(0), row.integer(1)}; }, student);
+  if (!session) return std::unexpected(session.error());
+  if (!*session) return std::optional<NewestComment>{};
+  auto comments = Comments(c_).of((*session)->first);
+  if (!comments) return std::unexpected(comments.error());
+  return NewestComment{std::move(comments->back()), (*session)->second};
 }
 
 }  // namespace cusp::storage

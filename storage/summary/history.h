@@ -1,8 +1,10 @@
-/// Lists of sessions with their results, one session's details, and the best attempt before it. Lists omit guests and
-/// try-outs. A student reads only own sessions; instructors and administrators read all.
+/// Lists of sessions with their results, page by page; figures over them; one session's details. All but the details come
+/// from the summaries (storage/records/session_summary.h) by an index. Lists omit guests and try-outs. A student reads
+/// only own sessions; instructors and administrators read all.
 #pragma once
 
 #include <cstdint>
+#include <compare>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "storage/repositories/metrics.h"
 #include "storage/repositories/sessions.h"
 #include "storage/base/rights.h"
+#include "storage/summary/figures.h"
 
 namespace cusp::storage {
 
@@ -29,6 +32,7 @@ struct HistoryRow {
   std::string operator_name{};  // kUserOperator, or a scripted operator
   std::string device, device_class;
   std::int64_t started_utc_us = 0;
+  std::int64_t sequence = 0;     // the station's: orders sessions of one moment
   std::uint64_t elapsed_us = 0;  // of the stored trace
   SessionState state = SessionState::running;
   int engine_version = kEngineVersion;  // that recorded it; another version cannot replay the inputs
@@ -47,7 +51,25 @@ struct HistoryFilter {
   std::optional<bool> passed{};                            // graded only
   std::string search{};                                    // part of the student's name or number
   std::optional<bool> scripted{};                          // true: scripted operators only; false: users only
-  int limit = -1;                                          // -1 = all
+  int limit = -1;                                          // of list(); -1 = all
+};
+
+/// A row's place in a list. Of two keys the smaller one is the older session.
+struct HistoryKey {
+  std::int64_t started_utc_us = 0, sequence = 0;
+  SessionId session{};
+  friend auto operator<=>(const HistoryKey&, const HistoryKey&) = default;
+};
+
+struct HistoryPage {
+  std::vector<HistoryRow> rows{};     // newest first
+  std::optional<HistoryKey> after{};  // where the next page begins; none: this is the last one
+};
+
+/// A scenario with listed sessions; the title of its newest version.
+struct PractisedScenario {
+  ScenarioId scenario;
+  LocalText title;
 };
 
 struct SessionDetails {
@@ -66,12 +88,48 @@ struct ExerciseStanding {
   std::optional<HistoryRow> best, last;  // graded attempts; best by score, the earlier of two equal ones
 };
 
+/// Figures that are counted a part at a time, so that a window stays responsive among a million attempts.
+/// It holds a statement: destroy it before the store.
+class FigureReading {
+ public:
+  struct Plan {
+    HistoryFilter filter;
+    std::vector<std::optional<UserId>> students;  // one after the other; a single nullopt: everybody at once
+  };
+  FigureReading(Statement query, Plan plan);
+  /// Counts at most `attempts` further ones; true if there may be more.
+  Stored<bool> take(int attempts);
+  /// Of what was counted so far.
+  Figures figures() { return count_.figures(); }
+
+ private:
+  void ask();
+  Statement query_;
+  Plan plan_;
+  std::size_t at_ = 0;  // of plan_.students
+  FigureCount count_;
+};
+
+struct NewestComment {
+  Comment comment;
+  std::int64_t started_utc_us = 0;  // of its session
+};
+
 class History {
  public:
   explicit History(StorageContext& context) : c_{context} {}
 
-  /// Newest first. Without see_all_results the list holds the actor's own sessions only.
+  /// At most `limit` sessions that started before `after`; from the newest one without it. Without see_all_results lists,
+  /// figures and scenarios are of the actor's own sessions; not_allowed for another student.
+  Stored<HistoryPage> page(const Actor& actor, const HistoryFilter& filter, const std::optional<HistoryKey>& after,
+                           int limit);
+  /// All pages, or filter.limit rows of them. Newest first.
   Stored<std::vector<HistoryRow>> list(const Actor& actor, const HistoryFilter& filter = {});
+  /// Of the graded sessions that fit.
+  Stored<FigureReading> figures(const Actor& actor, const HistoryFilter& filter = {});
+  Stored<std::vector<PractisedScenario>> scenarios(const Actor& actor, const std::optional<UserId>& student = {});
+  /// Of all listed sessions. Needs see_all_results.
+  Stored<std::vector<std::string>> device_classes(const Actor& actor);
   Stored<SessionDetails> details(const Actor& actor, SessionId session);
   /// Of the same student, scenario and device class, started before this session.
   Stored<std::optional<HistoryRow>> best_before(const Actor& actor, SessionId session);
@@ -80,6 +138,8 @@ class History {
   /// resumed on a device of the row's class, or graded as it stands.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
+  /// Of the newest listed session that has one.
+  Stored<std::optional<NewestComment>> newest_comment(const Actor& actor, UserId student);
 
  private:
   StorageContext& c_;

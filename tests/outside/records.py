@@ -59,6 +59,20 @@ def verify_names(desk):
         check(status == 1 and parts[0] in out and '"intact": false' in out, f"{statements[0]}: {out}")
 
 
+def rebuild(desk):
+    """What lists show differs from the records: it is named, and an administrator makes the lists anew."""
+    database = tampered(desk, "UPDATE session_summaries SET score = 100, passed = 0")
+    as_student, as_admin = ("--as", STUDENT), ("--as", "admin")
+    status, out, _ = desk.run("history", database, "verify", *as_student, CUSP_PASSWORD=PIN)
+    check(status == 1 and "session_summaries, score" in out and "session_summaries, passed" in out, f"a changed summary: {out}")
+    status, _, err = desk.run("history", database, "rebuild", *as_student, CUSP_PASSWORD=PIN)
+    check(status == 1, f"a student rebuilds: {err}")
+    status, out, err = desk.run("history", database, "rebuild", "--json", "-", *as_admin, CUSP_PASSWORD="correct horse")
+    check(status == 0 and json.loads(out)["differences"] == 2, f"rebuild: {out}{err}")
+    status, out, err = desk.run("history", database, "verify", *as_student, CUSP_PASSWORD=PIN)
+    check(status == 0, f"after the rebuild: {out}{err}")
+
+
 def secrets(desk, database):
     listed = ("history", database, "list", "--as")
     check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PIN)[0] == 0, "a PIN signs a student in")
@@ -146,6 +160,7 @@ def main():
         points_are_scaled(desk, database)
         outputs(desk, database)
         verify_names(desk)
+        rebuild(desk)
         print("four tamperings were named, and PIN and password called by their names")
 
 

@@ -45,16 +45,17 @@ TEST(CsvExport, the_history_is_one_line_a_session) {
   const Account student = make_student(*store, "=20267314", "Brandt, \"Lena\"");
   const SessionId id = complete_session(*store, student, keep(*store), 40, false);
   const Actor admin = make_administrator(*store).actor();
-  const std::string csv = must(export_history(store->context(), admin, {}, {.language = "de"}));
+  const CsvFile csv = must(export_history(store->context(), admin, {}, {.language = "de"}));
+  EXPECT_EQ(csv.rows, 1u);
   EXPECT_EQ(
-      csv,
+      csv.text,
       "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,device_class,"
       "go,duration_s,state,score,score_max,pass_mark,passed,critical\r\n" +
           id.text() +
           ",2026-11-20T09:14:03Z,'=20267314,\"Brandt, \"\"Lena\"\"\",Gerader Kanal,channel-1,1,practice,person,"
           "Mouse and keys,pointer,1,3.000024,graded,40,100,70,0,pulp_exposure\r\n");
   EXPECT_TRUE(
-      must(export_history(store->context(), admin, {}, {.byte_order_mark = true})).starts_with("\xEF\xBB\xBFsession"));
+      must(export_history(store->context(), admin, {}, {.byte_order_mark = true})).text.starts_with("\xEF\xBB\xBFsession"));
   EXPECT_EQ(must(store->audit.list(admin, 1))[0].action, "history_exported");
 }
 

@@ -56,7 +56,8 @@ TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_resumed_or_gr
   must(store->grades.save(graded, small_grade(), {}));
   must(store->sessions.close(closed, "left"));
   must(store->sessions.resume(resumed, "student"));
-  must(store->database().run("UPDATE sessions SET engine_version = engine_version - 1 WHERE id = ?1", other_engine));
+  must(store->database().run("UPDATE session_summaries SET engine_version = engine_version - 1 WHERE session = ?1",
+                             other_engine));
 
   const auto rows = must(store->history.interrupted(lena.actor(), lena.id));
   ASSERT_EQ(rows.size(), 2u);
@@ -167,19 +168,19 @@ TEST_F(HistoryTest, standings_count_attempts_and_name_best_and_last) {
   EXPECT_EQ(standings[0].last->session, last);
 }
 
-TEST_F(HistoryTest, a_thousand_sessions_are_listed) {
-  // A thousand rows of sessions and events, without the traces that the list does not read.
-  const SessionId one = attempt(lena, 80);
-  must(store->database().run("PRAGMA foreign_keys = OFF"));
-  must(
-      store->database().run("WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000) "
-                            "INSERT INTO sessions SELECT randomblob(16), station, student, version, version_hash, "
-                            "json_hash, kind, assignment, "
-                            "hand, device, device_class, engine_version, specimen_blob, header, started_at + i, "
-                            "sequence + i FROM sessions, n "
-                            "WHERE id = ?1",
-                            one));
-  EXPECT_EQ(must(store->history.list(instructor)).size(), 1001u);
+TEST_F(HistoryTest, the_newest_comment_is_that_of_the_newest_commented_session) {
+  EXPECT_FALSE(must(store->history.newest_comment(lena.actor(), lena.id)));
+  const SessionId first = attempt(lena, 60), second = attempt(lena, 70);
+  attempt(lena, 80);
+  must(store->comments.add(instructor, second, std::nullopt, "Better."));
+  *now += 1'000'000;
+  must(store->comments.add(instructor, second, 12, "Mind the wall."));
+  must(store->comments.add(instructor, first, std::nullopt, "Later, on an older one."));
+  const auto newest = must(store->history.newest_comment(lena.actor(), lena.id));
+  ASSERT_TRUE(newest);
+  EXPECT_EQ(newest->comment.text, "Mind the wall.");
+  EXPECT_EQ(newest->comment.session, second);
+  EXPECT_EQ(newest->started_utc_us, kNow + 120'000'000);
 }
 
 }  // namespace

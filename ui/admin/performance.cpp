@@ -10,13 +10,11 @@
 #include <QSaveFile>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "storage/export/csv.h"
-#include "ui/admin/figures.h"
 #include "ui/modules.h"
 #include "ui/student/course.h"
 #include "ui/text/language.h"
@@ -32,7 +30,10 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kStackBelow = 1000;       // px at 100 %, of the page
-constexpr double kBar = 5, kFrom = 40;  // points: width of a bar; least value of the axis unless somebody has fewer
+constexpr double kFrom = 40;    // points: least value of the axis unless somebody has fewer
+constexpr int kMostSorted = 5000;  // attempts that another order than the newest first is made of: fetched in 0.2 s
+constexpr int kCountedAtOnce = 50000;  // attempts that figures count before the window answers again: 0.05 s
+constexpr int kMostDots = 300;  // attempts drawn one by one
 
 /// Sorts by SortRole: numbers by value, names by the language.
 class Sorted : public QSortFilterProxyModel {
@@ -102,6 +103,7 @@ QWidget* Performance::make_table() {
   table_->setModel(sorted_);
   table_->setSortingEnabled(true);
   table_->sortByColumn(AttemptsModel::kDate, Qt::DescendingOrder);
+  connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &Performance::fetch_for_order);
   table_->set_stretch_column(AttemptsModel::kExercise);
   table_->setMinimumHeight(px(280));
   below_ = new QStackedWidget;
@@ -148,16 +150,11 @@ QWidget* Performance::make_filters() {
 void Performance::fill_filters() {
   exercise_->addItem(tr("All exercises"));
   device_->addItem(tr("All devices"));
-  const auto rows = store_.history.list(reader_);
-  if (rows) {
-    std::set<ScenarioId> exercises;
-    std::set<std::string> devices;
-    for (const HistoryRow& r : *rows) {
-      if (exercises.insert(r.scenario).second) exercise_->addItem(local(r.title), QString::fromStdString(r.scenario.text()));
-      if (devices.insert(r.device_class).second) {
-        device_->addItem(device_name(r.device_class), QString::fromStdString(r.device_class));
-      }
-    }
+  if (const auto scenarios = store_.history.scenarios(reader_)) {
+    for (const PractisedScenario& s : *scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
+  }
+  if (const auto devices = store_.history.device_classes(reader_)) {
+    for (const std::string& device : *devices) device_->addItem(device_name(device), QString::fromStdString(device));
   }
   for (QComboBox* box : {exercise_, result_, device_, period_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &Performance::read);
@@ -201,24 +198,58 @@ QWidget* Performance::make_figures() {
   return bar;
 }
 
-void Performance::read() {
-  auto rows = store_.history.list(reader_, filter());
-  if (!rows) {
-    const Message message = describe(rows.error());
-    band_->show_message(Band::Kind::bad, message.what, message.more);
-    return;
-  }
-  model_->set_rows(std::move(*rows));
-  below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
-  table_->choose_row(0);
-  show_figures();
+void Performance::show_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
-void Performance::show_figures() {
-  const Figures f = figures_of(model_->rows());
-  show_numbers(f);
-  show_spread(f);
-  show_learning();
+std::optional<HistoryPage> Performance::page(const HistoryFilter& filter, const std::optional<HistoryKey>& after) {
+  auto page = store_.history.page(reader_, filter, after, kAttemptsAtOnce);
+  if (page) return std::move(*page);
+  show_failure(page.error());
+  return std::nullopt;
+}
+
+void Performance::read() {
+  const HistoryFilter shown = filter();
+  auto first = page(shown, std::nullopt);
+  if (!first) return;
+  model_->set_pages(std::move(*first), [this, shown](const HistoryKey& after) { return page(shown, after); });
+  below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
+  fetch_for_order(table_->horizontalHeader()->sortIndicatorSection(), table_->horizontalHeader()->sortIndicatorOrder());
+  table_->choose_row(0);
+  auto figures = store_.history.figures(reader_, shown);
+  if (!figures) return show_failure(figures.error());
+  reading_.emplace(std::move(*figures));
+  count_figures();
+}
+
+void Performance::fetch_for_order(int column, Qt::SortOrder order) {
+  if (column == AttemptsModel::kDate && order == Qt::DescendingOrder) return;
+  while (model_->canFetchMore() && model_->rowCount() < kMostSorted) model_->fetchMore();
+  if (!model_->canFetchMore()) return;
+  band_->show_message(Band::Kind::look, tr("Too many attempts for another order than the newest first."),
+                      tr("Up to %1 can be sorted: choose an exercise, a student or a period.").arg(format_number(kMostSorted, 0)));
+  table_->sortByColumn(AttemptsModel::kDate, Qt::DescendingOrder);
+}
+
+void Performance::count_figures() {
+  if (!reading_) return;
+  const auto more = reading_->take(kCountedAtOnce);
+  if (!more) {
+    reading_.reset();
+    return show_failure(more.error());
+  }
+  if (*more) {
+    for (int i = 0; i < 4; ++i) figure_[i]->setText(QStringLiteral("…")), note_[i]->clear();
+    QTimer::singleShot(0, this, &Performance::count_figures);
+    return;
+  }
+  const Figures figures = reading_->figures();
+  reading_.reset();
+  show_numbers(figures);
+  show_spread(figures);
+  show_learning(figures);
 }
 
 void Performance::show_numbers(const Figures& f) {
@@ -237,55 +268,50 @@ void Performance::show_numbers(const Figures& f) {
   note_[3]->setText(f.median_time_s ? tr("minutes and seconds") : QString());
 }
 
-std::optional<double> Performance::common_pass_mark() const {
-  std::set<double> marks;
-  for (const HistoryRow& r : model_->rows()) {
-    if (r.pass_mark) marks.insert(*r.pass_mark);
-  }
-  return marks.size() == 1 ? std::optional(*marks.begin()) : std::nullopt;
-}
-
 void Performance::show_spread(const Figures& f) {
   ChartData spread;
   spread.title = tr("How scores spread");
-  const bool poor = std::ranges::any_of(model_->rows(), [](const HistoryRow& r) { return r.score && *r.score < kFrom; });
+  constexpr auto kBelow = static_cast<std::size_t>(kFrom / kSpreadPoints);
+  const std::span<const int> all(f.spread);
+  const bool poor = std::ranges::any_of(all.first(kBelow), [](int attempts) { return attempts > 0; });
   const double least = poor ? 0 : kFrom;
-  const std::vector<int> bars = spread_of(model_->rows(), least, kBar);
-  const int highest = std::max(4, *std::max_element(bars.begin(), bars.end()));
+  const std::span<const int> bars = poor ? all : all.subspan(kBelow);
+  const int highest = std::max(4, *std::ranges::max_element(bars));
   const double step = std::max(1.0, std::ceil(highest / 4.0));
-  spread.x = {tr("points"), least, 100, poor ? 2 * kBar : kBar, 0};
+  spread.x = {tr("points"), least, 100, poor ? 2 * kSpreadPoints : kSpreadPoints, 0};
   spread.y = {tr("attempts"), 0, step * std::ceil(highest / step), step, 0};
   ChartSeries counted;
   counted.name = tr("Attempts");
   counted.draw = ChartSeries::Draw::bars;
   for (std::size_t i = 0; i < bars.size(); ++i) {
-    const double from = least + kBar * static_cast<double>(i);
+    const double from = least + kSpreadPoints * static_cast<double>(i);
     counted.points += {from, static_cast<double>(bars[i]),
-                       i == 0 ? tr("below %1").arg(format_number(from + kBar, 0))
-                              : tr("%1 to %2").arg(format_number(from, 0), format_number(from + kBar, 0)),
+                       i == 0 ? tr("below %1").arg(format_number(from + kSpreadPoints, 0))
+                              : tr("%1 to %2").arg(format_number(from, 0), format_number(from + kSpreadPoints, 0)),
                        false};
   }
   spread.series += counted;
-  spread.mark = common_pass_mark();
+  spread.mark = f.pass_mark;
   if (spread.mark) spread.mark_text = tr("pass %1").arg(format_points(*spread.mark));
   spread.summary = tr("%n attempt(s).", nullptr, f.attempts);
   spread_->set_data(spread);
 }
 
-void Performance::show_learning() {
+void Performance::show_learning(const Figures& f) {
   ChartData learning;
   learning.title = tr("Learning");
-  const std::vector<LearningPoint> points = learning_of(model_->rows());
-  int last_attempt = 4;
-  for (const HistoryRow& r : model_->rows()) last_attempt = std::max(last_attempt, r.attempt);
+  const int last_attempt = std::max(4, f.last_attempt);
   learning.x = {tr("attempt"), 1, static_cast<double>(last_attempt), std::max(1.0, std::ceil(last_attempt / 10.0)), 0};
   learning.y = {tr("points"), 0, 100, 20, 0};
-  if (points.empty()) {
+  if (f.learning.empty()) {
     // Too few students for a median: each attempt is one dot.
     ChartSeries dots;
     dots.name = tr("Attempts");
     dots.draw = ChartSeries::Draw::dots;
-    for (const HistoryRow& r : model_->rows()) {
+    HistoryFilter newest = filter();
+    newest.limit = kMostDots;
+    const auto rows = store_.history.list(reader_, newest);
+    for (const HistoryRow& r : rows ? *rows : std::vector<HistoryRow>{}) {
       if (r.score) dots.points += {static_cast<double>(r.attempt), *r.score, QString::fromStdString(r.student_name), false};
     }
     learning.series += dots;
@@ -296,16 +322,16 @@ void Performance::show_learning() {
     low.name = high.name = tr("Middle half");
     low.quiet = high.quiet = true;
     low.draw = high.draw = median.draw = ChartSeries::Draw::line;
-    for (const LearningPoint& p : points) {
+    for (const LearningPoint& p : f.learning) {
       low.points += {static_cast<double>(p.attempt), p.middle_half.low, {}, false};
       high.points += {static_cast<double>(p.attempt), p.middle_half.high, {}, false};
       median.points += {static_cast<double>(p.attempt), p.median, tr("%n student(s)", nullptr, p.students), false};
     }
     low.name.clear();
     learning.series << high << low << median;
-    learning.summary = tr("Median over %n attempt(s).", nullptr, static_cast<int>(points.size()));
+    learning.summary = tr("Median over %n attempt(s).", nullptr, static_cast<int>(f.learning.size()));
   }
-  learning.mark = common_pass_mark();
+  learning.mark = f.pass_mark;
   if (learning.mark) learning.mark_text = tr("pass %1").arg(format_points(*learning.mark));
   learning_->set_data(learning);
 }
@@ -313,18 +339,14 @@ void Performance::show_learning() {
 void Performance::export_csv() {
   CsvOptions options;
   options.language = current_language().toStdString();
-  const auto text = export_history(store_.context(), reader_, filter(), options);
-  if (!text) {
-    const Message message = describe(text.error());
-    band_->show_message(Band::Kind::bad, message.what, message.more);
-    return;
-  }
+  const auto csv = export_history(store_.context(), reader_, filter(), options);
+  if (!csv) return show_failure(csv.error());
   FileWish wish;
   wish.title = tr("Export CSV");
   wish.name = u"cusp-performance-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs) + u".csv"_qs;
   wish.filter = tr("CSV (*.csv)");
-  const int rows = model_->rowCount();
-  ports_.pick_file(this, wish, [this, rows, bytes = QByteArray::fromStdString(*text)](const QString& path) {
+  const int rows = static_cast<int>(csv->rows);
+  ports_.pick_file(this, wish, [this, rows, bytes = QByteArray::fromStdString(csv->text)](const QString& path) {
     // QSaveFile renames at the end: a full disk leaves the old file.
     QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {

@@ -23,7 +23,6 @@ class Band;
 class Chart;
 class AttemptsModel;
 class Table;
-struct Figures;
 
 class Performance : public QWidget {
   Q_OBJECT
@@ -55,17 +54,21 @@ class Performance : public QWidget {
   QBoxLayout* make_charts();
   QWidget* make_table();
   void fill_filters();
-  void show_figures();
+  std::optional<HistoryPage> page(const HistoryFilter& filter, const std::optional<HistoryKey>& after);
+  /// Fetches the rest of the attempts for another order than the newest first; with too many it keeps that order and says so.
+  void fetch_for_order(int column, Qt::SortOrder order);
+  /// Counts a part of the figures; the next part comes with the next turn of the event loop.
+  void count_figures();
+  void show_failure(const StorageFailure& failure);
   void show_numbers(const Figures& figures);
   void show_spread(const Figures& figures);
-  void show_learning();
-  /// nullopt if the rows shown have more than one pass mark, or none.
-  std::optional<double> common_pass_mark() const;
+  void show_learning(const Figures& figures);
 
   Store& store_;
   Actor reader_;
   const Ports& ports_;
   AttemptsModel* model_;
+  std::optional<FigureReading> reading_;  // until the figures are complete
   QSortFilterProxyModel* sorted_;
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;

@@ -57,32 +57,39 @@ int Course::next() const {
   return static_cast<int>(it - rows.begin());
 }
 
-const HistoryRow* Course::last_graded() const {
-  for (const HistoryRow& attempt : attempts) {
-    if (attempt.score) return &attempt;
+namespace {
+
+/// What the start page shows of the newest attempts.
+Stored<void> load_newest(Course& course, Store& store, const Actor& student, const std::vector<ExerciseStanding>& standings) {
+  for (const ExerciseStanding& s : standings) {
+    const auto moment = [](const HistoryRow& row) { return std::pair(row.started_utc_us, row.sequence); };
+    if (s.last && (!course.last_graded || moment(*s.last) > moment(*course.last_graded))) course.last_graded = s.last;
   }
-  return nullptr;
+  const auto interrupted = store.history.interrupted(student, student.id);
+  if (!interrupted) return std::unexpected(interrupted.error());
+  if (!interrupted->empty()) course.interrupted = interrupted->front();
+  if (!course.last_graded) return {};
+  HistoryFilter same;
+  same.student = student.id;
+  same.scenario = course.last_graded->scenario;
+  same.device_class = course.last_graded->device_class;
+  auto attempts = store.history.list(student, same);
+  if (!attempts) return std::unexpected(attempts.error());
+  std::erase_if(*attempts, [](const HistoryRow& row) { return !row.score; });
+  course.charted = std::move(*attempts);
+  return {};
 }
 
-const HistoryRow* Course::interrupted() const {
-  for (const HistoryRow& attempt : attempts) {
-    if (attempt.state == SessionState::interrupted && !attempt.passed) return &attempt;
-  }
-  return nullptr;
-}
+}  // namespace
 
 Stored<Course> load_course(Store& store, const Actor& student) {
   Course course;
   auto list = load_exercises(store);
   if (!list) return std::unexpected(list.error());
   course.unreadable = std::move(list->unreadable);
-  HistoryFilter own;
-  own.student = student.id;
-  auto attempts = store.history.list(student, own);
-  if (!attempts) return std::unexpected(attempts.error());
-  course.attempts = std::move(*attempts);
   const auto standings = store.history.standings(student, student.id);
   if (!standings) return std::unexpected(standings.error());
+  if (auto loaded = load_newest(course, store, student, *standings); !loaded) return std::unexpected(loaded.error());
   const auto assigned = store.assignments.for_student(student.id);
   if (!assigned) return std::unexpected(assigned.error());
   for (Exercise& exercise : list->exercises) {
@@ -170,7 +177,25 @@ int result_chip(const HistoryRow& row) {
 void AttemptsModel::set_rows(std::vector<HistoryRow> rows) {
   beginResetModel();
   rows_ = std::move(rows);
+  after_.reset();
   endResetModel();
+}
+void AttemptsModel::set_pages(HistoryPage first, Fetch fetch) {
+  beginResetModel();
+  rows_ = std::move(first.rows);
+  after_ = first.after;
+  fetch_ = std::move(fetch);
+  endResetModel();
+}
+bool AttemptsModel::canFetchMore(const QModelIndex& parent) const { return !parent.isValid() && after_; }
+void AttemptsModel::fetchMore(const QModelIndex& parent) {
+  if (!canFetchMore(parent)) return;
+  auto page = fetch_(*after_);
+  after_ = page ? page->after : std::nullopt;
+  if (!page || page->rows.empty()) return;
+  beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(page->rows.size()) - 1);
+  std::ranges::move(page->rows, std::back_inserter(rows_));
+  endInsertRows();
 }
 int AttemptsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
 int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,14 +22,13 @@ struct CourseRow {
 
 struct Course {
   std::vector<CourseRow> rows;
-  std::vector<HistoryRow> attempts;         // all of this student, newest first
   std::vector<StorageFailure> unreadable;
+  std::optional<HistoryRow> last_graded;    // the newest graded attempt
+  std::optional<HistoryRow> interrupted;    // the newest interrupted attempt that can be resumed or graded
+  std::vector<HistoryRow> charted;          // graded attempts at the exercise and with the device class of last_graded, newest first
 
   /// Index of the next exercise: not passed before passed, then by due date, then by the lowest best score; -1 without exercises.
   int next() const;
-  const HistoryRow* last_graded() const;
-  /// The newest interrupted attempt without a grade; nullptr without one.
-  const HistoryRow* interrupted() const;
 };
 
 Stored<Course> load_course(Store& store, const Actor& student);
@@ -52,14 +52,21 @@ class CourseModel : public QAbstractTableModel {
   std::vector<CourseRow> rows_;
 };
 
-/// Attempts of one or of all students: the newest first.
+inline constexpr int kAttemptsAtOnce = 100;  // rows that a table of attempts fetches at once: several screens
+
+/// Attempts of one or of all students: the newest first, fetched page by page as one scrolls.
 class AttemptsModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kDate, kStudent, kExercise, kAttempt, kScore, kResult, kTime, kDevice, kOpen, kColumns };
   explicit AttemptsModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+  /// Reads the page after a key; nullopt if that failed: no further page is then asked for.
+  using Fetch = std::function<std::optional<HistoryPage>(const HistoryKey& after)>;
   void set_rows(std::vector<HistoryRow> rows);
+  void set_pages(HistoryPage first, Fetch fetch);
+  bool canFetchMore(const QModelIndex& parent = {}) const override;
+  void fetchMore(const QModelIndex& parent = {}) override;
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -69,6 +76,8 @@ class AttemptsModel : public QAbstractTableModel {
 
  private:
   std::vector<HistoryRow> rows_;
+  std::optional<HistoryKey> after_;  // none: all rows are here
+  Fetch fetch_;
 };
 
 /// "Passed", "Not passed", "Interrupted" or "Not graded"; and int(Chip::Kind) for the table.

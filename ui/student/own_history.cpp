@@ -3,7 +3,6 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
-#include <map>
 
 #include "ui/student/history_charts.h"
 #include "ui/text/failure_text.h"
@@ -15,29 +14,27 @@
 
 namespace cusp::ui {
 
-OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QWidget(parent) {
+OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
+    : QWidget(parent), store_(store), student_(student) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(16));
   auto* head = new PageHead(tr("My results"));
   outer->addWidget(head);
-  HistoryFilter own;
-  own.student = student.id;
-  auto rows = store.history.list(student, own);
-  if (!rows) {
-    const Message message = describe(rows.error());
+  const auto scenarios = store.history.scenarios(student, student.id);
+  if (!scenarios) {
+    const Message message = describe(scenarios.error());
     outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad), 1);
     return;
   }
-  all_ = std::move(*rows);
-  if (all_.empty()) {
+  if (scenarios->empty()) {
     auto* empty = new EmptyState(u"chart"_qs, tr("No attempt yet"), tr("Each attempt you finish stays here, with its report."),
                                  tr("Choose an exercise"));
     connect(empty, &EmptyState::acted, this, &OwnHistory::exercises_wanted);
     outer->addWidget(empty, 1);
     return;
   }
-  make_choice();
+  make_choice(*scenarios);
   head->buttons()->addWidget(exercise_);
   outer->addLayout(make_charts());
   make_table();
@@ -49,16 +46,12 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
   setFocusProxy(table_);
 }
 
-void OwnHistory::make_choice() {
+void OwnHistory::make_choice(const std::vector<PractisedScenario>& scenarios) {
   exercise_ = new QComboBox;
   exercise_->setAccessibleName(tr("Exercise"));
   exercise_->setMinimumWidth(px(240));
   exercise_->addItem(tr("All exercises"));
-  std::map<ScenarioId, bool> listed;
-  for (const HistoryRow& attempt : all_) {
-    if (!listed[attempt.scenario]) exercise_->addItem(local(attempt.title), QString::fromStdString(attempt.scenario.text()));
-    listed[attempt.scenario] = true;
-  }
+  for (const PractisedScenario& s : scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
   connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);
 }
 
@@ -90,21 +83,35 @@ void OwnHistory::make_table() {
   });
 }
 
+HistoryFilter OwnHistory::filter() const {
+  HistoryFilter own;
+  own.student = student_.id;
+  if (const QString id = exercise_->currentData().toString(); !id.isEmpty()) own.scenario = ScenarioId::parse(id.toStdString());
+  return own;
+}
+
 void OwnHistory::show_attempts() {
-  const QString chosen = exercise_->currentData().toString();
-  std::vector<HistoryRow> rows;
-  for (const HistoryRow& attempt : all_) {
-    if (chosen.isEmpty() || QString::fromStdString(attempt.scenario.text()) == chosen) rows.push_back(attempt);
-  }
-  // A chart shows one exercise: the chosen one, or that of the newest row.
-  std::vector<HistoryRow> drawn;
-  for (const HistoryRow& attempt : rows) {
-    if (attempt.scenario == rows.front().scenario && attempt.device_class == rows.front().device_class) drawn.push_back(attempt);
-  }
-  by_attempt_->set_data(score_by_attempt(drawn));
-  by_time_->set_data(time_and_score(drawn));
-  model_->set_rows(std::move(rows));
+  const auto page_after = [this, own = filter()](const std::optional<HistoryKey>& after) -> std::optional<HistoryPage> {
+    auto page = store_.history.page(student_, own, after, kAttemptsAtOnce);
+    if (!page) return std::nullopt;
+    return std::move(*page);
+  };
+  auto first = page_after(std::nullopt);
+  if (!first || first->rows.empty()) return;
+  draw(first->rows.front());
+  model_->set_pages(std::move(*first), page_after);
   table_->choose_row(0);
+}
+
+/// A chart shows one exercise and one device class: those of the newest row.
+void OwnHistory::draw(const HistoryRow& newest) {
+  HistoryFilter same = filter();
+  same.scenario = newest.scenario;
+  same.device_class = newest.device_class;
+  const auto drawn = store_.history.list(student_, same);
+  if (!drawn) return;
+  by_attempt_->set_data(score_by_attempt(*drawn));
+  by_time_->set_data(time_and_score(*drawn));
 }
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// One's own attempts: chart and table, by exercise. Enter opens the report.
+/// One's own attempts: chart and table, by exercise. Enter opens the report. The table fetches a page at a time.
 #pragma once
 
 #include <QWidget>
@@ -26,11 +26,14 @@ class OwnHistory : public QWidget {
   void exercises_wanted();
 
  private:
-  void make_choice();
+  void make_choice(const std::vector<PractisedScenario>& scenarios);
   QBoxLayout* make_charts();
   void make_table();
   void show_attempts();
-  std::vector<HistoryRow> all_;
+  void draw(const HistoryRow& newest);
+  HistoryFilter filter() const;
+  Store& store_;
+  Actor student_;
   AttemptsModel* model_ = nullptr;
   Table* table_ = nullptr;
   QComboBox* exercise_ = nullptr;

@@ -55,11 +55,9 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     : QWidget(parent), store_(store), pictures_(pictures), device_class_(std::move(device_class)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
+  // A process that died leaves its attempt in the state running. A database that cannot be written keeps it so.
+  static_cast<void>(store.sessions.mark_interrupted());
   auto course = load_course(store, account.actor());
-  // A process that died leaves its attempt in the state running.
-  if (course && std::ranges::any_of(course->attempts, [](const HistoryRow& attempt) { return attempt.state == SessionState::running; })) {
-    if (const auto marked = store.sessions.mark_interrupted(); marked && !marked->empty()) course = load_course(store, account.actor());
-  }
   if (!course) {
     const Message message = describe(course.error());
     outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad));
@@ -79,14 +77,14 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   body->addLayout(columns_);
   body->addStretch();
 
-  columns_->addWidget(make_main(), 1);
+  columns_->addWidget(make_main(account), 1);
   side_ = make_side(account);
   columns_->addWidget(side_);
   connect(&pictures_, &ThumbnailCache::ready, this, &StartPage::show_picture);
   if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
 }
 
-QWidget* StartPage::make_main() {
+QWidget* StartPage::make_main(const Account& account) {
   auto* main = new QWidget;
   auto* column = new QVBoxLayout(main);
   column->setContentsMargins(0, 0, 0, 0);
@@ -101,7 +99,7 @@ QWidget* StartPage::make_main() {
     column->addWidget(card);
   }
   if (!course_.rows.empty()) column->addWidget(make_list());
-  if (QWidget* comment = make_comment()) column->addWidget(comment);
+  if (QWidget* comment = make_comment(account)) column->addWidget(comment);
   auto* note = new QHBoxLayout;
   note->setSpacing(px(8));
   auto* sign = new QLabel;
@@ -125,8 +123,8 @@ QWidget* StartPage::make_side(const Account& account) {
 }
 
 void StartPage::make_interrupted(QBoxLayout& column) {
-  const HistoryRow* row = course_.interrupted();
-  if (row == nullptr) return;
+  const auto& row = course_.interrupted;
+  if (!row) return;
   const auto way = way_of(store_, *row, device_class_);
   if (!way || *way == InterruptedWay::other_engine) return;
   interrupted_ = new InterruptedCard(store_, *row, *way, device_class_);
@@ -218,7 +216,7 @@ QWidget* StartPage::make_list() {
 }
 
 QWidget* StartPage::make_last(const Account& account) {
-  const HistoryRow* last = course_.last_graded();
+  const auto& last = course_.last_graded;
   if (!last) {
     auto* card = new Card(tr("Last result"));
     card->body()->addWidget(new EmptyState(u"chart"_qs, tr("No result yet"),
@@ -296,13 +294,8 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
 
 QWidget* StartPage::make_chart() {
   // One exercise and one device class a chart: those of the last result.
-  const HistoryRow* last = course_.last_graded();
-  std::vector<HistoryRow> attempts;
-  if (last) {
-    for (const HistoryRow& attempt : course_.attempts) {
-      if (attempt.scenario == last->scenario && attempt.device_class == last->device_class && attempt.score) attempts.push_back(attempt);
-    }
-  }
+  const auto& last = course_.last_graded;
+  std::vector<HistoryRow> attempts = course_.charted;
   auto* card = new Card(tr("Time and score"), last ? local(last->title) : QString());
   if (attempts.empty()) {
     card->body()->addWidget(new EmptyState(u"clock"_qs, tr("Nothing to draw yet"), tr("Each attempt becomes one point.")));
@@ -324,20 +317,17 @@ QWidget* StartPage::make_chart() {
   return card;
 }
 
-QWidget* StartPage::make_comment() {
-  for (const HistoryRow& attempt : course_.attempts) {
-    const auto comments = store_.comments.of(attempt.session);
-    if (!comments || comments->empty()) continue;
-    const Comment& c = comments->back();
-    const auto author = store_.accounts.find(c.author);
-    auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(moment(attempt.started_utc_us))));
-    const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
-    QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
-    text->setWordWrap(true);
-    card->body()->addWidget(text);
-    return card;
-  }
-  return nullptr;
+QWidget* StartPage::make_comment(const Account& account) {
+  const auto newest = store_.history.newest_comment(account.actor(), account.id);
+  if (!newest || !*newest) return nullptr;
+  const Comment& c = (*newest)->comment;
+  const auto author = store_.accounts.find(c.author);
+  auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(moment((*newest)->started_utc_us))));
+  const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
+  QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
+  text->setWordWrap(true);
+  card->body()->addWidget(text);
+  return card;
 }
 
 void StartPage::show_picture() {

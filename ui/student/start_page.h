@@ -42,7 +42,7 @@ class StartPage : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* make_main();
+  QWidget* make_main(const Account& account);
   QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);
@@ -52,7 +52,7 @@ class StartPage : public QWidget {
   bool add_advice(Card& card, const HistoryRow& last, const Account& account);
   QWidget* make_chart();
   /// The newest comment of an instructor; nullptr without one.
-  QWidget* make_comment();
+  QWidget* make_comment(const Account& account);
   void show_picture();
 
   Store& store_;

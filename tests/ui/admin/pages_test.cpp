@@ -155,6 +155,28 @@ TEST_F(AdminPages, a_row_opens_the_report_of_that_attempt_also_when_sorted) {
   EXPECT_EQ(wanted, worst);
 }
 
+TEST_F(AdminPages, performance_fetches_as_one_scrolls_and_all_for_another_order) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId worst = records.attempt(lena, "channel-1", 20, 1);
+  for (int i = 0; i < kAttemptsAtOnce + 20; ++i) records.attempt(lena, "channel-1", 50 + i % 40, 1);
+  ports.now = [this] { return QDateTime::fromMSecsSinceEpoch(records.now_us / 1000, Qt::UTC); };
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.resize(1080, 752);
+  page.show();
+  EXPECT_EQ(page.attempts().rowCount(), kAttemptsAtOnce);
+  page.table()->scrollToBottom();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return page.attempts().rowCount() == kAttemptsAtOnce + 21; }));
+  page.read();
+  EXPECT_EQ(page.attempts().rowCount(), kAttemptsAtOnce);
+  page.table()->sortByColumn(AttemptsModel::kScore, Qt::AscendingOrder);
+  EXPECT_EQ(page.attempts().rowCount(), kAttemptsAtOnce + 21);
+  page.table()->choose_row(0);
+  std::optional<SessionId> wanted;
+  QObject::connect(&page, &Performance::report_wanted, [&](const SessionId& id) { wanted = id; });
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(wanted, worst);
+}
+
 TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
   records.attempt(lena, "channel-1", 78, 100);

@@ -45,7 +45,7 @@ TEST(Course, the_next_exercise_is_the_first_that_was_not_passed_yet) {
   auto course = load_course(records.store(), lena.actor());
   ASSERT_TRUE(course.has_value());
   EXPECT_EQ(course->next(), 0);
-  EXPECT_EQ(course->last_graded(), nullptr);
+  EXPECT_FALSE(course->last_graded);
 
   const std::string first(builtin_scenarios()[0]);
   records.attempt(lena, first, 55, 300);
@@ -65,7 +65,8 @@ TEST(Course, a_student_sees_no_one_elses_attempts) {
   records.attempt(noah, "channel-1", 90, 100);
   const auto course = load_course(records.store(), lena.actor());
   ASSERT_TRUE(course.has_value());
-  EXPECT_TRUE(course->attempts.empty());
+  EXPECT_FALSE(course->last_graded);
+  EXPECT_TRUE(course->charted.empty());
 }
 
 TEST(CourseModel, shows_what_is_missing_as_text_not_as_zero) {
@@ -101,6 +102,43 @@ TEST(AttemptsModel, has_a_line_an_attempt_with_result_and_state) {
   EXPECT_EQ(text(2, AttemptsModel::kAttempt), "1");
   EXPECT_TRUE(model.index(2, AttemptsModel::kTime).data().toString().contains(QStringLiteral("5:00")));
   EXPECT_LT(model.index(0, AttemptsModel::kScore).data(SortRole).toDouble(), 0);
+}
+
+TEST(Course, the_charted_attempts_are_graded_ones_of_one_exercise_and_one_device_class) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId first = records.attempt(lena, "channel-1", 60, 300);
+  records.attempt(lena, "channel-1", 70, 300, "falcon");
+  records.attempt(lena, "paper-block", 80, 300);
+  records.broken_attempt(lena, "channel-1");
+  const SessionId last = records.attempt(lena, "channel-1", 90, 300);
+  const SessionId broken = records.broken_attempt(lena, "paper-block");
+  const auto course = load_course(records.store(), lena.actor());
+  ASSERT_TRUE(course && course->last_graded && course->interrupted);
+  EXPECT_EQ(course->last_graded->session, last);
+  EXPECT_EQ(course->interrupted->session, broken);
+  ASSERT_EQ(course->charted.size(), 2u);
+  EXPECT_EQ(course->charted[0].session, last);
+  EXPECT_EQ(course->charted[1].session, first);
+}
+
+TEST(AttemptsModel, fetches_the_next_page_when_asked_and_stops_after_the_last_and_after_a_failure) {
+  const auto rows = [](int n) { return std::vector<HistoryRow>(static_cast<std::size_t>(n)); };
+  AttemptsModel model;
+  std::vector<std::int64_t> asked;
+  model.set_pages({rows(3), HistoryKey{5}}, [&](const HistoryKey& after) -> std::optional<HistoryPage> {
+    asked.push_back(after.started_utc_us);
+    if (asked.size() == 1) return HistoryPage{rows(2), HistoryKey{4}};
+    return HistoryPage{rows(1), std::nullopt};
+  });
+  EXPECT_EQ(model.rowCount(), 3);
+  while (model.canFetchMore()) model.fetchMore();
+  EXPECT_EQ(model.rowCount(), 6);
+  EXPECT_EQ(asked, (std::vector<std::int64_t>{5, 4}));
+  model.set_pages({rows(3), HistoryKey{5}}, [](const HistoryKey&) { return std::optional<HistoryPage>{}; });
+  model.fetchMore();
+  EXPECT_EQ(model.rowCount(), 3);
+  EXPECT_FALSE(model.canFetchMore());
 }
 
 TEST(HistoryCharts, the_newest_attempt_is_the_strong_point_and_the_axes_hold_every_attempt) {

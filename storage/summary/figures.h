@@ -1,0 +1,81 @@
+/// Figures over many graded attempts: counts, medians, the spread of scores and learning by attempt number. Plain numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/base/ids.h"
+
+namespace cusp::storage {
+
+struct Interval {
+  double low = 0, high = 0;
+};
+
+/// Quantile by linear interpolation between order statistics (Hyndman and Fan, type 7). Reorders `values`. Linear time.
+/// Pre: not empty, 0 <= q <= 1.
+double quantile(std::vector<double>& values, double q);
+
+/// 95 % interval of a share (Wilson's score interval), in [0, 1]. Pre: 0 <= successes <= n, n > 0.
+Interval wilson_95(int successes, int n);
+
+/// One graded attempt, as far as figures need it.
+struct GradedAttempt {
+  UserId student{};
+  int attempt = 1;  // the student's attempts at this scenario, counted from 1
+  double score = 0;
+  std::optional<double> pass_mark{};
+  bool passed = false;
+  std::uint64_t elapsed_us = 0;
+};
+
+/// The scores of one attempt number: median and middle half.
+struct LearningPoint {
+  int attempt = 1, students = 0;
+  double median = 0;
+  Interval middle_half{};
+};
+
+inline constexpr double kSpreadPoints = 5;  // width of a bar of Figures::spread
+
+struct Figures {
+  int attempts = 0, students = 0;  // graded attempts, by how many students
+  std::optional<double> median_score{};
+  Interval middle_half{};  // of the scores
+  int passed = 0;
+  std::optional<Interval> passed_95{};
+  std::optional<double> median_time_s{};
+  std::array<int, 20> spread{};       // attempts with [0, 5), [5, 10) ... [95, 100] points
+  std::optional<double> pass_mark{};  // none: the attempts have no pass mark, or more than one
+  int last_attempt = 0;               // highest attempt number
+  std::vector<LearningPoint> learning{};  // attempt numbers that at least three students have reached
+};
+
+/// Takes attempts one by one, in any order. Thread: one.
+class FigureCount {
+ public:
+  void add(const GradedAttempt& attempt);
+  Figures figures();
+
+ private:
+  struct Scores {
+    std::vector<double> values;
+    std::vector<std::uint32_t> students;
+  };
+  struct HashOfId {
+    std::size_t operator()(const UserId& id) const noexcept;
+  };
+  std::vector<LearningPoint> learning();
+
+  Figures counted_;
+  std::vector<double> scores_, times_s_;
+  std::unordered_map<UserId, std::uint32_t, HashOfId> students_;  // each with a number of its own
+  std::map<int, Scores> by_attempt_;
+  bool marks_differ_ = false;
+};
+
+}  // namespace cusp::storage

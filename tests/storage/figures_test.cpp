@@ -1,0 +1,87 @@
+/// Figures over graded attempts, against closed forms and published values.
+#include <gtest/gtest.h>
+
+#include "storage/summary/figures.h"
+#include "tests/modules.h"
+
+namespace cusp::test {
+namespace {
+
+GradedAttempt attempt(int student, int number, double score, double seconds = 300) {
+  GradedAttempt a{.attempt = number, .score = score, .passed = true, .elapsed_us = static_cast<std::uint64_t>(seconds * 1e6)};
+  a.student.uuid.bytes[15] = static_cast<std::uint8_t>(student);
+  return a;
+}
+Figures figures_of(const std::vector<GradedAttempt>& attempts) {
+  FigureCount count;
+  for (const GradedAttempt& a : attempts) count.add(a);
+  return count.figures();
+}
+
+TEST(Quantile, interpolates_between_order_statistics) {
+  // Type 7 of 1, 2, 3, 4: R's quantile(1:4, c(.25, .5, .75)) is 1.75, 2.5, 3.25.
+  std::vector<double> values = {4, 1, 3, 2};
+  EXPECT_DOUBLE_EQ(quantile(values, 0.25), 1.75);
+  EXPECT_DOUBLE_EQ(quantile(values, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantile(values, 0.75), 3.25);
+  EXPECT_DOUBLE_EQ(quantile(values, 0), 1);
+  EXPECT_DOUBLE_EQ(quantile(values, 1), 4);
+  values = {7};
+  EXPECT_DOUBLE_EQ(quantile(values, 0.9), 7);
+}
+
+TEST(Wilson, gives_the_published_interval) {
+  // Newcombe 1998, table I: 81 of 263 -> 0.2553 to 0.3662; 0 of 20 -> 0 to 0.1611.
+  EXPECT_NEAR(wilson_95(81, 263).low, 0.2553, 5e-5);
+  EXPECT_NEAR(wilson_95(81, 263).high, 0.3662, 5e-5);
+  EXPECT_NEAR(wilson_95(0, 20).low, 0.0, 1e-12);
+  EXPECT_NEAR(wilson_95(0, 20).high, 0.1611, 5e-5);
+}
+
+TEST(Figures, count_attempts_students_and_passes) {
+  std::vector<GradedAttempt> attempts = {attempt(1, 1, 60, 100), attempt(1, 2, 80, 200), attempt(2, 1, 90, 300)};
+  attempts.front().passed = false;
+  const Figures f = figures_of(attempts);
+  EXPECT_EQ(f.attempts, 3);
+  EXPECT_EQ(f.students, 2);
+  EXPECT_EQ(f.passed, 2);
+  EXPECT_EQ(f.last_attempt, 2);
+  EXPECT_DOUBLE_EQ(*f.median_score, 80);
+  EXPECT_DOUBLE_EQ(f.middle_half.low, 70);
+  EXPECT_DOUBLE_EQ(*f.median_time_s, 200);
+  EXPECT_FALSE(figures_of({}).median_score.has_value());
+}
+
+TEST(Figures, have_a_pass_mark_only_if_all_attempts_share_it) {
+  std::vector<GradedAttempt> attempts = {attempt(1, 1, 60), attempt(2, 1, 70)};
+  EXPECT_FALSE(figures_of(attempts).pass_mark);
+  for (GradedAttempt& a : attempts) a.pass_mark = 70;
+  EXPECT_EQ(figures_of(attempts).pass_mark, 70.0);
+  attempts.back().pass_mark = 60;
+  EXPECT_FALSE(figures_of(attempts).pass_mark);
+}
+
+TEST(Spread, counts_every_attempt_once_also_at_the_ends) {
+  const Figures f = figures_of({attempt(1, 1, -3), attempt(1, 2, 0), attempt(1, 3, 44.9), attempt(1, 4, 45), attempt(1, 5, 100)});
+  EXPECT_EQ(f.spread[0], 2);
+  EXPECT_EQ(f.spread[8], 1);
+  EXPECT_EQ(f.spread[9], 1);
+  EXPECT_EQ(f.spread[19], 1);
+}
+
+TEST(Learning, needs_three_students_for_a_median) {
+  const auto points =
+      figures_of({attempt(1, 1, 50), attempt(2, 1, 60), attempt(3, 1, 70), attempt(1, 2, 80), attempt(2, 2, 90)}).learning;
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].attempt, 1);
+  EXPECT_DOUBLE_EQ(points[0].median, 60);
+  EXPECT_DOUBLE_EQ(points[0].middle_half.low, 55);
+}
+
+TEST(Learning, three_attempts_of_two_students_are_no_three_students) {
+  // The same attempt number at two exercises.
+  EXPECT_TRUE(figures_of({attempt(1, 1, 50), attempt(2, 1, 60), attempt(1, 1, 70)}).learning.empty());
+}
+
+}  // namespace
+}  // namespace cusp::test

@@ -1,0 +1,278 @@
+/// Lists by key and figures: every filter against a plain reading of all rows, the plan of every statement that a screen
+/// runs, and the time of each screen among many sessions. CUSP_SESSIONS=1000000 measures a million (minutes, 4 GB).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+
+#include "tests/storage/many_sessions.h"
+#include "tests/storage/statements_seen.h"
+
+namespace cusp::test {
+namespace {
+
+/// Every combination of conditions, each with a value that some rows have.
+std::vector<HistoryFilter> every_filter(const ManySessions& m) {
+  std::vector<HistoryFilter> out;
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    HistoryFilter f;
+    if (bits & 1) f.student = m.students[7].id;
+    if (bits & 2) f.scenario = m.versions[3].scenario;
+    if (bits & 4) f.cohort = m.cohorts[7];
+    if (bits & 8) f.device_class = "falcon";
+    if (bits & 16) f.passed = true;
+    if (bits & 32) f.scripted = false;
+    if (bits & 64) f.search = "student 7";
+    if (bits & 128) f.from_utc_us = kNow - 300ll * 86'400 * 1'000'000, f.to_utc_us = kNow - 86'400ll * 1'000'000;
+    out.push_back(f);
+  }
+  return out;
+}
+
+bool fits(const HistoryRow& r, const HistoryFilter& f) {
+  const bool in_cohort = std::atoi(r.student_number.c_str()) % ManySessions::kCohorts == 7;
+  return (!f.student || *f.student == r.student) && (!f.scenario || *f.scenario == r.scenario) &&
+         (!f.cohort || in_cohort) && (!f.device_class || *f.device_class == r.device_class) &&
+         (!f.passed || f.passed == r.passed) && (!f.scripted || !*f.scripted) &&
+         (f.search.empty() || r.student_name.starts_with("Student 7")) &&
+         (!f.from_utc_us || (r.started_utc_us >= *f.from_utc_us && r.started_utc_us < *f.to_utc_us));
+}
+
+Figures figures_of(Store& store, const Actor& actor, const HistoryFilter& filter = {}) {
+  auto reading = must(store.history.figures(actor, filter));
+  while (must(reading.take(10'000))) {
+  }
+  return reading.figures();
+}
+
+std::vector<SessionId> ids_of(const std::vector<HistoryRow>& rows) {
+  std::vector<SessionId> ids;
+  for (const HistoryRow& r : rows) ids.push_back(r.session);
+  return ids;
+}
+
+TEST(Pages, of_every_filter_hold_the_rows_that_fit_each_once_and_in_order) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  const ManySessions m = write_many(*store, 3000);
+  const auto all = must(store->history.list(m.admin.actor()));
+  ASSERT_EQ(all.size(), 3001u);
+  EXPECT_TRUE(std::ranges::is_sorted(all, std::greater<>{}, &HistoryRow::started_utc_us));
+  std::size_t listed = 0;
+  for (const HistoryFilter& f : every_filter(m)) {
+    std::vector<SessionId> expected;
+    FigureCount count;
+    for (const HistoryRow& r : all) {
+      if (!fits(r, f)) continue;
+      expected.push_back(r.session);
+      if (r.score) count.add({r.student, r.attempt, *r.score, r.pass_mark, r.passed.value_or(false), r.elapsed_us});
+    }
+    std::vector<SessionId> paged;
+    std::optional<HistoryKey> after;
+    do {
+      const auto page = must(store->history.page(m.admin.actor(), f, after, 700));
+      for (const SessionId id : ids_of(page.rows)) paged.push_back(id);
+      after = page.after;
+    } while (after);
+    EXPECT_EQ(paged, expected);
+    EXPECT_EQ(ids_of(must(store->history.list(m.admin.actor(), f))), expected);
+    const Figures wanted = count.figures(), found = figures_of(*store, m.admin.actor(), f);
+    EXPECT_EQ(found.attempts, wanted.attempts);
+    EXPECT_EQ(found.students, wanted.students);
+    EXPECT_EQ(found.median_score, wanted.median_score);
+    EXPECT_EQ(found.spread, wanted.spread);
+    EXPECT_EQ(found.learning.size(), wanted.learning.size());
+    listed += expected.size();
+  }
+  EXPECT_GT(listed, 5'000u);
+}
+
+TEST(Pages, end_where_a_row_was_although_newer_ones_came) {
+  const Folder folder;
+  const auto now = std::make_shared<std::int64_t>(kNow);
+  const auto store = open(folder / "a.db", quick(now));
+  const Account lena = make_student(*store);
+  const ScenarioVersion version = keep(*store);
+  std::vector<SessionId> sessions;
+  // Two sessions a moment: the sequence orders them.
+  for (int i = 0; i < 6; ++i, *now += i % 2 * 60'000'000) {
+    sessions.push_back(must(store->sessions.start(lena.actor(), new_session(lena, version))).id);
+  }
+  const auto first = must(store->history.page(lena.actor(), {}, {}, 3));
+  EXPECT_EQ(ids_of(first.rows), (std::vector{sessions[5], sessions[4], sessions[3]}));
+  must(store->sessions.start(lena.actor(), new_session(lena, version)));
+  const auto second = must(store->history.page(lena.actor(), {}, first.after, 4));
+  EXPECT_EQ(ids_of(second.rows), (std::vector{sessions[2], sessions[1], sessions[0]}));
+  EXPECT_FALSE(second.after);
+}
+
+TEST(FigureReading, counts_the_same_in_parts_as_at_once) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  const ManySessions m = write_many(*store, 500);
+  for (const HistoryFilter& f : {HistoryFilter{}, HistoryFilter{.cohort = m.cohorts[3]}}) {
+    auto parts = must(store->history.figures(m.admin.actor(), f));
+    int takes = 1;
+    while (must(parts.take(7))) ++takes;
+    const Figures whole = figures_of(*store, m.admin.actor(), f);
+    EXPECT_GT(takes, 3);
+    EXPECT_GT(whole.attempts, 10);
+    EXPECT_EQ(parts.figures().attempts, whole.attempts);
+    EXPECT_EQ(parts.figures().median_score, whole.median_score);
+  }
+  EXPECT_FALSE(must(must(store->history.figures(m.admin.actor(), {.search = "nobody"})).take(7)));
+}
+
+TEST(Pages, of_others_are_refused_to_a_student) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  const Account lena = make_student(*store), noah = make_student(*store, "2", "Noah Adler");
+  complete_session(*store, noah, keep(*store));
+  const HistoryFilter others{.student = noah.id};
+  EXPECT_EQ(code_of(store->history.page(lena.actor(), others, {}, 10)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(store->history.figures(lena.actor(), others)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(store->history.scenarios(lena.actor(), noah.id)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(store->history.standings(lena.actor(), noah.id)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(store->history.newest_comment(lena.actor(), noah.id)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(store->history.device_classes(lena.actor())), StorageError::not_allowed);
+  EXPECT_EQ(figures_of(*store, lena.actor()).attempts, 0);
+  EXPECT_TRUE(must(store->history.scenarios(lena.actor())).empty());
+  EXPECT_EQ(must(store->history.scenarios(noah.actor())).size(), 1u);
+}
+
+/// What the screens ask, by screen. `i` chooses student, cohort and exercise.
+struct Screen {
+  const char* name;
+  std::function<void(Store&, const ManySessions&, std::size_t i)> read;
+};
+constexpr int kPage = 100;
+
+std::vector<Screen> screens() {
+  const auto student = [](const ManySessions& m, std::size_t i) { return m.students[i * 37 % m.students.size()]; };
+  const auto exercise = [](const ManySessions& m, std::size_t i) { return m.versions[i % m.versions.size()].scenario; };
+  const auto list_and_figures = [](Store& s, const ManySessions& m, const HistoryFilter& f) {
+    must(s.history.page(m.admin.actor(), f, {}, kPage));
+    figures_of(s, m.admin.actor(), f);
+  };
+  return {
+      {"start page", [=](Store& s, const ManySessions& m, std::size_t i) {
+         const Actor own = student(m, i).actor();
+         must(s.sessions.mark_interrupted());
+         const auto standings = must(s.history.standings(own, own.id));
+         must(s.assignments.for_student(own.id));
+         must(s.history.interrupted(own, own.id));
+         must(s.history.newest_comment(own, own.id));
+         for (const ExerciseStanding& standing : standings) {
+           if (!standing.last) continue;
+           must(s.history.best_before(own, standing.last->session));
+           must(s.history.list(own, {.scenario = standing.scenario, .device_class = standing.last->device_class}));
+           break;
+         }
+       }},
+      {"own history", [=](Store& s, const ManySessions& m, std::size_t i) {
+         const Actor own = student(m, i).actor();
+         must(s.history.scenarios(own, own.id));
+         const auto page = must(s.history.page(own, {}, {}, kPage));
+         if (!page.rows.empty()) must(s.history.list(own, {.scenario = page.rows[0].scenario, .device_class = "pointer"}));
+         must(s.history.attempts(own, own.id, m.versions[0].scenario));
+       }},
+      {"cohort", [=](Store& s, const ManySessions& m, std::size_t i) {
+         list_and_figures(s, m, {.cohort = m.cohorts[i % m.cohorts.size()]});
+       }},
+      {"cohort, one exercise", [=](Store& s, const ManySessions& m, std::size_t i) {
+         list_and_figures(s, m, {.scenario = exercise(m, i), .cohort = m.cohorts[i % m.cohorts.size()]});
+       }},
+      {"exercise, list", [=](Store& s, const ManySessions& m, std::size_t i) {
+         must(s.history.page(m.admin.actor(), {.scenario = exercise(m, i), .passed = i % 2 == 0}, {}, kPage));
+       }},
+      {"exercise, figures", [=](Store& s, const ManySessions& m, std::size_t i) {
+         figures_of(s, m.admin.actor(), {.scenario = exercise(m, i)});
+       }},
+      {"all, list", [=](Store& s, const ManySessions& m, std::size_t) {
+         must(s.history.scenarios(m.admin.actor()));
+         must(s.history.device_classes(m.admin.actor()));
+         must(s.history.page(m.admin.actor(), {}, {}, kPage));
+       }},
+      {"last 30 days, figures", [=](Store& s, const ManySessions& m, std::size_t) {
+         figures_of(s, m.admin.actor(), {.from_utc_us = kNow - 30ll * 86'400 * 1'000'000});
+       }},
+      {"all, figures", [=](Store& s, const ManySessions& m, std::size_t) { figures_of(s, m.admin.actor()); }},
+      {"all, first figures", [=](Store& s, const ManySessions& m, std::size_t) {
+         auto reading = must(s.history.figures(m.admin.actor()));
+         must(reading.take(50'000));
+       }},
+      {"search, one student", [=](Store& s, const ManySessions& m, std::size_t i) {
+         list_and_figures(s, m, {.search = student(m, i).number});
+       }},
+      {"search, many students", [=](Store& s, const ManySessions& m, std::size_t i) {
+         must(s.history.page(m.admin.actor(), {.search = "student " + std::to_string(1 + i % 9)}, {}, kPage));
+       }},
+  };
+}
+
+/// `people` has a few thousand rows at most, which a part of a name must search; `station` has one.
+bool is_small(const std::string& line) { return line == "SCAN people" || line == "SCAN station"; }
+
+TEST(Pages, no_statement_of_a_screen_and_of_opening_scans_a_table) {
+  const Folder folder;
+  ManySessions m;
+  {
+    const auto store = open(folder / "a.db");
+    m = write_many(*store, 4000);
+  }
+  const StatementsSeen seen;
+  const auto store = open(folder / "a.db");
+  for (const Screen& screen : screens()) screen.read(*store, m, 1);
+  for (const HistoryFilter& f : every_filter(m)) {
+    must(store->history.page(m.admin.actor(), f, {}, kPage));
+    figures_of(*store, m.admin.actor(), f);
+  }
+  int statements = 0;
+  for (const std::string& sql : StatementsSeen::texts()) {
+    if (sql.find(" FROM ") == std::string::npos && !sql.starts_with("UPDATE")) continue;
+    if (sql.find("sqlite_schema") != std::string::npos) continue;
+    ++statements;
+    for (const std::string& line : plan_of(store->database(), sql)) {
+      EXPECT_TRUE(!line.starts_with("SCAN") || line == "SCAN CONSTANT ROW" || is_small(line)) << line << "\n" << sql;
+      const bool sorts = line.find("TEMP B-TREE FOR ORDER BY") != std::string::npos;
+      EXPECT_FALSE(sorts && sql.find("?10") != std::string::npos) << line << "\n" << sql;
+      EXPECT_EQ(line.find("AUTOMATIC"), std::string::npos) << line << "\n" << sql;
+    }
+  }
+  EXPECT_GT(statements, 60);
+  // And the test can fail.
+  EXPECT_EQ(plan_of(store->database(), "SELECT count(*) FROM grades WHERE score > 1").front().substr(0, 4), "SCAN");
+}
+
+double ms_of(const std::function<void()>& work) {
+  const auto before = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+}
+
+TEST(Pages, among_many_sessions_are_read_by_screen) {
+  const char* wanted = std::getenv("CUSP_SESSIONS");
+  const int sessions = wanted ? std::atoi(wanted) : 50'000;
+  const Folder folder;
+  ManySessions m;
+  const double writing = ms_of([&] {
+    const auto store = open(folder / "a.db");
+    m = write_many(*store, sessions);
+  });
+  std::printf("%d sessions written in %.1f s, %.2f KB each\n", sessions, writing * 1e-3,
+              static_cast<double>(std::filesystem::file_size(folder / "a.db")) / 1024 / sessions);
+  std::unique_ptr<Store> store;
+  std::printf("%-24s %8.1f ms\n", "Store::open", ms_of([&] { store = open(folder / "a.db"); }));
+  ASSERT_EQ(figures_of(*store, m.admin.actor()).attempts, 1 + sessions / 5 * 4);
+  for (const Screen& screen : screens()) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < 40; ++i) times.push_back(ms_of([&] { screen.read(*store, m, i); }));
+    std::ranges::sort(times);
+    std::printf("%-24s p50 %8.1f  p95 %8.1f  most %8.1f ms\n", screen.name, times[20], times[37], times.back());
+  }
+}
+
+}  // namespace
+}  // namespace cusp::test
