@@ -6283,8 +6283,8 @@
         <translation>Als Nächstes</translation>
     </message>
     <message>
-        <source>Due</source>
-        <translation>Fällig</translation>
+        <source>Next, due %1</source>
+        <translation>Als Nächstes, fällig %1</translation>
     </message>
     <message>
         <source>%1 of %2 used</source>

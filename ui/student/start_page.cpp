@@ -149,7 +149,8 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->setContentsMargins(px(24), px(16), px(24), px(16));
   text->setSpacing(px(4));
   line->addLayout(text, 1);
-  text->addWidget(make_label(tr("Next"), TextRole::caption, Weight::regular, "text2"));
+  const QString due = row.due_utc_us ? tr("Next, due %1").arg(format_day(moment(*row.due_utc_us))) : tr("Next");
+  text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
   // The first sentence; the briefing has the whole text.
   QString first = local(s.briefing);
@@ -160,7 +161,6 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->addStretch();
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));
-  if (row.due_utc_us) facts->addWidget(fact(tr("Due"), format_day(moment(*row.due_utc_us))));
   facts->addWidget(fact(tr("Attempts"), row.attempts_allowed ? tr("%1 of %2 used").arg(row.attempts).arg(*row.attempts_allowed)
                                                      : format_number(row.attempts, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
