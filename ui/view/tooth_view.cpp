@@ -78,7 +78,6 @@ void ToothView::order_frame() {
 }
 
 void ToothView::take(FinishedFrame frame) {
-  drawing_ = false;
   if (frame.image.isNull()) {
     painter_.reset();
     show_placeholder(tr("The tooth could not be drawn: %1").arg(frame.why));
@@ -94,7 +93,6 @@ void ToothView::take(FinishedFrame frame) {
   fresh_ = true;
   update();
   if (frame.more) wanted_ = true;
-  order_frame();
 }
 
 void ToothView::paintEvent(QPaintEvent*) {
@@ -162,6 +160,9 @@ void ToothView::feed_changed() {
 void ToothView::frame_ended() {
   if (stats_ != nullptr) stats_->frame(std::chrono::steady_clock::now(), changes_, draw_ms_);
   changes_.clear();
+  // Not before: two frames in work at once would keep the mirror's thread from the processor.
+  drawing_ = false;
+  order_frame();
 }
 
 void ToothView::set_scenery(std::shared_ptr<const SceneryLook> scenery) {

@@ -124,7 +124,7 @@ class ToothView : public QWidget {
   bool left_turns_ = false, wheel_taken_ = false;
   bool framed_ = false;   // the camera was set or found
   bool wanted_ = false;   // a frame is wanted
-  bool drawing_ = false;  // the painter has an order
+  bool drawing_ = false;  // the painter has an order, or its frame is not yet on the screen
   bool fresh_ = false;    // the newest frame is not yet on the screen
   std::atomic<bool> asked_{false};
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/render/framebuffer.h"
+#include "ui/view/low_priority.h"
 
 namespace cusp::ui {
 namespace {
@@ -81,16 +82,12 @@ std::unique_ptr<ViewPainter> ViewPainter::create(Drawn drawn) {
   const QString platform = QGuiApplication::platformName();
   if (platform == u"offscreen" || platform == u"minimal" || platform == u"vnc") return nullptr;
   std::unique_ptr<ViewPainter> out(new ViewPainter(std::move(drawn)));
-  out->context_ = std::make_unique<QOpenGLContext>();
-  out->context_->setFormat(wanted_format());
-  if (!out->context_->create()) return nullptr;
   out->surface_ = std::make_unique<QOffscreenSurface>();
-  out->surface_->setFormat(out->context_->format());
+  out->surface_->setFormat(wanted_format());
   out->surface_->create();
   if (!out->surface_->isValid()) return nullptr;
   out->thread_.reset(QThread::create([painter = out.get()] { painter->run(); }));
   out->thread_->setObjectName(QStringLiteral("tooth view"));
-  out->context_->moveToThread(out->thread_.get());
   out->thread_->start();
   return out;
 }
@@ -121,7 +118,11 @@ std::optional<FrameOrder> ViewPainter::next_order() {
 
 void ViewPainter::run() {
   using Clock = std::chrono::steady_clock;
-  const bool able = context_->makeCurrent(surface_.get());
+  // Before the context: software OpenGL starts its own threads with it, and they inherit the priority.
+  lower_own_priority();
+  context_ = std::make_unique<QOpenGLContext>();
+  context_->setFormat(wanted_format());
+  const bool able = context_->create() && context_->makeCurrent(surface_.get());
   {
     Canvas canvas;
     while (std::optional<FrameOrder> order = next_order()) {
@@ -130,14 +131,14 @@ void ViewPainter::run() {
       if (able) {
         frame = canvas.draw(*order);
       } else {
-        frame.why = QStringLiteral("makeCurrent");
+        frame.why = QStringLiteral("OpenGL 3.3");
       }
       frame.draw_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
       drawn_(std::move(frame));
     }
   }
   context_->doneCurrent();
-  context_.reset();  // made for this thread
+  context_.reset();
 }
 
 }  // namespace cusp::ui

@@ -65,7 +65,7 @@ class ViewPainter {
 
   Drawn drawn_;
   std::unique_ptr<QOffscreenSurface> surface_;
-  std::unique_ptr<QOpenGLContext> context_;
+  std::unique_ptr<QOpenGLContext> context_;  // of the painter's thread
   std::unique_ptr<QThread> thread_;
   std::mutex mutex_;  // guards what follows
   std::condition_variable wake_;
