@@ -118,9 +118,9 @@ Stored<std::vector<PractisedScenario>> History::scenarios(const Actor& actor, co
   for (const ScenarioId scenario : *ids) {
     const auto title = c_.db.first(
         "SELECT title FROM scenario_versions WHERE scenario = ?1 ORDER BY number DESC LIMIT 1",
-        [](Row row) { return title_from_json(row.text(0)); }, scenario);
+        [](Row row) { return row.text(0); }, scenario);
     if (!title) return std::unexpected(title.error());
-    found.push_back({scenario, title->value_or(LocalText{})});
+    found.push_back({scenario, *title ? title_from_json(**title) : LocalText{}});
   }
   return found;
 }
