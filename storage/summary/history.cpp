@@ -44,11 +44,15 @@ template <class Value>
 Stored<std::vector<Value>> each_value(Database& db, const char* next, const char* first,
                                       const std::function<Value(Row)>& read) {
   std::vector<Value> values;
-  auto found = db.first(first, [&](Row row) { return row.is_null(0) ? std::optional<Value>{} : read(row); });
-  while (found && *found && **found) {
-    values.push_back(***found);
-    found = db.first(
-        next, [&](Row row) { return row.is_null(0) ? std::optional<Value>{} : read(row); }, values.back());
+  const auto take = [&](Row row) {
+    if (row.is_null(0)) return false;
+    values.push_back(read(row));
+    return true;
+  };
+  auto found = db.first(first, take);
+  while (found && found->value_or(false)) {
+    const Value before = values.back();
+    found = db.first(next, take, before);
   }
   if (!found) return std::unexpected(found.error());
   return values;
