@@ -56,7 +56,7 @@ void EditorPage::show_clash() {
   band_->clear();
   see_theirs_->setVisible(theirs->has_value());
   if (*theirs) {
-    const QDateTime when = QDateTime::fromMSecsSinceEpoch((*theirs)->saved_utc_us / 1000, Qt::UTC);
+    const QDateTime when = local_time((*theirs)->saved_utc_us);
     clash_->show_message(Band::Kind::look, tr("Another window saved this draft: %1.").arg(format_day_time(when)),
                          tr("Yours is not saved. Nothing is replaced until you choose."));
   } else {

@@ -15,7 +15,7 @@ bool is_title(Qt::Orientation orientation, int role) { return orientation == Qt:
 QVariant at_right() { return QVariant(static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter)); }
 
 QString moment(std::optional<std::int64_t> utc_us) {
-  return utc_us ? format_day_time(QDateTime::fromMSecsSinceEpoch(*utc_us / 1000, Qt::UTC).toLocalTime()) : QStringLiteral("–");
+  return utc_us ? format_day_time(local_time(*utc_us)) : QStringLiteral("–");
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
         if (r.draft) return tr("Draft of the next");
         return r.exercise->version_number == 1 && !r.exercise->scenario.key.empty() ? tr("Comes with Cusp") : tr("Published");
       case kSaved:
-        return r.saved_utc_us > 0 ? format_day_time(QDateTime::fromMSecsSinceEpoch(r.saved_utc_us / 1000).toLocalTime())
+        return r.saved_utc_us > 0 ? format_day_time(local_time(r.saved_utc_us))
                                   : QString();
       default: return {};
     }

@@ -32,8 +32,6 @@ std::vector<std::optional<QPointF>> places_of(const Picture& picture) {
   return out;
 }
 
-QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC).toLocalTime(); }
-
 }  // namespace
 
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
@@ -52,7 +50,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (!store || !reader || result.session.is_nil()) return data;
   if (const auto details = store->history.details(*reader, result.session)) {
     data.student = QString::fromStdString(details->row.student_name);
-    data.when = moment(details->row.started_utc_us);
+    data.when = local_time(details->row.started_utc_us);
     data.kind = details->row.kind;
     data.attempt = details->row.attempt;
   }
@@ -73,7 +71,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (best && *best) {
     if (const auto grade = store->grades.newest((*best)->session); grade && *grade) {
       data.before = (*grade)->grade;
-      data.before_when = moment((*best)->started_utc_us);
+      data.before_when = local_time((*best)->started_utc_us);
     }
   }
   return data;

@@ -12,8 +12,6 @@
 namespace cusp::ui {
 namespace {
 
-QDateTime from_utc_us(std::int64_t us) { return QDateTime::fromMSecsSinceEpoch(us / 1000, Qt::UTC); }
-
 /// Kind of specimen, a column to sort by.
 QString kind_of(const SpecimenSource& specimen) {
   if (specimen.generator.empty()) return CourseModel::tr("From a file");
@@ -23,7 +21,7 @@ QString kind_of(const SpecimenSource& specimen) {
 
 QString standing_text(const CourseRow& row) {
   if (row.best && row.best->score) return CourseModel::tr("%1 of 100").arg(format_points(*row.best->score));
-  if (row.due_utc_us) return CourseModel::tr("Due %1").arg(format_day(from_utc_us(*row.due_utc_us)));
+  if (row.due_utc_us) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us)));
   return row.attempts > 0 ? CourseModel::tr("no result yet") : CourseModel::tr("not tried yet");
 }
 
@@ -143,7 +141,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   switch (index.column()) {
     case kExercise: return local(r.exercise.scenario.title);
     case kKind: return kind_of(r.exercise.scenario.specimen);
-    case kDue: return r.due_utc_us ? format_day(from_utc_us(*r.due_utc_us)) : tr("always open");
+    case kDue: return r.due_utc_us ? format_day(local_time(*r.due_utc_us)) : tr("always open");
     case kAttempts:
       return r.attempts_allowed ? tr("%1 of %2").arg(r.attempts).arg(*r.attempts_allowed) : format_number(r.attempts, 0);
     case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");
@@ -220,7 +218,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   }
   if (role != Qt::DisplayRole) return {};
   switch (column) {
-    case kDate: return format_day_time(from_utc_us(r.started_utc_us));
+    case kDate: return format_day_time(local_time(r.started_utc_us));
     case kStudent: return QString::fromStdString(r.student_name);
     case kExercise: return local(r.title);
     case kAttempt: return format_number(r.attempt, 0);

@@ -18,7 +18,7 @@ struct ChartText {
 double minutes_of(const HistoryRow& attempt) { return static_cast<double>(attempt.elapsed_us) * 1e-6 / 60.0; }
 
 QString label_of(const HistoryRow& attempt) {
-  return format_day_time(QDateTime::fromMSecsSinceEpoch(attempt.started_utc_us / 1000, Qt::UTC));
+  return format_day_time(local_time(attempt.started_utc_us));
 }
 
 /// A step of 1, 2 or 5 times a power of ten that divides `span` into at most `parts`.

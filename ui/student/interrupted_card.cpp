@@ -45,7 +45,7 @@ Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::st
 InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
                                  QWidget* parent)
     : Card(tr("Interrupted attempt"),
-           format_day_time(QDateTime::fromMSecsSinceEpoch(row.started_utc_us / 1000, Qt::UTC)), parent) {
+           format_day_time(local_time(row.started_utc_us)), parent) {
   setAccessibleName(tr("Interrupted attempt"));
   auto* line = new QHBoxLayout;
   line->setSpacing(px(12));

@@ -30,8 +30,6 @@ constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // likewise; 
 constexpr int kAdviceShown = 2;
 constexpr int kShortText = 120;  // characters: about two lines beside the picture
 
-QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
-
 /// A wrapping value takes the rest of the line and wraps below.
 enum class Value { one_line, wraps };
 
@@ -149,7 +147,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->setContentsMargins(px(24), px(16), px(24), px(16));
   text->setSpacing(px(4));
   line->addLayout(text, 1);
-  const QString due = row.due_utc_us ? tr("Next, due %1").arg(format_day(moment(*row.due_utc_us))) : tr("Next");
+  const QString due = row.due_utc_us ? tr("Next, due %1").arg(format_day(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
   // The first sentence; the briefing has the whole text.
@@ -223,7 +221,7 @@ QWidget* StartPage::make_last(const Account& account) {
                                            tr("After the first attempt its points and what to do next time stand here.")));
     return card;
   }
-  auto* card = new Card(tr("Last result"), format_day(moment(last->started_utc_us)));
+  auto* card = new Card(tr("Last result"), format_day(local_time(last->started_utc_us)));
   auto* row = new QHBoxLayout;
   row->setSpacing(px(12));
   row->addWidget(make_label(format_points(*last->score), TextRole::score, Weight::bold));
@@ -322,7 +320,7 @@ QWidget* StartPage::make_comment(const Account& account) {
   if (!newest || !*newest) return nullptr;
   const Comment& c = (*newest)->comment;
   const auto author = store_.accounts.find(c.author);
-  auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(moment((*newest)->started_utc_us))));
+  auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(local_time((*newest)->started_utc_us))));
   const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
   QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
   text->setWordWrap(true);

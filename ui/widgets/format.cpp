@@ -78,6 +78,8 @@ QString format_clock(double seconds) {
   return isolate(QString::number(whole / 60) + u':' + two(whole % 60));
 }
 
+QDateTime local_time(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000); }
+
 QString format_day(const QDateTime& when, const QLocale& locale) {
   const QDateTime local = when.toLocalTime();
   if (locale.language() == QLocale::German) return locale.toString(local, QStringLiteral("ddd d. MMM"));

@@ -29,6 +29,8 @@ QString format_number(double value, int decimals, const QLocale& locale = {});
 QString format_points(double points, const QLocale& locale = {});
 /// "7:38" from seconds.
 QString format_clock(double seconds);
+/// A stored time, µs since 1970 UTC, as local time.
+QDateTime local_time(std::int64_t utc_us);
 /// "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order.
 QString format_day(const QDateTime& when, const QLocale& locale = {});
 QString format_day_time(const QDateTime& when, const QLocale& locale = {});
