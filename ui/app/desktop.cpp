@@ -137,6 +137,30 @@ void Desktop::sign_out() {
   show_sign_in(new SignIn(*store_));
 }
 
+/// People, cohorts, and everybody's results.
+void Desktop::add_school_entries(QVector<NavEntry>& list) {
+  const Role role = account_->role;
+  if (may(role, Action::manage_accounts)) {
+    list += {u"people"_qs, tr("People"), u"person"_qs,
+             [this]() -> QWidget* {
+               auto* page = new PeoplePage(*store_, account_->actor(), ports_);
+               connect(page, &PeoplePage::import_wanted, this, &Desktop::import_people);
+               return page;
+             }};
+  }
+  if (!reading_only_ && may(role, Action::manage_cohorts)) {
+    list += {u"cohorts"_qs, tr("Cohorts"), u"people"_qs,
+             [this]() -> QWidget* { return new CohortsPage(*store_, account_->actor(), ports_); }};
+  }
+  if (may(role, Action::see_all_results)) {
+    list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {
+               auto* page = new Performance(*store_, account_->actor(), ports_);
+               connect(page, &Performance::report_wanted, this, &Desktop::open_report);
+               return page;
+             }};
+  }
+}
+
 QVector<NavEntry> Desktop::entries() {
   QVector<NavEntry> list;
   const Role role = account_->role;
@@ -177,25 +201,7 @@ QVector<NavEntry> Desktop::entries() {
                return page;
              }};
   }
-  if (may(role, Action::manage_accounts)) {
-    list += {u"people"_qs, tr("People"), u"person"_qs,
-             [this]() -> QWidget* {
-               auto* page = new PeoplePage(*store_, account_->actor(), ports_);
-               connect(page, &PeoplePage::import_wanted, this, &Desktop::import_people);
-               return page;
-             }};
-  }
-  if (writing && may(role, Action::manage_cohorts)) {
-    list += {u"cohorts"_qs, tr("Cohorts"), u"people"_qs,
-             [this]() -> QWidget* { return new CohortsPage(*store_, account_->actor(), ports_); }};
-  }
-  if (may(role, Action::see_all_results)) {
-    list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {
-               auto* page = new Performance(*store_, account_->actor(), ports_);
-               connect(page, &Performance::report_wanted, this, &Desktop::open_report);
-               return page;
-             }};
-  }
+  add_school_entries(list);
   list += {u"device"_qs, tr("Device"), u"device"_qs, [this, role]() -> QWidget* {
              auto* page = new DevicePage(settings_, ports_, role, hid_);
              connect(page, &DevicePage::chosen, this, &Desktop::show_device);

@@ -100,6 +100,7 @@ class Desktop : public QMainWindow {
   DrillScreen* open_drilling(const SessionPlan& plan, const DrillText& text);
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
+  void add_school_entries(QVector<NavEntry>& list);
   void open_result_page(const SessionId& session, Keep keep);
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
