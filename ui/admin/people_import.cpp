@@ -203,7 +203,7 @@ void PeopleImport::end(Ending ending, const QString& what) {
 
 void PeopleImport::save_slips() {
   ports_.pick_file(this, {tr("Save the PIN slips"), tr("PIN slips.pdf"), tr("PDF (*.pdf)"), true}, [this](const QString& path) {
-    if (write_pin_slips(path.toStdString(), slips_) == SlipsWritten::no) {
+    if (!write_pin_slips(path.toStdString(), slips_)) {
       band_->show_message(Band::Kind::bad, tr("%1 cannot be written.").arg(path), tr("Choose another place. The accounts are kept."));
       return;
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/modules.h"
+#include "ui/widgets/pdf_file.h"
 
 namespace cusp::ui {
 
@@ -13,8 +14,7 @@ struct PinSlip {
   QString name, number, pin, cohort;
 };
 
-enum class SlipsWritten : bool { no, yes };
 /// A PDF in the light colours.
-SlipsWritten write_pin_slips(const std::filesystem::path& file, const std::vector<PinSlip>& slips);
+Result<void, PdfFailure> write_pin_slips(const std::filesystem::path& file, const std::vector<PinSlip>& slips);
 
 }  // namespace cusp::ui

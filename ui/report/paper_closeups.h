@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ui/report/paper.h"
+#include "ui/widgets/paper.h"
 #include "ui/report/report_data.h"
 
 namespace cusp::ui {

@@ -1,9 +1,7 @@
 #include "ui/report/report_pdf.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QLocale>
-#include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include <numbers>
 
 #include "ui/report/criteria_model.h"
-#include "ui/report/paper.h"
+#include "ui/widgets/paper.h"
 #include "ui/report/paper_closeups.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
@@ -275,38 +273,10 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
                                           const DrawnTooth& tooth) {
-  const QString name = QString::fromStdString(file.string());
-  const QString part = name + u".part"_qs;
-  {
-    QPdfWriter writer(part);
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(QMarginsF(18, 16, 18, 16), QPageLayout::Millimeter);
-    writer.setResolution(300);
-    writer.setTitle(data.title);
-    writer.setCreator(u"Cusp"_qs);
-    QPainter painter;
-    if (!painter.begin(&writer)) return fail(PdfError::cannot_write, file.string());
-    // 84 screen pixels an inch, not 96: the text fills the width of the page.
-    paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), 300.0 / 84.0, data, tooth, [&writer] { writer.newPage(); });
-    if (!painter.end()) return fail(PdfError::cannot_write, file.string());
-  }
-  // QPdfWriter reports no full disk; a whole PDF ends in %%EOF.
-  QFile written(part);
-  if (!written.open(QIODevice::ReadOnly) || written.size() < 16) return fail(PdfError::cannot_write, file.string());
-  written.seek(written.size() - 16);
-  const bool whole = written.readAll().contains("%%EOF");
-  written.close();
-  if (!whole) {
-    QFile::remove(part);
-    return fail(PdfError::cannot_write, file.string());
-  }
-  std::error_code failed;
-  std::filesystem::rename(part.toStdString(), file, failed);
-  if (failed) {
-    QFile::remove(part);
-    return fail(PdfError::cannot_write, file.string(), failed.message());
-  }
-  return {};
+  return write_pdf(file, {.title = data.title}, [&](QPainter& painter, QPdfWriter& writer) {
+    paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), kPdfUnit, data, tooth,
+                 [&writer] { writer.newPage(); });
+  });
 }
 
 }  // namespace cusp::ui

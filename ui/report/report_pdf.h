@@ -1,21 +1,17 @@
 /// The report on paper, always in the light colours: one A4 page, and a second one with a picture of each place where points
-/// were lost. Needs a QGuiApplication; without a display its
-/// platform is "offscreen" ("minimal" has no fonts).
+/// were lost.
 #pragma once
 
 #include <QRectF>
 #include <filesystem>
 #include <functional>
 
-#include "engine/base/result.h"
 #include "ui/report/report_data.h"
+#include "ui/widgets/pdf_file.h"
 
 class QPainter;
 
 namespace cusp::ui {
-
-enum class PdfError : std::uint8_t { cannot_write };
-using PdfFailure = Failure<PdfError>;
 
 /// Middle of the number of the place `at`: beside the place, so that what happened there is seen, and clear of the numbers
 /// whose middles are `taken`. `middle`: of the picture; `unit`: of the paper to a pixel of the screen at 100 %.
@@ -25,7 +21,7 @@ QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<Q
 /// the order of next_time().
 DrawingOrder order_for_paper(const ReportData& data, int side_px);
 
-/// `tooth` is of order_for_paper(). If it failed, its place on the page gives the cause. Written beside the name and renamed, so that no half file is left.
+/// `tooth` is of order_for_paper(). If it failed, its place on the page gives the cause.
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
                                           const DrawnTooth& tooth);
 

@@ -1,4 +1,4 @@
-#include "ui/report/paper.h"
+#include "ui/widgets/paper.h"
 
 #include <QLocale>
 #include <QPainter>
