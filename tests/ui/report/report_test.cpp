@@ -1,45 +1,25 @@
-// The report: its table, its page, its paper.
+// The report: its table and its page.
 
 #include <gtest/gtest.h>
 
 #include <QFile>
 #include <QLabel>
 #include <QLineF>
-#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <filesystem>
 
 #include "scenarios/burs/bur_catalogue.h"
-#include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "tests/ui/desk_records.h"
+#include "tests/ui/report/sample_report.h"
 #include "ui/text/grade_text.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
 #include "ui/report/report_pdf.h"
-#include "ui/session/scene_builder.h"
 
 namespace cusp::test {
 namespace {
-
-ReportData sample(double score = 81) {
-  ReportData data;
-  data.result.scenario = *load_builtin("channel-1");
-  data.result.grade = test::sample_grade(score);
-  data.result.seconds = 458;
-  data.result.device.device_class = "pointer";
-  data.title = QStringLiteral("Straight channel");
-  data.student = QStringLiteral("Lena Brandt");
-  data.when = QDateTime(QDate(2026, 11, 20), QTime(10, 14));
-  data.kind = SessionKind::practice;
-  data.attempt = 7;
-  data.peak_push_n = 2.1;
-  return data;
-}
-
-DrawnTooth no_picture() { return fail(PictureError::no_opengl, "EGL", "eglMakeCurrent 0x3002"); }
 
 std::string plain(QString text) {
   for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
@@ -302,112 +282,6 @@ TEST(ReportPage, saves_its_paper_where_the_picker_points_and_reports_a_failure) 
   for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
   EXPECT_TRUE(all.contains(QStringLiteral("The report was not saved.")));
   EXPECT_FALSE(QFile::exists(answer));
-}
-
-TEST(ReportPdf, is_one_whole_page_and_leaves_no_half_file) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  ASSERT_TRUE(write_report_pdf(file, sample(), no_picture()).has_value());
-  QFile written(QString::fromStdString(file.string()));
-  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
-  const QByteArray bytes = written.readAll();
-  EXPECT_TRUE(bytes.startsWith("%PDF-"));
-  EXPECT_TRUE(bytes.contains("/Count 1"));  // pages
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1);
-  const auto failed = write_report_pdf(file.parent_path() / "no" / "r.pdf", sample(), no_picture());
-  ASSERT_FALSE(failed.has_value());
-  EXPECT_EQ(failed.error().code, PdfError::cannot_write);
-}
-
-/// What pdfimages lists of a file: one line each, without its two lines of heads.
-QStringList images_in(const std::filesystem::path& file) {
-  QProcess list;
-  list.start(QStringLiteral("pdfimages"), {QStringLiteral("-list"), QString::fromStdString(file.string())});
-  if (!list.waitForFinished(60'000)) return {};
-  return QString::fromUtf8(list.readAllStandardOutput()).split(u'\n', Qt::SkipEmptyParts).mid(2);
-}
-
-/// The text of its pages, in order.
-std::string text_in(const std::filesystem::path& file) {
-  QProcess text;
-  text.start(QStringLiteral("pdftotext"), {QString::fromStdString(file.string()), QStringLiteral("-")});
-  if (!text.waitForFinished(60'000)) return {};
-  return QString::fromUtf8(text.readAllStandardOutput()).simplified().toStdString();
-}
-
-/// The block of the exercise, untouched.
-ReportData whole_block() {
-  ReportData data = sample();
-  const auto volume = build_specimen(data.result.scenario, {});
-  if (volume) data.result.volume = std::make_shared<const Volume>(*volume);
-  return data;
-}
-
-TEST(ReportPdf, holds_the_picture_of_the_tooth) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  ReportData data = whole_block();
-  ASSERT_TRUE(data.result.volume);
-  const DrawnTooth tooth = draw_report_tooth(data.result, order_for_paper(data, 300));
-  ASSERT_TRUE(tooth) << tooth.error().detail;
-  // More than its background: the middle is tooth, the corner is not.
-  EXPECT_NE(tooth->image.pixel(150, 150), tooth->image.pixel(2, 2));
-  ASSERT_TRUE(write_report_pdf(file, data, tooth));
-  EXPECT_GE(images_in(file).size(), 1) << "no image in the PDF";
-  EXPECT_EQ(text_in(file).find("could not be drawn"), std::string::npos);
-}
-
-TEST(ReportPdf, has_a_second_page_with_a_picture_of_each_lost_place) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  const ReportData data = whole_block();
-  ASSERT_TRUE(data.result.volume);
-  const DrawingOrder order = order_for_paper(data, 300);
-  ASSERT_FALSE(order.closeups_mm.empty()) << "the sample lost no points at a place";
-  const DrawnTooth tooth = draw_report_tooth(data.result, order);
-  ASSERT_TRUE(tooth) << tooth.error().detail;
-  ASSERT_EQ(tooth->closeups.size(), order.closeups_mm.size());
-  ASSERT_TRUE(write_report_pdf(file, data, tooth));
-  EXPECT_EQ(images_in(file).filter(QStringLiteral(" image ")).size(), 1 + static_cast<qsizetype>(order.closeups_mm.size()));
-  const std::string text = text_in(file);
-  const auto second = text.find("Where points were lost");
-  ASSERT_NE(second, std::string::npos) << text;
-  const Advice first = [&] {
-    for (const Advice& advice : next_time(data))
-      if (advice.place_mm) return advice;
-    return Advice{};
-  }();
-  EXPECT_NE(text.find(first.head.toStdString(), second), std::string::npos) << text.substr(second);
-}
-
-TEST(ReportPdf, has_one_page_if_no_place_lost_points) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  ReportData data = whole_block();
-  for (CriterionGrade& c : data.result.grade.criteria) c.measure.where_mm.reset();
-  ASSERT_TRUE(write_report_pdf(file, data, draw_report_tooth(data.result, order_for_paper(data, 300))));
-  EXPECT_EQ(text_in(file).find("Where points were lost"), std::string::npos);
-}
-
-TEST(ReportPdf, gives_the_cause_of_a_missing_picture) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  ASSERT_TRUE(write_report_pdf(file, sample(), no_picture()));
-  EXPECT_TRUE(images_in(file).isEmpty());
-  EXPECT_NE(text_in(file).find("The tooth could not be drawn: OpenGL 3.3 did not start"), std::string::npos) << text_in(file);
-}
-
-TEST(ReportPdf, puts_an_opened_pulp_before_every_other_advice) {
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  ReportData data = sample();
-  data.result.grade.critical = {"pulp_exposure"};
-  data.critical = critical_events(data.result.grade, {}, nullptr, {});
-  ASSERT_TRUE(write_report_pdf(file, data, no_picture()));
-  const std::string text = text_in(file);
-  const auto advice = text.find("Next time"), pulp = text.find("The pulp was opened", advice);
-  ASSERT_NE(pulp, std::string::npos) << text;
-  EXPECT_LT(pulp, text.find("points lost", advice));
 }
 
 TEST(AgainstBefore, compares_shares_and_gives_the_points_gained) {
