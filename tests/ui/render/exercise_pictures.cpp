@@ -2,7 +2,6 @@
 // reference operator and the novice leave, each from above and in two sections. Writes STATE.png, STATE-md.png (mesiodistal
 // section), STATE-bl.png (buccolingual one) and exercise.json (points, what lost some). SCENARIO: a file, or the id of a
 // built-in exercise. exercise_sheet.py lays them out.
-#include <png.h>
 
 #include <array>
 #include <cstdio>
@@ -13,13 +12,12 @@
 #include <sstream>
 #include <string>
 
-#include "scenarios/format/read.h"
 #include "scenarios/grading/grader.h"
-#include "scenarios/library/library.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/metrics/reference.h"
 #include "scenarios/operators/fast_cut.h"
 #include "tests/modules.h"
+#include "tests/ui/render/exercise_file.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/target_look.h"
 #include "ui/render/tooth_picture.h"
@@ -35,23 +33,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kSidePx = 480;         // drawn at twice that
 constexpr double kSectionMm = 13.0;  // a molar's crown with the contacts
 constexpr double kAroundMm = 2.6;    // of the crown about the target, as on the exercise's card
-
-bool write_png(const std::string& path, int width, int height, const std::uint8_t* rgba) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  image.format = PNG_FORMAT_RGBA;
-  return png_image_write_to_file(&image, path.c_str(), 0, rgba, 0, nullptr) != 0;
-}
-
-Result<Scenario, FormatFailure> scenario_of(const std::string& name) {
-  std::ifstream file(name);
-  if (!file) return load_builtin(name);
-  std::stringstream text;
-  text << file.rdbuf();
-  return read_scenario(text.str());
-}
 
 /// The middle of the target's lowest floor.
 Vec3 lowest_place(const TargetShape& shape) {
@@ -102,7 +83,7 @@ class Painter {
     scene.camera.set_preset(PresetView::occlusal);
     scene.line_scale = 3.0f;
     picture->draw(scene, context->width(), context->height());
-    return write_png(file(name), context->width(), context->height(), context->read_rgba().data());
+    return write_png(file(name), context->width(), context->height(), context->read_rgba());
   }
 
   bool section(const Volume& volume, const SectionPlane& plane, const std::string& name) const {
@@ -115,7 +96,7 @@ class Painter {
     const SectionImage image = draw_section(volume, settings);
     std::vector<std::uint8_t> rgba(image.rgba.size() * 4);
     std::memcpy(rgba.data(), image.rgba.data(), rgba.size());
-    return write_png(file(name), image.width, image.height, rgba.data());
+    return write_png(file(name), image.width, image.height, rgba);
   }
 
   TargetLook look_;

@@ -4,7 +4,6 @@
 // SCENARIO: a file, or the id of a built-in exercise. WIDTH, HEIGHT: 1280 800. CENTRE, EDGE: the background, RRGGBB. Exit 1
 // beyond 10 s or 600 MB.
 #include <epoxy/gl.h>
-#include <png.h>
 
 #include <algorithm>
 #include <array>
@@ -20,10 +19,9 @@
 #include <thread>
 #include <vector>
 
-#include "scenarios/format/read.h"
-#include "scenarios/library/library.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
+#include "tests/ui/render/exercise_file.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/scenery_look.h"
@@ -51,26 +49,9 @@ long peak_kb() {
   return out;
 }
 
-Result<Scenario, FormatFailure> scenario_of(const std::string& name) {
-  std::ifstream file(name);
-  if (!file) return load_builtin(name);
-  std::stringstream text;
-  text << file.rdbuf();
-  return read_scenario(text.str());
-}
-
 struct Size {
   int width = 1280, height = 800;
 };
-
-bool write_png(const std::string& path, Size size, const std::vector<std::uint8_t>& rgba) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(size.width);
-  image.height = static_cast<png_uint_32>(size.height);
-  image.format = PNG_FORMAT_RGBA;
-  return png_image_write_to_file(&image, path.c_str(), 0, rgba.data(), 0, nullptr) != 0;
-}
 
 /// What is drawn, and the picture that draws it.
 struct Shown {
@@ -210,7 +191,7 @@ bool write_views(const Shown& shown, std::vector<Scene3d> views, const std::stri
   views.push_back(map);
   for (std::size_t i = 0; i < views.size(); ++i) {
     shown.picture->draw(views[i], shown.size.width, shown.size.height);
-    if (!write_png(named(path, state + std::to_string(i + 1)), shown.size, shown.context->read_rgba())) return false;
+    if (!write_png(named(path, state + std::to_string(i + 1)), shown.size.width, shown.size.height, shown.context->read_rgba())) return false;
   }
   SectionSettings settings;
   settings.plane.centre_mm = views[0].camera.centre_mm();
@@ -219,7 +200,7 @@ bool write_views(const Shown& shown, std::vector<Scene3d> views, const std::stri
   const SectionImage section = draw_section(*shown.volume, settings);
   std::vector<std::uint8_t> rgba(section.rgba.size() * 4);
   std::memcpy(rgba.data(), section.rgba.data(), rgba.size());
-  return write_png(named(path, state + "-section"), {section.width, section.height}, rgba);
+  return write_png(named(path, state + "-section"), section.width, section.height, rgba);
 }
 
 Colour hex(const char* text) { return colour_of(static_cast<std::uint32_t>(std::strtoul(text, nullptr, 16))); }

@@ -25,6 +25,12 @@ Rgb at(const Picture& picture, int x, int y) {
 constexpr double kBallMm = 1.5;
 Volume ball_volume() { return Volume(Specimen::build(test::ball(kBallMm), Reading::banded)); }
 
+void put_mesh(ToothPicture& picture, const Volume& volume) {
+  PatchFeed feed({});
+  feed.build_all(volume);
+  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture.put(patch);
+}
+
 PictureRequest small() {
   PictureRequest out;
   out.width_px = out.height_px = 200;
@@ -152,10 +158,7 @@ TEST_F(Drawn, four_samples_soften_an_edge) {
   const auto context = EglContext::create(16, 16, &why);
   const auto picture = ToothPicture::create(&why);
   ASSERT_TRUE(context && picture) << why;
-  const Volume volume = ball_volume();
-  PatchFeed feed({});
-  feed.build_all(volume);
-  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  put_mesh(*picture, ball_volume());
   Scene3d scene;
   scene.background_middle = scene.background_edge = Colour{0, 0, 1};
   scene.camera = Camera::about({0, 0, 0}, 2.0);
@@ -196,10 +199,7 @@ int enamel_in_the_glass(const std::optional<MouthMirror>& mirror) {
   const auto context = EglContext::create(400, 300);
   const auto picture = ToothPicture::create();
   if (!context || !picture) return -1;
-  const Volume volume = ball_volume();
-  PatchFeed feed({});
-  feed.build_all(volume);
-  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  put_mesh(*picture, ball_volume());
   Scene3d scene;
   scene.background_middle = scene.background_edge = Colour{0, 0, 1};
   scene.camera = Camera::about({0, 0, 0}, 14.0);
@@ -252,9 +252,7 @@ TEST_F(Drawn, a_cutaway_takes_away_what_lies_before_its_plane_and_shows_the_lid)
   const auto picture = ToothPicture::create(&why);
   ASSERT_TRUE(context && picture) << why;
   const Volume volume(Specimen::build(test::ball(1.5, 1.0), Reading::banded));
-  PatchFeed feed({});
-  feed.build_all(volume);
-  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  put_mesh(*picture, volume);
   SectionSettings settings;
   settings.plane = {{0, 0, 0}, {-1, 0, 0}, {0, 0, 1}};  // faces +y, where the camera's eye is
   settings.width = settings.height = 100;
