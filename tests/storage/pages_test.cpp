@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 
 #include "tests/storage/many_sessions.h"
 #include "tests/storage/statements_seen.h"
@@ -149,16 +150,12 @@ struct Screen {
 };
 constexpr int kPage = 100;
 
-std::vector<Screen> screens() {
-  const auto student = [](const ManySessions& m, std::size_t i) { return m.students[i * 37 % m.students.size()]; };
-  const auto exercise = [](const ManySessions& m, std::size_t i) { return m.versions[i % m.versions.size()].scenario; };
-  const auto list_and_figures = [](Store& s, const ManySessions& m, const HistoryFilter& f) {
-    must(s.history.page(m.admin.actor(), f, {}, kPage));
-    figures_of(s, m.admin.actor(), f);
-  };
+const Account& student_of(const ManySessions& m, std::size_t i) { return m.students[i * 37 % m.students.size()]; }
+
+std::vector<Screen> student_screens() {
   return {
-      {"start page", [=](Store& s, const ManySessions& m, std::size_t i) {
-         const Actor own = student(m, i).actor();
+      {"start page", [](Store& s, const ManySessions& m, std::size_t i) {
+         const Actor own = student_of(m, i).actor();
          must(s.sessions.mark_interrupted());
          const auto standings = must(s.history.standings(own, own.id));
          must(s.assignments.for_student(own.id));
@@ -171,13 +168,23 @@ std::vector<Screen> screens() {
            break;
          }
        }},
-      {"own history", [=](Store& s, const ManySessions& m, std::size_t i) {
-         const Actor own = student(m, i).actor();
+      {"own history", [](Store& s, const ManySessions& m, std::size_t i) {
+         const Actor own = student_of(m, i).actor();
          must(s.history.scenarios(own, own.id));
          const auto page = must(s.history.page(own, {}, {}, kPage));
          if (!page.rows.empty()) must(s.history.list(own, {.scenario = page.rows[0].scenario, .device_class = "pointer"}));
          must(s.history.attempts(own, own.id, m.versions[0].scenario));
        }},
+  };
+}
+
+std::vector<Screen> staff_screens() {
+  const auto exercise = [](const ManySessions& m, std::size_t i) { return m.versions[i % m.versions.size()].scenario; };
+  const auto list_and_figures = [](Store& s, const ManySessions& m, const HistoryFilter& f) {
+    must(s.history.page(m.admin.actor(), f, {}, kPage));
+    figures_of(s, m.admin.actor(), f);
+  };
+  return {
       {"cohort", [=](Store& s, const ManySessions& m, std::size_t i) {
          list_and_figures(s, m, {.cohort = m.cohorts[i % m.cohorts.size()]});
        }},
@@ -204,12 +211,18 @@ std::vector<Screen> screens() {
          must(reading.take(50'000));
        }},
       {"search, one student", [=](Store& s, const ManySessions& m, std::size_t i) {
-         list_and_figures(s, m, {.search = student(m, i).number});
+         list_and_figures(s, m, {.search = student_of(m, i).number});
        }},
       {"search, many students", [=](Store& s, const ManySessions& m, std::size_t i) {
          must(s.history.page(m.admin.actor(), {.search = "student " + std::to_string(1 + i % 9)}, {}, kPage));
        }},
   };
+}
+
+std::vector<Screen> screens() {
+  std::vector<Screen> out = student_screens();
+  std::ranges::move(staff_screens(), std::back_inserter(out));
+  return out;
 }
 
 /// `people` has a few thousand rows at most, which a part of a name must search; `station` has one.
