@@ -1,5 +1,5 @@
-/// Students from a spreadsheet's list: preview line by line, accounts with PINs, cohorts, PIN slips. Thread: GUI; one account a turn
-/// of the event loop, because a PIN's hash takes a tenth of a second.
+/// Students from a spreadsheet's list: preview line by line, accounts with PINs, cohorts, PIN slips. Thread: GUI.
+/// Each turn of the event loop makes one account, because a PIN's hash takes a tenth of a second.
 #pragma once
 
 #include <QWidget>

@@ -1,5 +1,5 @@
-/// Draws a ToothPicture into images on a thread of its own. The window stays a raster one: nothing is composed with OpenGL,
-/// which in software costs more than the tooth. One frame at a time. Thread: GUI, but for what Drawn says.
+/// Draws a ToothPicture into images on a thread of low priority, one frame at a time. The window copies them: composing it
+/// with OpenGL costs software more than the tooth. Thread: GUI; Drawn is called on the painter's.
 #pragma once
 
 #include <QImage>
