@@ -26,7 +26,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
-constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // likewise; the text beside it needs the rest
+constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // of the page without the side; the text needs the rest
 constexpr int kAdviceShown = 2;
 constexpr int kShortText = 120;  // characters: about two lines beside the picture
 
@@ -339,7 +339,8 @@ void StartPage::resizeEvent(QResizeEvent* event) {
   const bool narrow = width() < px(kStackBelow);
   columns_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   if (picture_) {
-    const int wide = px(width() < px(kSmallPictureBelow) ? kSmallPictureWidth : kPictureWidth);
+    const int beside = narrow ? 0 : px(kSideWidth) + columns_->spacing();
+    const int wide = px(width() - beside < px(kSmallPictureBelow) ? kSmallPictureWidth : kPictureWidth);
     if (picture_->width() != wide) {
       picture_->setFixedWidth(wide);
       show_picture();
