@@ -282,13 +282,23 @@ class Program:
         add(self.root, 0)
         return "\n".join(lines)
 
+    def active(self):
+        """True where the window manager sends keys to the program."""
+        found = subprocess.run(["xdotool", "getactivewindow", "getwindowpid"], capture_output=True, text=True)
+        return found.stdout.strip() == str(self.process.pid)
+
     def close(self):
         """Closes the window as its owner does, and waits for the program to end well."""
-        self.screen.x("key", "--clearmodifiers", "alt+F4")
-        try:
-            self.process.wait(LIMIT_S)
-        except subprocess.TimeoutExpired:
-            raise Missing("the program did not end when its window was closed") from None
+        until("the window to be the active one", self.active)
+        for pressed in range(1, 4):
+            self.screen.x("key", "--clearmodifiers", "alt+F4")
+            try:
+                self.process.wait(LIMIT_S / 3)
+                break
+            except subprocess.TimeoutExpired:
+                print(f"the window is open after its owner closed it {pressed} times: {self.texts()}", flush=True)
+        else:
+            raise Missing("the program did not end when its window was closed")
         if self.process.returncode != 0:
             raise Missing(f"the program ended with {self.process.returncode}: {self.output()}")
 
