@@ -82,6 +82,7 @@ Store::Store(StorageContext context)
       metrics{context_},
       grades{context_},
       comments{context_},
+      statements{context_},
       history{context_},
       key_states{context_} {}
 

@@ -17,6 +17,7 @@
 #include "storage/repositories/metrics.h"
 #include "storage/repositories/scenarios.h"
 #include "storage/repositories/sessions.h"
+#include "storage/repositories/statements.h"
 #include "storage/repositories/traces.h"
 #include "storage/summary/history.h"
 
@@ -57,6 +58,7 @@ class Store {
   Metrics metrics;
   Grades grades;
   Comments comments;
+  Statements statements;
   History history;
   KeyStateCache key_states;
 };

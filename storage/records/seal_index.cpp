@@ -96,6 +96,9 @@ void SealIndex::add_row(const AuditEntry& e) {
   keep(SealedTable::cohorts, {"cohort_created", "cohort_sealed"});
   keep(SealedTable::assignments, {"assigned", "assignment_sealed"});
   keep(SealedTable::scenario_versions, {"version_published", "version_kept", "version_sealed"});
+  keep(SealedTable::statements, {"stated", "statement_sealed"});
+  keep(SealedTable::assessments, {"assessment_set", "assessment_sealed"});
+  keep(SealedTable::version_withdrawals, {"version_withdrawn", "withdrawal_sealed"});
 }
 
 }  // namespace cusp::storage

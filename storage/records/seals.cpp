@@ -24,8 +24,21 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
       return "id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, sequence";
     case SealedTable::scenario_versions:
       return "id, scenario, number, key, title, json, content_hash, author, published_at, sequence";
+    case SealedTable::statements:
+      return "id, session, station, author, at, sequence, kind, links, link, grade, criterion, points, tick, where_x_mm, "
+             "where_y_mm, where_z_mm, withdraws, text_hash, key, signature";
+    case SealedTable::assessments:
+      return "assignment, start_code";
+    case SealedTable::version_withdrawals:
+      return "version, author, at, sequence";
   }
   return {};
+}
+
+/// What names one row.
+constexpr std::string_view key_column(SealedTable table) noexcept {
+  if (table == SealedTable::assessments) return "assignment";
+  return table == SealedTable::version_withdrawals ? "version" : "id";
 }
 
 }  // namespace
@@ -59,7 +72,8 @@ std::optional<AccountSeal> account_seal_from(std::string_view detail) {
 }
 
 std::string_view name_of(SealedTable table) noexcept {
-  constexpr std::array<std::string_view, 4> names = {"comments", "cohorts", "assignments", "scenario_versions"};
+  constexpr std::array<std::string_view, 7> names = {"comments",   "cohorts",     "assignments",        "scenario_versions",
+                                                     "statements", "assessments", "version_withdrawals"};
   return names[static_cast<std::size_t>(table)];
 }
 
@@ -85,7 +99,7 @@ Stored<std::vector<RowSeal>> row_seals(Database& db, SealedTable table, const st
     return RowSeal{row.uuid(0), seal.finish()};
   };
   const std::string sql = "SELECT " + std::string(columns_of(table)) + " FROM " + std::string(name_of(table));
-  auto seals = id ? db.all(sql + " WHERE id = ?1", seal_of, *id) : db.all(sql, seal_of);
+  auto seals = id ? db.all(sql + " WHERE " + std::string(key_column(table)) + " = ?1", seal_of, *id) : db.all(sql, seal_of);
   if (seals && !files_read) return std::unexpected(files_read.error());
   return seals;
 }

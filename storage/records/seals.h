@@ -27,9 +27,19 @@ std::string text_of(const AccountSeal& seal);
 std::optional<AccountSeal> account_seal_from(std::string_view detail);
 
 /// Rows sealed by one hash. The numbers are not stored.
-enum class SealedTable : std::uint8_t { comments, cohorts, assignments, scenario_versions };
-inline constexpr std::array kSealedTables = {SealedTable::comments, SealedTable::cohorts, SealedTable::assignments,
-                                             SealedTable::scenario_versions};
+enum class SealedTable : std::uint8_t {
+  comments,
+  cohorts,
+  assignments,
+  scenario_versions,
+  statements,
+  assessments,
+  version_withdrawals,
+};
+inline constexpr std::array kSealedTables = {SealedTable::comments,    SealedTable::cohorts,
+                                             SealedTable::assignments, SealedTable::scenario_versions,
+                                             SealedTable::statements,  SealedTable::assessments,
+                                             SealedTable::version_withdrawals};
 std::string_view name_of(SealedTable table) noexcept;
 struct RowSeal {
   Uuid subject;  // of the row's entries in the audit log

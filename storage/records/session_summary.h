@@ -18,7 +18,7 @@ namespace cusp::storage {
 void add_summary(Transaction& transaction, SessionId session);
 /// After a row of `trace_chunks`. `elapsed_us`: of the whole trace.
 void follow_second(Transaction& transaction, SessionId session, std::uint64_t elapsed_us);
-/// After an event or a grade: state and result.
+/// After an event, a grade or a statement: state and result as they count (effective_grade.h).
 void follow_event(Transaction& transaction, SessionId session);
 
 struct SummaryDifference {

@@ -64,7 +64,7 @@ struct StoreVerification {
 };
 
 /// Verifies the log, its counter, every session, and all that the log seals: accounts, cohorts, assignments, comments,
-/// versions, blobs, keys, and every summary against its records. tests/storage/harmless.cpp lists what it cannot find.
+/// statements, versions, blobs, keys, and every summary against its records. tests/storage/harmless.cpp lists what it cannot find.
 Stored<StoreVerification> verify_store(StorageContext& context);
 
 /// Every session that any table names.

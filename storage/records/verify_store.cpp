@@ -6,6 +6,7 @@
 #include "storage/records/rollback_counter.h"
 #include "storage/records/session_summary.h"
 #include "storage/records/session_tables.h"
+#include "storage/records/statement_rows.h"
 #include "storage/records/trace_codec.h"
 #include "storage/records/verify_log.h"
 
@@ -29,6 +30,7 @@ class StoreVerifier {
     check_summaries();
     check_accounts();
     check_comments();
+    if (auto done = add_statement_findings(); !done) return std::unexpected(done.error());
     check_members();
     for (const SealedTable table : kSealedTables) check_rows(table);
     check_blobs();
@@ -106,7 +108,8 @@ class StoreVerifier {
         "SELECT max(n) FROM (SELECT max(sequence) n FROM audit_log UNION ALL SELECT max(sequence) FROM sessions "
         "UNION ALL SELECT max(sequence) FROM session_events UNION ALL SELECT max(sequence) FROM grades "
         "UNION ALL SELECT max(sequence) FROM scenario_versions UNION ALL SELECT max(sequence) FROM assignments "
-        "UNION ALL SELECT max(sequence) FROM comments)",
+        "UNION ALL SELECT max(sequence) FROM comments UNION ALL SELECT max(sequence) FROM statements "
+        "UNION ALL SELECT max(sequence) FROM version_withdrawals)",
         [](Row row) { return row.integer(0); });
     check_single_row("station");
     const bool given_twice = used && used->value_or(0) >= (*station)->second;
@@ -237,6 +240,13 @@ class StoreVerifier {
         find(FindingCode::row_missing, "comments", key.first, {}, last.at_utc_us);
       }
     }
+  }
+
+  Stored<void> add_statement_findings() {
+    auto found = check_statements(db_);
+    if (!found) return std::unexpected(found.error());
+    out_.findings.insert(out_.findings.end(), found->begin(), found->end());
+    return {};
   }
 
   void check_members() {

@@ -1,5 +1,7 @@
 #include "storage/repositories/assignments.h"
 
+#include <array>
+
 #include "storage/records/sealing.h"
 
 namespace cusp::storage {
@@ -21,11 +23,30 @@ Assignment assignment_of(Row row) {
 
 }  // namespace
 
-Stored<Assignment> Assignments::create(const Actor& actor, Assignment a) {
+std::string candidate_number(AssignmentId assignment, UserId student) {
+  // Without letters and digits that are read as others.
+  constexpr std::string_view kSigns = "23456789ABCDEFGHJKMNPQRSTUVWXYZ";
+  const Hash256 hash =
+      Blake2b{}.add_text("cusp candidate 1").add_uuid(assignment.uuid).add_uuid(student.uuid).finish();
+  std::uint64_t left = 0;
+  for (std::size_t i = 0; i < sizeof left; ++i) left = left << 8 | hash[i];
+  std::string number;
+  for (int i = 0; i < 6; ++i) {
+    if (i == 3) number += ' ';
+    number += kSigns[left % kSigns.size()];
+    left /= kSigns.size();
+  }
+  return number;
+}
+
+Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const std::string& start_code) {
   if (auto allowed = require(actor, Action::assign); !allowed) return std::unexpected(allowed.error());
   if (a.kind != SessionKind::practice && a.kind != SessionKind::assessment)
     return fail(StorageError::bad_value, "kind");
   if (a.opens_utc_us && a.due_utc_us && *a.opens_utc_us >= *a.due_utc_us) return fail(StorageError::bad_value, "due");
+  const bool assessment = a.kind == SessionKind::assessment;
+  const bool admitted = start_code.size() >= kLeastStartCode && start_code.size() <= kMostStartCode;
+  if (assessment ? !admitted : !start_code.empty()) return fail(StorageError::bad_value, "start_code");
   a.id = AssignmentId::make();
   a.author = actor.id;
   a.created_utc_us = c_.clock();
@@ -37,8 +58,38 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a) {
       a.id, a.version, a.cohort, key_of(a.kind), a.opens_utc_us, a.due_utc_us, a.attempts_allowed, a.author,
       a.created_utc_us, sequence);
   log_row(c_, transaction, actor.id, "assigned", SealedTable::assignments, a.id.uuid);
+  if (assessment) {
+    transaction.run("INSERT INTO assessments (assignment, start_code) VALUES (?1, ?2)", a.id, start_code);
+    log_row(c_, transaction, actor.id, "assessment_set", SealedTable::assessments, a.id.uuid);
+  }
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return a;
+}
+
+Stored<Assignment> Assignments::find(AssignmentId assignment) {
+  const auto found = c_.db.first(
+      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at FROM assignments "
+      "WHERE id = ?1",
+      assignment_of, assignment);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "assignments", assignment.text());
+  return **found;
+}
+
+Stored<std::string> Assignments::start_code(const Actor& actor, AssignmentId assignment) {
+  if (auto allowed = require(actor, Action::assign); !allowed) return std::unexpected(allowed.error());
+  const auto code = c_.db.first("SELECT start_code FROM assessments WHERE assignment = ?1",
+                                [](Row row) { return row.text(0); }, assignment);
+  if (!code) return std::unexpected(code.error());
+  return code->value_or(std::string());
+}
+
+Stored<int> Assignments::attempts(AssignmentId assignment, UserId student) {
+  const auto count = c_.db.first(
+      "SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 AND student = ?2",
+      [](Row row) { return static_cast<int>(row.integer(0)); }, assignment, student);
+  if (!count) return std::unexpected(count.error());
+  return count->value_or(0);
 }
 
 Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {

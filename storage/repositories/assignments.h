@@ -1,8 +1,9 @@
-/// Assignments: a scenario version for a cohort, with dates.
+/// Assignments: a scenario version for a cohort, with dates; an assessment also has a start code.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "storage/records/context.h"
@@ -22,11 +23,22 @@ struct Assignment {
   std::int64_t created_utc_us = 0;
 };
 
+inline constexpr std::size_t kLeastStartCode = 4, kMostStartCode = 32;  // bytes
+
+/// Stands for the student's name in an assessment: six letters and digits, "K7F 3QD", always the same.
+std::string candidate_number(AssignmentId assignment, UserId student);
+
 class Assignments {
  public:
   explicit Assignments(StorageContext& context) : c_{context} {}
-  /// Needs assign. Sets id, author and time.
-  Stored<Assignment> create(const Actor& actor, Assignment assignment);
+  /// Needs assign. Sets id, author and time. `start_code`: what the invigilator says when an assessment begins; of an
+  /// assessment alone. bad_value (where = start_code, kind, due).
+  Stored<Assignment> create(const Actor& actor, Assignment assignment, const std::string& start_code = {});
+  Stored<Assignment> find(AssignmentId assignment);  // not_found
+  /// Needs assign. Empty for a practice.
+  Stored<std::string> start_code(const Actor& actor, AssignmentId assignment);
+  /// Attempts that the student has begun.
+  Stored<int> attempts(AssignmentId assignment, UserId student);
   Stored<std::vector<Assignment>> for_student(UserId student);  // by due date, those without one last
   Stored<std::vector<Assignment>> for_cohort(CohortId cohort);
 

@@ -1,5 +1,4 @@
-/// An instructor's comments on a session, at one moment or on the whole. Free text may hold names, so that comments stay
-/// outside the hash chain.
+/// Comments on a session, at one moment, at a place or on the whole: statements, and the table `comments` of older programs.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/vec.h"
 #include "storage/records/context.h"
-#include "storage/base/rights.h"
 
 namespace cusp::storage {
 
@@ -19,15 +18,13 @@ struct Comment {
   std::int64_t at_utc_us = 0;
   std::optional<std::uint64_t> tick;  // moment in the session
   std::string text;
+  std::optional<Vec3> place_mm{};
 };
 
 class Comments {
  public:
   explicit Comments(StorageContext& context) : c_{context} {}
-  /// Needs comment. bad_value for an empty text.
-  Stored<Comment> add(const Actor& actor, SessionId session, std::optional<std::uint64_t> tick,
-                      const std::string& text);
-  Stored<std::vector<Comment>> of(SessionId session);  // oldest first
+  Stored<std::vector<Comment>> of(SessionId session);  // oldest first, without withdrawn ones
 
  private:
   StorageContext& c_;

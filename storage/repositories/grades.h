@@ -5,21 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "scenarios/grading/grade.h"
 #include "storage/records/context.h"
+#include "storage/records/grade_rows.h"
 #include "storage/modules.h"
 #include "storage/base/rights.h"
 
 namespace cusp::storage {
-
-struct StoredGrade {
-  Grade grade;
-  Hash256 rubric_hash{};   // of the rubric's canonical JSON
-  int engine_version = 0;  // that made the volume
-  UserId grader;           // nil = the program
-  std::int64_t graded_utc_us = 0;
-  int number = 0;  // 0 = the first grade of this session
-};
 
 class Grades {
  public:

@@ -115,9 +115,25 @@ Stored<std::vector<ScenarioVersion>> Scenarios::versions(ScenarioId scenario) {
 
 Stored<std::vector<ScenarioVersion>> Scenarios::library() {
   return with_files(c_.db,
-                    c_.db.all(std::string(kVersionColumns) + "AS v WHERE number = (SELECT max(number) FROM scenario_versions "
-                                                      "WHERE scenario = v.scenario) ORDER BY scenario",
+                    c_.db.all(std::string(kVersionColumns) + "AS v WHERE number = (SELECT max(number) FROM scenario_versions o "
+                                                      "WHERE o.scenario = v.scenario AND NOT EXISTS (SELECT 1 FROM "
+                                                      "version_withdrawals w WHERE w.version = o.id)) ORDER BY scenario",
                               version_of));
+}
+
+Stored<void> Scenarios::withdraw(const Actor& actor, VersionId version) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  Transaction transaction(c_.db);
+  transaction.run("INSERT INTO version_withdrawals (version, author, at, sequence) VALUES (?1, ?2, ?3, ?4)", version,
+                  actor.id, c_.clock(), c_.next_sequence(transaction));
+  log_row(c_, transaction, actor.id, "version_withdrawn", SealedTable::version_withdrawals, version.uuid);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<bool> Scenarios::withdrawn(VersionId version) {
+  const auto found = c_.db.first("SELECT 1 FROM version_withdrawals WHERE version = ?1", [](Row) { return true; }, version);
+  if (!found) return std::unexpected(found.error());
+  return found->value_or(false);
 }
 
 namespace {

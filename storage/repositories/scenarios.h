@@ -58,8 +58,12 @@ class Scenarios {
 
   Stored<ScenarioVersion> version(VersionId id);                       // not_found
   Stored<std::vector<ScenarioVersion>> versions(ScenarioId scenario);  // oldest first
-  /// The newest version of every scenario, oldest scenario first.
+  /// The newest version of every scenario that is not withdrawn, oldest scenario first.
   Stored<std::vector<ScenarioVersion>> library();
+  /// Needs edit_scenarios. Takes the version out of library(), for good: the version before it is then the newest. Records
+  /// and assignments of it stay. duplicate if it is withdrawn.
+  Stored<void> withdraw(const Actor& actor, VersionId version);
+  Stored<bool> withdrawn(VersionId version);
 
   /// These need edit_scenarios. One draft per scenario and author; two windows may have it open.
   /// `before`: the JSON that the caller read or wrote last; nullopt: none. Compares and writes in one transaction.

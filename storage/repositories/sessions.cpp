@@ -9,6 +9,56 @@
 #include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
+namespace {
+
+/// What an assignment asks of an attempt that begins now.
+struct AssignedRules {
+  SessionKind kind = SessionKind::practice;
+  VersionId version;
+  std::optional<std::int64_t> opens_utc_us, due_utc_us, attempts_allowed;
+  std::string start_code;
+  std::int64_t attempts = 0;  // of this student so far
+};
+
+std::optional<AssignedRules> assigned_rules(Transaction& transaction, AssignmentId assignment, UserId student) {
+  return transaction.first(
+      "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
+      "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2) "
+      "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
+      "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1",
+      [](Row row) {
+        return AssignedRules{session_kind_from_key(row.text(0)).value_or(SessionKind::practice),
+                             row.id<VersionId>(1),
+                             row.maybe_integer(2),
+                             row.maybe_integer(3),
+                             row.maybe_integer(4),
+                             row.text(5),
+                             row.integer(6)};
+      },
+      assignment, student);
+}
+
+/// The kind of session; refuses the transaction if the assignment does not admit it.
+SessionKind admitted_kind(Transaction& transaction, const NewSession& wanted, std::int64_t now) {
+  const auto refuse = [&](StorageError code, const char* where) {
+    transaction.refuse({code, where, wanted.assignment ? wanted.assignment->text() : std::string()});
+    return wanted.kind;
+  };
+  if (!wanted.assignment) {
+    return wanted.kind == SessionKind::assessment ? refuse(StorageError::not_allowed, "assignment") : wanted.kind;
+  }
+  const auto rules = assigned_rules(transaction, *wanted.assignment, wanted.student);
+  if (!rules || rules->version != wanted.version) return refuse(StorageError::not_allowed, "assignment");
+  if (rules->start_code != wanted.start_code) return refuse(StorageError::not_allowed, "start_code");
+  if (rules->opens_utc_us && now < *rules->opens_utc_us) return refuse(StorageError::wrong_state, "not_open");
+  if (rules->due_utc_us && now >= *rules->due_utc_us) return refuse(StorageError::wrong_state, "past_due");
+  if (rules->attempts_allowed && rules->attempts >= *rules->attempts_allowed) {
+    return refuse(StorageError::wrong_state, "attempts_used");
+  }
+  return rules->kind;
+}
+
+}  // namespace
 
 Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
@@ -28,9 +78,11 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       },
       wanted.version);
   if (!hashes) transaction.refuse({StorageError::not_found, "scenario_versions", wanted.version.text()});
+  const std::int64_t now = c_.clock();
+  const SessionKind asked = admitted_kind(transaction, wanted, now);
   if (!transaction.ok()) return std::unexpected(transaction.commit().error());
 
-  const SessionKind kind = *guest ? SessionKind::try_it : wanted.kind;
+  const SessionKind kind = *guest ? SessionKind::try_it : asked;
   const SessionHeader& h = wanted.header;
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
@@ -38,7 +90,7 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       "device_class, engine_version, specimen_blob, header, started_at, sequence) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
       id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
-      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header, c_.clock(),
+      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header, now,
       sequence);
   const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.operator_name, {});
   ChainWriter chain(c_, transaction, id);

@@ -58,7 +58,8 @@ struct NewSession {
   UserId student{};
   VersionId version{};
   SessionKind kind = SessionKind::practice;
-  std::optional<AssignmentId> assignment{};
+  std::optional<AssignmentId> assignment{};  // an assessment has one
+  std::string start_code{};                  // as the student typed it, for an assessment
   std::string operator_name{kUserOperator};  // or a scripted operator: "expert", "novice", a file's name
   SessionHeader header{};
 };
@@ -96,6 +97,8 @@ class Sessions {
 
   /// Row and event "started", in one transaction. Needs drill; `student` is the actor. A guest's session is always try_it.
   /// not_found for an unknown version, bad_value for a header with a number that is not finite.
+  /// With an assignment the kind is the assignment's; not_allowed (where = assignment: not this student's or of another
+  /// version; start_code), wrong_state (where = not_open, past_due, attempts_used).
   Stored<Session> start(const Actor& actor, const NewSession& session);
   /// This process then owns the session. wrong_state unless interrupted.
   Stored<void> resume(SessionId session, const std::string& reason);

@@ -54,9 +54,9 @@ bool Row::same_value(int column, const Row& other) const {
   return type == SQLITE_NULL || std::ranges::equal(bytes(column), other.bytes(column));
 }
 
-Hash256 Row::content_hash(int first) const {
+Hash256 Row::content_hash(int first, std::optional<int> end) const {
   Blake2b hash;
-  for (int i = first; i < columns(); ++i) {
+  for (int i = first; i < end.value_or(columns()); ++i) {
     const int type = sqlite3_column_type(statement_, i);
     hash.add_u64(static_cast<std::uint64_t>(type));
     switch (type) {

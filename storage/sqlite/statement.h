@@ -46,8 +46,8 @@ class Row {
   }
   /// Same type and bytes in this column of both rows.
   bool same_value(int column, const Row& other) const;
-  /// Hash of every column from `first` on, with its type.
-  Hash256 content_hash(int first = 0) const;
+  /// Hash of `first` and every column after it, with its type; of those before `end` alone if there is one.
+  Hash256 content_hash(int first = 0, std::optional<int> end = {}) const;
 
  private:
   sqlite3_stmt* statement_;

@@ -15,6 +15,26 @@ constexpr int kRowsAtOnce = 1000;  // of list(): one page of many
 
 SessionId session_of(Row row) { return row.id<SessionId>(0); }
 
+bool sees_withheld(const Actor& actor) noexcept { return may(actor.role, Action::see_all_results); }
+
+/// Withholds what is not released from who may see own results alone.
+void withhold(const Actor& actor, std::vector<HistoryRow>& rows) {
+  if (sees_withheld(actor)) return;
+  for (HistoryRow& row : rows) {
+    if (row.released) continue;
+    row.score = row.score_max = row.pass_mark = std::nullopt;
+    row.passed = std::nullopt;
+    row.critical.clear();
+    if (row.state == SessionState::graded) row.state = SessionState::finished;
+  }
+}
+
+Stored<std::vector<HistoryRow>> readable_rows(Database& db, const Actor& actor, const std::vector<SessionId>& sessions) {
+  auto rows = rows_of(db, sessions);
+  if (rows) withhold(actor, *rows);
+  return rows;
+}
+
 /// One session of any kind.
 Stored<HistoryRow> one(Database& db, const Actor& actor, SessionId session) {
   const auto owner =
@@ -22,7 +42,7 @@ Stored<HistoryRow> one(Database& db, const Actor& actor, SessionId session) {
   if (!owner) return std::unexpected(owner.error());
   if (!*owner) return fail(StorageError::not_found, "sessions", session.text());
   if (auto allowed = require_reading(actor, **owner); !allowed) return std::unexpected(allowed.error());
-  auto found = rows_of(db, {session});
+  auto found = readable_rows(db, actor, {session});
   if (!found) return std::unexpected(found.error());
   if (found->empty()) return fail(StorageError::not_found, "session_summaries", session.text());
   return std::move(found->front());
@@ -36,6 +56,8 @@ Stored<HistoryFilter> readable(const Actor& actor, const HistoryFilter& filter) 
     return fail(StorageError::not_allowed, std::string(key_of(Action::see_all_results)));
   }
   narrowed.student = actor.id;
+  // Who passed must not show in what a filter leaves.
+  narrowed.released_alone = narrowed.released_alone || narrowed.passed.has_value();
   return narrowed;
 }
 
@@ -75,7 +97,7 @@ Stored<HistoryPage> History::page(const Actor& actor, const HistoryFilter& filte
   if (!keys) return std::unexpected(keys.error());
   std::vector<SessionId> sessions;
   for (const HistoryKey& key : *keys) sessions.push_back(key.session);
-  auto rows = rows_of(c_.db, sessions);
+  auto rows = readable_rows(c_.db, actor, sessions);
   if (!rows) return std::unexpected(rows.error());
   HistoryPage page{std::move(*rows), std::nullopt};
   if (std::ssize(*keys) == limit) page.after = keys->back();
@@ -97,8 +119,9 @@ Stored<std::vector<HistoryRow>> History::list(const Actor& actor, const HistoryF
 }
 
 Stored<FigureReading> History::figures(const Actor& actor, const HistoryFilter& filter) {
-  const auto narrowed = readable(actor, filter);
+  auto narrowed = readable(actor, filter);
   if (!narrowed) return std::unexpected(narrowed.error());
+  narrowed->released_alone = narrowed->released_alone || !sees_withheld(actor);
   return read_figures(c_.db, *narrowed);
 }
 
@@ -146,14 +169,20 @@ Stored<SessionDetails> History::details(const Actor& actor, SessionId id) {
   if (!session) return std::unexpected(session.error());
   auto events = Sessions(c_).events(id);
   if (!events) return std::unexpected(events.error());
-  auto grade = Grades(c_).newest(id);
-  if (!grade) return std::unexpected(grade.error());
+  const auto grades = grades_of(c_.db, id);
+  if (!grades) return std::unexpected(grades.error());
+  const auto statements = statements_of(c_.db, id);
+  if (!statements) return std::unexpected(statements.error());
   auto removed = Metrics(c_).removed(id);
   if (!removed) return std::unexpected(removed.error());
   auto comments = Comments(c_).of(id);
   if (!comments) return std::unexpected(comments.error());
-  return SessionDetails{
-      *row, std::move(*session), std::move(*events), std::move(*grade), std::move(*removed), std::move(*comments)};
+  const bool withheld = !row->released && !sees_withheld(actor);
+  SessionDetails out{*row, std::move(*session), std::move(*events), std::nullopt, std::move(*removed), {}};
+  if (withheld) return out;
+  out.grade = effective_grade(*grades, *statements);
+  out.comments = std::move(*comments);
+  return out;
 }
 
 Stored<std::optional<HistoryRow>> History::best_before(const Actor& actor, SessionId session) {
@@ -162,11 +191,11 @@ Stored<std::optional<HistoryRow>> History::best_before(const Actor& actor, Sessi
   const auto best = c_.db.first(
       "SELECT session FROM session_summaries INDEXED BY graded_of_student WHERE student = ?1 AND listed = 1 "
       "AND scenario = ?2 AND device_class = ?3 AND score IS NOT NULL AND (started_at, sequence) < (?4, ?5) "
-      "ORDER BY score DESC, started_at, sequence LIMIT 1",
-      session_of, row->student, row->scenario, row->device_class, row->started_utc_us, row->sequence);
+      "AND (released OR ?6) ORDER BY score DESC, started_at, sequence LIMIT 1",
+      session_of, row->student, row->scenario, row->device_class, row->started_utc_us, row->sequence, sees_withheld(actor));
   if (!best) return std::unexpected(best.error());
   if (!*best) return std::optional<HistoryRow>{};
-  auto rows = rows_of(c_.db, {**best});
+  auto rows = readable_rows(c_.db, actor, {**best});
   if (!rows) return std::unexpected(rows.error());
   if (rows->empty()) return std::optional<HistoryRow>{};
   return std::move(rows->front());
@@ -182,6 +211,16 @@ Stored<int> History::attempts(const Actor& actor, UserId student, ScenarioId sce
   return count->value_or(0);
 }
 
+Stored<std::vector<HistoryRow>> History::of_assignment(const Actor& actor, AssignmentId assignment) {
+  if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
+  const auto sessions = c_.db.all(
+      "SELECT session FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 "
+      "ORDER BY student, started_at, sequence",
+      session_of, assignment);
+  if (!sessions) return std::unexpected(sessions.error());
+  return rows_of(c_.db, *sessions);
+}
+
 Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId student) {
   if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
   const auto sessions = c_.db.all(
@@ -189,7 +228,7 @@ Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId 
       "AND state = 'interrupted' AND listed = 1 AND engine_version = ?2 ORDER BY started_at DESC, sequence DESC",
       session_of, student, kEngineVersion);
   if (!sessions) return std::unexpected(sessions.error());
-  return rows_of(c_.db, *sessions);
+  return readable_rows(c_.db, actor, *sessions);
 }
 
 Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, UserId student) {
@@ -206,17 +245,17 @@ Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, Use
   // In the order of the index: by scenario, the oldest first.
   const auto graded = c_.db.all(
       "SELECT scenario, started_at, sequence, session, score FROM session_summaries INDEXED BY graded_of_student "
-      "WHERE student = ?1 AND listed = 1 AND score IS NOT NULL ORDER BY scenario, started_at, sequence",
+      "WHERE student = ?1 AND listed = 1 AND score IS NOT NULL AND (released OR ?2) ORDER BY scenario, started_at, sequence",
       [](Row row) {
         return Graded{row.id<ScenarioId>(0), {row.integer(1), row.integer(2), row.id<SessionId>(3)}, row.real(4)};
       },
-      student);
+      student, sees_withheld(actor));
   if (!graded) return std::unexpected(graded.error());
   for (ExerciseStanding& standing : *standings) {
     const auto of_scenario = std::ranges::equal_range(*graded, standing.scenario, {}, &Graded::scenario);
     if (of_scenario.empty()) continue;
     const Graded& best = *std::ranges::max_element(of_scenario, {}, &Graded::score);
-    auto rows = rows_of(c_.db, {best.key.session, of_scenario.back().key.session});
+    auto rows = readable_rows(c_.db, actor, {best.key.session, of_scenario.back().key.session});
     if (!rows) return std::unexpected(rows.error());
     if (rows->size() != 2) continue;
     standing.best = std::move(rows->front());
@@ -229,13 +268,16 @@ Stored<std::optional<NewestComment>> History::newest_comment(const Actor& actor,
   if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
   const auto session = c_.db.first(
       "SELECT m.session, m.started_at FROM session_summaries m INDEXED BY summaries_of_student "
-      "CROSS JOIN comments c ON c.session = m.session WHERE m.student = ?1 AND m.listed = 1 "
-      "ORDER BY m.started_at DESC, m.sequence DESC LIMIT 1",
-      [](Row row) { return std::pair{row.id<SessionId>(0), row.integer(1)}; }, student);
+      "WHERE m.student = ?1 AND m.listed = 1 AND (m.released OR ?2) AND (EXISTS (SELECT 1 FROM comments c "
+      "WHERE c.session = m.session) OR EXISTS (SELECT 1 FROM statements t WHERE t.session = m.session "
+      "AND t.kind = 'comment' AND NOT EXISTS (SELECT 1 FROM statements w WHERE w.session = m.session "
+      "AND w.kind = 'withdrawal' AND w.withdraws = t.id))) ORDER BY m.started_at DESC, m.sequence DESC LIMIT 1",
+      [](Row row) { return std::pair{row.id<SessionId>(0), row.integer(1)}; }, student, sees_withheld(actor));
   if (!session) return std::unexpected(session.error());
   if (!*session) return std::optional<NewestComment>{};
   auto comments = Comments(c_).of((*session)->first);
   if (!comments) return std::unexpected(comments.error());
+  if (comments->empty()) return std::optional<NewestComment>{};  // its text was erased
   return NewestComment{std::move(comments->back()), (*session)->second};
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "storage/records/context.h"
+#include "storage/records/effective_grade.h"
 #include "storage/repositories/comments.h"
 #include "storage/repositories/grades.h"
 #include "storage/repositories/metrics.h"
@@ -37,9 +38,12 @@ struct HistoryRow {
   SessionState state = SessionState::running;
   int engine_version = kEngineVersion;  // that recorded it; another version cannot replay the inputs
   int attempt = 1;                      // the student's attempts at this scenario, counted from 1
-  std::optional<double> score, score_max, pass_mark;
-  std::optional<bool> passed{};  // none = not graded
+  std::optional<double> score, score_max, pass_mark;  // as they count (storage/records/effective_grade.h)
+  std::optional<bool> passed{};                       // none = not graded
   std::vector<std::string> critical{};
+  std::optional<AssignmentId> assignment{};
+  /// False: an assessment whose result is withheld. Who may see own results alone then reads no score.
+  bool released = true;
 };
 
 struct HistoryFilter {
@@ -51,6 +55,7 @@ struct HistoryFilter {
   std::optional<bool> passed{};                            // graded only
   std::string search{};                                    // part of the student's name or number
   std::optional<bool> scripted{};                          // true: scripted operators only; false: users only
+  bool released_alone = false;                             // without withheld results
   int limit = -1;                                          // of list(); -1 = all
 };
 
@@ -76,9 +81,9 @@ struct SessionDetails {
   HistoryRow row;
   Session session;
   std::vector<SessionEvent> events{};
-  std::optional<StoredGrade> grade{};  // newest
+  std::optional<EffectiveGrade> grade{};  // none without a grade, or while it is withheld from the actor
   std::vector<RemovedTissue> removed{};
-  std::vector<Comment> comments{};
+  std::vector<Comment> comments{};        // likewise
 };
 
 /// A student's standing in one scenario.
@@ -134,6 +139,8 @@ class History {
   /// Of the same student, scenario and device class, started before this session.
   Stored<std::optional<HistoryRow>> best_before(const Actor& actor, SessionId session);
   Stored<int> attempts(const Actor& actor, UserId student, ScenarioId scenario);
+  /// Every attempt of an assignment, by student, oldest first. Needs see_all_results.
+  Stored<std::vector<HistoryRow>> of_assignment(const Actor& actor, AssignmentId assignment);
   /// Interrupted sessions of this student, newest first, without a grade and recorded by this engine version. Each can be
   /// resumed on a device of the row's class, or graded as it stands.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);

@@ -25,6 +25,7 @@ std::string conditions(const HistoryFilter& f, Whose whose) {
   if (f.device_class) sql += " AND device_class = ?3";
   if (f.passed) sql += " AND passed = ?4";
   if (f.scripted) sql += " AND (operator <> 'person') = ?5";
+  if (f.released_alone) sql += " AND released = 1";
   return sql + " AND started_at >= ?6";
 }
 
@@ -145,6 +146,8 @@ HistoryRow row_of(Row row) {
   h.pass_mark = row.maybe_real(20);
   if (!row.is_null(21)) h.passed = row.flag(21);
   h.engine_version = static_cast<int>(row.integer(23));
+  if (!row.is_null(24)) h.assignment = row.id<AssignmentId>(24);
+  h.released = row.flag(25);
   const auto critical = nlohmann::json::parse(row.text(22), nullptr, false);
   if (!critical.is_array()) return h;
   for (const auto& item : critical) {
@@ -172,7 +175,7 @@ Stored<std::vector<HistoryRow>> rows_of(Database& db, const std::vector<SessionI
   Statement one = db.prepare(
       "SELECT m.session, m.student, p.number, p.name, m.scenario, m.version, m.version_number, v.key, v.title, m.kind, "
       "m.operator, m.device, m.device_class, m.started_at, m.sequence, m.elapsed_us, m.state, m.attempt, m.score, "
-      "m.score_max, m.pass_mark, m.passed, m.critical, m.engine_version FROM session_summaries m "
+      "m.score_max, m.pass_mark, m.passed, m.critical, m.engine_version, m.assignment, m.released FROM session_summaries m "
       "JOIN people p ON p.id = m.student JOIN scenario_versions v ON v.id = m.version WHERE m.session = ?1");
   std::vector<HistoryRow> rows;
   for (const SessionId session : sessions) {

@@ -75,6 +75,11 @@ std::vector<Operation> operations_on_people() {
        [](Store& s, const Rows& r) {
          return outcome(s.assignments.create(r.instructor, {.version = r.version.id, .cohort = r.cohort}));
        }},
+      {"assign an assessment",
+       [](Store& s, const Rows& r) {
+         return outcome(s.assignments.create(
+             r.instructor, {.version = r.version.id, .cohort = r.cohort, .kind = SessionKind::assessment}, "4711"));
+       }},
       {"write in the audit log",
        [](Store& s, const Rows& r) { return outcome(s.audit.add({.actor = r.administrator.id, .action = "exported", .subject = Uuid::v7(), .detail = "csv"})); }},
   };
@@ -106,9 +111,16 @@ std::vector<Operation> operations_on_sessions() {
        [](Store& s, const Rows& r) {
          return outcome(s.grades.save(r.graded, small_grade(50, false), {}, r.instructor));
        }},
+      {"override",
+       [](Store& s, const Rows& r) {
+         return outcome(s.statements.override_points(r.instructor, r.graded, "target_removed", 20, "Worn."));
+       }},
+      {"confirm", [](Store& s, const Rows& r) { return outcome(s.statements.confirm(r.instructor, r.graded)); }},
+      {"withdraw a version",
+       [](Store& s, const Rows& r) { return outcome(s.scenarios.withdraw(r.instructor, r.version.id)); }},
       {"comment",
        [](Store& s, const Rows& r) {
-         return outcome(s.comments.add(r.instructor, r.graded, 12, "Look at the wall."));
+         return outcome(s.statements.comment(r.instructor, r.graded, "Look at the wall.", {.tick = 12}));
        }},
       {"close", [](Store& s, const Rows& r) { return outcome(s.sessions.close(r.graded, "")); }},
   };

@@ -133,7 +133,7 @@ TEST_F(HistoryTest, guests_and_try_outs_are_in_no_list_but_show_their_own_detail
 
 TEST_F(HistoryTest, details_hold_all_of_a_session) {
   const SessionId id = attempt(lena, 81.5);
-  must(store->comments.add(instructor, id, std::nullopt, "Good."));
+  must(store->statements.comment(instructor, id, "Good."));
   const auto details = must(store->history.details(lena.actor(), id));
   EXPECT_EQ(details.row.session, id);
   EXPECT_EQ(details.session.header.guard.limit_n, 3.3);
@@ -172,10 +172,10 @@ TEST_F(HistoryTest, the_newest_comment_is_that_of_the_newest_commented_session) 
   EXPECT_FALSE(must(store->history.newest_comment(lena.actor(), lena.id)));
   const SessionId first = attempt(lena, 60), second = attempt(lena, 70);
   attempt(lena, 80);
-  must(store->comments.add(instructor, second, std::nullopt, "Better."));
+  must(store->statements.comment(instructor, second, "Better."));
   *now += 1'000'000;
-  must(store->comments.add(instructor, second, 12, "Mind the wall."));
-  must(store->comments.add(instructor, first, std::nullopt, "Later, on an older one."));
+  must(store->statements.comment(instructor, second, "Mind the wall.", {.tick = 12}));
+  must(store->statements.comment(instructor, first, "Later, on an older one."));
   const auto newest = must(store->history.newest_comment(lena.actor(), lena.id));
   ASSERT_TRUE(newest);
   EXPECT_EQ(newest->comment.text, "Mind the wall.");

@@ -210,6 +210,13 @@ std::vector<Screen> staff_screens() {
          auto reading = must(s.history.figures(m.admin.actor()));
          must(reading.take(50'000));
        }},
+      {"an assessment's candidates", [=](Store& s, const ManySessions& m, std::size_t i) {
+         const AssignmentId assignment = AssignmentId::make();
+         must(s.history.of_assignment(m.admin.actor(), assignment));
+         must(s.assignments.attempts(assignment, student_of(m, i).id));
+         must(s.statements.of(m.admin.actor(), m.first));
+         must(s.history.details(m.admin.actor(), m.first));
+       }},
       {"search, one student", [=](Store& s, const ManySessions& m, std::size_t i) {
          list_and_figures(s, m, {.search = student_of(m, i).number});
        }},

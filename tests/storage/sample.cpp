@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "storage/records/chain_writer.h"
+#include "storage/records/sealing.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/trace_codec.h"
 #include "tests/modules.h"
@@ -109,6 +110,17 @@ void add_key_state_row(Store& store, SessionId session, const KeyState& state) {
   chain.add(SessionTable::key_states, row, trace_end(transaction, session).second());
   chain.finish();
   must(transaction.commit());
+}
+
+void add_comment_row(Store& store, const Actor& author, SessionId session, const std::string& text) {
+  StorageContext& context = store.context();
+  const Uuid id = Uuid::v7();
+  Transaction transaction(store.database());
+  transaction.run(
+      "INSERT INTO comments (id, session, author, at, sequence, tick, text) VALUES (?1, ?2, ?3, ?4, ?5, 12, ?6)", id,
+      session, author.id, context.clock(), context.next_sequence(transaction), text);
+  log_row(context, transaction, author.id, "commented", SealedTable::comments, id);
+  must(commit_sealed(context, transaction));
 }
 
 FinalVolume volume_after(std::uint64_t tick) {

@@ -95,16 +95,32 @@ TEST_F(ScenariosTest, a_damaged_blob_is_refused) {
   EXPECT_EQ(code_of(store->blobs.get(hash)), StorageError::corrupt);
 }
 
+TEST_F(ScenariosTest, a_withdrawn_version_leaves_the_library_and_stays_in_the_records) {
+  const Account student = make_student(*store);
+  const auto first = keep(*store);
+  const auto second = must(store->scenarios.publish(instructor, small_scenario(), "{\"id\":2}", blake2b_256(std::string_view{"2"})));
+  const SessionId session = complete_session(*store, student, second);
+  EXPECT_EQ(code_of(store->scenarios.withdraw(student.actor(), second.id)), StorageError::not_allowed);
+  must(store->scenarios.withdraw(instructor, second.id));
+  EXPECT_EQ(code_of(store->scenarios.withdraw(instructor, second.id)), StorageError::duplicate);
+  ASSERT_EQ(must(store->scenarios.library()).size(), 1u);
+  EXPECT_EQ(must(store->scenarios.library())[0].id, first.id);
+  must(store->scenarios.withdraw(instructor, first.id));
+  EXPECT_TRUE(must(store->scenarios.library()).empty());
+  EXPECT_TRUE(must(store->scenarios.withdrawn(first.id)));
+  EXPECT_EQ(must(store->history.details(student.actor(), session)).row.version_number, 2);
+}
+
 TEST_F(ScenariosTest, assignments_reach_the_cohorts_students) {
   const Account student = make_student(*store);
   const Cohort cohort = must(store->cohorts.create(instructor, "A"));
   must(store->cohorts.add(instructor, cohort.id, student.id));
   const auto version = keep(*store);
   Assignment wanted{.version = version.id, .cohort = cohort.id, .kind = SessionKind::assessment};
-  const Assignment later = must(store->assignments.create(instructor, wanted));
+  const Assignment later = must(store->assignments.create(instructor, wanted, "4711"));
   wanted.due_utc_us = kNow + 1;
   wanted.attempts_allowed = 10;
-  const Assignment due = must(store->assignments.create(instructor, wanted));
+  const Assignment due = must(store->assignments.create(instructor, wanted, "amber"));
   const auto mine = must(store->assignments.for_student(student.id));
   ASSERT_EQ(mine.size(), 2u);
   EXPECT_EQ(mine[0].id, due.id);
@@ -113,8 +129,12 @@ TEST_F(ScenariosTest, assignments_reach_the_cohorts_students) {
   EXPECT_EQ(mine[1].kind, SessionKind::assessment);
   EXPECT_EQ(must(store->assignments.for_cohort(cohort.id)).size(), 2u);
   wanted.opens_utc_us = kNow + 1;
-  EXPECT_EQ(code_of(store->assignments.create(instructor, wanted)), StorageError::bad_value);
+  EXPECT_EQ(code_of(store->assignments.create(instructor, wanted, "4711")), StorageError::bad_value);
   wanted.opens_utc_us.reset();
+  EXPECT_EQ(code_of(store->assignments.create(instructor, wanted, "47")), StorageError::bad_value);
+  EXPECT_EQ(must(store->assignments.start_code(instructor, due.id)), "amber");
+  EXPECT_EQ(code_of(store->assignments.start_code(student.actor(), due.id)), StorageError::not_allowed);
+  EXPECT_EQ(must(store->assignments.find(due.id)).attempts_allowed, 10);
   wanted.kind = SessionKind::try_it;
   EXPECT_EQ(code_of(store->assignments.create(instructor, wanted)), StorageError::bad_value);
   EXPECT_EQ(code_of(store->assignments.create(student.actor(), wanted)), StorageError::not_allowed);

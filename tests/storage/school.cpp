@@ -12,7 +12,7 @@ void copy_school(const fs::path& from, const fs::path& to) {
   for (const char* part : {"-wal", "-shm"}) fs::remove(to.string() + part);
 }
 
-School::School() {
+School::School(SchoolTables tables) : tables_{tables} {
   auto store = open(folder_ / "a.db");
   admin = make_administrator(*store);
   instructor = make_instructor(*store);
@@ -38,7 +38,7 @@ School::School() {
   const SessionId second = must(store->sessions.start(omar.actor(), wanted)).id;
   must(store->traces.append(second, second_from(1)));
   must(store->sessions.finish(second, volume_after(12), "student"));
-  must(store->comments.add(instructor.actor(), first, 12, "Here the floor begins to rise."));
+  add_comment_row(*store, instructor.actor(), first, "Here the floor begins to rise.");
   keep_as("old.db", *store);
   second_half(*store, cohort.id, version, lena, omar, first, second);
 }
@@ -48,7 +48,8 @@ void School::second_half(Store& store, CohortId cohort, const ScenarioVersion& v
   must(store.grades.save(second, small_grade(62, false), {}));
   must(store.grades.save(first, small_grade(45, false), {}, instructor.actor()));
   const SessionId third = complete_session(store, omar, version, 90, true);
-  must(store.comments.add(instructor.actor(), third, std::nullopt, "Well done."));
+  add_comment_row(store, instructor.actor(), third, "Well done.");
+  if (tables_ == SchoolTables::all) sessions = {sit_assessment(store, cohort, version, lena)};
   must(store.cohorts.add(instructor.actor(), cohort, omar.id));
   must(store.accounts.rename(admin.actor(), lena.id, "20267314", "Lena Brandt-Meier"));
   must(store.accounts.set_password(admin.actor(), instructor.id, "", "another password"));
@@ -62,8 +63,29 @@ void School::second_half(Store& store, CohortId cohort, const ScenarioVersion& v
   const SessionId running = must(store.sessions.start(lena.actor(), new_session(lena, version))).id;
   must(store.traces.append(running, second_from(1)));
   keep_as("now.db", store);
-  sessions = {first, second, third, stopped, running};
+  sessions.insert(sessions.end(), {first, second, third, stopped, running});
   in_old = {first, second};
+}
+
+/// Overridden, confirmed and released, with a comment that was taken back; the version withdrawn afterwards.
+SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student) {
+  const Actor examiner = instructor.actor();
+  const Assignment asked = must(store.assignments.create(
+      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
+  NewSession wanted = new_session(student, version);
+  wanted.assignment = asked.id;
+  wanted.start_code = "4711";
+  const SessionId session = must(store.sessions.start(student.actor(), wanted)).id;
+  must(store.traces.append(session, second_from(1)));
+  must(store.sessions.finish(session, volume_after(12), "student"));
+  must(store.grades.save(session, small_grade(50, false), {}));
+  must(store.statements.override_points(examiner, session, "target_removed", 20, "The block was worn."));
+  const SignedStatement said = must(store.statements.comment(examiner, session, "Not yours."));
+  must(store.statements.withdraw(examiner, session, said.id, "Another student's."));
+  must(store.statements.confirm(examiner, session));
+  must(store.statements.release(examiner, session));
+  must(store.scenarios.withdraw(examiner, version.id));
+  return session;
 }
 
 void School::keep_as(const std::string& name, Store& store) {

@@ -12,9 +12,11 @@ namespace cusp::test {
 /// Database, key and counter; no log. Replaces what is at `to`.
 void copy_school(const std::filesystem::path& from, const std::filesystem::path& to);
 
+enum class SchoolTables : std::uint8_t { all, of_schema_1 };
+
 class School {
  public:
-  School();
+  explicit School(SchoolTables tables = SchoolTables::all);
   std::filesystem::path old() const { return folder_ / "old.db"; }  // what the file was half way
   std::filesystem::path now() const { return folder_ / "now.db"; }
   std::filesystem::path trial() const { return folder_ / "trial.db"; }  // a copy to tamper with
@@ -26,8 +28,10 @@ class School {
  private:
   void second_half(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& lena,
                    const Account& omar, SessionId first, SessionId second);
+  SessionId sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student);
   void keep_as(const std::string& name, Store& store);
   Folder folder_;
+  SchoolTables tables_;
 };
 
 }  // namespace cusp::test

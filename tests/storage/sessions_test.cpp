@@ -216,19 +216,5 @@ TEST_F(SessionsTest, a_session_of_this_process_is_not_taken_for_an_interrupted_o
   EXPECT_EQ(must(second->sessions.state(id)), SessionState::running);
 }
 
-TEST_F(SessionsTest, a_comment_stands_beside_the_session_and_not_in_its_chain) {
-  const SessionId id = complete_session(*store, student, version);
-  const Actor instructor = make_instructor(*store).actor();
-  must(store->comments.add(instructor, id, 24, "From here you finish the floor well."));
-  must(store->comments.add(instructor, id, std::nullopt, "Better."));
-  EXPECT_EQ(code_of(store->comments.add(student.actor(), id, std::nullopt, "x")), StorageError::not_allowed);
-  EXPECT_EQ(code_of(store->comments.add(instructor, id, std::nullopt, "")), StorageError::bad_value);
-  const auto comments = must(store->comments.of(id));
-  ASSERT_EQ(comments.size(), 2u);
-  EXPECT_EQ(comments[0].tick, 24u);
-  EXPECT_FALSE(comments[1].tick);
-  EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
-}
-
 }  // namespace
 }  // namespace cusp::test

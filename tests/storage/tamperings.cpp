@@ -39,6 +39,9 @@ Uuid owner_of(Database& db, const std::string& table, const std::string& row) {
                                                              {"comments", "session"},
                                                              {"version_files", "version"},
                                                              {"assignments", "id"},
+                                                             {"statements", "id"},
+                                                             {"assessments", "assignment"},
+                                                             {"version_withdrawals", "version"},
                                                              {"sessions", "id"}};
   const auto special = columns.find(table);
   std::string column = special == columns.end() ? "" : special->second;

@@ -1,0 +1,153 @@
+#include "storage/repositories/statements.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "storage/records/sealing.h"
+#include "storage/records/session_summary.h"
+#include "storage/repositories/session_state.h"
+
+namespace cusp::storage {
+namespace {
+
+bool good_text(const std::string& text) noexcept { return !text.empty() && text.size() <= kMostStatementText; }
+
+/// Grade and statements as the transaction sees them; refuses without a grade.
+std::optional<EffectiveGrade> counted(Transaction& transaction, SessionId session) {
+  if (!transaction.ok()) return std::nullopt;
+  const auto grades = grades_of(transaction.database(), session);
+  const auto statements = statements_of(transaction.database(), session);
+  if (!grades || !statements) {
+    transaction.refuse(grades ? statements.error() : grades.error());
+    return std::nullopt;
+  }
+  auto out = effective_grade(*grades, *statements);
+  if (!out) transaction.refuse({StorageError::wrong_state, "grade", session.text()});
+  return out;
+}
+
+Action right_for(StatementKind kind) noexcept {
+  if (kind == StatementKind::comment) return Action::comment;
+  return kind == StatementKind::release ? Action::assign : Action::grade_again;
+}
+
+}  // namespace
+
+Stored<SignedStatement> Statements::state(const Actor& actor, SignedStatement statement, const Check& check) {
+  statement.author = actor.id;
+  Transaction transaction(c_.db);
+  require_state(transaction, statement.session, Need::not_running);
+  if (transaction.ok()) check(transaction, statement);
+  insert_statement(c_, transaction, statement);
+  if (transaction.ok()) follow_event(transaction, statement.session);
+  log_row(c_, transaction, actor.id, "stated", SealedTable::statements, statement.id);
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
+  return statement;
+}
+
+Stored<SignedStatement> Statements::comment(const Actor& actor, SessionId session, const std::string& text,
+                                            const CommentPlace& at) {
+  if (auto allowed = require(actor, Action::comment); !allowed) return std::unexpected(allowed.error());
+  if (!good_text(text)) return fail(StorageError::bad_value, "text");
+  SignedStatement s{.session = session, .kind = StatementKind::comment};
+  s.tick = at.tick;
+  s.place_mm = at.place_mm;
+  s.text = text;
+  return state(actor, std::move(s), [](Transaction&, SignedStatement&) {});
+}
+
+Stored<SignedStatement> Statements::override_points(const Actor& actor, SessionId session, const std::string& criterion,
+                                                    double points, const std::string& reason) {
+  if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
+  if (!good_text(reason)) return fail(StorageError::bad_value, "text");
+  SignedStatement s{.session = session, .kind = StatementKind::override_points};
+  s.criterion = criterion;
+  s.points = points;
+  s.text = reason;
+  return state(actor, std::move(s), [](Transaction& transaction, SignedStatement& made) {
+    const auto grade = counted(transaction, made.session);
+    if (!grade) return;
+    made.grade = grade->stored.number;
+    const auto& criteria = grade->stored.grade.criteria;
+    const auto found = std::ranges::find(criteria, made.criterion, &CriterionGrade::id);
+    if (found == criteria.end()) return transaction.refuse({StorageError::bad_value, "criterion", made.criterion});
+    const bool inside = std::isfinite(*made.points) && *made.points >= 0 && *made.points <= found->points_max;
+    if (!inside) transaction.refuse({StorageError::bad_value, "points", made.criterion});
+  });
+}
+
+Stored<SignedStatement> Statements::override_critical(const Actor& actor, SessionId session, const std::string& event,
+                                                      const std::string& reason) {
+  if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
+  if (!good_text(reason)) return fail(StorageError::bad_value, "text");
+  SignedStatement s{.session = session, .kind = StatementKind::override_critical};
+  s.criterion = event;
+  s.text = reason;
+  return state(actor, std::move(s), [](Transaction& transaction, SignedStatement& made) {
+    const auto grade = counted(transaction, made.session);
+    if (!grade) return;
+    made.grade = grade->stored.number;
+    const auto& events = grade->grade.critical;
+    if (std::ranges::find(events, made.criterion) == events.end()) {
+      transaction.refuse({StorageError::bad_value, "criterion", made.criterion});
+    }
+  });
+}
+
+Stored<SignedStatement> Statements::confirm(const Actor& actor, SessionId session) {
+  if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
+  return state(actor, {.session = session, .kind = StatementKind::confirmation},
+               [](Transaction& transaction, SignedStatement& made) {
+                 if (const auto grade = counted(transaction, made.session)) made.grade = grade->stored.number;
+               });
+}
+
+Stored<SignedStatement> Statements::release(const Actor& actor, SessionId session) {
+  if (auto allowed = require(actor, Action::assign); !allowed) return std::unexpected(allowed.error());
+  return state(actor, {.session = session, .kind = StatementKind::release},
+               [](Transaction& transaction, SignedStatement& made) {
+                 const auto grade = counted(transaction, made.session);
+                 if (!grade) return;
+                 made.grade = grade->stored.number;
+                 if (grade->needs_confirmation()) {
+                   transaction.refuse({StorageError::wrong_state, "confirmation", made.session.text()});
+                 }
+                 const auto released = transaction.first(
+                     "SELECT released FROM session_summaries WHERE session = ?1", [](Row row) { return row.flag(0); },
+                     made.session);
+                 if (released.value_or(false)) {
+                   transaction.refuse({StorageError::wrong_state, "released", made.session.text()});
+                 }
+               });
+}
+
+Stored<SignedStatement> Statements::withdraw(const Actor& actor, SessionId session, const Uuid& statement,
+                                             const std::string& reason) {
+  if (!good_text(reason)) return fail(StorageError::bad_value, "text");
+  SignedStatement s{.session = session, .kind = StatementKind::withdrawal};
+  s.withdraws = statement;
+  s.text = reason;
+  return state(actor, std::move(s), [&actor](Transaction& transaction, SignedStatement& made) {
+    const auto all = statements_of(transaction.database(), made.session);
+    if (!all) return transaction.refuse(all.error());
+    const auto standing = in_force(*all);
+    const auto target = std::ranges::find(standing, made.withdraws, &SignedStatement::id);
+    if (target == standing.end()) {
+      return transaction.refuse({StorageError::not_found, "statements", made.withdraws.text()});
+    }
+    if (auto allowed = require(actor, right_for(target->kind)); !allowed) transaction.refuse(allowed.error());
+  });
+}
+
+Stored<std::vector<SignedStatement>> Statements::of(const Actor& actor, SessionId session) {
+  const auto row = c_.db.first(
+      "SELECT student, released FROM session_summaries WHERE session = ?1",
+      [](Row r) { return std::pair{r.id<UserId>(0), r.flag(1)}; }, session);
+  if (!row) return std::unexpected(row.error());
+  if (!*row) return fail(StorageError::not_found, "sessions", session.text());
+  if (auto allowed = require_reading(actor, (*row)->first); !allowed) return std::unexpected(allowed.error());
+  if (!(*row)->second && !may(actor.role, Action::see_all_results)) return std::vector<SignedStatement>{};
+  return statements_of(c_.db, session);
+}
+
+}  // namespace cusp::storage

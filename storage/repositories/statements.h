@@ -1,0 +1,56 @@
+/// What examiners and instructors state about a session: comments, overrides, confirmation, release, withdrawal. Each is a
+/// signed row that stays (storage/records/statement_rows.h). Every write refuses while the session runs (wrong_state).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/base/rights.h"
+#include "storage/records/context.h"
+#include "storage/records/effective_grade.h"
+
+namespace cusp::storage {
+
+inline constexpr std::size_t kMostStatementText = 10'000;  // bytes
+
+struct CommentPlace {
+  std::optional<std::uint64_t> tick{};  // moment in the session
+  std::optional<Vec3> place_mm{};       // on the specimen
+};
+
+class Statements {
+ public:
+  explicit Statements(StorageContext& context) : c_{context} {}
+
+  /// Needs comment. bad_value (where = text) for an empty or too long text.
+  Stored<SignedStatement> comment(const Actor& actor, SessionId session, const std::string& text,
+                                  const CommentPlace& at = {});
+  /// These need grade_again and a reason. They speak of the newest grade; wrong_state (where = grade) without one.
+  /// bad_value (where = criterion) for one that the grade does not have, (where = points) outside 0 to the criterion's most.
+  Stored<SignedStatement> override_points(const Actor& actor, SessionId session, const std::string& criterion,
+                                          double points, const std::string& reason);
+  /// The critical event no longer fails the attempt.
+  Stored<SignedStatement> override_critical(const Actor& actor, SessionId session, const std::string& event,
+                                            const std::string& reason);
+  /// Needs grade_again. The result as it stands now; a later override asks for another one.
+  Stored<SignedStatement> confirm(const Actor& actor, SessionId session);
+  /// Needs assign. wrong_state (where = released) if it is, (where = confirmation) while the result is failed and unconfirmed,
+  /// (where = grade) without a grade.
+  Stored<SignedStatement> release(const Actor& actor, SessionId session);
+  /// Needs the right of what it takes back. not_found unless that statement is in force in this session. Needs a reason.
+  Stored<SignedStatement> withdraw(const Actor& actor, SessionId session, const Uuid& statement, const std::string& reason);
+
+  /// Oldest first. A student reads those of own, released sessions; others need see_all_results.
+  Stored<std::vector<SignedStatement>> of(const Actor& actor, SessionId session);
+
+ private:
+  /// Checks and completes the statement within the transaction that writes it.
+  using Check = std::function<void(Transaction&, SignedStatement&)>;
+  Stored<SignedStatement> state(const Actor& actor, SignedStatement statement, const Check& check);
+  StorageContext& c_;
+};
+
+}  // namespace cusp::storage

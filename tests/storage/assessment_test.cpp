@@ -1,0 +1,149 @@
+/// Assigned attempts: who may begin one, when and how often; and that the result of an assessment is withheld until release.
+#include <gtest/gtest.h>
+
+#include "tests/storage/sample.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr std::int64_t kHour = 3'600'000'000;
+
+struct AssessmentTest : ::testing::Test {
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Actor instructor = make_instructor(*store).actor();
+  Account lena = make_student(*store), omar = make_student(*store, "20260002", "Omar Haddad");
+  ScenarioVersion version = keep(*store);
+  CohortId cohort;
+
+  void SetUp() override {
+    cohort = must(store->cohorts.create(instructor, "Year 2")).id;
+    must(store->cohorts.add(instructor, cohort, lena.id));
+  }
+  Assignment assign(SessionKind kind, std::optional<int> attempts = {}) {
+    Assignment a{.version = version.id, .cohort = cohort, .kind = kind};
+    a.opens_utc_us = kNow;
+    a.due_utc_us = kNow + kHour;
+    a.attempts_allowed = attempts;
+    return must(store->assignments.create(instructor, a, kind == SessionKind::assessment ? "4711" : ""));
+  }
+  Stored<Session> begin(const Account& student, const Assignment& assignment, const std::string& code = "4711") {
+    NewSession wanted = new_session(student, version);
+    wanted.assignment = assignment.id;
+    wanted.start_code = assignment.kind == SessionKind::assessment ? code : "";
+    return store->sessions.start(student.actor(), wanted);
+  }
+  SessionId sit(const Assignment& assignment, double score, bool passed) {
+    const SessionId id = must(begin(lena, assignment)).id;
+    must(store->traces.append(id, second_from(1)));
+    must(store->sessions.finish(id, volume_after(12), "student"));
+    must(store->grades.save(id, small_grade(score, passed), {}));
+    return id;
+  }
+  static std::string refusal(const Stored<Session>& result) {
+    return result ? "begun" : result.error().where;
+  }
+};
+
+TEST_F(AssessmentTest, an_assigned_attempt_takes_its_kind_from_the_assignment) {
+  const Assignment practice = assign(SessionKind::practice), exam = assign(SessionKind::assessment);
+  EXPECT_EQ(must(begin(lena, practice)).kind, SessionKind::practice);
+  const Session session = must(begin(lena, exam));
+  EXPECT_EQ(session.kind, SessionKind::assessment);
+  EXPECT_EQ(session.assignment, exam.id);
+  EXPECT_EQ(must(store->assignments.attempts(exam.id, lena.id)), 1);
+  EXPECT_EQ(must(store->history.of_assignment(instructor, exam.id)).size(), 1u);
+  EXPECT_EQ(code_of(store->history.of_assignment(lena.actor(), exam.id)), StorageError::not_allowed);
+}
+
+TEST_F(AssessmentTest, it_begins_between_its_dates_as_often_as_allowed_with_the_code_by_its_students) {
+  const Assignment exam = assign(SessionKind::assessment, 1);
+  EXPECT_EQ(refusal(begin(omar, exam)), "assignment");
+  EXPECT_EQ(refusal(begin(lena, exam, "4712")), "start_code");
+  EXPECT_EQ(refusal(begin(lena, exam, "")), "start_code");
+  *now = kNow - 1;
+  EXPECT_EQ(refusal(begin(lena, exam)), "not_open");
+  *now = kNow + kHour;
+  EXPECT_EQ(refusal(begin(lena, exam)), "past_due");
+  *now = kNow;
+  EXPECT_EQ(refusal(begin(lena, exam)), "begun");
+  EXPECT_EQ(refusal(begin(lena, exam)), "attempts_used");
+}
+
+TEST_F(AssessmentTest, an_assessment_without_assignment_or_of_another_version_does_not_begin) {
+  NewSession wanted = new_session(lena, version);
+  wanted.kind = SessionKind::assessment;
+  EXPECT_EQ(refusal(store->sessions.start(lena.actor(), wanted)), "assignment");
+  const Assignment exam = assign(SessionKind::assessment);
+  Scenario other = small_scenario();
+  other.id = *ScenarioId::parse("018f0000-0000-7000-8000-000000000002");
+  wanted.version = keep(*store, other, "{\"id\":2}").id;
+  wanted.assignment = exam.id;
+  wanted.start_code = "4711";
+  EXPECT_EQ(refusal(store->sessions.start(lena.actor(), wanted)), "assignment");
+}
+
+TEST_F(AssessmentTest, an_interrupted_attempt_continues_after_the_due_moment) {
+  const SessionId id = must(begin(lena, assign(SessionKind::assessment, 1))).id;
+  must(store->sessions.interrupt(id, "process_gone"));
+  *now = kNow + 2 * kHour;
+  must(store->sessions.resume(id, "student"));
+}
+
+TEST_F(AssessmentTest, the_student_reads_no_result_in_any_way_until_it_is_released) {
+  const SessionId id = sit(assign(SessionKind::assessment), 81, true);
+  must(store->statements.comment(instructor, id, "A good floor."));
+  const Actor student = lena.actor();
+  const auto withheld = must(store->history.details(student, id));
+  EXPECT_FALSE(withheld.row.score || withheld.row.passed || withheld.row.released);
+  EXPECT_EQ(withheld.row.state, SessionState::finished);
+  EXPECT_FALSE(withheld.grade);
+  EXPECT_TRUE(withheld.comments.empty());
+  EXPECT_FALSE(must(store->history.list(student)).front().score);
+  EXPECT_TRUE(must(store->history.list(student, {.passed = true})).empty());
+  EXPECT_FALSE(must(store->history.standings(student, lena.id)).front().best);
+  EXPECT_FALSE(must(store->history.newest_comment(student, lena.id)));
+  EXPECT_TRUE(must(store->statements.of(student, id)).empty());
+  auto figures = must(store->history.figures(student));
+  while (must(figures.take(100))) {}
+  EXPECT_EQ(figures.figures().attempts, 0);
+  const SessionId later = complete_session(*store, lena, version);
+  EXPECT_FALSE(must(store->history.best_before(student, later)));
+  EXPECT_EQ(must(store->history.details(instructor, id)).row.score, 81);
+
+  must(store->statements.release(instructor, id));
+  EXPECT_EQ(must(store->history.details(student, id)).row.score, 81);
+  EXPECT_EQ(must(store->history.details(student, id)).comments.size(), 1u);
+  EXPECT_EQ(must(store->history.best_before(student, later))->session, id);
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
+TEST_F(AssessmentTest, a_failed_result_is_released_only_when_a_person_has_confirmed_it) {
+  const SessionId id = sit(assign(SessionKind::assessment), 40, false);
+  const auto refused = store->statements.release(instructor, id);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, "confirmation");
+  must(store->statements.confirm(instructor, id));
+  must(store->statements.release(instructor, id));
+  EXPECT_EQ(code_of(store->statements.release(instructor, id)), StorageError::wrong_state);
+}
+
+TEST_F(AssessmentTest, a_withdrawn_release_withholds_the_result_again) {
+  const SessionId id = sit(assign(SessionKind::assessment), 81, true);
+  const SignedStatement release = must(store->statements.release(instructor, id));
+  must(store->statements.withdraw(instructor, id, release.id, "An appeal is open."));
+  EXPECT_FALSE(must(store->history.details(lena.actor(), id)).row.score);
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
+TEST_F(AssessmentTest, a_candidate_has_the_same_number_each_time_and_another_one_elsewhere) {
+  const AssignmentId a = AssignmentId::make(), b = AssignmentId::make();
+  EXPECT_EQ(candidate_number(a, lena.id), candidate_number(a, lena.id));
+  EXPECT_NE(candidate_number(a, lena.id), candidate_number(b, lena.id));
+  EXPECT_NE(candidate_number(a, lena.id), candidate_number(a, omar.id));
+  EXPECT_EQ(candidate_number(a, lena.id).size(), 7u);
+}
+
+}  // namespace
+}  // namespace cusp::test

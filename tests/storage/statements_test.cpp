@@ -1,0 +1,170 @@
+/// Statements about a session: what each changes of the result that counts, who may make it, and that all stay.
+#include <gtest/gtest.h>
+
+#include "storage/records/session_summary.h"
+#include "tests/storage/sample.h"
+
+namespace cusp::test {
+namespace {
+
+struct StatementsTest : ::testing::Test {
+  Folder folder;
+  std::unique_ptr<Store> store = open(folder / "a.db");
+  Actor administrator = make_administrator(*store).actor();
+  Actor instructor = make_instructor(*store).actor();
+  Account lena = make_student(*store);
+  ScenarioVersion version = keep(*store);
+
+  Statements& statements() { return store->statements; }
+  HistoryRow row_of(SessionId session) { return must(store->history.details(instructor, session)).row; }
+  EffectiveGrade counts(SessionId session) { return *must(store->history.details(instructor, session)).grade; }
+  void expect_whole() {
+    const auto whole = must(verify_store(store->context()));
+    EXPECT_TRUE(whole.intact()) << (whole.findings.empty() ? "" : whole.findings[0].table + " " + whole.findings[0].what);
+  }
+};
+
+TEST_F(StatementsTest, a_comment_has_a_moment_and_a_place_and_stays_outside_the_chain) {
+  const SessionId id = complete_session(*store, lena, version);
+  must(statements().comment(instructor, id, "From here you finish the floor well.", {.tick = 24, .place_mm = Vec3(1, 2, 3)}));
+  must(statements().comment(instructor, id, "Better."));
+  EXPECT_EQ(code_of(statements().comment(lena.actor(), id, "x")), StorageError::not_allowed);
+  EXPECT_EQ(code_of(statements().comment(administrator, id, "x")), StorageError::not_allowed);
+  EXPECT_EQ(code_of(statements().comment(instructor, id, "")), StorageError::bad_value);
+  EXPECT_EQ(code_of(statements().comment(instructor, id, std::string(kMostStatementText + 1, 'x'))), StorageError::bad_value);
+  const auto comments = must(store->comments.of(id));
+  ASSERT_EQ(comments.size(), 2u);
+  EXPECT_EQ(comments[0].tick, 24u);
+  EXPECT_EQ(comments[0].place_mm, Vec3(1, 2, 3));
+  EXPECT_FALSE(comments[1].tick);
+  expect_whole();
+}
+
+TEST_F(StatementsTest, a_comment_of_an_older_program_stands_before_the_new_ones) {
+  const SessionId id = complete_session(*store, lena, version);
+  must(statements().comment(instructor, id, "New."));
+  add_comment_row(*store, instructor, id, "Old.");
+  const auto comments = must(store->comments.of(id));
+  ASSERT_EQ(comments.size(), 2u);
+  EXPECT_EQ(comments[0].text, "Old.");
+  EXPECT_EQ(comments[0].tick, 12u);
+}
+
+TEST_F(StatementsTest, an_override_counts_in_grade_list_and_figures_and_the_stored_grade_stays) {
+  const SessionId id = complete_session(*store, lena, version, 68);
+  must(statements().override_points(instructor, id, "target_removed", 20, "The block was worn."));
+  const EffectiveGrade now = counts(id);
+  EXPECT_EQ(now.grade.score, 70);
+  EXPECT_TRUE(now.grade.passed);
+  EXPECT_EQ(now.grade.criteria[0].points, 20);
+  EXPECT_EQ(now.stored.grade.score, 68);
+  ASSERT_EQ(now.overrides.size(), 1u);
+  EXPECT_EQ(now.overrides[0].text, "The block was worn.");
+  EXPECT_EQ(row_of(id).score, 70);
+  EXPECT_EQ(row_of(id).passed, true);
+  auto figures = must(store->history.figures(instructor));
+  while (must(figures.take(100))) {}
+  EXPECT_EQ(figures.figures().median_score, 70);
+  expect_whole();
+}
+
+TEST_F(StatementsTest, of_two_overrides_of_a_criterion_the_later_counts_and_a_withdrawal_brings_back_the_earlier) {
+  const SessionId id = complete_session(*store, lena, version, 68);
+  must(statements().override_points(instructor, id, "target_removed", 20, "Worn."));
+  const SignedStatement second = must(statements().override_points(instructor, id, "target_removed", 10, "Looked again."));
+  EXPECT_EQ(row_of(id).score, 60);
+  must(statements().withdraw(instructor, id, second.id, "The first was right."));
+  EXPECT_EQ(row_of(id).score, 70);
+  EXPECT_EQ(code_of(statements().withdraw(instructor, id, second.id, "Twice.")), StorageError::not_found);
+  EXPECT_EQ(must(statements().of(instructor, id)).size(), 3u);
+  expect_whole();
+}
+
+TEST_F(StatementsTest, a_critical_event_that_does_not_count_lets_the_points_decide) {
+  const SessionId id = complete_session(*store, lena, version, 80, false);
+  EXPECT_EQ(row_of(id).passed, false);
+  must(statements().override_critical(instructor, id, "pulp_exposure", "It was open before."));
+  EXPECT_EQ(row_of(id).passed, true);
+  EXPECT_TRUE(row_of(id).critical.empty());
+  EXPECT_EQ(code_of(statements().override_critical(instructor, id, "pulp_exposure", "Again.")), StorageError::bad_value);
+  expect_whole();
+}
+
+TEST_F(StatementsTest, an_override_needs_a_right_a_reason_a_criterion_of_the_grade_and_points_within_it) {
+  const SessionId id = complete_session(*store, lena, version);
+  const auto code = [&](const Actor& actor, const char* criterion, double points, const char* reason) {
+    return code_of(statements().override_points(actor, id, criterion, points, reason));
+  };
+  EXPECT_EQ(code(lena.actor(), "target_removed", 1, "x"), StorageError::not_allowed);
+  EXPECT_EQ(code(administrator, "target_removed", 1, "x"), StorageError::not_allowed);
+  EXPECT_EQ(code(instructor, "target_removed", 1, ""), StorageError::bad_value);
+  EXPECT_EQ(code(instructor, "colour", 1, "x"), StorageError::bad_value);
+  EXPECT_EQ(code(instructor, "target_removed", 20.5, "x"), StorageError::bad_value);
+  EXPECT_EQ(code(instructor, "target_removed", -1, "x"), StorageError::bad_value);
+  EXPECT_EQ(code(instructor, "target_removed", std::nan(""), "x"), StorageError::bad_value);
+  EXPECT_TRUE(must(statements().of(instructor, id)).empty());
+}
+
+TEST_F(StatementsTest, a_newer_grade_ends_the_overrides_of_the_one_before) {
+  const SessionId id = complete_session(*store, lena, version, 68);
+  must(statements().override_points(instructor, id, "target_removed", 20, "Worn."));
+  must(store->grades.save(id, small_grade(62, false), {}, instructor));
+  EXPECT_EQ(row_of(id).score, 62);
+  EXPECT_TRUE(counts(id).overrides.empty());
+  expect_whole();
+}
+
+TEST_F(StatementsTest, a_confirmation_covers_the_result_as_it_stood) {
+  const SessionId id = complete_session(*store, lena, version, 50, false);
+  EXPECT_TRUE(counts(id).needs_confirmation());
+  must(statements().confirm(instructor, id));
+  EXPECT_FALSE(counts(id).needs_confirmation());
+  const SignedStatement fewer = must(statements().override_points(instructor, id, "target_removed", 0, "Not cut."));
+  EXPECT_TRUE(counts(id).needs_confirmation());
+  must(statements().confirm(instructor, id));
+  EXPECT_FALSE(counts(id).needs_confirmation());
+  must(statements().withdraw(instructor, id, fewer.id, "It was."));
+  EXPECT_TRUE(counts(id).needs_confirmation());
+}
+
+TEST_F(StatementsTest, nothing_is_stated_of_a_running_or_unknown_session_nor_of_a_missing_grade) {
+  const SessionId running = must(store->sessions.start(lena.actor(), new_session(lena, version))).id;
+  EXPECT_EQ(code_of(statements().comment(instructor, running, "x")), StorageError::wrong_state);
+  must(store->traces.append(running, second_from(1)));
+  must(store->sessions.finish(running, volume_after(12), "student"));
+  must(statements().comment(instructor, running, "x"));
+  EXPECT_EQ(code_of(statements().confirm(instructor, running)), StorageError::wrong_state);
+  EXPECT_EQ(code_of(statements().comment(instructor, SessionId::make(), "x")), StorageError::not_found);
+}
+
+/// Each change by hand is named, whichever column it touches.
+TEST_F(StatementsTest, a_changed_statement_text_or_key_is_found) {
+  const SessionId id = complete_session(*store, lena, version);
+  must(statements().comment(instructor, id, "Well done."));
+  struct Change {
+    const char* sql;
+    const char* table;
+    FindingCode code;
+  };
+  for (const Change& change :
+       {Change{"UPDATE statements SET kind = 'confirmation'", "statements", FindingCode::row_changed},
+        Change{"UPDATE statements SET key = zeroblob(32)", "statements", FindingCode::key_changed},
+        Change{"UPDATE statements SET points = 3", "statements", FindingCode::row_changed},
+        Change{"UPDATE statement_texts SET text = 'Badly done.'", "statement_texts", FindingCode::row_changed},
+        Change{"DELETE FROM statement_texts", "statement_texts", FindingCode::row_missing}}) {
+    must(store->database().run("PRAGMA foreign_keys = OFF"));
+    must(store->database().run("SAVEPOINT trial"));
+    must(store->database().run(change.sql));
+    const auto findings = must(check_statements(store->database()));
+    ASSERT_FALSE(findings.empty()) << change.sql;
+    EXPECT_EQ(findings[0].code, change.code) << change.sql;
+    EXPECT_EQ(findings[0].table, change.table) << change.sql;
+    EXPECT_EQ(findings[0].owner, id.uuid);
+    must(store->database().run("ROLLBACK TO trial"));
+    must(store->database().run("RELEASE trial"));
+  }
+  expect_whole();
+}
+
+}  // namespace
+}  // namespace cusp::test
