@@ -103,6 +103,14 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   return find(id);
 }
 
+Stored<void> Sessions::admit(const Actor& actor, const NewSession& wanted) {
+  if (auto allowed = require(actor, Action::drill); !allowed) return allowed;
+  if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
+  Transaction transaction(c_.db);
+  admitted_kind(transaction, wanted, c_.clock());
+  return transaction.commit();
+}
+
 Stored<void> Sessions::add_event(SessionId session, EventKind kind, const std::string& reason,
                                  const FinalVolume* volume) {
   Transaction transaction(c_.db);

@@ -100,6 +100,8 @@ class Sessions {
   /// With an assignment the kind is the assignment's; not_allowed (where = assignment: not this student's or of another
   /// version; start_code), wrong_state (where = not_open, past_due, attempts_used).
   Stored<Session> start(const Actor& actor, const NewSession& session);
+  /// What start() would say of an assignment's students, dates, attempts and start code. Writes nothing.
+  Stored<void> admit(const Actor& actor, const NewSession& session);
   /// This process then owns the session. wrong_state unless interrupted.
   Stored<void> resume(SessionId session, const std::string& reason);
   /// wrong_state unless running.

@@ -212,13 +212,28 @@ Stored<int> History::attempts(const Actor& actor, UserId student, ScenarioId sce
 }
 
 Stored<std::vector<HistoryRow>> History::of_assignment(const Actor& actor, AssignmentId assignment) {
-  if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
-  const auto sessions = c_.db.all(
-      "SELECT session FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 "
-      "ORDER BY student, started_at, sequence",
-      session_of, assignment);
+  const auto sessions =
+      sees_withheld(actor)
+          ? c_.db.all("SELECT session FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 "
+                      "ORDER BY student, started_at, sequence",
+                      session_of, assignment)
+          : c_.db.all("SELECT session FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 "
+                      "AND student = ?2 ORDER BY started_at, sequence",
+                      session_of, assignment, actor.id);
   if (!sessions) return std::unexpected(sessions.error());
-  return rows_of(c_.db, *sessions);
+  return readable_rows(c_.db, actor, *sessions);
+}
+
+Stored<void> History::may_read_result(const Actor& actor, SessionId session) {
+  const auto found = c_.db.first(
+      "SELECT s.student, coalesce(m.released, 1) FROM sessions s LEFT JOIN session_summaries m ON m.session = s.id "
+      "WHERE s.id = ?1",
+      [](Row row) { return std::pair{row.id<UserId>(0), row.flag(1)}; }, session);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "sessions", session.text());
+  if (auto allowed = require_reading(actor, (*found)->first); !allowed) return allowed;
+  if (!(*found)->second && !sees_withheld(actor)) return fail(StorageError::not_allowed, "withheld", session.text());
+  return {};
 }
 
 Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId student) {

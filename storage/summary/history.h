@@ -139,7 +139,10 @@ class History {
   /// Of the same student, scenario and device class, started before this session.
   Stored<std::optional<HistoryRow>> best_before(const Actor& actor, SessionId session);
   Stored<int> attempts(const Actor& actor, UserId student, ScenarioId scenario);
-  /// Every attempt of an assignment, by student, oldest first. Needs see_all_results.
+  /// not_allowed (where = withheld) while the session's result is withheld from the actor; else as require_reading(). A session
+  /// without a summary counts as released.
+  Stored<void> may_read_result(const Actor& actor, SessionId session);
+  /// The attempts of an assignment, by student, oldest first; without see_all_results the actor's own.
   Stored<std::vector<HistoryRow>> of_assignment(const Actor& actor, AssignmentId assignment);
   /// Interrupted sessions of this student, newest first, without a grade and recorded by this engine version. Each can be
   /// resumed on a device of the row's class, or graded as it stands.

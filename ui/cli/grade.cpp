@@ -47,7 +47,7 @@ int grade_verb(const GradeOptions& o) {
   if (!account) return failed(account.error());
   const auto session = store.sessions.find(*id);
   if (!session) return failed(describe(session.error()));
-  if (auto may = require_reading(account->actor(), session->student); !may) return failed(describe(may.error()));
+  if (auto may = store.history.may_read_result(account->actor(), *id); !may) return failed(describe(may.error()));
   auto student = store.accounts.find(session->student);
   if (!student) return failed(describe(student.error()));
 

@@ -122,9 +122,8 @@ int replay(const ReplayOptions& o) {
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   // A record so damaged that its session cannot be found is still to be proved.
-  if (const auto session = (*store)->sessions.find(*id)) {
-    if (auto may = require_reading(account->actor(), session->student); !may) return failed(describe(may.error()));
-  }
+  const auto may = (*store)->history.may_read_result(account->actor(), *id);
+  if (!may && may.error().code != StorageError::not_found) return failed(describe(may.error()));
   return o.verify ? verify(o, **store, *id) : rebuild(o, **store, *id);
 }
 

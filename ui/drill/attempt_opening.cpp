@@ -26,6 +26,17 @@ Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Bur& bu
   return at;
 }
 
+/// A practice block bears its task; a tooth does not.
+bool has_printed_target(const Scenario& scenario) { return scenario.specimen.generator.ends_with("block"); }
+
+StartView start_view(const Box& bounds, const TargetLook& look) {
+  if (look.empty()) return {0.5 * (bounds.low + bounds.high), 0.35 * glm::length(bounds.high - bounds.low)};
+  const TargetShape& shape = look.shape();
+  const Vec3 centre(0.5 * (shape.low() + shape.high()), shape.top_mm() - 0.4);
+  // The outline with about two millimetres round it; never closer than a hand can aim.
+  return {centre, std::max(0.5 * glm::length(shape.high() - shape.low()) + 1.6, 3.5)};
+}
+
 /// Of the highest pulp under the target and what stands about it, below the target's top; nullopt where there is none.
 std::optional<double> pulp_under(const Specimen& specimen, const TargetLook& look) {
   if (look.empty()) return std::nullopt;
@@ -83,15 +94,20 @@ void AttemptOpening::open(Order order, const Answer& answer) {
                                 : build_specimen(plan.scenario, plan.scenario_folder);
   if (!specimen) return answer(nullptr, specimen.error());
   plan.specimen = *specimen;
-  attempt->look = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
-  attempt->patches = std::make_shared<PatchFeed>(attempt->look->feed());
+  const auto target = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
+  const bool guided = plan.guidance == Guidance::full;
+  attempt->look = guided ? target : std::make_shared<TargetLook>(Region{}, plan.scenario.leeway);
+  FeedSettings feed = target->feed();
+  if (!guided) feed.deviation = {};
+  attempt->patches = std::make_shared<PatchFeed>(std::move(feed));
   {
     const Volume whole(*specimen);
     attempt->patches->build_all(whole);
-    attempt->lines = attempt->look->lines(whole);
+    if (guided || has_printed_target(plan.scenario)) attempt->lines = target->lines(whole);
   }
   const Grid& grid = (*specimen)->grid();
   attempt->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
+  attempt->start_view = start_view(attempt->bounds, *target);
   for (const ScenarioTissue& t : plan.scenario.tissues) attempt->has_pulp = attempt->has_pulp || t.tissue == Tissue::pulp;
   if (attempt->has_pulp) attempt->pulp_depth_mm = pulp_under(**specimen, *attempt->look);
   beside.join();
@@ -101,7 +117,7 @@ void AttemptOpening::open(Order order, const Answer& answer) {
     attempt->device.port = std::move(order.port);
   } else {
     const Vec3 start =
-        start_place(**specimen, *attempt->look, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
+        start_place(**specimen, *target, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
     auto device = make_session_device(order.choice, start, plan.scenario.instruments.size());
     if (!device) return answer(nullptr, std::move(session_fail(SessionError::device, device.error()).error()));
     attempt->device = std::move(*device);

@@ -15,13 +15,20 @@
 
 namespace cusp::ui {
 
+/// Where the camera begins: about the place of work.
+struct StartView {
+  Vec3 centre_mm{};
+  double radius_mm = 1;
+};
+
 /// What the window gets.
 struct OpenedAttempt {
   SessionDevice device;
   std::shared_ptr<PatchFeed> patches;
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;
-  std::shared_ptr<TargetLook> look;
+  std::shared_ptr<TargetLook> look;  // empty without guidance
+  StartView start_view;
   std::shared_ptr<const SceneryLook> scenery;
   Box bounds;
   bool has_pulp = false;

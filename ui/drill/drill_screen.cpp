@@ -147,6 +147,7 @@ void DrillScreen::enable_controls(bool on) {
 void DrillScreen::begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port) {
   Inner& in = *inner_;
   in.bar->set_exercise(text.title, text.aside);
+  in.guidance = plan.guidance;
   in.tray->set_burs(plan.scenario.instruments);
   in.working = true;
   in.busy->start(tr("Getting the tooth ready"), Busy::Cancel::none);
@@ -185,12 +186,14 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   OpenedAttempt& attempt = *in.attempt;
   const Scenario& scenario = attempt.session->scenario();
   const bool is_tooth = !scenario.specimen.generator.ends_with("block");
-  in.panel->set_exercise(scenario, {.target = !attempt.look->empty(), .pulp = attempt.has_pulp, .tooth = is_tooth});
+  in.panel->set_exercise(scenario, {.target = !attempt.look->empty(), .pulp = attempt.has_pulp, .tooth = is_tooth, .guidance = in.guidance});
   in.panel->set_device(attempt.session->device(), attempt.session->stiffness_share());
   in.bar->set_device(attempt.session->device());
   in.sound->begin(scenario);
   in.stage->set_exercise(scenario, *attempt.look,
                          {.bounds = attempt.bounds,
+                          .start_view = attempt.start_view,
+                          .guidance = in.guidance,
                           .by_mouse = attempt.device.hand != nullptr,
                           .is_tooth = is_tooth,
                           .pulp_depth_mm = attempt.pulp_depth_mm});

@@ -12,7 +12,11 @@ void DrillScreen::ask_finish() {
   if (in.input) in.input->release_all();
   in.stage->set_asking(true);
   in.attempt->session->pause();
-  in.ports.ask(this, {tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")},
+  const Question question =
+      in.guidance == Guidance::silent
+          ? Question{tr("Hand in?"), tr("The tooth is kept as it is now; nothing can be changed afterwards."), tr("Hand in")}
+          : Question{tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")};
+  in.ports.ask(this, question,
                [self = QPointer(this)](bool yes) {
                  if (!self || !self->running()) return;
                  self->inner_->stage->set_asking(false);

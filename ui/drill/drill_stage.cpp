@@ -164,16 +164,8 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   depth_->set_value(std::nullopt);
   push_->set_value(0.0);
 
-  const Vec3 middle = 0.5 * (bounds.low + bounds.high);
-  if (look.empty()) {
-    view_->set_camera(Camera::about(middle, 0.35 * glm::length(bounds.high - bounds.low)));
-  } else {
-    const TargetShape& shape = look.shape();
-    const Vec3 centre(0.5 * (shape.low() + shape.high()), shape.top_mm() - 0.4);
-    // The outline with about two millimetres round it; never closer than a hand can aim.
-    const double radius = std::max(0.5 * glm::length(shape.high() - shape.low()) + 1.6, 3.5);
-    view_->set_camera(Camera::about(centre, radius));
-  }
+  depth_->setVisible(setup.guidance == Guidance::full);
+  view_->set_camera(Camera::about(setup.start_view.centre_mm, setup.start_view.radius_mm));
   target_->setVisible(!look.empty());
   legend_->setVisible(!look.empty());
   compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
@@ -296,6 +288,7 @@ bool DrillStage::press_key(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 QString DrillStage::spoken() const {
+  if (depth_->isHidden()) return tr("Push %1.").arg(push_->value_text());
   return tr("Depth %1, push %2, %3 of the target removed. %4")
       .arg(depth_->value_text(), push_->value_text(),
            format({live_.target_removed_percent, {}, QStringLiteral("%"), 0}), coach_->text());

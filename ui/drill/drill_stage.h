@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scenarios/format/scenario.h"
+#include "ui/drill/attempt_opening.h"
 #include "ui/drill/coach.h"
 #include "ui/drill/drill_feed.h"
 #include "ui/drill/stop_card.h"
@@ -40,6 +41,8 @@ class DrillStage : public QWidget {
   /// What the stage shows of an exercise besides its scenario and target.
   struct Setup {
     Box bounds{};                           // of the specimen, mm
+    StartView start_view{};
+    Guidance guidance = Guidance::full;
     bool by_mouse = false;                  // else a device leads the bur
     bool is_tooth = false;                  // else a block
     std::optional<double> pulp_depth_mm{};  // of the highest pulp under the target, below its top; nullopt: none

@@ -152,7 +152,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   handpiece_rule_->hide();
   column->addWidget(handpiece_rule_);
   make_progress();
-  part = add_part(tr("Removed so far"));
+  removed_part_ = part = add_part(tr("Removed so far"));
   tissue_grid_ = new QGridLayout;
   tissue_grid_->setHorizontalSpacing(px(8));
   tissue_grid_->setVerticalSpacing(px(8));
@@ -233,7 +233,9 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
     //: First letters of buccal and lingual, at the two sides of a section.
     section_->set_sides(tr("B"), tr("L"));
   }
-  progress_part_->setVisible(has.target);
+  const bool guided = has.guidance == Guidance::full;
+  progress_part_->setVisible(has.target && guided);
+  removed_part_->setVisible(guided);
   over_pulp_row_->setVisible(has.pulp);
   handpiece_->set_exercise(scenario);
   handpiece_rule_->setVisible(!handpiece_->isHidden());

@@ -49,6 +49,7 @@ class ScorePanel : public QFrame {
   /// What the exercise has besides its tissues.
   struct Has {
     bool target = false, pulp = false, tooth = false;
+    Guidance guidance = Guidance::full;  // silent: no progress, and nothing of what was removed
   };
   /// Called once.
   void set_exercise(const Scenario& scenario, const Has& has);
@@ -77,7 +78,7 @@ class ScorePanel : public QFrame {
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
   QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
-  QWidget *progress_part_, *over_pulp_row_;
+  QWidget *progress_part_, *over_pulp_row_, *removed_part_;
   Bar* percent_bar_;
   QGridLayout* tissue_grid_;
   std::vector<TissueRow> tissues_;

@@ -23,6 +23,12 @@
 
 namespace cusp::ui {
 
+/// What the screen tells while somebody drills. The record and the grade are the same.
+enum class Guidance : std::uint8_t {
+  full,
+  silent,  // an assessment: no target but a block's printed one, no depth, no scores, no coach
+};
+
 /// Who and what.
 struct SessionPlan {
   Scenario scenario;
@@ -31,7 +37,9 @@ struct SessionPlan {
   Actor student;                             // who drills; not read if nothing is kept
   VersionId version;                         // published version; nil: the scenario's own, published at need
   SessionKind kind = SessionKind::practice;  // try_it and try_out stay out of histories and figures
-  std::optional<AssignmentId> assignment;
+  std::optional<AssignmentId> assignment;    // the session is then of its kind
+  std::string start_code;                    // of an assessment, as the student typed it
+  Guidance guidance = Guidance::full;
   std::string operator_name{kUserOperator};  // else the name of a scripted operator or of a file
   SessionId resumes;                         // an interrupted session to resume; nil: a new one
   std::shared_ptr<const Specimen> specimen;  // build_specimen()'s, to save the time; may be null

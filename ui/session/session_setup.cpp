@@ -122,6 +122,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   row.version = *version;
   row.kind = plan.kind;
   row.assignment = plan.assignment;
+  row.start_code = plan.start_code;
   row.operator_name = plan.operator_name;
   row.header.build = build_info();
   row.header.device = device;

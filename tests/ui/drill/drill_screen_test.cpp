@@ -35,8 +35,9 @@ class Screen : public testing::Test {
     screen->resize(1280, 800);
     screen->show();
   }
-  void begin(const char* key, const std::vector<std::string>& phenomena = {}) {
+  void begin(const char* key, const std::vector<std::string>& phenomena = {}, Guidance guidance = Guidance::full) {
     SessionPlan plan;
+    plan.guidance = guidance;
     plan.scenario = load_builtin(key).value();
     plan.scenario.phenomena = phenomena;
     plan.kind = SessionKind::try_it;
@@ -83,6 +84,26 @@ TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
   EXPECT_FALSE(result->volume->cut_bricks().empty());
   EXPECT_EQ(asked, QStringList{QStringLiteral("Finish")});
   EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, without_guidance_neither_depth_nor_progress_nor_coach_nor_target_is_shown_and_the_question_is_to_hand_in) {
+  begin("channel-1", {}, Guidance::silent);
+  QTest::keyPress(screen.get(), Qt::Key_Space);
+  const auto shown = [this](const QString& name) {
+    for (const QWidget* w : screen->findChildren<QWidget*>())
+      if (w->isVisible() && w->accessibleName() == name) return true;
+    return false;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return removed() > 0.05; }, kPatienceMs)) << "it is cut all the same";
+  QTest::keyRelease(screen.get(), Qt::Key_Space);
+  EXPECT_FALSE(shown(QStringLiteral("Target removed")) || shown(QStringLiteral("Plastic")));
+  EXPECT_TRUE(coach().isEmpty()) << coach().toStdString();
+  for (const QPushButton* b : screen->findChildren<QPushButton*>()) {
+    EXPECT_FALSE(b->isVisible() && b->text().contains(QStringLiteral("Target")));
+  }
+  answer = false;
+  screen->ask_finish();
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Hand in")});
 }
 
 TEST_F(Screen, without_phenomena_nothing_of_a_handpiece_is_shown) {
