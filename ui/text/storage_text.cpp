@@ -89,6 +89,7 @@ Message describe_missing(const StorageFailure& f) {
   };
   if (f.where == "people") return none(Text::tr("This account is not there."));
   if (f.where == "sessions") return none(Text::tr("This attempt is not there."));
+  if (f.where == "statements") return none(Text::tr("This remark is withdrawn already."));
   if (f.where == "scenario_versions") return none(Text::tr("This exercise is not there."));
   if (f.where == "blobs" || f.where == "trace_chunks" || f.where == "cohort_students") {
     return none(Text::tr("A part of the records is not there."));
@@ -100,10 +101,34 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "number") return {Text::tr("A number has 1 to 64 characters."), nothing_changed()};
   if (f.where == "name") return {Text::tr("A name has 1 to 200 characters."), nothing_changed()};
   if (f.where == "pin") return {Text::tr("Only students have a PIN."), nothing_changed()};
-  if (f.where == "text") return {Text::tr("A comment has 1 to 10,000 characters."), nothing_changed()};
+  if (f.where == "text") return {Text::tr("A comment or reason has 1 to 10,000 characters."), nothing_changed()};
+  if (f.where == "start_code") return {Text::tr("A start code has 4 to 32 characters."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
+}
+
+Message describe_not_allowed(const StorageFailure& f) {
+  if (f.where == "start_code") return {Text::tr("This is not the start code."), Text::tr("Ask the invigilator and type it again.")};
+  if (f.where == "assignment") {
+    return {Text::tr("This exercise is not assigned to you."), Text::tr("Ask your instructor. Nothing was changed.")};
+  }
+  if (f.where == "withheld") {
+    return {Text::tr("This result is not released yet."), Text::tr("It is shown here when your examiner releases it.")};
+  }
+  return {Text::tr("Your role may not do this."), nothing_changed()};
+}
+
+Message describe_wrong_state(const StorageFailure& f) {
+  if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
+  if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
+  if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};
+  if (f.where == "grade") return {Text::tr("This attempt has no grade yet."), nothing_changed()};
+  if (f.where == "released") return {Text::tr("This result is released already."), nothing_changed()};
+  if (f.where == "confirmation") {
+    return {Text::tr("A failed result is released only after an examiner has confirmed it."), nothing_changed()};
+  }
+  return {Text::tr("This attempt is not in a state that allows it."), nothing_changed()};
 }
 
 /// A path, as SQLite names what it refused: it does not name the account or exercise that was meant.
@@ -124,7 +149,7 @@ Message describe(const StorageFailure& f) {
     case StorageError::locked: return describe_locked(f, Text::tr("Too many wrong tries."));
     case StorageError::disabled:
       return {Text::tr("This account is switched off."), Text::tr("Ask an administrator to switch it on again.")};
-    case StorageError::not_allowed: return {Text::tr("Your role may not do this."), nothing_changed()};
+    case StorageError::not_allowed: return describe_not_allowed(f);
     case StorageError::weak_password: return describe_weak(f);
     case StorageError::last_administrator:
       return {Text::tr("This is the last administrator."),
@@ -133,8 +158,7 @@ Message describe(const StorageFailure& f) {
       if (names_file(f)) return {Text::tr("This number or name is taken."), nothing_changed()};
       return {Text::tr("This is there already."), Text::tr("%1 is taken. Nothing was changed.").arg(where)};
     case StorageError::bad_value: return describe_bad_value(f);
-    case StorageError::wrong_state:
-      return {Text::tr("This attempt is not in a state that allows it."), nothing_changed()};
+    case StorageError::wrong_state: return describe_wrong_state(f);
     case StorageError::bad_trace:
       return {Text::tr("The recording cannot be read."),
               Text::tr("%1 is damaged; the grade and all other attempts are kept.").arg(where)};
