@@ -34,12 +34,62 @@ std::vector<std::optional<QPointF>> places_of(const Picture& picture) {
 
 }  // namespace
 
+namespace {
+
+QString remark_head(const SignedStatement& s, const Grade& stored) {
+  switch (s.kind) {
+    case StatementKind::comment:
+    case StatementKind::withdrawal: return {};
+    case StatementKind::override_points: {
+      const auto criterion = std::ranges::find(stored.criteria, s.criterion, &CriterionGrade::id);
+      const double before = criterion == stored.criteria.end() ? 0 : criterion->points;
+      return ReportText::tr("%1: %2 instead of %3 points")
+          .arg(metric_name(s.criterion), format_points(s.points.value_or(0)), format_points(before));
+    }
+    case StatementKind::override_critical: return ReportText::tr("Does not count: %1").arg(critical_name(s.criterion));
+    case StatementKind::confirmation: return ReportText::tr("Result confirmed");
+    case StatementKind::release: return ReportText::tr("Result released");
+  }
+  return {};
+}
+
+/// Comments first come from older programs, then everything that is stated.
+std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionDetails& details) {
+  std::vector<Remark> out;
+  const auto name_of = [&](UserId id) {
+    const auto account = store.accounts.find(id);
+    return account ? QString::fromStdString(account->name) : QString();
+  };
+  const auto statements = store.statements.of(reader, details.row.session);
+  for (const Comment& c : details.comments) {
+    const bool stated = statements && std::ranges::any_of(*statements, [&](const SignedStatement& s) { return s.id == c.id; });
+    if (!stated) out.push_back({{}, name_of(c.author), local_time(c.at_utc_us), {}, QString::fromStdString(c.text), c.place_mm});
+  }
+  if (!statements || !details.grade) return out;
+  for (const SignedStatement& s : in_force(*statements)) {
+    if (s.grade && *s.grade != details.grade->stored.number) continue;
+    const bool of_procedure = s.kind == StatementKind::confirmation || s.kind == StatementKind::release;
+    if (of_procedure && !may(reader.role, Action::comment)) continue;
+    out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), remark_head(s, details.grade->stored.grade),
+                   QString::fromStdString(s.text), s.place_mm});
+  }
+  return out;
+}
+
+}  // namespace
+
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
   ReportData data;
   data.result = result;
+  const bool kept = store && reader && !result.session.is_nil();
+  const auto details = kept ? store->history.details(*reader, result.session) : Stored<SessionDetails>(SessionDetails{});
+  if (kept && details && details->grade) {
+    data.counts = details->grade;
+    if (!details->grade->overrides.empty()) data.result.grade = details->grade->grade;
+  }
   // The records do not hold this flag.
   mark_counted_with_target(data.result.grade, result.scenario.rubric);
-  data.critical = critical_events(result.grade, result.measures, store, result.session);
+  data.critical = critical_events(data.result.grade, result.measures, store, result.session);
   data.title = local(result.scenario.title);
   for (const Measure& m : result.measures) {
     if (m.metric == "force_peak" && m.measured) data.peak_push_n = m.value;
@@ -47,9 +97,15 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   for (const CriterionGrade& c : result.grade.criteria) {
     if (c.id == "force_peak" && c.measure.measured) data.peak_push_n = c.measure.value;
   }
-  if (!store || !reader || result.session.is_nil()) return data;
-  if (const auto details = store->history.details(*reader, result.session)) {
-    data.student = QString::fromStdString(details->row.student_name);
+  if (!kept) return data;
+  if (details) {
+    data.remarks = remarks_of(*store, *reader, *details);
+    data.released = details->row.released;
+    // An assessment is marked without the name.
+    data.student = details->row.kind == SessionKind::assessment && details->session.assignment
+                       ? ReportText::tr("Candidate %1")
+                             .arg(QString::fromStdString(candidate_number(*details->session.assignment, details->row.student)))
+                       : QString::fromStdString(details->row.student_name);
     data.when = local_time(details->row.started_utc_us);
     data.kind = details->row.kind;
     data.attempt = details->row.attempt;
@@ -69,8 +125,8 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   }
   const auto best = store->history.best_before(*reader, result.session);
   if (best && *best) {
-    if (const auto grade = store->grades.newest((*best)->session); grade && *grade) {
-      data.before = (*grade)->grade;
+    if (const auto earlier = store->history.details(*reader, (*best)->session); earlier && earlier->grade) {
+      data.before = earlier->grade->grade;
       data.before_when = local_time((*best)->started_utc_us);
     }
   }

@@ -19,16 +19,29 @@
 
 namespace cusp::ui {
 
+/// What an instructor or examiner said of the attempt, and still stands.
+struct Remark {
+  Uuid id;              // of the statement; nil: a comment of an older program, which stays
+  QString who;
+  QDateTime when;
+  QString what;         // "Floor depth, deepest: 4 to 6 points", "Result confirmed"; empty for a comment
+  QString text;         // comment or reason
+  std::optional<Vec3> place_mm{};
+};
+
 struct ReportData {
   SessionResult result;
   QString title;                  // of the exercise, in the installed language
-  QString student;                // empty for an attempt that nobody signed in for
+  QString student;                // candidate number in an assessment; empty for an attempt that nobody signed in for
   QDateTime when;                 // local time of the attempt's start; null when nothing was kept
   SessionKind kind = SessionKind::try_it;
   int attempt = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
   std::vector<BurSpan> burs;    // times of each bur; empty without records
   std::vector<CriticalEvent> critical;  // an opened pulp first
+  std::optional<EffectiveGrade> counts;  // with what examiners changed; none without records
+  std::vector<Remark> remarks;           // oldest first
+  bool released = true;                  // false: an assessment whose result the student does not see yet
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;
 };

@@ -49,17 +49,63 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
   body->setSpacing(px(kGap));
   band_ = new Band;
   body->addWidget(band_);
-  body->addWidget(make_score());
-  body->addWidget(make_criteria());
+  fill();
+  body->addStretch();
+  column->addLayout(halves_, 1);
+  show_state();
+  choose_first();
+  setFocusProxy(table_);
+}
+
+void ReportPage::fill() {
+  const auto container = [](QWidget** slot) {
+    *slot = new QWidget;
+    auto* column = new QVBoxLayout(*slot);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(px(kGap));
+    return column;
+  };
+  QWidget *old_head = head_, *old_main = main_;
+  against_ = nullptr;
+  QVBoxLayout* head = container(&head_);
+  head->addWidget(make_score());
+  if (QWidget* remarks = make_remarks()) head->addWidget(remarks);
+  QVBoxLayout* main = container(&main_);
+  main->addWidget(make_criteria());
   below_ = new QHBoxLayout;
   below_->setSpacing(px(kGap));
   below_->addWidget(make_next_time(), 1);
   below_->addWidget(make_against(), 1);
-  body->addLayout(below_);
-  body->addStretch();
-  column->addLayout(halves_, 1);
+  main->addLayout(below_);
+  const auto put = [this](QWidget* old, QWidget* fresh) {
+    if (old == nullptr) return body_->addWidget(fresh);
+    delete body_->replaceWidget(old, fresh);
+    old->hide();
+    old->deleteLater();
+  };
+  put(old_head, head_);
+  put(old_main, main_);
+}
 
-  const Grade& g = data_.result.grade;
+void ReportPage::set_marking(QWidget* card) { body_->insertWidget(body_->indexOf(main_), card); }
+
+void ReportPage::show_data(ReportData data) {
+  const int row = table_->chosen_row();
+  data_ = std::move(data);
+  drawing_.reset();
+  fill();
+  show_state();
+  table_->choose_row(row);
+  QResizeEvent same(size(), size());
+  resizeEvent(&same);
+}
+
+const CriterionGrade* ReportPage::chosen_criterion() const {
+  return table_->chosen_row() < 0 ? nullptr : &model_->criterion(table_->chosen_row());
+}
+
+/// What fails the attempt, or that it broke off.
+void ReportPage::show_state() {
   if (!data_.critical.empty()) {
     QStringList what;
     for (const CriticalEvent& event : data_.critical) {
@@ -69,8 +115,14 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
     band_->show_message(Band::Kind::bad, what.join(u' '), tr("This fails the attempt, whatever its points; the points still stand."));
   } else if (data_.result.state == SessionState::interrupted) {
     band_->show_message(Band::Kind::look, tr("This attempt broke off."), tr("It is marked as it stands."));
+  } else {
+    band_->clear();
   }
-  // Selects the largest loss of points. A critical event with a place is pinned instead.
+}
+
+/// Selects the largest loss of points. A critical event with a place is pinned instead.
+void ReportPage::choose_first() {
+  const Grade& g = data_.result.grade;
   const bool opened_pulp = !data_.critical.empty() && data_.critical.front().key == "pulp_exposure";
   for (const LossReason& reason : loss_reasons(g)) {
     if (!reason.critical.empty()) continue;
@@ -82,7 +134,6 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
       opened != data_.critical.end()) {
     tooth_->pin(opened->place_mm, critical_text(*opened, data_.result.scenario.specimen), critical_advice(opened->key));
   }
-  setFocusProxy(table_);
 }
 
 void ReportPage::resizeEvent(QResizeEvent* event) {
@@ -247,6 +298,32 @@ void ReportPage::choose(int row) {
   const Measure& m = c.measure;
   const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
   tooth_->pin(m.where_mm, metric_name(c.id) + u": "_qs + value, reason_text(c));
+  Q_EMIT criterion_chosen();
+}
+
+QWidget* ReportPage::make_remarks() {
+  if (data_.remarks.empty()) return nullptr;
+  auto* card = new Card(tr("Remarks"), data_.released ? QString() : tr("not released yet"));
+  card->setAccessibleName(tr("Remarks"));
+  for (const Remark& remark : data_.remarks) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(px(8));
+    QString html = u"<b>%1</b>, %2"_qs.arg(remark.who.toHtmlEscaped(), format_day_time(remark.when));
+    for (const QString& part : {remark.what, remark.text}) {
+      if (!part.isEmpty()) html += u"<br>"_qs + part.toHtmlEscaped();
+    }
+    QLabel* label = make_label(html);
+    label->setTextFormat(Qt::RichText);
+    label->setWordWrap(true);
+    line->addWidget(label, 1);
+    if (remark.place_mm) {
+      QPushButton* place = make_button(tr("Show the place"), ButtonKind::quiet, u"eye"_qs);
+      connect(place, &QPushButton::clicked, this, [this, remark] { tooth_->pin(remark.place_mm, remark.who, remark.text); });
+      line->addWidget(place, 0, Qt::AlignTop);
+    }
+    card->body()->addLayout(line);
+  }
+  return card;
 }
 
 QWidget* ReportPage::make_next_time() {

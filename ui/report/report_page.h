@@ -32,10 +32,17 @@ class ReportPage : public QWidget {
   ReportPage(ReportData data, const Ports& ports, TryAgain again, const QString& back_name, QWidget* parent = nullptr);
   Table* table() const { return table_; }
   const ReportData& data() const { return data_; }
+  /// The same attempt after somebody stated something about it. The tooth stays.
+  void show_data(ReportData data);
+  /// A card above the criteria, for who marks. Once.
+  void set_marking(QWidget* card);
+  /// Of the chosen row; nullptr: none is chosen.
+  const CriterionGrade* chosen_criterion() const;
 
  Q_SIGNALS:
   void back_wanted();
   void try_again_wanted();
+  void criterion_chosen();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -43,7 +50,11 @@ class ReportPage : public QWidget {
  private:
   QWidget* make_bar(TryAgain again, const QString& back_name);
   QWidget* make_tooth();
+  void fill();
+  void show_state();
+  void choose_first();
   QWidget* make_score();
+  QWidget* make_remarks();
   QWidget* make_criteria();
   QWidget* make_next_time();
   QWidget* make_against();
@@ -63,7 +74,9 @@ class ReportPage : public QWidget {
   std::optional<DrawnTooth> drawing_;
   std::vector<std::pair<QPushButton*, QString>> saves_;  // print and PDF, with their texts
   QBoxLayout* body_;  // of the text
-  QBoxLayout *halves_, *below_;  // tooth and text; advice and comparison
+  QWidget *head_ = nullptr, *main_ = nullptr;  // of the text: made anew by fill()
+  QBoxLayout* halves_;                         // tooth and text
+  QBoxLayout* below_ = nullptr;                // advice and comparison
 };
 
 }  // namespace cusp::ui

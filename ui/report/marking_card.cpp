@@ -1,0 +1,205 @@
+#include "ui/report/marking_card.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include "ui/text/failure_text.h"
+#include "ui/text/grade_text.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kTextHeight = 60, kRemarkShown = 60;  // px at 100 %; characters
+
+QWidget* row_of(std::initializer_list<QWidget*> parts) {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(8));
+  for (QWidget* part : parts) row->addWidget(part, qobject_cast<QComboBox*>(part) || qobject_cast<QLabel*>(part) ? 1 : 0);
+  return box;
+}
+
+QString short_text(const Remark& remark) {
+  QString text = remark.what.isEmpty() ? remark.text : remark.what;
+  text.replace(u'\n', u' ');
+  if (text.size() > kRemarkShown) text = text.left(kRemarkShown - 1) + u'…';
+  return text;
+}
+
+}  // namespace
+
+MarkingCard::MarkingCard(Store& store, const Actor& actor, const ReportData& report, const Ports& ports, QWidget* parent)
+    : Card(MarkingCard::tr("Marking"), {}, parent), store_(store), actor_(actor), ports_(ports), session_(report.result.session) {
+  setAccessibleName(tr("Marking"));
+  band_ = new Band;
+  body()->addWidget(band_);
+  text_ = new QPlainTextEdit;
+  text_->setPlaceholderText(tr("A comment, or the reason for a change"));
+  text_->setAccessibleName(tr("Comment or reason"));
+  text_->setFixedHeight(px(kTextHeight));
+  text_->setTabChangesFocus(true);
+  body()->addWidget(text_);
+  at_place_ = new QCheckBox(tr("at the place of the chosen criterion"));
+  QPushButton* add = make_button(tr("Add comment"), ButtonKind::standard, u"comment"_qs);
+  auto* row = new QHBoxLayout;
+  row->addWidget(add);
+  row->addWidget(at_place_, 1);
+  body()->addLayout(row);
+  connect(add, &QPushButton::clicked, this, &MarkingCard::comment);
+  if (may(actor.role, Action::grade_again)) {
+    body()->addWidget(make_points());
+    body()->addWidget(make_result());
+  }
+  body()->addWidget(make_taking_back());
+  set_criterion(nullptr);
+  show_data(report);
+}
+
+QWidget* MarkingCard::make_points() {
+  points_label_ = make_label({});
+  points_label_->setWordWrap(true);
+  points_ = new NumberField;
+  points_->setDecimals(1);
+  points_->setFixedWidth(px(88));
+  change_ = make_button(tr("Change points"));
+  connect(change_, &QPushButton::clicked, this, &MarkingCard::change_points);
+  events_ = new QComboBox;
+  events_->setAccessibleName(tr("Critical event"));
+  strike_ = make_button(tr("Does not count"));
+  connect(strike_, &QPushButton::clicked, this, &MarkingCard::strike);
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(8));
+  column->addWidget(row_of({points_label_, points_, change_}));
+  events_row_ = row_of({events_, strike_});
+  column->addWidget(events_row_);
+  return box;
+}
+
+QWidget* MarkingCard::make_result() {
+  confirm_ = make_button(tr("Confirm the result"), ButtonKind::standard, u"check"_qs);
+  release_ = make_button(tr("Release to the student"), ButtonKind::standard, u"eye"_qs);
+  connect(confirm_, &QPushButton::clicked, this,
+          [this] { finish(store_.statements.confirm(actor_, session_), tr("The result is confirmed as it stands.")); });
+  connect(release_, &QPushButton::clicked, this,
+          [this] { finish(store_.statements.release(actor_, session_), tr("The student can read the result now.")); });
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(8));
+  row->addWidget(confirm_);
+  row->addWidget(release_);
+  row->addStretch();
+  return box;
+}
+
+QWidget* MarkingCard::make_taking_back() {
+  remarks_ = new QComboBox;
+  remarks_->setAccessibleName(tr("What was said"));
+  remarks_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  take_back_ = make_button(tr("Take back"), ButtonKind::erase);
+  connect(take_back_, &QPushButton::clicked, this, &MarkingCard::take_back);
+  remarks_row_ = row_of({remarks_, take_back_});
+  return remarks_row_;
+}
+
+void MarkingCard::set_criterion(const CriterionGrade* criterion) {
+  criterion_ = criterion ? criterion->id : std::string();
+  place_mm_ = criterion ? criterion->measure.where_mm : std::nullopt;
+  at_place_->setEnabled(place_mm_.has_value());
+  if (!place_mm_) at_place_->setChecked(false);
+  if (points_ == nullptr) return;
+  for (QWidget* part : {static_cast<QWidget*>(points_), static_cast<QWidget*>(change_)}) part->setEnabled(criterion != nullptr);
+  if (criterion == nullptr) {
+    points_label_->setText(tr("Choose a criterion to change its points."));
+    return;
+  }
+  points_label_->setText(tr("%1, of %2").arg(metric_name(criterion->id), format_points(criterion->points_max)));
+  points_->setRange(0, criterion->points_max);
+  points_->setAccessibleName(tr("Points of %1").arg(metric_name(criterion->id)));
+  points_->show_value(criterion->points);
+}
+
+void MarkingCard::show_data(const ReportData& report) {
+  remarks_->clear();
+  for (const Remark& remark : report.remarks) {
+    if (!remark.id.is_nil()) remarks_->addItem(short_text(remark), QString::fromStdString(remark.id.text()));
+  }
+  remarks_row_->setVisible(remarks_->count() > 0);
+  const bool assessed = report.kind == SessionKind::assessment;
+  set_aside(!assessed ? QString() : report.released ? tr("released") : tr("withheld from the student"));
+  if (points_ == nullptr || !report.counts) return;
+  events_->clear();
+  for (const std::string& event : report.counts->grade.critical) events_->addItem(critical_name(event), QString::fromStdString(event));
+  events_row_->setVisible(events_->count() > 0);
+  confirm_->setVisible(assessed || !report.counts->grade.passed);
+  confirm_->setEnabled(!report.counts->confirmation);
+  release_->setVisible(assessed && may(actor_.role, Action::assign));
+  release_->setEnabled(!report.released && !report.counts->needs_confirmation());
+  release_->setToolTip(report.counts->needs_confirmation() ? tr("A failed result is confirmed first") : QString());
+}
+
+QString MarkingCard::reason() const { return text_->toPlainText().trimmed(); }
+
+void MarkingCard::finish(const Stored<SignedStatement>& result, const QString& done) {
+  if (!result) {
+    const Message message = describe(result.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
+    return;
+  }
+  text_->clear();
+  band_->show_message(Band::Kind::good, done, {});
+  Q_EMIT stated();
+}
+
+void MarkingCard::comment() {
+  if (reason().isEmpty()) {
+    band_->show_message(Band::Kind::look, tr("The comment is empty."), tr("Write it above."));
+    return text_->setFocus();
+  }
+  CommentPlace at;
+  if (at_place_->isChecked()) at.place_mm = place_mm_;
+  finish(store_.statements.comment(actor_, session_, reason().toStdString(), at), tr("The comment is kept."));
+}
+
+void MarkingCard::change_points() {
+  points_->interpretText();  // a button that a screen reader presses leaves the focus in the field
+  if (reason().isEmpty()) {
+    band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it above; the student reads it."));
+    return text_->setFocus();
+  }
+  finish(store_.statements.override_points(actor_, session_, criterion_, points_->value(), reason().toStdString()),
+         tr("The points are changed. The measured grade is kept beside them."));
+}
+
+void MarkingCard::strike() {
+  if (reason().isEmpty()) {
+    band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it above; the student reads it."));
+    return text_->setFocus();
+  }
+  finish(store_.statements.override_critical(actor_, session_, events_->currentData().toString().toStdString(),
+                                             reason().toStdString()),
+         tr("The critical event no longer counts."));
+}
+
+void MarkingCard::take_back() {
+  const auto statement = Uuid::parse(remarks_->currentData().toString().toStdString());
+  if (!statement) return;
+  if (reason().isEmpty()) {
+    band_->show_message(Band::Kind::look, tr("Taking back needs a reason."), tr("Write it above."));
+    return text_->setFocus();
+  }
+  finish(store_.statements.withdraw(actor_, session_, *statement, reason().toStdString()),
+         tr("It is taken back. Both stay in the records."));
+}
+
+}  // namespace cusp::ui

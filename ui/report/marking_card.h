@@ -1,0 +1,61 @@
+/// Marks one attempt: comments, points that count instead, critical events that do not count, confirmation, release, and
+/// taking each of them back. Every act is a statement in the records. Thread: GUI.
+#pragma once
+
+#include <functional>
+
+#include "ui/report/report_data.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/ports.h"
+
+class QCheckBox;
+class QComboBox;
+class QPlainTextEdit;
+
+namespace cusp::ui {
+
+class NumberField;
+
+class MarkingCard : public Card {
+  Q_OBJECT
+
+ public:
+  /// Pre: `report` comes from the records, with a grade; the actor may comment. Store and ports outlive the card.
+  MarkingCard(Store& store, const Actor& actor, const ReportData& report, const Ports& ports, QWidget* parent = nullptr);
+  /// What a comment's place and changed points concern; nullptr: nothing.
+  void set_criterion(const CriterionGrade* criterion);
+  void show_data(const ReportData& report);
+
+ Q_SIGNALS:
+  /// Something was stated or taken back.
+  void stated();
+
+ private:
+  QWidget* make_points();
+  QWidget* make_result();
+  QWidget* make_taking_back();
+  QString reason() const;
+  /// Shows a failure, or tells that it is done.
+  void finish(const Stored<SignedStatement>& result, const QString& done);
+  void comment();
+  void change_points();
+  void strike();
+  void take_back();
+
+  Store& store_;
+  Actor actor_;
+  const Ports& ports_;
+  SessionId session_;
+  std::string criterion_;
+  std::optional<Vec3> place_mm_;
+  Band* band_;
+  QPlainTextEdit* text_;
+  QCheckBox* at_place_;
+  QLabel* points_label_ = nullptr;
+  NumberField* points_ = nullptr;
+  QPushButton *change_ = nullptr, *strike_ = nullptr, *confirm_ = nullptr, *release_ = nullptr, *take_back_ = nullptr;
+  QComboBox *events_ = nullptr, *remarks_ = nullptr;
+  QWidget *events_row_ = nullptr, *remarks_row_ = nullptr;
+};
+
+}  // namespace cusp::ui
