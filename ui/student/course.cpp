@@ -100,7 +100,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
       row.last = s.last;
     }
     for (const Assignment& a : *assigned) {
-      if (a.version != row.exercise.version || row.assignment) continue;
+      if (a.kind != SessionKind::practice || a.version != row.exercise.version || row.assignment) continue;
       row.assignment = a.id;
       row.due_utc_us = a.due_utc_us;
       row.attempts_allowed = a.attempts_allowed;
@@ -164,6 +164,7 @@ QVariant CourseModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 QString result_text(const HistoryRow& row) {
+  if (!row.released && row.state == SessionState::finished) return AttemptsModel::tr("Not released");
   if (row.passed) return *row.passed ? AttemptsModel::tr("Passed") : AttemptsModel::tr("Not passed");
   return state_name(row.state);
 }

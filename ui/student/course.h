@@ -80,7 +80,7 @@ class AttemptsModel : public QAbstractTableModel {
   Fetch fetch_;
 };
 
-/// "Passed", "Not passed", "Interrupted" or "Not graded"; and int(Chip::Kind) for the table.
+/// "Passed", "Not passed", "Not released", "Interrupted" or "Not graded"; and int(Chip::Kind) for the table.
 QString result_text(const HistoryRow& row);
 int result_chip(const HistoryRow& row);
 

@@ -62,12 +62,13 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     return;
   }
   course_ = std::move(*course);
+  if (auto assessments = load_assessments(store, account.actor(), now)) assessments_ = std::move(*assessments);
   const int next = course_.next();
   if (next >= 0) next_ = course_.rows[static_cast<std::size_t>(next)];
 
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
-  bool due = false;
+  bool due = !assessments_.empty();
   for (const CourseRow& row : course_.rows) due = due || row.due_utc_us.has_value();
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
@@ -79,7 +80,11 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   side_ = make_side(account);
   columns_->addWidget(side_);
   connect(&pictures_, &ThumbnailCache::ready, this, &StartPage::show_picture);
-  if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
+  QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_;
+  for (const AssessmentCard* card : findChildren<AssessmentCard*>()) {
+    if (card->start_button() != nullptr) first = card->start_button();
+  }
+  if (first != nullptr) setFocusProxy(first);
 }
 
 QWidget* StartPage::make_main(const Account& account) {
@@ -87,6 +92,7 @@ QWidget* StartPage::make_main(const Account& account) {
   auto* column = new QVBoxLayout(main);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(16));
+  make_assessments(*column, account);
   make_interrupted(*column);
   if (next_) {
     column->addWidget(make_next(*next_));
@@ -118,6 +124,14 @@ QWidget* StartPage::make_side(const Account& account) {
   side->addWidget(make_chart());
   side->addStretch();
   return panel;
+}
+
+void StartPage::make_assessments(QBoxLayout& column, const Account& account) {
+  for (const AssignedAssessment& assessment : assessments_) {
+    auto* card = new AssessmentCard(assessment, account.id);
+    connect(card, &AssessmentCard::start_wanted, this, [this, assessment] { Q_EMIT assessment_wanted(assessment); });
+    column.addWidget(card);
+  }
 }
 
 void StartPage::make_interrupted(QBoxLayout& column) {
@@ -169,14 +183,15 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->addSpacing(px(4));
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(12));
-  // One primary button a page: that of an interrupted attempt comes first.
-  start_ = make_large_button(tr("Start"), interrupted_ != nullptr ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
+  // One primary button a page: that of an assessment or an interrupted attempt comes first.
+  const bool assessed = std::ranges::any_of(assessments_, [](const auto& a) { return a.state == AssignedAssessment::State::open; });
+  start_ = make_large_button(tr("Start"), interrupted_ != nullptr || assessed ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
   start_->setMinimumWidth(px(106));
   QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
   acts->addWidget(start_);
   acts->addWidget(briefing);
   // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
-  QLabel* hint = make_label(interrupted_ == nullptr ? tr("Enter starts") : QString(), TextRole::caption, Weight::regular, "text3");
+  QLabel* hint = make_label(interrupted_ == nullptr && !assessed ? tr("Enter starts") : QString(), TextRole::caption, Weight::regular, "text3");
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   hint->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   acts->addWidget(hint, 1);

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <string>
 
+#include "ui/student/assessments.h"
 #include "ui/student/course.h"
 #include "ui/student/thumbnail_cache.h"
 
@@ -31,6 +32,7 @@ class StartPage : public QWidget {
   Table* table() const { return table_; }
 
  Q_SIGNALS:
+  void assessment_wanted(const AssignedAssessment& assessment);
   void start_wanted(const Exercise& exercise);
   void briefing_wanted(const Exercise& exercise);
   void report_wanted(const SessionId& session);
@@ -43,6 +45,7 @@ class StartPage : public QWidget {
 
  private:
   QWidget* make_main(const Account& account);
+  void make_assessments(QBoxLayout& column, const Account& account);
   QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);
@@ -59,6 +62,7 @@ class StartPage : public QWidget {
   ThumbnailCache& pictures_;
   std::string device_class_;
   Course course_;
+  std::vector<AssignedAssessment> assessments_;
   InterruptedCard* interrupted_ = nullptr;
   std::optional<CourseRow> next_;
   QBoxLayout* columns_ = nullptr;

@@ -1,0 +1,103 @@
+// A student's assessments: their state, the start code, and that no result shows before its release.
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/student/assessments.h"
+#include "ui/student/course.h"
+
+namespace cusp::test {
+namespace {
+
+using State = AssignedAssessment::State;
+constexpr std::int64_t kHour = 3'600'000'000;
+
+class Assessments : public testing::Test {
+ protected:
+  Assessments() {
+    lena = records.student("4711", "Lena Brandt");
+    examiner = records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    const Cohort cohort = *records.store().cohorts.create(examiner, "Year 3");
+    EXPECT_TRUE(records.store().cohorts.add(examiner, cohort.id, lena.id));
+    const Scenario scenario = *load_builtin("channel-1");
+    const auto version = records.store().scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+    Assignment a{.version = version->id, .cohort = cohort.id, .kind = SessionKind::assessment};
+    a.opens_utc_us = kMorning;
+    a.due_utc_us = kMorning + kHour;
+    a.attempts_allowed = 1;
+    assignment = *records.store().assignments.create(examiner, a, "4711");
+  }
+  std::vector<AssignedAssessment> at(std::int64_t utc_us) {
+    return *load_assessments(records.store(), lena.actor(), QDateTime::fromMSecsSinceEpoch(utc_us / 1000));
+  }
+  SessionId sit() {
+    NewSession wanted{.student = lena.id, .version = assignment.version, .kind = SessionKind::assessment, .assignment = assignment.id};
+    wanted.start_code = "4711";
+    wanted.header.device.device_class = "pointer";
+    wanted.header.scene = "{}";
+    return records.store().sessions.start(lena.actor(), wanted)->id;
+  }
+
+  DeskRecords records;
+  Account lena;
+  Actor examiner;
+  Assignment assignment;
+};
+
+TEST_F(Assessments, AreLaterThenOpenThenMissed) {
+  EXPECT_EQ(at(kMorning - kHour).at(0).state, State::later);
+  EXPECT_EQ(at(kMorning + 1000).at(0).state, State::open);
+  EXPECT_EQ(at(kMorning + kHour).at(0).state, State::missed);
+}
+
+TEST_F(Assessments, AreInterruptedThenHandedInAndLeaveTheStartPageWithTheirRelease) {
+  const SessionId session = sit();
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  EXPECT_EQ(at(kMorning + 1000).at(0).state, State::running);
+  ASSERT_TRUE(records.store().grades.save(session, sample_grade(80), Hash256{}));
+  EXPECT_EQ(at(kMorning + 1000).at(0).state, State::handed_in);
+  EXPECT_EQ(at(kMorning + 2 * kHour).at(0).state, State::handed_in);
+  const auto row = records.store().history.list(lena.actor())->front();
+  EXPECT_EQ(result_text(row), QStringLiteral("Not released"));
+  ASSERT_TRUE(records.store().statements.release(examiner, session));
+  EXPECT_TRUE(at(kMorning + 1000).empty());
+  EXPECT_EQ(result_text(records.store().history.list(lena.actor())->front()), QStringLiteral("Passed"));
+}
+
+TEST_F(Assessments, OfferTheirStartOnlyWhileOpen) {
+  EXPECT_EQ(AssessmentCard(at(kMorning - kHour)[0], lena.id).start_button(), nullptr);
+  EXPECT_NE(AssessmentCard(at(kMorning + 1000)[0], lena.id).start_button(), nullptr);
+}
+
+TEST_F(Assessments, BeginWithTheStartCodeAlone) {
+  QWidget window;
+  auto* question = new AssessmentStart(records.store(), lena.actor(), at(kMorning + 1000)[0], &window);
+  QSignalSpy admitted(question, &AssessmentStart::admitted);
+  QPushButton* begin = nullptr;
+  for (QPushButton* b : question->findChildren<QPushButton*>())
+    if (b->text() == QStringLiteral("Begin")) begin = b;
+  question->findChild<QLineEdit*>()->setText(QStringLiteral("4712"));
+  begin->click();
+  EXPECT_TRUE(question->findChild<Band*>()->text().contains(QStringLiteral("not the start code")));
+  EXPECT_EQ(admitted.count(), 0);
+  question->findChild<QLineEdit*>()->setText(QStringLiteral(" 4711 "));
+  begin->click();
+  ASSERT_EQ(admitted.count(), 1);
+  EXPECT_EQ(admitted[0][0].toString(), QStringLiteral("4711"));
+}
+
+TEST_F(Assessments, AnAssignedAssessmentIsNoPracticeOfTheCourse) {
+  const Course course = *load_course(records.store(), lena.actor());
+  ASSERT_FALSE(course.rows.empty());
+  for (const CourseRow& row : course.rows) EXPECT_FALSE(row.assignment);
+}
+
+}  // namespace
+}  // namespace cusp::test

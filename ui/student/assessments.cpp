@@ -1,0 +1,188 @@
+#include "ui/student/assessments.h"
+
+#include <QBoxLayout>
+#include <QDateTime>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <algorithm>
+
+#include "scenarios/format/read.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
+
+namespace cusp::ui {
+namespace {
+
+using State = AssignedAssessment::State;
+
+State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std::int64_t now_us) {
+  const auto broken_off = [](const HistoryRow& row) {
+    return row.state == SessionState::interrupted || row.state == SessionState::running;
+  };
+  if (std::ranges::any_of(attempts, broken_off)) return State::running;
+  if (a.due_utc_us && now_us >= *a.due_utc_us) return attempts.empty() ? State::missed : State::handed_in;
+  if (a.attempts_allowed && static_cast<int>(attempts.size()) >= *a.attempts_allowed) return State::handed_in;
+  return a.opens_utc_us && now_us < *a.opens_utc_us ? State::later : State::open;
+}
+
+QString state_text(const AssignedAssessment& a) {
+  const auto day = [](std::int64_t us) { return format_day_time(local_time(us)); };
+  switch (a.state) {
+    case State::later: return AssessmentCard::tr("Opens %1").arg(day(*a.assignment.opens_utc_us));
+    case State::open:
+      return a.assignment.due_utc_us ? AssessmentCard::tr("Open until %1").arg(day(*a.assignment.due_utc_us))
+                                     : AssessmentCard::tr("Open");
+    case State::running: return AssessmentCard::tr("Interrupted: continue it below");
+    case State::handed_in: return AssessmentCard::tr("Handed in: the result is not released yet");
+    case State::missed: return AssessmentCard::tr("The time is over");
+  }
+  return {};
+}
+
+Chip::Kind state_kind(State state) {
+  return state == State::open || state == State::running ? Chip::Kind::look
+         : state == State::handed_in                     ? Chip::Kind::good
+                                                         : Chip::Kind::plain;
+}
+
+QString attempts_text(const AssignedAssessment& a) {
+  return a.assignment.attempts_allowed
+             ? AssessmentCard::tr("%1 of %2 attempts used").arg(a.attempts).arg(*a.assignment.attempts_allowed)
+             : AssessmentCard::tr("%n attempt(s) so far", nullptr, a.attempts);
+}
+
+QLabel* quiet(const QString& text) {
+  QLabel* label = make_label(text, TextRole::body, Weight::regular, "text2");
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+QString time_limit_text(const Scenario& scenario) {
+  if (scenario.time_limit_s <= 0) return {};
+  return AssessmentCard::tr("%1 min").arg(format_clock(scenario.time_limit_s));
+}
+
+Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now) {
+  const auto assigned = store.assignments.for_student(student.id);
+  if (!assigned) return std::unexpected(assigned.error());
+  std::vector<AssignedAssessment> out;
+  for (const Assignment& a : *assigned) {
+    if (a.kind != SessionKind::assessment) continue;
+    const auto attempts = store.history.of_assignment(student, a.id);
+    if (!attempts) return std::unexpected(attempts.error());
+    const auto version = store.scenarios.version(a.version);
+    if (!version) continue;
+    auto scenario = read_scenario(version->json);
+    if (!scenario) continue;
+    AssignedAssessment one{a, {std::move(*scenario), version->id, version->number, version->files},
+                           static_cast<int>(attempts->size())};
+    one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000);
+    const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
+    if (one.state == State::handed_in && every_released) continue;  // it stands among the results
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWidget* parent)
+    : Card(tr("Assessment"), tr("Candidate %1").arg(QString::fromStdString(candidate_number(a.assignment.id, student))), parent) {
+  setAccessibleName(tr("Assessment: %1").arg(local(a.exercise.scenario.title)));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(12));
+  auto* text = new QVBoxLayout;
+  text->setSpacing(px(4));
+  QLabel* title = make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold);
+  title->setWordWrap(true);
+  text->addWidget(title);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(px(8));
+  line->addWidget(new Chip(state_text(a), state_kind(a.state)));
+  line->addStretch();
+  text->addLayout(line);
+  QStringList facts = {attempts_text(a)};
+  if (const QString limit = time_limit_text(a.exercise.scenario); !limit.isEmpty()) facts += tr("time limit %1").arg(limit);
+  text->addWidget(quiet(facts.join(u" · "_qs)));
+  row->addLayout(text, 1);
+  if (a.state == State::open) {
+    start_ = make_large_button(tr("Start assessment"), ButtonKind::primary, u"play"_qs);
+    row->addWidget(start_, 0, Qt::AlignBottom);
+    connect(start_, &QPushButton::clicked, this, &AssessmentCard::start_wanted);
+  }
+  body()->addLayout(row);
+}
+
+AssessmentStart::AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& a, QWidget* parent)
+    : QDialog(parent), store_(store), student_(student), assessment_(a) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Start assessment"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(24), px(24), px(24), px(24));
+  column->setSpacing(px(12));
+  band_ = new Band;
+  column->addWidget(band_);
+  column->addWidget(make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold));
+  const QString candidate = QString::fromStdString(candidate_number(a.assignment.id, student.id));
+  column->addWidget(quiet(tr("You are candidate %1. Your name is not shown to who marks.").arg(candidate)));
+  const QString limit = time_limit_text(a.exercise.scenario);
+  column->addWidget(quiet(limit.isEmpty() ? tr("There is no time limit.")
+                                          : tr("You have %1. The clock starts with the tooth; a device fault stops it.").arg(limit)));
+  column->addWidget(quiet(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));
+  code_ = new QLineEdit;
+  column->addWidget(labelled(tr("Start code, from the invigilator"), code_));
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  QPushButton* cancel = make_button(tr("Cancel"));
+  QPushButton* begin = make_button(tr("Begin"), ButtonKind::primary);
+  begin->setDefault(true);
+  row->addWidget(cancel);
+  row->addWidget(begin);
+  column->addLayout(row);
+  setMinimumWidth(px(420));
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(begin, &QPushButton::clicked, this, &AssessmentStart::submit);
+  code_->setFocus();
+}
+
+void AssessmentStart::submit() {
+  NewSession wanted;
+  wanted.student = student_.id;
+  wanted.version = assessment_.assignment.version;
+  wanted.assignment = assessment_.assignment.id;
+  wanted.start_code = code_->text().trimmed().toStdString();
+  const auto allowed = store_.sessions.admit(student_, wanted);
+  if (!allowed) {
+    const Message message = describe(allowed.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
+    resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+    code_->selectAll();
+    code_->setFocus();
+    return;
+  }
+  const QString code = code_->text().trimmed();
+  accept();
+  Q_EMIT admitted(code);
+}
+
+HandedIn::HandedIn(const QString& candidate, QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Handed in"));
+  auto* column = new QVBoxLayout(this);
+  column->addStretch();
+  auto* state = new EmptyState(u"check"_qs, tr("Handed in"),
+                               tr("The preparation of candidate %1 is kept. The result is shown when your examiner releases it.").arg(candidate),
+                               tr("Next candidate"), Ink::good);
+  column->addWidget(state);
+  QPushButton* home = make_button(tr("To the start page"), ButtonKind::quiet);
+  column->addWidget(home, 0, Qt::AlignCenter);
+  column->addStretch();
+  connect(state, &EmptyState::acted, this, &HandedIn::next_wanted);
+  connect(home, &QPushButton::clicked, this, &HandedIn::start_wanted);
+  setFocusProxy(state->button());
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,83 @@
+/// A student's assessments: which are assigned, in what state, and the question before one begins. Thread: GUI.
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "ui/student/exercises.h"
+#include "ui/widgets/parts.h"
+
+class QLineEdit;
+class QPushButton;
+
+namespace cusp::ui {
+
+struct AssignedAssessment {
+  enum class State : std::uint8_t {
+    later,      // opens at a later moment
+    open,       // may begin now
+    running,    // an attempt was interrupted and may be continued
+    handed_in,  // no attempt is left, or the time is over after one; its result is withheld
+    missed,     // the time is over without an attempt
+  };
+  Assignment assignment;
+  Exercise exercise;  // in the assigned version
+  int attempts = 0;
+  State state = State::open;
+};
+
+/// Assessments of the student's cohorts, by due date, without those whose every result is released. One whose version cannot
+/// be read is left out.
+Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now);
+
+/// One assessment on the start page.
+class AssessmentCard : public Card {
+  Q_OBJECT
+
+ public:
+  AssessmentCard(const AssignedAssessment& assessment, UserId student, QWidget* parent = nullptr);
+  /// Null unless it may begin now.
+  QPushButton* start_button() const { return start_; }
+
+ Q_SIGNALS:
+  void start_wanted();
+
+ private:
+  QPushButton* start_ = nullptr;
+};
+
+/// Asks for the invigilator's start code; accepted once the records admit it.
+class AssessmentStart : public QDialog {
+  Q_OBJECT
+
+ public:
+  AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& assessment, QWidget* parent);
+
+ Q_SIGNALS:
+  void admitted(const QString& start_code);
+
+ private:
+  void submit();
+  Store& store_;
+  Actor student_;
+  AssignedAssessment assessment_;
+  class Band* band_;
+  QLineEdit* code_;
+};
+
+/// What follows a finished assessment: nothing of the result.
+class HandedIn : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HandedIn(const QString& candidate, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void next_wanted();   // the next candidate: this one is signed out
+  void start_wanted();  // the start page
+};
+
+/// "30 min", or an empty text without a limit.
+QString time_limit_text(const Scenario& scenario);
+
+}  // namespace cusp::ui
