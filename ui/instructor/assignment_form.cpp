@@ -5,7 +5,9 @@
 #include <QDateTimeEdit>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSpinBox>
 #include <algorithm>
 
@@ -18,6 +20,7 @@ namespace {
 constexpr int kBetween = 4;          // px at 100 %
 constexpr int kUsualDays = 14;       // until an assignment is due
 constexpr int kMostAttempts = 99;
+constexpr int kCodeDigits = 6;
 
 }  // namespace
 
@@ -30,6 +33,8 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   exercise_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   for (const Exercise& exercise : exercises_) exercise_->addItem(local(exercise.scenario.title));
   add_field(*form, tr("Exercise"), exercise_);
+  kind_ = new Segments({tr("Practice"), tr("Assessment")});
+  add_field(*form, tr("Kind"), kind_, kBetween);
   const QDateTime day(now.date(), QTime(8, 0));
   opens_ = add_moment(*form, tr("Open from"), day);
   due_ = add_moment(*form, tr("Due"), QDateTime(now.date().addDays(kUsualDays), QTime(18, 0)));
@@ -38,6 +43,14 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   attempts_->setRange(0, kMostAttempts);
   attempts_->setSpecialValueText(tr("any number"));
   add_field(*form, tr("Attempts"), attempts_, kBetween);
+  code_ = new QLineEdit;
+  code_->setMaxLength(static_cast<int>(kMostStartCode));
+  code_->setToolTip(tr("The invigilator says it when the assessment begins"));
+  code_row_ = labelled(tr("Start code"), code_);
+  body()->addWidget(code_row_);
+  connect(kind_, &Segments::changed, this, [this] { choose_kind(kind_->chosen() == 1 ? SessionKind::assessment : SessionKind::practice); });
+  draw_start_code();
+  choose_kind(SessionKind::practice);
   body()->addSpacing(px(8));
   act_ = make_button(tr("Assign"), ButtonKind::primary);
   body()->addWidget(act_);
@@ -68,12 +81,29 @@ void AssignmentForm::choose_due(const QDateTime& due) {
   due_.when->setDateTime(due);
 }
 
+void AssignmentForm::choose_kind(SessionKind kind) {
+  const bool assessment = kind == SessionKind::assessment;
+  kind_->choose(assessment ? 1 : 0);
+  code_row_->setVisible(assessment);
+  // A single attempt is usual in an assessment, any number in practice.
+  attempts_->setValue(assessment ? 1 : 0);
+}
+
+void AssignmentForm::draw_start_code() {
+  QString code;
+  for (int i = 0; i < kCodeDigits; ++i) code += QString::number(QRandomGenerator::system()->bounded(10));
+  code_->setText(code);
+}
+
 AssignmentForm::Wish AssignmentForm::wish() const {
   Wish out;
   out.exercise = exercises_[static_cast<std::size_t>(std::max(0, exercise_->currentIndex()))];
   if (opens_.on->isChecked()) out.opens = opens_.when->dateTime();
   if (due_.on->isChecked()) out.due = due_.when->dateTime();
   if (attempts_->value() > 0) out.attempts = attempts_->value();
+  if (kind_->chosen() != 1) return out;
+  out.kind = SessionKind::assessment;
+  out.start_code = code_->text().trimmed();
   return out;
 }
 

@@ -1,4 +1,4 @@
-/// Assigns an exercise to a cohort: which one, from when, until when, how many attempts. Thread: GUI.
+/// Assigns an exercise to a cohort: which one, as practice or assessment, from when, until when, how many attempts. Thread: GUI.
 #pragma once
 
 #include <QDateTime>
@@ -11,6 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QDateTimeEdit;
+class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
@@ -25,12 +26,17 @@ class AssignmentForm : public Card {
     Exercise exercise;
     std::optional<QDateTime> opens, due;  // local time
     std::optional<int> attempts;          // none = any number
+    SessionKind kind = SessionKind::practice;  // or assessment
+    QString start_code;                        // of an assessment
   };
 
   /// `now`: from which usual dates are counted.
   AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent = nullptr);
   void choose_exercise(const ScenarioId& id);
   void choose_due(const QDateTime& due);
+  void choose_kind(SessionKind kind);
+  /// Another code for the next assessment.
+  void draw_start_code();
   Wish wish() const;
   QPushButton* act() const { return act_; }
 
@@ -46,6 +52,9 @@ class AssignmentForm : public Card {
 
   std::vector<Exercise> exercises_;
   QComboBox* exercise_;
+  Segments* kind_;
+  QLineEdit* code_;
+  QWidget* code_row_;
   Moment opens_, due_;
   QSpinBox* attempts_;
   QPushButton* act_;

@@ -90,6 +90,7 @@ QVariant AssignmentsModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kExercise: return local(row.title);
+    case kKind: return kind_name(row.assignment.kind);
     case kOpens: return moment(row.assignment.opens_utc_us);
     case kDue: return moment(row.assignment.due_utc_us);
     case kAttempts:
@@ -103,6 +104,7 @@ QVariant AssignmentsModel::headerData(int section, Qt::Orientation orientation, 
   if (!is_title(orientation, role)) return {};
   switch (section) {
     case kExercise: return tr("Exercise");
+    case kKind: return tr("Kind");
     case kOpens: return tr("From");
     case kDue: return tr("Due");
     case kAttempts: return tr("Attempts");

@@ -55,13 +55,14 @@ class AssignmentsModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kExercise, kOpens, kDue, kAttempts, kColumns };
+  enum Column { kExercise, kKind, kOpens, kDue, kAttempts, kColumns };
   explicit AssignmentsModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void set_rows(std::vector<AssignmentRow> rows);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  const AssignmentRow& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
 
  private:
   std::vector<AssignmentRow> rows_;

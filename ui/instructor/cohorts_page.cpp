@@ -117,13 +117,37 @@ QWidget* CohortsPage::make_students() {
 }
 
 QWidget* CohortsPage::make_assignments() {
-  assignments_card_ = new Card(tr("Assigned exercises"));
-  auto* table = new Table;
-  table->setAccessibleName(tr("Assigned exercises"));
-  table->setModel(assignments_);
-  table->set_stretch_column(AssignmentsModel::kExercise);
-  assignments_card_->body()->addWidget(table);
+  assignments_card_ = new Card(tr("Assigned exercises"), QStringLiteral(" "));
+  assigned_ = new Table;
+  assigned_->setAccessibleName(tr("Assigned exercises"));
+  assigned_->setModel(assignments_);
+  assigned_->set_stretch_column(AssignmentsModel::kExercise);
+  assignments_card_->body()->addWidget(assigned_);
+  results_ = make_button(tr("Results"), ButtonKind::standard, u"chart"_qs);
+  auto* row = new QHBoxLayout;
+  row->addWidget(results_);
+  row->addStretch();
+  assignments_card_->body()->addLayout(row);
+  const auto open = [this] {
+    if (assigned_->chosen_row() >= 0) Q_EMIT results_wanted(assignments_->row(assigned_->chosen_row()).assignment.id);
+  };
+  connect(results_, &QPushButton::clicked, this, open);
+  connect(assigned_, &Table::row_opened, this, open);
+  connect(assigned_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &CohortsPage::fit_assignment);
+  connect(assignments_, &QAbstractItemModel::modelReset, this, &CohortsPage::fit_assignment);
+  fit_assignment();
   return assignments_card_;
+}
+
+/// The chosen assignment's start code, for who invigilates.
+void CohortsPage::fit_assignment() {
+  const int row = assigned_->chosen_row();
+  results_->setEnabled(row >= 0 && may(actor_.role, Action::see_all_results));
+  QString code;
+  if (row >= 0 && may(actor_.role, Action::assign)) {
+    if (const auto known = store_.assignments.start_code(actor_, assignments_->row(row).assignment.id)) code = QString::fromStdString(*known);
+  }
+  assignments_card_->set_aside(code.isEmpty() ? QString() : tr("Start code %1").arg(code));
 }
 
 void CohortsPage::show_failure(const StorageFailure& failure) {
@@ -176,7 +200,9 @@ void CohortsPage::show_assignments() {
     const auto version = store_.scenarios.version(assignment.version);
     rows.push_back({assignment, version ? version->title : LocalText{}});
   }
+  const bool any_opens = std::ranges::any_of(rows, [](const AssignmentRow& row) { return row.assignment.opens_utc_us.has_value(); });
   assignments_->set_rows(std::move(rows));
+  assigned_->setColumnHidden(AssignmentsModel::kOpens, !any_opens);
 }
 
 void CohortsPage::make_cohort(const QString& name) {
@@ -267,8 +293,15 @@ void CohortsPage::assign() {
   fresh.opens_utc_us = utc_us(wish.opens);
   fresh.due_utc_us = utc_us(wish.due);
   fresh.attempts_allowed = wish.attempts;
-  if (const auto made = store_.assignments.create(actor_, fresh); !made) return show_failure(made.error());
+  fresh.kind = wish.kind;
+  if (const auto made = store_.assignments.create(actor_, fresh, wish.start_code.toStdString()); !made) return show_failure(made.error());
   show_assignments();
+  if (wish.kind == SessionKind::assessment) {
+    form_->draw_start_code();
+    band_->show_message(Band::Kind::good, tr("%1 is assigned to %2.").arg(local(wish.exercise.scenario.title), QString::fromStdString(cohort->name)),
+                        tr("The start code is %1.").arg(wish.start_code));
+    return;
+  }
   band_->show_message(Band::Kind::good, tr("%1 is assigned to %2.").arg(local(wish.exercise.scenario.title), QString::fromStdString(cohort->name)),
                       tr("It stands on the start page of its students."));
 }

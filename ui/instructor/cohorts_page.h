@@ -36,6 +36,10 @@ class CohortsPage : public QWidget {
   void remove_chosen_student();
   void assign();
 
+ Q_SIGNALS:
+  /// The attempts of an assignment.
+  void results_wanted(AssignmentId assignment);
+
  private:
   QWidget* make_list();
   QWidget* make_students();
@@ -43,6 +47,7 @@ class CohortsPage : public QWidget {
   void read();
   void show_chosen();
   void show_assignments();
+  void fit_assignment();
   /// Nullopt, and a message, where nothing is chosen.
   std::optional<Cohort> chosen();
   void show_failure(const StorageFailure& failure);
@@ -54,10 +59,10 @@ class CohortsPage : public QWidget {
   CohortStudentsModel* students_;
   AssignmentsModel* assignments_;
   Band* band_ = nullptr;
-  Table *list_ = nullptr, *table_ = nullptr;
+  Table *list_ = nullptr, *table_ = nullptr, *assigned_ = nullptr;
   QLineEdit* name_ = nullptr;
   QPlainTextEdit* numbers_ = nullptr;
-  QPushButton *add_ = nullptr, *remove_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr, *results_ = nullptr;
   Card *students_card_ = nullptr, *assignments_card_ = nullptr;
   AssignmentForm* form_ = nullptr;
 };

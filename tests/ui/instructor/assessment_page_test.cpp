@@ -1,0 +1,98 @@
+// The candidates of an assessment: without names, their results, and their release.
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/instructor/assessment_page.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+class Candidates : public testing::Test {
+ protected:
+  Candidates() {
+    lena = records.student("4711", "Lena Brandt");
+    omar = records.student("4712", "Omar Said");
+    ida = records.student("4713", "Ida Berg");
+    examiner = records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    const Cohort cohort = *records.store().cohorts.create(examiner, "Year 3");
+    for (const Account& student : {lena, omar, ida}) EXPECT_TRUE(records.store().cohorts.add(examiner, cohort.id, student.id));
+    const Scenario scenario = *load_builtin("channel-1");
+    const auto version = records.store().scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+    assignment = *records.store().assignments.create(
+        examiner, {.version = version->id, .cohort = cohort.id, .kind = SessionKind::assessment}, "4711");
+    passed = sit(lena, 80);
+    failed = sit(omar, 40);
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked = question.what;
+      then(true);
+    };
+  }
+  SessionId sit(const Account& student, double score) {
+    NewSession wanted{.student = student.id, .version = assignment.version, .kind = SessionKind::assessment, .assignment = assignment.id};
+    wanted.start_code = "4711";
+    wanted.header.device.device_class = "pointer";
+    wanted.header.scene = "{}";
+    const SessionId id = records.store().sessions.start(student.actor(), wanted)->id;
+    EXPECT_TRUE(records.store().sessions.interrupt(id, "left"));
+    EXPECT_TRUE(records.store().grades.save(id, sample_grade(score), Hash256{}));
+    return id;
+  }
+  const CandidateRow& row_of(const AssessmentPage& page, const Account& student) {
+    int at = 0;
+    for (int i = 0; i < page.model().rowCount(); ++i)
+      if (page.model().row(i).student == student.id) at = i;
+    return page.model().row(at);
+  }
+  bool released(SessionId session) { return records.store().history.details(examiner, session)->row.released; }
+
+  DeskRecords records;
+  Account lena, omar, ida;
+  Actor examiner;
+  Assignment assignment;
+  SessionId passed, failed;
+  Ports ports;
+  QString asked;
+};
+
+TEST_F(Candidates, AreListedByNumberWithoutNamesAndWhoHasNotBegunToo) {
+  const AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  ASSERT_EQ(page.model().rowCount(), 3);
+  EXPECT_TRUE(page.table()->isColumnHidden(CandidatesModel::kName));
+  EXPECT_FALSE(row_of(page, ida).attempt);
+  EXPECT_EQ(row_of(page, lena).candidate.toStdString(), candidate_number(assignment.id, lena.id));
+  for (int i = 0; i + 1 < 3; ++i) EXPECT_LT(page.model().row(i).candidate, page.model().row(i + 1).candidate);
+}
+
+TEST_F(Candidates, ReceiveTheirResultsTogetherButForUnconfirmedFails) {
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  page.release_all();
+  EXPECT_TRUE(asked.contains(QStringLiteral("1")));
+  EXPECT_TRUE(released(passed));
+  EXPECT_FALSE(released(failed));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("wait"))) << page.message().toStdString();
+  ASSERT_TRUE(records.store().statements.confirm(examiner, failed));
+  AssessmentPage again(records.store(), examiner, assignment.id, ports);
+  again.release_all();
+  EXPECT_TRUE(released(failed));
+}
+
+TEST_F(Candidates, OpenTheirReport) {
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  QSignalSpy opened(&page, &AssessmentPage::report_wanted);
+  for (int i = 0; i < 3; ++i) {
+    page.table()->choose_row(i);
+    Q_EMIT page.table()->row_opened(page.model().index(i, 0));
+  }
+  EXPECT_EQ(opened.count(), 2) << "who has not begun has no report";
+}
+
+}  // namespace
+}  // namespace cusp::test

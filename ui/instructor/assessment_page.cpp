@@ -1,0 +1,224 @@
+#include "ui/instructor/assessment_page.h"
+
+#include <QBoxLayout>
+#include <QKeySequence>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "ui/student/course.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::ui {
+namespace {
+
+bool may_be_released(const CandidateRow& row) {
+  return row.attempt && !row.attempt->released && row.grade && !row.grade->needs_confirmation();
+}
+
+bool waits_for_confirmation(const CandidateRow& row) {
+  return row.attempt && !row.attempt->released && row.grade && row.grade->needs_confirmation();
+}
+
+QString marked_text(const CandidateRow& row) {
+  if (!row.grade) return {};
+  if (row.grade->needs_confirmation()) return CandidatesModel::tr("to be confirmed");
+  if (row.grade->confirmation) return CandidatesModel::tr("confirmed");
+  return row.grade->overrides.empty() ? CandidatesModel::tr("by the program") : CandidatesModel::tr("changed");
+}
+
+}  // namespace
+
+void CandidatesModel::set_rows(std::vector<CandidateRow> rows) {
+  beginResetModel();
+  rows_ = std::move(rows);
+  endResetModel();
+}
+
+int CandidatesModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int CandidatesModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
+  const CandidateRow& r = row(index.row());
+  const int column = index.column();
+  if (role == BoldRole) return column == kCandidate;
+  if (role == Qt::TextAlignmentRole && column == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  if (role == IconRole && column == kOpen && r.attempt) return u"chevron_right"_qs;
+  if (role == Qt::AccessibleTextRole && column == kOpen) return r.attempt ? tr("Report") : QString();
+  if (role == QuietRole) return !r.attempt && column != kCandidate;
+  if (role == ChipRole && column == kResult && r.attempt) return result_chip(*r.attempt);
+  if (role == ChipRole && column == kMarked && r.grade && r.grade->needs_confirmation()) return static_cast<int>(Chip::Kind::look);
+  if (role != Qt::DisplayRole) return {};
+  switch (column) {
+    case kCandidate: return r.candidate;
+    case kName: return r.name;
+    case kDate: return r.attempt ? format_day_time(local_time(r.attempt->started_utc_us)) : tr("not begun");
+    case kScore: return r.attempt && r.attempt->score ? format_points(*r.attempt->score) : QString();
+    case kResult: return r.attempt ? result_text(*r.attempt) : QString();
+    case kMarked: return marked_text(r);
+    case kReleased: return !r.attempt || !r.grade ? QString() : r.attempt->released ? tr("yes") : tr("no");
+    default: return {};
+  }
+}
+
+QVariant CandidatesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole && section == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kCandidate: return tr("Candidate");
+    case kName: return tr("Name");
+    case kDate: return tr("Begun");
+    case kScore: return tr("Points");
+    case kResult: return tr("Result");
+    case kMarked: return tr("Marked");
+    case kReleased: return tr("Released");
+    default: return {};
+  }
+}
+
+AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId assignment, const Ports& ports, QWidget* parent)
+    : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new CandidatesModel(this)) {
+  setProperty("kind", u"page"_qs);
+  setAttribute(Qt::WA_StyledBackground);
+  setAccessibleName(tr("Results of an assignment"));
+  QString title, aside;
+  if (const auto found = store.assignments.find(assignment)) {
+    assignment_ = *found;
+    if (const auto version = store.scenarios.version(found->version)) title = local(version->title);
+    aside = kind_name(found->kind);
+    if (const auto cohorts = store.cohorts.list()) {
+      const auto cohort = std::ranges::find(*cohorts, found->cohort, &Cohort::id);
+      if (cohort != cohorts->end()) aside += u" · "_qs + QString::fromStdString(cohort->name);
+    }
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(make_bar(title, aside));
+  QVBoxLayout* body = nullptr;
+  column->addWidget(make_scroll_page(&body), 1);
+  band_ = new Band;
+  body->addWidget(band_);
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  table_ = new Table;
+  table_->setAccessibleName(tr("Candidates"));
+  table_->setModel(model_);
+  table_->set_stretch_column(CandidatesModel::kMarked);
+  table_->set_rows_shown(16);
+  card->body()->addWidget(table_);
+  body->addWidget(card);
+  body->addStretch();
+  connect(table_, &Table::row_opened, this, &AssessmentPage::open_chosen);
+  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& at) {
+    if (at.column() == CandidatesModel::kOpen) open_chosen();
+  });
+  read();
+  setFocusProxy(table_);
+}
+
+QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
+  auto* bar = new QFrame;
+  bar->setProperty("kind", u"bar_top"_qs);
+  bar->setFixedHeight(px(48));
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(px(12), 0, px(12), 0);
+  row->setSpacing(px(8));
+  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
+  connect(leave, &QPushButton::clicked, this, &AssessmentPage::back_wanted);
+  row->addWidget(leave);
+  row->addWidget(make_label(title, TextRole::section, Weight::bold));
+  row->addWidget(make_label(aside, TextRole::body, Weight::regular, "text2"), 1);
+  // An assessment is marked without names.
+  names_ = make_button(tr("Show names"), ButtonKind::quiet, u"person"_qs);
+  names_->setCheckable(true);
+  names_->setChecked(assignment_.kind == SessionKind::practice);
+  names_->setVisible(assignment_.kind == SessionKind::assessment);
+  connect(names_, &QPushButton::toggled, this, [this](bool on) { table_->setColumnHidden(CandidatesModel::kName, !on); });
+  row->addWidget(names_);
+  release_ = make_button(tr("Release results"), ButtonKind::primary, u"eye"_qs);
+  release_->setVisible(assignment_.kind == SessionKind::assessment && may(actor_.role, Action::assign));
+  connect(release_, &QPushButton::clicked, this, &AssessmentPage::release_all);
+  row->addWidget(release_);
+  return bar;
+}
+
+QString AssessmentPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+
+void AssessmentPage::show_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
+}
+
+void AssessmentPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  read();
+}
+
+void AssessmentPage::read() {
+  const auto attempts = store_.history.of_assignment(actor_, assignment_.id);
+  if (!attempts) return show_failure(attempts.error());
+  const auto students = store_.cohorts.students(assignment_.cohort);
+  if (!students) return show_failure(students.error());
+  const int chosen = table_->chosen_row();
+  std::vector<CandidateRow> rows;
+  const auto add = [&](UserId student, const HistoryRow* attempt) {
+    CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, {}, {}};
+    if (attempt != nullptr) {
+      row.attempt = *attempt;
+      if (const auto details = store_.history.details(actor_, attempt->session)) row.grade = details->grade;
+    }
+    if (const auto account = store_.accounts.find(student)) row.name = QString::fromStdString(account->name);
+    rows.push_back(std::move(row));
+  };
+  for (const HistoryRow& attempt : *attempts) add(attempt.student, &attempt);
+  for (const UserId student : *students) {
+    if (std::ranges::find(*attempts, student, &HistoryRow::student) == attempts->end()) add(student, nullptr);
+  }
+  std::ranges::stable_sort(rows, {}, &CandidateRow::candidate);
+  release_->setEnabled(std::ranges::any_of(rows, may_be_released));
+  model_->set_rows(std::move(rows));
+  table_->setColumnHidden(CandidatesModel::kName, !names_->isChecked());
+  table_->choose_row(std::max(chosen, 0));
+}
+
+void AssessmentPage::open_chosen() {
+  const int row = table_->chosen_row();
+  if (row >= 0 && model_->row(row).attempt) Q_EMIT report_wanted(model_->row(row).attempt->session);
+}
+
+void AssessmentPage::release_all() {
+  int ready = 0;
+  for (int i = 0; i < model_->rowCount(); ++i) ready += may_be_released(model_->row(i)) ? 1 : 0;
+  ports_.ask(this,
+             {tr("Release %n result(s)?", nullptr, ready),
+              tr("Their students can then read points, criteria and remarks. Failed results that nobody has confirmed stay withheld."),
+              tr("Release")},
+             [this](bool yes) {
+               if (yes) release_now();
+             });
+}
+
+void AssessmentPage::release_now() {
+  int released = 0, waiting = 0;
+  for (int i = 0; i < model_->rowCount(); ++i) {
+    const CandidateRow& row = model_->row(i);
+    waiting += waits_for_confirmation(row) ? 1 : 0;
+    if (!may_be_released(row)) continue;
+    if (const auto done = store_.statements.release(actor_, row.attempt->session); !done) {
+      show_failure(done.error());
+      return read();
+    }
+    ++released;
+  }
+  read();
+  band_->show_message(waiting > 0 ? Band::Kind::look : Band::Kind::good, tr("%n result(s) released.", nullptr, released),
+                      waiting > 0 ? tr("%n failed result(s) wait for confirmation.", nullptr, waiting) : QString());
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,81 @@
+/// The attempts of one assignment, by candidate: state, result, confirmation, release. Thread: GUI.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "storage/store.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
+
+class QPushButton;
+
+namespace cusp::ui {
+
+class Band;
+class Table;
+
+/// A candidate's attempt; without `attempt` the student has begun none.
+struct CandidateRow {
+  UserId student;
+  QString candidate, name;
+  std::optional<HistoryRow> attempt;
+  std::optional<EffectiveGrade> grade;
+};
+
+class CandidatesModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kCandidate, kName, kDate, kScore, kResult, kMarked, kReleased, kOpen, kColumns };
+  explicit CandidatesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+  void set_rows(std::vector<CandidateRow> rows);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  const CandidateRow& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+
+ private:
+  std::vector<CandidateRow> rows_;
+};
+
+class AssessmentPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  AssessmentPage(Store& store, const Actor& actor, AssignmentId assignment, const Ports& ports, QWidget* parent = nullptr);
+  const CandidatesModel& model() const { return *model_; }
+  Table* table() const { return table_; }
+  QString message() const;
+  /// Releases every graded result that needs no confirmation; asks first.
+  void release_all();
+
+ Q_SIGNALS:
+  void back_wanted();
+  void report_wanted(const SessionId& session);
+
+ protected:
+  /// What was marked meanwhile shows.
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* make_bar(const QString& title, const QString& aside);
+  void read();
+  void open_chosen();
+  void release_now();
+  void show_failure(const StorageFailure& failure);
+
+  Store& store_;
+  Actor actor_;
+  const Ports& ports_;
+  Assignment assignment_;
+  CandidatesModel* model_;
+  Band* band_ = nullptr;
+  Table* table_ = nullptr;
+  QPushButton *names_ = nullptr, *release_ = nullptr;
+};
+
+}  // namespace cusp::ui
