@@ -13,6 +13,155 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::AssessmentCard</name>
+    <message>
+        <source>Opens %1</source>
+        <translation>Öffnet %1</translation>
+    </message>
+    <message>
+        <source>Open until %1</source>
+        <translation>Offen bis %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Interrupted: continue it below</source>
+        <translation>Abgebrochen: unten fortsetzen</translation>
+    </message>
+    <message>
+        <source>Handed in: the result is not released yet</source>
+        <translation>Abgegeben: das Ergebnis ist noch nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>The time is over</source>
+        <translation>Die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts used</source>
+        <translation>%1 von %2 Versuchen verbraucht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) so far</source>
+        <translation>
+            <numerusform>bisher %n Versuch</numerusform>
+            <numerusform>bisher %n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Assessment</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>Kandidat %1</translation>
+    </message>
+    <message>
+        <source>Assessment: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message>
+        <source>time limit %1</source>
+        <translation>Zeit: %1</translation>
+    </message>
+    <message>
+        <source>Start assessment</source>
+        <translation>Prüfung beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::AssessmentPage</name>
+    <message>
+        <source>Results of an assignment</source>
+        <translation>Ergebnisse einer Zuweisung</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Show names</source>
+        <translation>Namen zeigen</translation>
+    </message>
+    <message>
+        <source>Release results</source>
+        <translation>Ergebnisse freigeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Release %n result(s)?</source>
+        <translation>
+            <numerusform>%n Ergebnis freigeben?</numerusform>
+            <numerusform>%n Ergebnisse freigeben?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their students can then read points, criteria and remarks. Failed results that nobody has confirmed stay withheld.</source>
+        <translation>Ihre Studierenden können dann Punkte, Kriterien und Bemerkungen lesen. Nicht bestandene Ergebnisse, die niemand bestätigt hat, bleiben zurückgehalten.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) released.</source>
+        <translation>
+            <numerusform>%n Ergebnis freigegeben.</numerusform>
+            <numerusform>%n Ergebnisse freigegeben.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n failed result(s) wait for confirmation.</source>
+        <translation>
+            <numerusform>%n nicht bestandenes Ergebnis wartet auf Bestätigung.</numerusform>
+            <numerusform>%n nicht bestandene Ergebnisse warten auf Bestätigung.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::AssessmentStart</name>
+    <message>
+        <source>Start assessment</source>
+        <translation>Prüfung beginnen</translation>
+    </message>
+    <message>
+        <source>You are candidate %1. Your name is not shown to who marks.</source>
+        <translation>Sie sind Kandidat %1. Wer bewertet, sieht Ihren Namen nicht.</translation>
+    </message>
+    <message>
+        <source>There is no time limit.</source>
+        <translation>Es gibt keine Zeitgrenze.</translation>
+    </message>
+    <message>
+        <source>You have %1. The clock starts with the tooth; a device fault stops it.</source>
+        <translation>Sie haben %1. Die Uhr beginnt mit dem Zahn; eine Störung des Geräts hält sie an.</translation>
+    </message>
+    <message>
+        <source>Start code, from the invigilator</source>
+        <translation>Startcode, von der Aufsicht</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.</source>
+        <translation>Tiefe, Punkte und Hinweise werden nicht gezeigt, auf einem Zahn auch nicht das Ziel. Das Ergebnis kommt, wenn es freigegeben wird.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AssignmentForm</name>
     <message>
         <source>Assign an exercise</source>
@@ -42,6 +191,26 @@
         <source>Assign</source>
         <translation>Aufgeben</translation>
     </message>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Assessment</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>The invigilator says it when the assessment begins</source>
+        <translation>Die Aufsicht nennt ihn, wenn die Prüfung beginnt</translation>
+    </message>
+    <message>
+        <source>Start code</source>
+        <translation>Startcode</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentsModel</name>
@@ -64,6 +233,10 @@
     <message>
         <source>Attempts</source>
         <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
 </context>
 <context>
@@ -111,6 +284,10 @@
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Not released</source>
+        <translation>Nicht freigegeben</translation>
     </message>
 </context>
 <context>
@@ -687,6 +864,69 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::CandidatesModel</name>
+    <message>
+        <source>to be confirmed</source>
+        <translation>zu bestätigen</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>by the program</source>
+        <translation>vom Programm</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>nicht begonnen</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Candidate</source>
+        <translation>Kandidat</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Begonnen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>Bewertet</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Freigegeben</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +2236,18 @@
         <source>It stands on the start page of its students.</source>
         <translation>Es steht auf der Startseite ihrer Studierenden.</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Start code %1</source>
+        <translation>Startcode %1</translation>
+    </message>
+    <message>
+        <source>The start code is %1.</source>
+        <translation>Der Startcode ist %1.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Compass</name>
@@ -2258,6 +2510,14 @@
         <source>Cohorts</source>
         <translation>Kohorten</translation>
     </message>
+    <message>
+        <source>Assessment, candidate %1</source>
+        <translation>Prüfung, Kandidat %1</translation>
+    </message>
+    <message>
+        <source>Assessment, candidate %1, continued</source>
+        <translation>Prüfung, Kandidat %1, fortgesetzt</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -2422,6 +2682,18 @@
         <source>Leave this attempt?</source>
         <translation>Diesen Versuch verlassen?</translation>
     </message>
+    <message>
+        <source>Hand in?</source>
+        <translation>Abgeben?</translation>
+    </message>
+    <message>
+        <source>The tooth is kept as it is now; nothing can be changed afterwards.</source>
+        <translation>Der Zahn bleibt, wie er jetzt ist; danach lässt sich nichts mehr ändern.</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>Abgeben</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DrillStage</name>
@@ -2536,6 +2808,10 @@
     <message>
         <source>Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away</source>
         <translation>Spiegel (2): ziehen, mit der rechten Taste neigen, oder I J K L; Umschalt neigt, U und O holen ihn näher und weiter weg</translation>
+    </message>
+    <message>
+        <source>Push %1.</source>
+        <translation>Andruck %1.</translation>
     </message>
 </context>
 <context>
@@ -3328,6 +3604,25 @@
     <message>
         <source>The grip weighs %1. From the next attempt on it carries itself.</source>
         <translation>Der Griff wiegt %1. Vom nächsten Versuch an trägt er sich selbst.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::HandedIn</name>
+    <message>
+        <source>Handed in</source>
+        <translation>Abgegeben</translation>
+    </message>
+    <message>
+        <source>The preparation of candidate %1 is kept. The result is shown when your examiner releases it.</source>
+        <translation>Die Präparation von Kandidat %1 ist gespeichert. Das Ergebnis erscheint, wenn es freigegeben wird.</translation>
+    </message>
+    <message>
+        <source>Next candidate</source>
+        <translation>Nächster Kandidat</translation>
+    </message>
+    <message>
+        <source>To the start page</source>
+        <translation>Zur Startseite</translation>
     </message>
 </context>
 <context>
@@ -4263,6 +4558,125 @@
     <message>
         <source>Find an exercise</source>
         <translation>Übung finden</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::MarkingCard</name>
+    <message>
+        <source>Marking</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>A comment, or the reason for a change</source>
+        <translation>Ein Kommentar, oder die Begründung einer Änderung</translation>
+    </message>
+    <message>
+        <source>Comment or reason</source>
+        <translation>Kommentar oder Begründung</translation>
+    </message>
+    <message>
+        <source>at the place of the chosen criterion</source>
+        <translation>am Ort des gewählten Kriteriums</translation>
+    </message>
+    <message>
+        <source>Add comment</source>
+        <translation>Kommentar hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change points</source>
+        <translation>Punkte ändern</translation>
+    </message>
+    <message>
+        <source>Critical event</source>
+        <translation>Kritisches Ereignis</translation>
+    </message>
+    <message>
+        <source>Does not count</source>
+        <translation>Zählt nicht</translation>
+    </message>
+    <message>
+        <source>Confirm the result</source>
+        <translation>Ergebnis bestätigen</translation>
+    </message>
+    <message>
+        <source>Release to the student</source>
+        <translation>Für den Studierenden freigeben</translation>
+    </message>
+    <message>
+        <source>The result is confirmed as it stands.</source>
+        <translation>Das Ergebnis ist bestätigt, wie es steht.</translation>
+    </message>
+    <message>
+        <source>The student can read the result now.</source>
+        <translation>Das Ergebnis ist jetzt für den Studierenden lesbar.</translation>
+    </message>
+    <message>
+        <source>What was said</source>
+        <translation>Was gesagt wurde</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Choose a criterion to change its points.</source>
+        <translation>Wählen Sie ein Kriterium, um dessen Punkte zu ändern.</translation>
+    </message>
+    <message>
+        <source>%1, of %2</source>
+        <translation>%1, von %2</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation>Punkte von %1</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>withheld from the student</source>
+        <translation>zurückgehalten</translation>
+    </message>
+    <message>
+        <source>A failed result is confirmed first</source>
+        <translation>Ein nicht bestandenes Ergebnis wird zuerst bestätigt</translation>
+    </message>
+    <message>
+        <source>The comment is empty.</source>
+        <translation>Der Kommentar ist leer.</translation>
+    </message>
+    <message>
+        <source>Write it above.</source>
+        <translation>Schreiben Sie ihn oben.</translation>
+    </message>
+    <message>
+        <source>The comment is kept.</source>
+        <translation>Der Kommentar ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>A change needs a reason.</source>
+        <translation>Eine Änderung braucht eine Begründung.</translation>
+    </message>
+    <message>
+        <source>Write it above; the student reads it.</source>
+        <translation>Schreiben Sie sie oben; der Studierende liest sie.</translation>
+    </message>
+    <message>
+        <source>The points are changed. The measured grade is kept beside them.</source>
+        <translation>Die Punkte sind geändert. Die gemessene Bewertung bleibt daneben erhalten.</translation>
+    </message>
+    <message>
+        <source>The critical event no longer counts.</source>
+        <translation>Das kritische Ereignis zählt nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Taking back needs a reason.</source>
+        <translation>Zurücknehmen braucht eine Begründung.</translation>
+    </message>
+    <message>
+        <source>It is taken back. Both stay in the records.</source>
+        <translation>Es ist zurückgenommen. Beides bleibt in den Aufzeichnungen.</translation>
     </message>
 </context>
 <context>
@@ -5500,6 +5914,26 @@
         <source>Where points were lost</source>
         <translation>Wo Punkte verloren gingen</translation>
     </message>
+    <message>
+        <source>%1: %2 instead of %3 points</source>
+        <translation>%1: %2 statt %3 Punkte</translation>
+    </message>
+    <message>
+        <source>Does not count: %1</source>
+        <translation>Zählt nicht: %1</translation>
+    </message>
+    <message>
+        <source>Result confirmed</source>
+        <translation>Ergebnis bestätigt</translation>
+    </message>
+    <message>
+        <source>Result released</source>
+        <translation>Ergebnis freigegeben</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>Kandidat %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -5618,6 +6052,18 @@
     <message>
         <source>%1 cannot be written. The attempt and its grade are kept.</source>
         <translation>%1 kann nicht geschrieben werden. Versuch und Bewertung sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>not released yet</source>
+        <translation>noch nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Ort zeigen</translation>
     </message>
 </context>
 <context>
@@ -7743,10 +8189,6 @@ Ihr bester davor</translation>
         <translation>Nur Studierende haben eine PIN.</translation>
     </message>
     <message>
-        <source>A comment has 1 to 10,000 characters.</source>
-        <translation>Ein Kommentar hat 1 bis 10.000 Zeichen.</translation>
-    </message>
-    <message>
         <source>The due date lies before the first day.</source>
         <translation>Der Abgabetermin liegt vor dem ersten Tag.</translation>
     </message>
@@ -8025,6 +8467,66 @@ Ihr bester davor</translation>
     <message>
         <source>%1 names no level of an exercise: %2.</source>
         <translation>%1 nennt keine Stufe einer Übung: %2.</translation>
+    </message>
+    <message>
+        <source>This remark is withdrawn already.</source>
+        <translation>Diese Bemerkung ist schon zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>A comment or reason has 1 to 10,000 characters.</source>
+        <translation>Ein Kommentar oder eine Begründung hat 1 bis 10.000 Zeichen.</translation>
+    </message>
+    <message>
+        <source>A start code has 4 to 32 characters.</source>
+        <translation>Ein Startcode hat 4 bis 32 Zeichen.</translation>
+    </message>
+    <message>
+        <source>This is not the start code.</source>
+        <translation>Das ist nicht der Startcode.</translation>
+    </message>
+    <message>
+        <source>Ask the invigilator and type it again.</source>
+        <translation>Fragen Sie die Aufsicht und geben Sie ihn noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>This exercise is not assigned to you.</source>
+        <translation>Diese Übung ist Ihnen nicht zugewiesen.</translation>
+    </message>
+    <message>
+        <source>Ask your instructor. Nothing was changed.</source>
+        <translation>Fragen Sie Ihre Lehrperson. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This result is not released yet.</source>
+        <translation>Dieses Ergebnis ist noch nicht freigegeben.</translation>
+    </message>
+    <message>
+        <source>It is shown here when your examiner releases it.</source>
+        <translation>Es erscheint hier, wenn es freigegeben wird.</translation>
+    </message>
+    <message>
+        <source>This assignment is not open yet.</source>
+        <translation>Diese Zuweisung ist noch nicht offen.</translation>
+    </message>
+    <message>
+        <source>The time for this assignment is over.</source>
+        <translation>Die Zeit für diese Zuweisung ist um.</translation>
+    </message>
+    <message>
+        <source>Every attempt of this assignment is used.</source>
+        <translation>Alle Versuche dieser Zuweisung sind verbraucht.</translation>
+    </message>
+    <message>
+        <source>This attempt has no grade yet.</source>
+        <translation>Dieser Versuch hat noch keine Bewertung.</translation>
+    </message>
+    <message>
+        <source>This result is released already.</source>
+        <translation>Dieses Ergebnis ist schon freigegeben.</translation>
+    </message>
+    <message>
+        <source>A failed result is released only after an examiner has confirmed it.</source>
+        <translation>Ein nicht bestandenes Ergebnis wird erst freigegeben, wenn es jemand bestätigt hat.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,40 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
 <context>
+    <name>cusp::ui::AssessmentCard</name>
+    <message numerus="yes">
+        <source>%n attempt(s) so far</source>
+        <translation>
+            <numerusform>%n attempt so far</numerusform>
+            <numerusform>%n attempts so far</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::AssessmentPage</name>
+    <message numerus="yes">
+        <source>Release %n result(s)?</source>
+        <translation>
+            <numerusform>Release %n result?</numerusform>
+            <numerusform>Release %n results?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) released.</source>
+        <translation>
+            <numerusform>%n result released.</numerusform>
+            <numerusform>%n results released.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n failed result(s) wait for confirmation.</source>
+        <translation>
+            <numerusform>%n failed result waits for confirmation.</numerusform>
+            <numerusform>%n failed results wait for confirmation.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AuditPage</name>
     <message numerus="yes">
         <source>Each choice was left out or halved once, with %n scripted attempt(s) each.</source>

@@ -150,7 +150,11 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   }
   if (!reading_only_ && may(role, Action::manage_cohorts)) {
     list += {u"cohorts"_qs, tr("Cohorts"), u"people"_qs,
-             [this]() -> QWidget* { return new CohortsPage(*store_, account_->actor(), ports_); }};
+             [this]() -> QWidget* {
+               auto* page = new CohortsPage(*store_, account_->actor(), ports_);
+               connect(page, &CohortsPage::results_wanted, this, &Desktop::show_assignment);
+               return page;
+             }};
   }
   if (may(role, Action::see_all_results)) {
     list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {
@@ -174,6 +178,7 @@ QVector<NavEntry> Desktop::entries() {
                connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);
+               connect(page, &StartPage::assessment_wanted, this, &Desktop::sit);
                connect(page, &StartPage::report_wanted, this, &Desktop::open_report);
                return page;
              }};

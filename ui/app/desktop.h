@@ -12,6 +12,7 @@
 #include "ui/modules.h"
 #include "ui/session/replay.h"
 #include "ui/settings/settings.h"
+#include "ui/student/assessments.h"
 #include "ui/student/exercises.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/ports.h"
@@ -27,6 +28,7 @@ namespace cusp::ui {
 class DrillScreen;
 struct DrillText;
 struct EditorStart;
+class ReportPage;
 class ThumbnailCache;
 class Shell;
 class SignIn;
@@ -67,6 +69,8 @@ class Desktop : public QMainWindow {
 
   /// Starts an attempt; without an account nothing is kept.
   void drill(const Exercise& exercise);
+  /// Asks for the start code, then begins the assessment.
+  void sit(const AssignedAssessment& assessment);
   /// Resumes an attempt that broke off, from where it stood.
   void resume_attempt(const SessionId& session);
   void open_report(const SessionId& session);
@@ -104,6 +108,9 @@ class Desktop : public QMainWindow {
   void open_result_page(const SessionId& session, Keep keep);
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
+  void add_marking(ReportPage& report, const std::shared_ptr<const SessionResult>& result);
+  void show_assignment(AssignmentId assignment);
+  void show_handed_in(const SessionId& session);
   void show_failure(const Message& message);
   void quick_open();
 

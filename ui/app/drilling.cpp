@@ -15,6 +15,25 @@
 
 namespace cusp::ui {
 
+namespace {
+
+/// The practice assignment that an attempt at this exercise counts for; none: nothing is assigned, or it does not admit one now.
+std::optional<AssignmentId> open_practice(Store& store, const Actor& student, const Exercise& exercise) {
+  const auto assigned = store.assignments.for_student(student.id);
+  if (!assigned || exercise.version.is_nil()) return std::nullopt;
+  for (const Assignment& a : *assigned) {
+    if (a.kind != SessionKind::practice || a.version != exercise.version) continue;
+    NewSession wanted;
+    wanted.student = student.id;
+    wanted.version = a.version;
+    wanted.assignment = a.id;
+    if (store.sessions.admit(student, wanted)) return a.id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& text) {
   pictures_->stop();
   auto* screen = new DrillScreen(ports_);
@@ -46,12 +65,29 @@ void Desktop::drill(const Exercise& exercise) {
   if (account_) {
     plan.database = database_;
     plan.student = account_->actor();
+    plan.assignment = open_practice(*store_, account_->actor(), exercise);
     const auto attempts = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
     aside = tr("Practice, attempt %1").arg(attempts.value_or(0) + 1);
   } else {
     plan.kind = SessionKind::try_it;
   }
   show_drilling(exercise, std::move(plan), aside);
+}
+
+void Desktop::sit(const AssignedAssessment& assessment) {
+  auto* question = new AssessmentStart(*store_, account_->actor(), assessment, this);
+  connect(question, &AssessmentStart::admitted, this, [this, assessment](const QString& code) {
+    SessionPlan plan;
+    plan.database = database_;
+    plan.student = account_->actor();
+    plan.kind = SessionKind::assessment;
+    plan.guidance = Guidance::silent;
+    plan.assignment = assessment.assignment.id;
+    plan.start_code = code.toStdString();
+    const QString candidate = QString::fromStdString(candidate_number(assessment.assignment.id, account_->id));
+    show_drilling(assessment.exercise, std::move(plan), tr("Assessment, candidate %1").arg(candidate));
+  });
+  question->open();
 }
 
 void Desktop::resume_attempt(const SessionId& session) {
@@ -66,8 +102,14 @@ void Desktop::resume_attempt(const SessionId& session) {
   plan.database = database_;
   plan.student = account_->actor();
   plan.resumes = session;
+  plan.kind = details->session.kind;
+  if (plan.kind == SessionKind::assessment) plan.guidance = Guidance::silent;
   const Exercise exercise{std::move(*scenario), version->id, version->number, version->files};
-  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.attempt));
+  const QString aside = details->session.assignment && plan.kind == SessionKind::assessment
+                            ? tr("Assessment, candidate %1, continued")
+                                  .arg(QString::fromStdString(candidate_number(*details->session.assignment, account_->id)))
+                            : tr("Practice, attempt %1, continued").arg(details->row.attempt);
+  show_drilling(exercise, std::move(plan), aside);
 }
 
 void Desktop::show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside) {

@@ -6,6 +6,7 @@ import sys
 import time
 
 import administrator
+import assessment
 import cohort
 import desk
 import instructor
@@ -35,6 +36,8 @@ def main():
         done(f"the administrator, after a new start, exported {row}")
         row = cohort.visit(program)
         done(f"a list of students was imported, and what their cohort was assigned stood on a student's start page: {row}")
+        program, seen = assessment.visit(own, program)
+        done(f"two students sat an assessment: {seen}")
         program.close()
 
 

@@ -6,6 +6,7 @@ import os
 import sys
 import time
 
+import assessment
 import cohort
 import desk
 import school

@@ -1,0 +1,210 @@
+"""An assessment: assigned with a start code, sat by two students (one is killed half-way and continues), marked without names,
+released, and read.
+
+    /usr/bin/python3 tests/outside/desktop/assessment.py build/release/cusp
+"""
+import re
+import sys
+import time
+
+import desk
+import school
+
+COHORT = "Examined"
+EXERCISE = "Straight channel, level 1"
+OTHER = ("Said, Omar", "4799", "141421")
+CODE = "amber 17"
+SECOND_S = 3  # a second of the attempt lies in the file after two
+
+
+def assign(program, take):
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Cohorts")
+    program.find("text", "Name of a new cohort").type(COHORT)
+    program.press("New cohort")
+    program.find("text", "Student numbers to add").type(school.STUDENT[1] + " " + OTHER[1])
+    program.press("Add students")
+    school.row_of(program, "Students of the cohort", school.STUDENT[0])
+    program.labelled("combo box", "Exercise").choose(EXERCISE)
+    program.press("Assessment", school.CHOICE)
+    program.find("text", "Start code").type(CODE)
+    program.press("Assign")
+    school.row_of(program, "Assigned exercises", EXERCISE, "Assessment", "1")
+    take(program, "assessment-assigned")
+    school.sign_out(program)
+
+
+def begin(program, number, pin, take):
+    school.sign_in_student(program, number, pin)
+    program.find("push button", "Start assessment")
+    take(program, "assessment-due")
+    program.press("Start assessment")
+    question = program.find("dialog", "Start assessment")
+    program.find("text", "Start code, from the invigilator", within=question).type("wrong 1")
+    program.press("Begin", within=question)
+    program.find("label", re.compile("This is not the start code"), within=question)
+    take(program, "assessment-start")
+    program.find("text", "Start code, from the invigilator", within=question).type(CODE)
+    program.press("Begin", within=question)
+    ready(program)
+    desk.check(program.here("progress bar", "Target removed") is None, "an assessment shows how much of the target is removed")
+    desk.check(program.here("push button", re.compile("^Target")) is None, "an assessment offers the target")
+
+
+def ready(program):
+    desk.until("the tooth to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
+
+
+def clock_s(program):
+    text = next((w.name for w in program.all("label", re.compile(r"\d+:\d\d$"))), "0:00")
+    minutes, seconds = re.search(r"(\d+):(\d\d)$", text).groups()
+    return 60 * int(minutes) + int(seconds)
+
+
+def drill(program, until_s):
+    x, y = program.find(None, "Tooth").middle()
+    program.screen.x("mousemove", x, y, "mousedown", 1)
+    desk.until(f"the clock to show {until_s} s", lambda: clock_s(program) >= until_s)
+    program.screen.x("mouseup", 1)
+
+
+def hand_in(program):
+    program.press("Finish")
+    question = program.find("alert")
+    program.press("Hand in", within=question)
+    program.find(None, "Handed in")
+    desk.check(program.here(None, "Report") is None, "the result shows before its release")
+
+
+def sit(program, take):
+    begin(program, *school.STUDENT[1:], take)
+    drill(program, SECOND_S)
+    take(program, "assessment-drilling")
+    hand_in(program)
+    take(program, "assessment-handed-in")
+    handed_in = time.monotonic()
+    program.press("Next candidate")
+    begin(program, *OTHER[1:], nothing)
+    between_s = time.monotonic() - handed_in
+    drill(program, SECOND_S)
+    return between_s
+
+
+def continue_after_kill(own, program):
+    program.kill()
+    own.screen.x("mouseup", 1)
+    program = own.start()
+    school.sign_in_student(program, *OTHER[1:])
+    program.find(None, "Interrupted: continue it below")
+    begun = time.monotonic()
+    program.press("Continue")
+    ready(program)
+    back_s = time.monotonic() - begun
+    program.find("label", re.compile("Assessment, candidate .*, continued"))
+    hand_in(program)
+    program.press("To the start page")
+    program.find(None, "Handed in: the result is not released yet")
+    school.page(program, "My results")
+    school.row_of(program, "My results", EXERCISE, "Not released")
+    school.sign_out(program)
+    return program, back_s
+
+
+def mark(program, take):
+    """Both fail: one is changed and confirmed, the other confirmed. Returns the candidate whose points were changed."""
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Cohorts")
+    school.row_of(program, "Cohorts", COHORT)[0].click()
+    school.row_of(program, "Assigned exercises", EXERCISE)[0].click()
+    program.find("label", f"Start code {CODE}")
+    program.press("Results")
+    program.find("table", "Candidates")
+    desk.check(not program.here("push button", "Release results").has("ENABLED"), "failed results may be released unconfirmed")
+    take(program, "assessment-candidates")
+    for row in range(2):
+        waiting = school.row_of(program, "Candidates", "to be confirmed")
+        if row == 0:
+            changed = waiting[0].name
+        waiting[0].click()
+        program.keys("Return")
+        program.find(None, "Marking")
+        desk.check(not any(school.STUDENT[0] in w for w in program.texts()), "the name of the candidate shows to who marks")
+        if row == 0:
+            change_points(program)
+            take(program, "marking")
+        program.press("Confirm the result")
+        program.find("label", re.compile("The result is confirmed"))
+        program.press("Back")
+        program.find("table", "Candidates")
+    program.press("Release results")
+    program.press("Release", within=program.find("alert"))
+    program.find("label", re.compile("2 results released"))
+    school.row_of(program, "Candidates", "confirmed", "yes")
+    program.press("Back")
+    school.sign_out(program)
+    return changed
+
+
+def change_points(program):
+    said = program.find("text", "Comment or reason")
+    said.type("The floor is even where you were.")
+    program.press("Add comment")
+    program.find("label", re.compile("The comment is kept"))
+    said.type("The block was worn here.")
+    program.find("spin button", re.compile("^Points of")).type("1")
+    program.press("Change points")
+    program.find("label", re.compile("The points are changed"))
+    program.find("label", re.compile("1 instead of 0 points"), within=program.find(None, "Remarks"))
+
+
+def read(program, take):
+    """Of the two, one reads the remark."""
+    read_by = 0
+    for number, pin in (school.STUDENT[1:], OTHER[1:]):
+        school.sign_in_student(program, number, pin)
+        school.page(program, "My results")
+        school.row_of(program, "My results", EXERCISE, "Not passed")[0].click()
+        program.keys("Return")
+        program.find(None, "Report")
+        remarks = program.find(None, "Remarks")
+        said = [w.name for w in program.all("label", re.compile("The floor is even"), within=remarks)]
+        if said:
+            take(program, "marked-report")
+        read_by += 1 if said else 0
+        desk.check(program.here(None, "Marking") is None, "a student may mark")
+        school.home(program)
+        school.sign_out(program)
+    desk.check(read_by == 1, f"the remark is read by {read_by} of the two candidates")
+
+
+def nothing(program, name):
+    """Takes no picture."""
+
+
+def visit(own, program, take=nothing):
+    """The school stands. Returns the program that runs at the end, and what was seen. `take`: a picture by its name."""
+    school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
+    program.find("table", "People")
+    school.add_person(program, *OTHER, "Student", "PIN, six digits")
+    school.sign_out(program)
+    assign(program, take)
+    between_s = sit(program, take)
+    program, back_s = continue_after_kill(own, program)
+    candidate = mark(program, take)
+    read(program, take)
+    return program, (f"{between_s:.0f} s from hand-in to the next candidate's tooth, {back_s:.0f} s to continue after a kill, "
+                     f"candidate {candidate} changed, confirmed, released and read")
+
+
+def main():
+    desk.on_own_bus()
+    with desk.Desk(sys.argv[1]) as own:
+        program = own.start()
+        school.first_start(program)
+        program, seen = visit(own, program)
+        print(seen)
+        program.close()
+
+
+if __name__ == "__main__":
+    main()
