@@ -93,6 +93,7 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
       StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
   StorageContext& context = store->context();
   const auto key_file = options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
+  context.key_file = key_file;
   context.counter_file = counter_file_of(key_file);
   if (context.db.read_only()) {
     const auto station = context.db.first("SELECT id FROM station", [](Row row) { return row.uuid(0); });

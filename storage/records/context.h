@@ -22,6 +22,7 @@ struct StorageContext {
   Uuid station;
   std::optional<StationKey> key;                    // none if the file was opened read-only
   std::shared_ptr<const ProcessMark> mark{};        // set when this store starts or resumes its first session
+  std::filesystem::path key_file{};                 // of the station's secret key
   std::filesystem::path counter_file{};             // rollback_counter.h
   std::optional<StorageFailure> counter_failure{};  // why the counter lags behind the log; none if it does not
   std::optional<std::string> incident{};            // found at opening or by a later write: an action of sealing.h

@@ -1,0 +1,182 @@
+#include "storage/backup/backup.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "storage/base/files.h"
+#include "storage/records/rollback_counter.h"
+#include "storage/records/sealing.h"
+#include "storage/records/audit_writer.h"
+
+namespace cusp::storage {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kBackupDatabase = "station.db";
+constexpr const char* kBackupKey = "station.db.key";
+constexpr const char* kBackupDescription = "backup.json";
+constexpr int kBackupFormat = 1;
+
+StorageFailure backup_failure(const std::error_code& error, const fs::path& where) {
+  return {error_from_errno(error.value()), where.string(), error.message()};
+}
+
+/// "cusp-2026-11-20T09-14-03Z": no file system refuses it, and names sort by time.
+std::string name_at(std::int64_t utc_us) {
+  std::string time = iso_utc(utc_us);
+  std::ranges::replace(time, ':', '-');
+  return "cusp-" + time;
+}
+
+Stored<fs::path> new_folder(const fs::path& into, std::int64_t utc_us) {
+  std::error_code error;
+  fs::create_directories(into, error);
+  if (error) return std::unexpected(backup_failure(error, into));
+  for (int n = 1; n < 1000; ++n) {
+    const fs::path folder = into / (name_at(utc_us) + (n == 1 ? std::string() : "-" + std::to_string(n)));
+    if (fs::create_directory(folder, error)) return folder;
+    if (error) return std::unexpected(backup_failure(error, folder));
+  }
+  return fail(StorageError::duplicate, into.string());
+}
+
+Stored<void> copy_private(const fs::path& from, const fs::path& to) {
+  const auto content = read_private_file(from);
+  if (!content) return std::unexpected(content.error());
+  // A file opened for reading may have none; a counter may be gone, which its incident names.
+  return *content ? write_private_file(to, **content) : Stored<void>{};
+}
+
+/// The whole of the connection's database as of one moment.
+Stored<void> copy_database(Database& from, const fs::path& to) { return from.run("VACUUM INTO ?1", to.string()); }
+
+/// Opening for writing syncs the file, for it changes its first page. Returns how many sessions it holds.
+Stored<std::uint64_t> check_copy(const fs::path& file) {
+  auto copy = Database::open(file, {.access = DatabaseOptions::Access::existing});
+  if (!copy) return std::unexpected(copy.error());
+  const auto damage = copy->integrity_check();
+  if (!damage) return std::unexpected(damage.error());
+  if (!damage->empty()) return fail(StorageError::corrupt, file.string(), *damage);
+  const auto sessions = copy->first("SELECT count(*) FROM sessions", [](Row row) { return row.u64(0); });
+  if (!sessions) return std::unexpected(sessions.error());
+  return sessions->value_or(0);
+}
+
+/// The counter first: it may lag behind the log and never leads.
+Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_t now) {
+  if (auto done = copy_private(context.counter_file, counter_file_of(folder / kBackupKey)); !done) return std::unexpected(done.error());
+  if (auto done = copy_private(context.key_file, folder / kBackupKey); !done) return std::unexpected(done.error());
+  if (auto done = copy_database(context.db, folder / kBackupDatabase); !done) return std::unexpected(done.error());
+  const auto sessions = check_copy(folder / kBackupDatabase);
+  if (!sessions) return std::unexpected(sessions.error());
+  std::error_code error;
+  const auto bytes = fs::file_size(folder / kBackupDatabase, error);
+  if (error) return std::unexpected(backup_failure(error, folder));
+  const Backup backup{folder, now, *sessions, bytes};
+  const json description = {{"cusp_backup", kBackupFormat}, {"made_at", now}, {"sessions", backup.sessions}, {"bytes", backup.bytes}};
+  if (auto done = write_private_file(folder / kBackupDescription, description.dump()); !done) return std::unexpected(done.error());
+  return backup;
+}
+
+void remove_folder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+}
+
+}  // namespace
+
+Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const fs::path& into) {
+  if (actor) {
+    if (auto allowed = require(*actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
+  }
+  const std::int64_t now = context.clock();
+  const auto folder = new_folder(into, now);
+  if (!folder) return std::unexpected(folder.error());
+  auto backup = fill(context, *folder, now);
+  if (!backup) {
+    remove_folder(*folder);
+    return backup;
+  }
+  if (context.db.read_only()) return backup;
+  Transaction transaction(context.db);
+  log_event(context, transaction,
+            {.actor = actor ? actor->id : UserId{}, .action = "backed_up", .subject = context.station,
+             .detail = std::to_string(backup->sessions)});
+  if (auto done = commit_sealed(context, transaction); !done) return std::unexpected(done.error());
+  return backup;
+}
+
+Stored<Backup> read_backup(const fs::path& folder) {
+  const auto content = read_private_file(folder / kBackupDescription);
+  if (!content) return std::unexpected(content.error());
+  std::error_code error;
+  if (!*content || !fs::is_regular_file(folder / kBackupDatabase, error)) return fail(StorageError::not_found, folder.string());
+  const json description = json::parse(**content, nullptr, false);
+  const auto number = [&](const char* key) {
+    const auto it = description.find(key);
+    return it != description.end() && it->is_number_integer() ? it->get<std::int64_t>() : -1;
+  };
+  if (!description.is_object() || number("cusp_backup") != kBackupFormat || number("made_at") < 0 || number("sessions") < 0 ||
+      number("bytes") < 0) {
+    return fail(StorageError::not_found, folder.string());
+  }
+  return Backup{folder, number("made_at"), static_cast<std::uint64_t>(number("sessions")),
+                static_cast<std::uint64_t>(number("bytes"))};
+}
+
+Stored<std::vector<Backup>> backups_in(const fs::path& into) {
+  std::vector<Backup> out;
+  std::error_code error;
+  if (!fs::exists(into, error)) return out;
+  for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error)) {
+    if (auto backup = read_backup(it->path())) out.push_back(std::move(*backup));
+  }
+  if (error) return std::unexpected(backup_failure(error, into));
+  std::ranges::sort(out, [](const Backup& a, const Backup& b) {
+    return std::tie(b.made_utc_us, b.folder) < std::tie(a.made_utc_us, a.folder);
+  });
+  return out;
+}
+
+Stored<void> thin_backups(const fs::path& into, std::size_t keep) {
+  const auto all = backups_in(into);
+  if (!all) return std::unexpected(all.error());
+  for (std::size_t i = keep; i < all->size(); ++i) {
+    std::error_code error;
+    fs::remove_all((*all)[i].folder, error);
+    if (error) return std::unexpected(backup_failure(error, (*all)[i].folder));
+  }
+  return {};
+}
+
+Stored<void> restore_backup(const Backup& backup, const fs::path& file) {
+  const fs::path key = file.string() + ".key";
+  for (const fs::path& name : {file, key, counter_file_of(key)}) {
+    std::error_code error;
+    if (fs::exists(name, error)) return fail(StorageError::duplicate, name.string());
+  }
+  {
+    auto from = Database::open(backup.folder / kBackupDatabase, {.access = DatabaseOptions::Access::read_only});
+    if (!from) return std::unexpected(from.error());
+    const auto damage = from->integrity_check();
+    if (!damage) return std::unexpected(damage.error());
+    if (!damage->empty()) return fail(StorageError::corrupt, backup.folder.string(), *damage);
+    if (auto done = copy_database(*from, file); !done) return done;
+  }
+  if (auto done = copy_private(counter_file_of(backup.folder / kBackupKey), counter_file_of(key)); !done) return done;
+  if (auto done = copy_private(backup.folder / kBackupKey, key); !done) return done;
+  const auto sessions = check_copy(file);
+  if (!sessions) return std::unexpected(sessions.error());
+  return {};
+}
+
+Stored<void> log_restored(StorageContext& context, const Backup& backup) {
+  Transaction transaction(context.db);
+  log_event(context, transaction,
+            {.action = "restored", .subject = context.station, .detail = std::to_string(backup.made_utc_us)});
+  return commit_sealed(context, transaction);
+}
+
+}  // namespace cusp::storage

@@ -1,0 +1,40 @@
+/// Backups: database, station key and rollback counter of one moment, in a folder of their own, checked after writing.
+/// Other connections write on meanwhile. A folder without its description is no backup: it was not finished.
+/// Thread: the context's own; a large database takes seconds.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "storage/base/rights.h"
+#include "storage/records/context.h"
+
+namespace cusp::storage {
+
+struct Backup {
+  std::filesystem::path folder{};
+  std::int64_t made_utc_us = 0;
+  std::uint64_t sessions = 0;
+  std::uint64_t bytes = 0;  // of the database
+};
+
+/// A new folder in `into`, which is made at need. Needs manage_station; without an actor the program makes its daily one.
+/// The copy is opened, checked for damage and synced. After a failure no part of it is left.
+Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into);
+
+/// Newest first. Empty if the folder does not exist.
+Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into);
+/// not_found unless the folder holds a whole backup.
+Stored<Backup> read_backup(const std::filesystem::path& folder);
+/// Removes all but the newest `keep` ones.
+Stored<void> thin_backups(const std::filesystem::path& into, std::size_t keep);
+
+/// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them exists: nothing is
+/// overwritten. corrupt if the backup is damaged. log_restored() follows, in the store of the new file.
+Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file);
+/// The entry "restored" of the audit log.
+Stored<void> log_restored(StorageContext& context, const Backup& backup);
+
+}  // namespace cusp::storage

@@ -1,0 +1,117 @@
+/// Backups: whole, of one moment, beside a program that writes on; and what restoring one gives.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "storage/backup/backup.h"
+#include "tests/storage/school.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BackupTest : ::testing::Test {
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Actor administrator = make_administrator(*store).actor();
+  Account lena = make_student(*store);
+  ScenarioVersion version = keep(*store);
+  fs::path into() { return folder / "backups"; }
+  Backup make() { return must(make_backup(store->context(), administrator, into())); }
+  std::size_t folders() {
+    return fs::exists(into()) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(into()), {})) : 0;
+  }
+};
+
+TEST_F(BackupTest, restored_is_the_same_school_whole_and_says_so_in_its_log) {
+  const SessionId session = complete_session(*store, lena, version);
+  const Backup backup = make();
+  EXPECT_EQ(backup.sessions, 1u);
+  EXPECT_EQ(backup.folder.filename(), "cusp-2026-11-20T09-14-03Z");
+  EXPECT_EQ(must(read_backup(backup.folder)).bytes, backup.bytes);
+
+  must(restore_backup(backup, folder / "new.db"));
+  const auto restored = open(folder / "new.db");
+  must(log_restored(restored->context(), backup));
+  EXPECT_FALSE(restored->context().incident);
+  EXPECT_TRUE(must(verify_store(restored->context())).intact());
+  EXPECT_EQ(must(restored->history.details(lena.actor(), session)).row.score, 81.5);
+  must(restored->accounts.sign_in("admin", "correct horse"));
+  const auto entries = must(restored->audit.list(administrator, 10));
+  EXPECT_TRUE(std::ranges::any_of(entries, [](const AuditEntry& e) { return e.action == "restored"; }));
+}
+
+TEST_F(BackupTest, holds_one_moment_while_a_session_goes_on) {
+  const SessionId running = must(store->sessions.start(lena.actor(), new_session(lena, version))).id;
+  must(store->traces.append(running, second_from(1)));
+  const auto other = open(folder / "a.db", quick(now));
+  const Backup backup = must(make_backup(other->context(), administrator, into()));
+  must(store->traces.append(running, second_from(13)));
+  must(store->sessions.finish(running, volume_after(24), "student"));
+  must(restore_backup(backup, folder / "new.db"));
+  const auto restored = open(folder / "new.db");
+  EXPECT_TRUE(must(verify_store(restored->context())).intact());
+  EXPECT_EQ(must(restored->traces.inputs(running)).size(), 12u);
+}
+
+TEST_F(BackupTest, needs_the_right_and_leaves_nothing_where_it_fails) {
+  EXPECT_EQ(code_of(make_backup(store->context(), lena.actor(), into())), StorageError::not_allowed);
+  EXPECT_EQ(folders(), 0u);
+  std::ofstream(folder / "file") << "no folder";
+  EXPECT_FALSE(make_backup(store->context(), administrator, folder / "file" / "backups"));
+  fs::remove(store->context().key_file);
+  fs::create_directory(store->context().key_file);
+  EXPECT_FALSE(make_backup(store->context(), administrator, into()));
+  EXPECT_EQ(folders(), 0u);
+}
+
+TEST_F(BackupTest, of_one_second_have_folders_of_their_own_and_the_oldest_go_first) {
+  make();
+  make();
+  EXPECT_EQ(folders(), 2u);
+  *now += 86'400'000'000;
+  const Backup newest = make();
+  ASSERT_EQ(must(backups_in(into())).size(), 3u);
+  EXPECT_EQ(must(backups_in(into())).front().folder, newest.folder);
+  must(thin_backups(into(), 1));
+  ASSERT_EQ(must(backups_in(into())).size(), 1u);
+  EXPECT_EQ(must(backups_in(into())).front().folder, newest.folder);
+  EXPECT_TRUE(must(backups_in(folder / "nowhere")).empty());
+}
+
+TEST_F(BackupTest, an_unfinished_folder_is_none) {
+  const Backup backup = make();
+  fs::remove(backup.folder / "backup.json");
+  EXPECT_TRUE(must(backups_in(into())).empty());
+  EXPECT_EQ(code_of(read_backup(backup.folder)), StorageError::not_found);
+  std::ofstream(backup.folder / "backup.json") << R"({"cusp_backup": 2})";
+  EXPECT_EQ(code_of(read_backup(backup.folder)), StorageError::not_found);
+}
+
+TEST_F(BackupTest, restoring_overwrites_nothing) {
+  const Backup backup = make();
+  for (const char* name : {"x.db", "y.db.key", "z.db.key-counter"}) std::ofstream(folder / name) << "kept";
+  for (const char* name : {"x.db", "y.db", "z.db"}) {
+    EXPECT_EQ(code_of(restore_backup(backup, folder / name)), StorageError::duplicate) << name;
+  }
+  EXPECT_EQ(fs::file_size(folder / "x.db"), 4u);
+  EXPECT_FALSE(fs::exists(folder / "y.db"));
+}
+
+TEST_F(BackupTest, a_damaged_one_is_not_restored) {
+  complete_session(*store, lena, version);
+  const Backup backup = make();
+  std::fstream file(backup.folder / "station.db", std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(backup.bytes / 2));
+  file << std::string(8192, 'x');
+  file.close();
+  const auto restored = restore_backup(backup, folder / "new.db");
+  ASSERT_FALSE(restored);
+  EXPECT_EQ(restored.error().code, StorageError::corrupt);
+  EXPECT_FALSE(fs::exists(folder / "new.db"));
+}
+
+}  // namespace
+}  // namespace cusp::test
