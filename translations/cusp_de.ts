@@ -1535,46 +1535,6 @@
         <translation>%1 (%2, Grenze %3).</translation>
     </message>
     <message>
-        <source>%1, row %2</source>
-        <translation>%1, Zeile %2</translation>
-    </message>
-    <message>
-        <source>, second %1 of the session</source>
-        <translation>, Sekunde %1 des Versuchs</translation>
-    </message>
-    <message>
-        <source>The record was changed: %1%2.</source>
-        <translation>Die Aufzeichnung wurde verändert: %1%2.</translation>
-    </message>
-    <message>
-        <source>A part of the record is missing: %1%2.</source>
-        <translation>Ein Teil der Aufzeichnung fehlt: %1%2.</translation>
-    </message>
-    <message>
-        <source>Something was added to the record: %1%2.</source>
-        <translation>Der Aufzeichnung wurde etwas hinzugefügt: %1%2.</translation>
-    </message>
-    <message>
-        <source>The record’s chain is broken: %1%2.</source>
-        <translation>Die Kette der Aufzeichnung ist unterbrochen: %1%2.</translation>
-    </message>
-    <message>
-        <source>The signature over the record does not hold: %1%2.</source>
-        <translation>Die Signatur der Aufzeichnung stimmt nicht: %1%2.</translation>
-    </message>
-    <message>
-        <source>The station’s key is not the one that signed: %1%2.</source>
-        <translation>Der Schlüssel der Station ist nicht der, mit dem signiert wurde: %1%2.</translation>
-    </message>
-    <message>
-        <source>The record cannot be read: %1%2.</source>
-        <translation>Die Aufzeichnung kann nicht gelesen werden: %1%2.</translation>
-    </message>
-    <message>
-        <source>The record does not add up: %1%2.</source>
-        <translation>Die Aufzeichnung geht nicht auf: %1%2.</translation>
-    </message>
-    <message>
         <source>The replay comes to another state at tick %1.</source>
         <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
     </message>
@@ -1880,30 +1840,6 @@
         <translation>%1 (%2).</translation>
     </message>
     <message>
-        <source>, in the audit log since %1</source>
-        <translation>, im Protokoll seit %1</translation>
-    </message>
-    <message>
-        <source>The record is not the one that was sealed: %1%2.</source>
-        <translation>Die Aufzeichnung ist nicht die, die versiegelt wurde: %1%2.</translation>
-    </message>
-    <message>
-        <source>The database is older than the counter beside its key, or its audit log was cut: %1%2.</source>
-        <translation>Die Datenbank ist älter als der Zähler neben ihrem Schlüssel, oder ihr Protokoll wurde gekürzt: %1%2.</translation>
-    </message>
-    <message>
-        <source>The counter beside the station’s key is missing: %1%2.</source>
-        <translation>Der Zähler neben dem Schlüssel der Station fehlt: %1%2.</translation>
-    </message>
-    <message>
-        <source>The counter beside the station’s key is not the one of this database: %1%2.</source>
-        <translation>Der Zähler neben dem Schlüssel der Station gehört nicht zu dieser Datenbank: %1%2.</translation>
-    </message>
-    <message>
-        <source>The audit log’s end was changed or taken out: %1%2.</source>
-        <translation>Das Ende des Protokolls wurde geändert oder entfernt: %1%2.</translation>
-    </message>
-    <message>
         <source>%1 belongs to the database %2.</source>
         <translation>%1 gehört zur Datenbank %2.</translation>
     </message>
@@ -2087,8 +2023,39 @@
         <translation>Stellt aus den Aufzeichnungen neu her, was Listen und Diagramme zeigen</translation>
     </message>
     <message>
-        <source>The lists show something else than the record: %1%2.</source>
-        <translation>Die Listen zeigen etwas anderes als die Aufzeichnung: %1%2.</translation>
+        <source>%1 is no whole backup.</source>
+        <translation>%1 ist keine vollständige Sicherung.</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Restore to a new name; nothing was changed.</source>
+        <translation>%1 gibt es schon. Wählen Sie einen neuen Namen; nichts wurde geändert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) are restored as of %1.</source>
+        <translation>
+            <numerusform>%n Sitzung ist wiederhergestellt, Stand %1.</numerusform>
+            <numerusform>%n Sitzungen sind wiederhergestellt, Stand %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copies all records as of now to a new folder; for administrators</source>
+        <translation>Kopiert alle Aufzeichnungen von jetzt in einen neuen Ordner; für Administratoren</translation>
+    </message>
+    <message>
+        <source>Where the backup’s own folder is made</source>
+        <translation>Wo der Ordner der Sicherung entsteht</translation>
+    </message>
+    <message>
+        <source>Makes a new database from a backup</source>
+        <translation>Macht aus einer Sicherung eine neue Datenbank</translation>
+    </message>
+    <message>
+        <source>The backup’s folder</source>
+        <translation>Ordner der Sicherung</translation>
+    </message>
+    <message>
+        <source>Database that does not exist yet</source>
+        <translation>Datenbank, die es noch nicht gibt</translation>
     </message>
 </context>
 <context>
@@ -2517,6 +2484,14 @@
     <message>
         <source>Assessment, candidate %1, continued</source>
         <translation>Prüfung, Kandidat %1, fortgesetzt</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>The daily backup failed.</source>
+        <translation>Die tägliche Sicherung ist fehlgeschlagen.</translation>
     </message>
 </context>
 <context>
@@ -6859,6 +6834,117 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
+    <name>cusp::ui::StationPage</name>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s), %1</source>
+        <translation>
+            <numerusform>%n Sitzung, %1</numerusform>
+            <numerusform>%n Sitzungen, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Verification proves that nobody but the program has changed a result, an account or the log.</source>
+        <translation>Die Prüfung beweist, dass nur das Programm Ergebnisse, Konten und Protokoll geändert hat.</translation>
+    </message>
+    <message>
+        <source>Verify now</source>
+        <translation>Jetzt prüfen</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Back up now</source>
+        <translation>Jetzt sichern</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>To go back, restore a backup to a new database with &quot;cusp restore FOLDER NEW.db&quot;. Nothing is overwritten.</source>
+        <translation>Um zurückzugehen, stellen Sie eine Sicherung mit „cusp restore ORDNER NEU.db“ als neue Datenbank her. Nichts wird überschrieben.</translation>
+    </message>
+    <message>
+        <source>One a day, the newest %1 are kept in %2</source>
+        <translation>Eine am Tag, die neuesten %1 bleiben in %2</translation>
+    </message>
+    <message>
+        <source>There is no backup yet.</source>
+        <translation>Es gibt noch keine Sicherung.</translation>
+    </message>
+    <message>
+        <source>The newest one is of %1.</source>
+        <translation>Die neueste ist von %1.</translation>
+    </message>
+    <message>
+        <source>Copying the records</source>
+        <translation>Aufzeichnungen werden kopiert</translation>
+    </message>
+    <message>
+        <source>No backup was made.</source>
+        <translation>Es wurde keine Sicherung erstellt.</translation>
+    </message>
+    <message>
+        <source>The backup is made and checked.</source>
+        <translation>Die Sicherung ist erstellt und geprüft.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s), %1.</source>
+        <translation>
+            <numerusform>%n Sitzung, %1.</numerusform>
+            <numerusform>%n Sitzungen, %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a folder for backups</source>
+        <translation>Ordner für Sicherungen wählen</translation>
+    </message>
+    <message>
+        <source>Verifying every record</source>
+        <translation>Alle Aufzeichnungen werden geprüft</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) and the audit log are whole.</source>
+        <translation>
+            <numerusform>%n Sitzung und das Protokoll sind unversehrt.</numerusform>
+            <numerusform>%n Sitzungen und das Protokoll sind unversehrt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s): something was changed from outside.</source>
+        <translation>
+            <numerusform>%n Fund: etwas wurde von außen geändert.</numerusform>
+            <numerusform>%n Funde: etwas wurde von außen geändert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::StopCard</name>
     <message>
         <source>Leave</source>
@@ -8527,6 +8613,74 @@ Ihr bester davor</translation>
     <message>
         <source>A failed result is released only after an examiner has confirmed it.</source>
         <translation>Ein nicht bestandenes Ergebnis wird erst freigegeben, wenn es jemand bestätigt hat.</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>, second %1 of the session</source>
+        <translation>, Sekunde %1 des Versuchs</translation>
+    </message>
+    <message>
+        <source>, in the audit log since %1</source>
+        <translation>, im Protokoll seit %1</translation>
+    </message>
+    <message>
+        <source>The record was changed: %1%2.</source>
+        <translation>Die Aufzeichnung wurde verändert: %1%2.</translation>
+    </message>
+    <message>
+        <source>A part of the record is missing: %1%2.</source>
+        <translation>Ein Teil der Aufzeichnung fehlt: %1%2.</translation>
+    </message>
+    <message>
+        <source>Something was added to the record: %1%2.</source>
+        <translation>Der Aufzeichnung wurde etwas hinzugefügt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record’s chain is broken: %1%2.</source>
+        <translation>Die Kette der Aufzeichnung ist unterbrochen: %1%2.</translation>
+    </message>
+    <message>
+        <source>The signature over the record does not hold: %1%2.</source>
+        <translation>Die Signatur der Aufzeichnung stimmt nicht: %1%2.</translation>
+    </message>
+    <message>
+        <source>The station’s key is not the one that signed: %1%2.</source>
+        <translation>Der Schlüssel der Station ist nicht der, mit dem signiert wurde: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record cannot be read: %1%2.</source>
+        <translation>Die Aufzeichnung kann nicht gelesen werden: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record does not add up: %1%2.</source>
+        <translation>Die Aufzeichnung geht nicht auf: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record is not the one that was sealed: %1%2.</source>
+        <translation>Die Aufzeichnung ist nicht die, die versiegelt wurde: %1%2.</translation>
+    </message>
+    <message>
+        <source>The database is older than the counter beside its key, or its audit log was cut: %1%2.</source>
+        <translation>Die Datenbank ist älter als der Zähler neben ihrem Schlüssel, oder ihr Protokoll wurde gekürzt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The counter beside the station’s key is missing: %1%2.</source>
+        <translation>Der Zähler neben dem Schlüssel der Station fehlt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The counter beside the station’s key is not the one of this database: %1%2.</source>
+        <translation>Der Zähler neben dem Schlüssel der Station gehört nicht zu dieser Datenbank: %1%2.</translation>
+    </message>
+    <message>
+        <source>The audit log’s end was changed or taken out: %1%2.</source>
+        <translation>Das Ende des Protokolls wurde geändert oder entfernt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The lists show something else than the record: %1%2.</source>
+        <translation>Die Listen zeigen etwas anderes als die Aufzeichnung: %1%2.</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,13 @@
             <numerusform>The lists are made anew from the records; %n values differed.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n session(s) are restored as of %1.</source>
+        <translation>
+            <numerusform>%n session is restored as of %1.</numerusform>
+            <numerusform>%n sessions are restored as of %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>
@@ -340,6 +347,37 @@
         <translation>
             <numerusform>Time earns no points. %1 only, %n attempt.</numerusform>
             <numerusform>Time earns no points. %1 only, %n attempts.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::StationPage</name>
+    <message numerus="yes">
+        <source>%n session(s), %1</source>
+        <translation>
+            <numerusform>%n session, %1</numerusform>
+            <numerusform>%n sessions, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s), %1.</source>
+        <translation>
+            <numerusform>%n session, %1.</numerusform>
+            <numerusform>%n sessions, %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) and the audit log are whole.</source>
+        <translation>
+            <numerusform>%n session and the audit log are whole.</numerusform>
+            <numerusform>%n sessions and the audit log are whole.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s): something was changed from outside.</source>
+        <translation>
+            <numerusform>%n finding: something was changed from outside.</numerusform>
+            <numerusform>%n findings: something was changed from outside.</numerusform>
         </translation>
     </message>
 </context>

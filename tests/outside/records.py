@@ -73,6 +73,26 @@ def rebuild(desk):
     check(status == 0, f"after the rebuild: {out}{err}")
 
 
+def backups(desk, database):
+    """An administrator makes a backup; restored to a new name it is whole, and nothing is overwritten."""
+    into = desk.path("backups")
+    status, _, err = desk.run("backup", database, into, "--as", STUDENT, CUSP_PASSWORD=PIN)
+    check(status == 1 and not os.path.exists(into), f"a student makes a backup: {err}")
+    status, out, err = desk.run("backup", database, into, "--as", "admin", "--json", "-", CUSP_PASSWORD="correct horse")
+    check(status == 0 and json.loads(out)["sessions"] == 1, f"backup: {out}{err}")
+    folder = json.loads(out)["folder"]
+    status, _, err = desk.run("restore", folder, database)
+    one_sentence(err, "restoring over a database")
+    check(status == 1 and "there already" in err, err)
+    status, out, err = desk.run("restore", folder, desk.path("restored.db"))
+    check(status == 0, f"restore: {out}{err}")
+    status, out, err = desk.run("history", desk.path("restored.db"), "verify", "--as", STUDENT, CUSP_PASSWORD=PIN)
+    check(status == 0, f"the restored school is not whole: {out}{err}")
+    os.remove(os.path.join(folder, "backup.json"))
+    status, _, err = desk.run("restore", folder, desk.path("again.db"))
+    check(status == 1 and "no whole backup" in err and not os.path.exists(desk.path("again.db")), err)
+
+
 def secrets(desk, database):
     listed = ("history", database, "list", "--as")
     check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PIN)[0] == 0, "a PIN signs a student in")
@@ -161,6 +181,7 @@ def main():
         outputs(desk, database)
         verify_names(desk)
         rebuild(desk)
+        backups(desk, database)
         print("four tamperings were named, and PIN and password called by their names")
 
 

@@ -10,6 +10,7 @@
 #include "device/hid/hid_station.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
+#include "ui/admin/station_page.h"
 #include "ui/app/quick_open.h"
 #include "ui/app/help_page.h"
 #include "ui/app/password_dialog.h"
@@ -75,6 +76,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
     }
   });
   connect(pictures_.get(), &ThumbnailCache::ready, this, &Desktop::show_cover);
+  connect(&backup_timer_, &QTimer::timeout, this, &Desktop::keep_daily_backup);
 }
 
 Desktop::~Desktop() = default;
@@ -163,6 +165,10 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
                return page;
              }};
   }
+  if (!reading_only_ && may(role, Action::manage_station)) {
+    list += {u"station"_qs, tr("Station"), u"save"_qs,
+             [this]() -> QWidget* { return new StationPage(*store_, account_->actor(), settings_, ports_); }};
+  }
 }
 
 QVector<NavEntry> Desktop::entries() {
@@ -229,6 +235,8 @@ void Desktop::show_shell(const QString& page_key) {
     shell->show_notice(*why);
   } else if (const auto message = incident(); message && account_->role == Role::administrator) {
     shell->show_notice(*message);
+  } else if (backup_failure_ && account_->role == Role::administrator) {
+    shell->show_notice({tr("The daily backup failed."), backup_failure_->what + u' ' + backup_failure_->more});
   }
   replace_root(shell);
   shell_ = shell;

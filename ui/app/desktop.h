@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/session/background_task.h"
 #include "ui/session/replay.h"
 #include "ui/settings/settings.h"
 #include "ui/student/assessments.h"
@@ -80,6 +82,9 @@ class Desktop : public QMainWindow {
   void import_specimen();
   void import_people();
 
+  /// Backs the records up in the background when a day has passed since the last backup, unless somebody drills now.
+  void keep_daily_backup();
+
   void set_scheme(ColourScheme scheme);
   void set_language(const QString& code);
   void set_scale(int percent);
@@ -128,6 +133,9 @@ class Desktop : public QMainWindow {
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;
   hid::HidStation* hid_ = nullptr;
+  QTimer backup_timer_;
+  BackgroundTask backup_;
+  std::optional<Message> backup_failure_;  // of the last daily backup
 };
 
 }  // namespace cusp::ui

@@ -1,13 +1,21 @@
 // How the desktop opens the records: for writing, or where the disk takes nothing more for reading.
 
+#include <QApplication>
+#include <QPointer>
+
+#include "storage/base/clock.h"
+#include "ui/admin/backup_work.h"
 #include "ui/app/desktop.h"
 #include "ui/signin/sign_in.h"
 #include "ui/text/incident_text.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
+
+constexpr int kBackupLookMs = 60'000;  // between two looks at whether a backup is due
 
 /// A disk that takes nothing more can still be read.
 bool may_be_read(StorageError code) {
@@ -40,7 +48,24 @@ void Desktop::start() {
     return;
   }
   store_ = std::move(*store);
+  if (!reading_only_) backup_timer_.start(kBackupLookMs);
   show_sign_in(new SignIn(*store_));
+}
+
+void Desktop::keep_daily_backup() {
+  const auto into = settings_.backup_folder(database_);
+  // What is written meanwhile would slow the recorder down.
+  const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
+  if (!store_ || reading_only_ || drilling || !backup_.over() || !backup_is_due(into, system_utc_us())) return;
+  backup_ = back_up(database_, into, std::nullopt, [self = QPointer(this)](const Stored<Backup>& made) {
+    const auto failure = made ? std::nullopt : std::optional(describe(made.error()));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, failure] {
+          if (self) self->backup_failure_ = failure;
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 void Desktop::show_refusal(const Message& message) {

@@ -84,37 +84,6 @@ QString finding_text(const Finding& f) {
   return out + u'.';
 }
 
-QString finding_text(const ChainFinding& f) {
-  QString where = f.row >= 0 ? CliText::tr("%1, row %2").arg(text(f.table)).arg(f.row) : text(f.table);
-  if (!f.what.empty()) where += QStringLiteral(", ") + text(f.what);
-  QString when = f.second >= 0 ? CliText::tr(", second %1 of the session").arg(f.second) : QString();
-  if (f.at_utc_us > 0) when += CliText::tr(", in the audit log since %1").arg(text(iso_utc(f.at_utc_us)));
-  switch (f.code) {
-    case FindingCode::row_changed: return CliText::tr("The record was changed: %1%2.").arg(where, when);
-    case FindingCode::row_missing: return CliText::tr("A part of the record is missing: %1%2.").arg(where, when);
-    case FindingCode::row_added: return CliText::tr("Something was added to the record: %1%2.").arg(where, when);
-    case FindingCode::link_broken: return CliText::tr("The record’s chain is broken: %1%2.").arg(where, when);
-    case FindingCode::head_broken:
-      return CliText::tr("The signature over the record does not hold: %1%2.").arg(where, when);
-    case FindingCode::key_changed:
-      return CliText::tr("The station’s key is not the one that signed: %1%2.").arg(where, when);
-    case FindingCode::unreadable: return CliText::tr("The record cannot be read: %1%2.").arg(where, when);
-    case FindingCode::count_wrong: return CliText::tr("The record does not add up: %1%2.").arg(where, when);
-    case FindingCode::seal_broken: return CliText::tr("The record is not the one that was sealed: %1%2.").arg(where, when);
-    case FindingCode::rolled_back:
-      return CliText::tr("The database is older than the counter beside its key, or its audit log was cut: %1%2.").arg(where, when);
-    case FindingCode::counter_missing:
-      return CliText::tr("The counter beside the station’s key is missing: %1%2.").arg(where, when);
-    case FindingCode::counter_broken:
-      return CliText::tr("The counter beside the station’s key is not the one of this database: %1%2.").arg(where, when);
-    case FindingCode::log_damaged:
-      return CliText::tr("The audit log’s end was changed or taken out: %1%2.").arg(where, when);
-    case FindingCode::summary_differs:
-      return CliText::tr("The lists show something else than the record: %1%2.").arg(where, when);
-  }
-  return where;
-}
-
 QString no_plan_text() { return CliText::tr("No bur of the exercise fits into its target."); }
 
 QString proof_text(const ReplayProof& proof) {

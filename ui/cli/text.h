@@ -8,6 +8,7 @@
 #include "scenarios/format/validate.h"
 #include "ui/modules.h"
 #include "ui/session/replay.h"
+#include "ui/text/incident_text.h"
 
 namespace cusp::ui {
 
@@ -17,8 +18,6 @@ struct CliText {
 /// Descriptions of options are given to CLI11 as text.
 inline std::string help(const QString& text) { return text.toStdString(); }
 
-/// What is wrong with a record, and where: "Trace of second 12 was changed (trace_chunks, row 11)."
-QString finding_text(const ChainFinding& finding);
 /// What is wrong with a scenario, with its place.
 QString finding_text(const Finding& finding);
 /// Why a scripted operator has nothing to do.

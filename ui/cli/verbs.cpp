@@ -17,8 +17,8 @@ namespace cusp::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kVerbs = {"play",   "replay",   "grade",   "validate", "audit",
-                                                     "import", "specimen", "history", "template", "import-child"};
+constexpr std::array<std::string_view, 12> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
+                                                     "specimen", "history", "template", "backup", "restore", "import-child"};
 
 int run(int argc, char** argv) {
   CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   add_specimen(program, job);
   add_history(program, job);
   add_template(program, job);
+  add_backup(program, job);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version

@@ -31,6 +31,11 @@ int Settings::volume_percent() const {
 void Settings::set_volume_percent(int percent) { store_.setValue("sound/volume", std::clamp(percent, 0, 100)); }
 bool Settings::muted() const { return store_.value("sound/muted", false).toBool(); }
 void Settings::set_muted(bool muted) { store_.setValue("sound/muted", muted); }
+std::filesystem::path Settings::backup_folder(const std::filesystem::path& database) const {
+  const QString chosen = store_.value("records/backup_folder").toString();
+  return chosen.isEmpty() ? database.parent_path() / "backups" : std::filesystem::path(chosen.toStdString());
+}
+void Settings::set_backup_folder(const QString& folder) { store_.setValue("records/backup_folder", folder); }
 QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }
 void Settings::set_window(const QByteArray& geometry) { store_.setValue("window/geometry", geometry); }
 

@@ -32,6 +32,9 @@ class Settings {
   bool muted() const;
   void set_muted(bool muted);
   static constexpr int kUsualVolumePercent = 50;
+  /// Where the daily backups of a database go; "backups" beside it unless another folder was chosen.
+  std::filesystem::path backup_folder(const std::filesystem::path& database) const;
+  void set_backup_folder(const QString& folder);
   QByteArray window() const;
   void set_window(const QByteArray& geometry);
 

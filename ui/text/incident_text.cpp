@@ -1,5 +1,6 @@
 #include "ui/text/incident_text.h"
 
+#include "storage/base/clock.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
@@ -36,6 +37,37 @@ Message describe_reading_only(const StorageFailure& cause, const std::filesystem
   return {describe(cause).what, Text::tr("Results and reports can be read. Nothing can be drilled or changed until %1 can be "
                                       "written again.")
                                 .arg(isolate(QString::fromStdString(database.filename().string())))};
+}
+
+QString finding_text(const ChainFinding& f) {
+  QString where = f.row >= 0 ? Text::tr("%1, row %2").arg(QString::fromStdString(f.table)).arg(f.row) : QString::fromStdString(f.table);
+  if (!f.what.empty()) where += QStringLiteral(", ") + QString::fromStdString(f.what);
+  QString when = f.second >= 0 ? Text::tr(", second %1 of the session").arg(f.second) : QString();
+  if (f.at_utc_us > 0) when += Text::tr(", in the audit log since %1").arg(QString::fromStdString(iso_utc(f.at_utc_us)));
+  switch (f.code) {
+    case FindingCode::row_changed: return Text::tr("The record was changed: %1%2.").arg(where, when);
+    case FindingCode::row_missing: return Text::tr("A part of the record is missing: %1%2.").arg(where, when);
+    case FindingCode::row_added: return Text::tr("Something was added to the record: %1%2.").arg(where, when);
+    case FindingCode::link_broken: return Text::tr("The record’s chain is broken: %1%2.").arg(where, when);
+    case FindingCode::head_broken:
+      return Text::tr("The signature over the record does not hold: %1%2.").arg(where, when);
+    case FindingCode::key_changed:
+      return Text::tr("The station’s key is not the one that signed: %1%2.").arg(where, when);
+    case FindingCode::unreadable: return Text::tr("The record cannot be read: %1%2.").arg(where, when);
+    case FindingCode::count_wrong: return Text::tr("The record does not add up: %1%2.").arg(where, when);
+    case FindingCode::seal_broken: return Text::tr("The record is not the one that was sealed: %1%2.").arg(where, when);
+    case FindingCode::rolled_back:
+      return Text::tr("The database is older than the counter beside its key, or its audit log was cut: %1%2.").arg(where, when);
+    case FindingCode::counter_missing:
+      return Text::tr("The counter beside the station’s key is missing: %1%2.").arg(where, when);
+    case FindingCode::counter_broken:
+      return Text::tr("The counter beside the station’s key is not the one of this database: %1%2.").arg(where, when);
+    case FindingCode::log_damaged:
+      return Text::tr("The audit log’s end was changed or taken out: %1%2.").arg(where, when);
+    case FindingCode::summary_differs:
+      return Text::tr("The lists show something else than the record: %1%2.").arg(where, when);
+  }
+  return where;
 }
 
 }  // namespace cusp::ui

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "storage/records/verify.h"
+#include "ui/modules.h"
 #include "ui/text/failure_text.h"
 
 namespace cusp::ui {
@@ -13,5 +15,8 @@ Message describe_incident(std::string_view incident, const std::filesystem::path
 
 /// The records can only be read, for the reason that `cause` names.
 Message describe_reading_only(const StorageFailure& cause, const std::filesystem::path& database);
+
+/// What verification found, and where: "The record was changed: trace_chunks, row 11, second 12 of the session."
+QString finding_text(const ChainFinding& finding);
 
 }  // namespace cusp::ui

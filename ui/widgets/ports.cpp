@@ -34,6 +34,10 @@ Ports Ports::of_the_system() {
     dialog->setAcceptMode(wish.saving ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(wish.saving ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     if (wish.saving) dialog->selectFile(wish.name);
+    if (wish.what == FileWish::What::folder) {
+      dialog->setAcceptMode(QFileDialog::AcceptOpen);
+      dialog->setFileMode(QFileDialog::Directory);
+    }
     QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [then](const QString& path) { then(path); });
     dialog->open();
   };

@@ -19,10 +19,12 @@ struct Question {
 };
 
 struct FileWish {
+  enum class What { file, folder };
   QString title;
   QString name;            // suggested file name (saving)
   QString filter;          // "CSV (*.csv)"
   bool saving = true;
+  What what = What::file;  // of a folder title alone counts
 };
 
 struct Ports {

@@ -1,0 +1,46 @@
+#include "ui/admin/backup_work.h"
+
+#include "storage/store.h"
+
+namespace cusp::ui {
+namespace {
+
+Stored<std::unique_ptr<Store>> open_beside(const std::filesystem::path& database) {
+  StoreOptions options;
+  options.database.access = DatabaseOptions::Access::existing;
+  options.mark_interrupted = false;
+  return Store::open(database, options);
+}
+
+Stored<Backup> back_up_and_thin(const std::filesystem::path& database, const std::filesystem::path& into,
+                                const std::optional<Actor>& actor) {
+  const auto store = open_beside(database);
+  if (!store) return std::unexpected(store.error());
+  auto backup = make_backup((*store)->context(), actor, into);
+  if (!backup) return backup;
+  if (auto thinned = thin_backups(into, kBackupsKept); !thinned) return std::unexpected(thinned.error());
+  return backup;
+}
+
+}  // namespace
+
+BackgroundTask back_up(std::filesystem::path database, std::filesystem::path into, std::optional<Actor> actor,
+                       std::function<void(Stored<Backup>)> then) {
+  return BackgroundTask([database = std::move(database), into = std::move(into), actor, then = std::move(then)] {
+    then(back_up_and_thin(database, into, actor));
+  });
+}
+
+BackgroundTask verify_records(std::filesystem::path database, std::function<void(Stored<StoreVerification>)> then) {
+  return BackgroundTask([database = std::move(database), then = std::move(then)] {
+    const auto store = open_beside(database);
+    then(store ? verify_store((*store)->context()) : Stored<StoreVerification>(std::unexpected(store.error())));
+  });
+}
+
+bool backup_is_due(const std::filesystem::path& into, std::int64_t now_utc_us) {
+  const auto all = backups_in(into);
+  return !all || all->empty() || now_utc_us - all->front().made_utc_us >= kBackupEveryUs;
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,29 @@
+/// Backups of a station's records, made on a thread of their own with a store of their own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "storage/backup/backup.h"
+#include "storage/records/verify.h"
+#include "ui/modules.h"
+#include "ui/session/background_task.h"
+
+namespace cusp::ui {
+
+inline constexpr std::size_t kBackupsKept = 14;
+inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
+
+/// Makes a backup in `into` and removes the oldest beyond kBackupsKept. `then` is called on the task's thread.
+/// Without an actor it is the program's own daily one.
+BackgroundTask back_up(std::filesystem::path database, std::filesystem::path into, std::optional<Actor> actor,
+                       std::function<void(Stored<Backup>)> then);
+/// verify_store(); `then` is called on the task's thread.
+BackgroundTask verify_records(std::filesystem::path database, std::function<void(Stored<StoreVerification>)> then);
+
+/// Whether the newest backup in the folder is older than a day, or none is there.
+bool backup_is_due(const std::filesystem::path& into, std::int64_t now_utc_us);
+
+}  // namespace cusp::ui

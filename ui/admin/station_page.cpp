@@ -1,0 +1,197 @@
+#include "ui/admin/station_page.h"
+
+#include <QBoxLayout>
+#include <QDateTime>
+#include <QLabel>
+#include <QLocale>
+#include <QPointer>
+#include <QPushButton>
+#include <QStandardItemModel>
+
+#include "ui/text/failure_text.h"
+#include "ui/text/incident_text.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr std::size_t kFindingsShown = 5;
+
+QString size_text(std::uint64_t bytes) { return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1); }
+
+QLabel* wrapped(const QString& text) {
+  QLabel* label = make_label(text, TextRole::body, Weight::regular, "text2");
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+/// Calls `show` on the window's thread, if the page still stands.
+template <class Result>
+std::function<void(Result)> on_window(StationPage* page, void (StationPage::*show)(const Result&)) {
+  return [self = QPointer(page), show](Result result) {
+    auto shared = std::make_shared<Result>(std::move(result));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, show, shared] {
+          if (self) (self->*show)(*shared);
+        },
+        Qt::QueuedConnection);
+  };
+}
+
+}  // namespace
+
+StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
+    : QWidget(parent), database_(store.database().file()), actor_(actor), settings_(settings), ports_(ports) {
+  const auto count = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
+  if (count) sessions_ = count->value_or(0);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setSpacing(px(12));
+  outer->addWidget(new PageHead(tr("Station")));
+  band_ = new Band;
+  outer->addWidget(band_);
+  busy_ = new Busy;
+  busy_->hide();
+  outer->addWidget(busy_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(16));
+  row->addWidget(make_backups(), 3);
+  row->addWidget(make_records(), 2, Qt::AlignTop);
+  outer->addLayout(row, 1);
+  show_backups();
+  setFocusProxy(back_up_);
+}
+
+QString StationPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+
+QWidget* StationPage::make_records() {
+  auto* card = new Card(tr("Records"));
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(database_, none);
+  card->body()->addWidget(wrapped(QString::fromStdString(database_.string())));
+  card->body()->addWidget(make_label(tr("%n session(s), %1", nullptr, static_cast<int>(sessions_)).arg(none ? QString() : size_text(bytes))));
+  card->body()->addWidget(wrapped(tr("Verification proves that nobody but the program has changed a result, an account or the log.")));
+  verify_ = make_button(tr("Verify now"), ButtonKind::standard, u"shield"_qs);
+  card->body()->addWidget(verify_, 0, Qt::AlignLeading);
+  connect(verify_, &QPushButton::clicked, this, &StationPage::verify);
+  return card;
+}
+
+QWidget* StationPage::make_backups() {
+  auto* card = new Card(tr("Backups"), QStringLiteral(" "));
+  newest_ = make_label({});
+  card->body()->addWidget(newest_);
+  folder_ = wrapped({});
+  card->body()->addWidget(folder_);
+  auto* row = new QHBoxLayout;
+  back_up_ = make_button(tr("Back up now"), ButtonKind::primary, u"save"_qs);
+  choose_ = make_button(tr("Choose a folder"));
+  row->addWidget(back_up_);
+  row->addWidget(choose_);
+  row->addStretch();
+  card->body()->addLayout(row);
+  auto* table = new Table;
+  table->setAccessibleName(tr("Backups"));
+  list_ = new QStandardItemModel(this);
+  list_->setHorizontalHeaderLabels({tr("Made"), tr("Sessions"), tr("Size"), tr("Folder")});
+  table->setModel(list_);
+  table->set_stretch_column(3);
+  card->body()->addWidget(table, 1);
+  card->body()->addWidget(wrapped(tr("To go back, restore a backup to a new database with \"cusp restore FOLDER NEW.db\". Nothing is overwritten.")));
+  connect(back_up_, &QPushButton::clicked, this, &StationPage::back_up);
+  connect(choose_, &QPushButton::clicked, this, &StationPage::choose_folder);
+  return card;
+}
+
+void StationPage::show_backups() {
+  const auto into = settings_.backup_folder(database_);
+  folder_->setText(tr("One a day, the newest %1 are kept in %2").arg(kBackupsKept).arg(QString::fromStdString(into.string())));
+  const auto all = backups_in(into);
+  list_->removeRows(0, list_->rowCount());
+  if (!all || all->empty()) {
+    newest_->setText(all ? tr("There is no backup yet.") : describe(all.error()).what);
+    return;
+  }
+  newest_->setText(tr("The newest one is of %1.").arg(format_day_time(local_time(all->front().made_utc_us))));
+  for (const Backup& backup : *all) {
+    QList<QStandardItem*> cells;
+    for (const QString& text : {format_day_time(local_time(backup.made_utc_us)), QLocale().toString(static_cast<qulonglong>(backup.sessions)),
+                                size_text(backup.bytes), QString::fromStdString(backup.folder.filename().string())}) {
+      auto* cell = new QStandardItem(text);
+      cell->setEditable(false);
+      cells += cell;
+    }
+    list_->appendRow(cells);
+  }
+}
+
+void StationPage::begin(const QString& what) {
+  working_ = true;
+  for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(false);
+  busy_->start(what, Busy::Cancel::none);
+}
+
+void StationPage::end() {
+  working_ = false;
+  busy_->finish();
+  for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(true);
+}
+
+void StationPage::back_up() {
+  if (working_) return;
+  begin(tr("Copying the records"));
+  task_ = ui::back_up(database_, settings_.backup_folder(database_), actor_, on_window<Stored<Backup>>(this, &StationPage::show_backed_up));
+}
+
+void StationPage::show_backed_up(const Stored<Backup>& backup) {
+  end();
+  show_backups();
+  if (!backup) {
+    const Message message = describe(backup.error());
+    band_->show_message(Band::Kind::bad, tr("No backup was made."), message.what + u' ' + message.more);
+    return;
+  }
+  band_->show_message(Band::Kind::good, tr("The backup is made and checked."),
+                      tr("%n session(s), %1.", nullptr, static_cast<int>(backup->sessions)).arg(size_text(backup->bytes)));
+}
+
+void StationPage::choose_folder() {
+  FileWish wish;
+  wish.title = tr("Choose a folder for backups");
+  wish.what = FileWish::What::folder;
+  wish.saving = false;
+  ports_.pick_file(this, wish, [this](const QString& path) {
+    settings_.set_backup_folder(path);
+    show_backups();
+  });
+}
+
+void StationPage::verify() {
+  if (working_) return;
+  begin(tr("Verifying every record"));
+  task_ = verify_records(database_, on_window<Stored<StoreVerification>>(this, &StationPage::show_verified));
+}
+
+void StationPage::show_verified(const Stored<StoreVerification>& proof) {
+  end();
+  if (!proof) {
+    const Message message = describe(proof.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
+    return;
+  }
+  if (proof->intact()) {
+    band_->show_message(Band::Kind::good, tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(proof->sessions)), {});
+    return;
+  }
+  QStringList more;
+  for (std::size_t i = 0; i < proof->findings.size() && i < kFindingsShown; ++i) more += finding_text(proof->findings[i]);
+  band_->show_message(Band::Kind::bad, tr("%n finding(s): something was changed from outside.", nullptr, static_cast<int>(proof->findings.size())),
+                      more.join(u' '));
+}
+
+}  // namespace cusp::ui

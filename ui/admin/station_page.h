@@ -1,0 +1,61 @@
+/// The station's records: where they lie and how large they are, backups, and verification. Thread: GUI; copies and proofs run in
+/// the background on stores of their own.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "storage/backup/backup.h"
+#include "storage/store.h"
+#include "ui/admin/backup_work.h"
+#include "ui/modules.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/ports.h"
+
+class QLabel;
+class QPushButton;
+class QStandardItemModel;
+
+namespace cusp::ui {
+
+class Band;
+class Busy;
+
+class StationPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Settings and ports outlive the page.
+  StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent = nullptr);
+  QString message() const;
+  bool working() const { return working_; }
+
+ public Q_SLOTS:
+  void back_up();
+  void choose_folder();
+  void verify();
+
+ private:
+  QWidget* make_records();
+  QWidget* make_backups();
+  void show_backups();
+  void show_backed_up(const Stored<Backup>& backup);
+  void show_verified(const Stored<StoreVerification>& proof);
+  void begin(const QString& what);
+  void end();
+
+  std::filesystem::path database_;
+  Actor actor_;
+  Settings& settings_;
+  const Ports& ports_;
+  std::uint64_t sessions_ = 0;
+  bool working_ = false;
+  BackgroundTask task_;
+  Band* band_;
+  Busy* busy_ = nullptr;
+  QLabel *folder_ = nullptr, *newest_ = nullptr;
+  QPushButton *back_up_ = nullptr, *choose_ = nullptr, *verify_ = nullptr;
+  QStandardItemModel* list_ = nullptr;
+};
+
+}  // namespace cusp::ui

@@ -1,0 +1,90 @@
+// cusp backup DB FOLDER, cusp restore BACKUP DB
+
+#include "storage/backup/backup.h"
+
+#include <nlohmann/json.hpp>
+
+#include "storage/base/clock.h"
+#include "ui/cli/account.h"
+#include "ui/cli/outputs.h"
+#include "ui/cli/text.h"
+#include "ui/cli/verb.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+namespace {
+
+struct BackupOptions {
+  std::string from, to;
+  AccountOption account;
+  JsonOption json;
+};
+
+nlohmann::ordered_json backup_json(const Backup& backup) {
+  nlohmann::ordered_json json;
+  json["folder"] = backup.folder.string();
+  json["made"] = iso_utc(backup.made_utc_us);
+  json["sessions"] = backup.sessions;
+  json["bytes"] = backup.bytes;
+  return json;
+}
+
+int back_up(const BackupOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.from)) return failed(*no);
+  auto store = open_records(o.from);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
+  if (!account) return failed(account.error());
+  const auto backup = make_backup((*store)->context(), account->actor(), o.to);
+  if (!backup) return failed(describe(backup.error()));
+  if (!o.json.write(backup_json(*backup))) return kFailed;
+  if (!o.json.on_stdout()) print_line(backup->folder.string());
+  return kDone;
+}
+
+int restore(const BackupOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.to)) return failed(*no);
+  const auto backup = read_backup(o.from);
+  if (!backup) {
+    if (backup.error().code != StorageError::not_found) return failed(describe(backup.error()));
+    return failed(CliText::tr("%1 is no whole backup.").arg(QString::fromStdString(o.from)));
+  }
+  const auto done = restore_backup(*backup, o.to);
+  if (!done && done.error().code == StorageError::duplicate) {
+    return failed(CliText::tr("%1 is there already. Restore to a new name; nothing was changed.")
+                      .arg(QString::fromStdString(done.error().where)));
+  }
+  if (!done) return failed(describe(done.error()));
+  StoreOptions options;
+  options.database.access = DatabaseOptions::Access::existing;
+  auto store = Store::open(o.to, options);
+  if (!store) return failed(describe(store.error()));
+  if (auto logged = log_restored((*store)->context(), *backup); !logged) return failed(describe(logged.error()));
+  if (!o.json.write(backup_json(*backup))) return kFailed;
+  if (!o.json.on_stdout()) {
+    print_line(plain(CliText::tr("%n session(s) are restored as of %1.", nullptr, static_cast<int>(backup->sessions))
+                         .arg(QString::fromStdString(iso_utc(backup->made_utc_us)))));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_backup(CLI::App& program, Job& job) {
+  auto o = std::make_shared<BackupOptions>();
+  CLI::App* make = program.add_subcommand("backup", help(CliText::tr("Copies all records as of now to a new folder; for administrators")));
+  make->add_option("DB", o->from, help(CliText::tr("Database")))->required();
+  make->add_option("FOLDER", o->to, help(CliText::tr("Where the backup’s own folder is made")))->required();
+  o->account.add_to(*make);
+  o->json.add_to(*make);
+  make->callback([&job, o] { job = [o] { return back_up(*o); }; });
+
+  auto r = std::make_shared<BackupOptions>();
+  CLI::App* back = program.add_subcommand("restore", help(CliText::tr("Makes a new database from a backup")));
+  back->add_option("BACKUP", r->from, help(CliText::tr("The backup’s folder")))->required();
+  back->add_option("DB", r->to, help(CliText::tr("Database that does not exist yet")))->required();
+  r->json.add_to(*back);
+  back->callback([&job, r] { job = [r] { return restore(*r); }; });
+}
+
+}  // namespace cusp::ui
