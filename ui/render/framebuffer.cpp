@@ -21,13 +21,15 @@ void release(unsigned framebuffer, unsigned colour, unsigned depth) {
 
 }  // namespace
 
-Multisampling usual_multisampling() {
+bool draws_in_software() {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (name == nullptr) return Multisampling::off;
+  if (name == nullptr) return true;
   const auto in_software = [name](const char* rasteriser) { return std::strstr(name, rasteriser) != nullptr; };
   constexpr std::array<const char*, 4> kRasterisers = {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"};
-  return std::ranges::any_of(kRasterisers, in_software) ? Multisampling::off : Multisampling::four;
+  return std::ranges::any_of(kRasterisers, in_software);
 }
+
+Multisampling usual_multisampling() { return draws_in_software() ? Multisampling::off : Multisampling::four; }
 
 void Framebuffer::attach(Buffers& to, FramebufferSize size, int samples) {
   glGenFramebuffers(1, &to.framebuffer);

@@ -15,6 +15,9 @@ struct FramebufferSize {
   friend bool operator==(const FramebufferSize&, const FramebufferSize&) = default;
 };
 
+/// True where the current context's renderer is a rasteriser in software, not a graphics card.
+bool draws_in_software();
+
 enum class Multisampling : std::uint8_t { off, four };
 /// Four samples where a graphics card draws; off in software, where they cost two to four frames.
 Multisampling usual_multisampling();

@@ -3,6 +3,11 @@
 #include <array>
 
 namespace cusp::ui {
+namespace {
+
+constexpr float kStripePx = 10.0f;  // of the hatching, from stripe to stripe across the view
+
+}  // namespace
 
 MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, const Scene3d& scene,
                                    glm::vec4 clip_plane) {
@@ -18,6 +23,7 @@ MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, con
   program.set("show_target", scene.show_target ? 1 : 0);
   program.set("target_colour", linear(kTargetLine));
   program.set("over_colour", glm::vec3(kOverCut.r, kOverCut.g, kOverCut.b));
+  program.set("stripes_a_px", 1.0f / (kStripePx * view.line_scale));
   program.set("to_eye", view.to_eye);
   program.set("back_light", view.back_light);
   program.set("right", view.right);

@@ -17,6 +17,11 @@ namespace {
 
 constexpr double kTurnPerPx = 0.008;  // radians; half a turn across a view 400 px wide
 constexpr double kZoomPerNotch = 1.15;
+// For a frame of a picture in motion. The window's own copy and hand-over take the rest of 40 ms, 25 frames a second.
+constexpr double kBudgetMs = 24.0;
+// After a frame that showed a change of mesh, camera or mirror: without another one for so long the picture is at rest. On a
+// busy machine changes come further apart, and a large picture between two of them would delay the second.
+constexpr double kRestMs = 150.0, kRestFrames = 3.0;
 
 Colour colour_of(const QColor& c) {
   return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF()), 1.0f};
@@ -24,7 +29,7 @@ Colour colour_of(const QColor& c) {
 
 }  // namespace
 
-ToothView::ToothView(QWidget* parent) : QWidget(parent) {
+ToothView::ToothView(QWidget* parent) : QWidget(parent), scale_(kBudgetMs) {
   setMinimumSize(240, 200);
   setAttribute(Qt::WA_OpaquePaintEvent);
   // A view that is gone takes no frame: the painter, a member, ends with it.
@@ -34,6 +39,8 @@ ToothView::ToothView(QWidget* parent) : QWidget(parent) {
   });
   if (!painter_) show_placeholder(tr("The tooth is drawn where the screen has OpenGL."));
   setAccessibleName(tr("Tooth"));
+  rest_.setSingleShot(true);
+  connect(&rest_, &QTimer::timeout, this, &ToothView::sharpen);
   read_theme();
 }
 
@@ -53,19 +60,37 @@ void ToothView::repaint_soon() {
   QMetaObject::invokeMethod(this, &ToothView::order_frame, Qt::QueuedConnection);
 }
 
+QSize ToothView::full_size_px() const { return (devicePixelRatioF() * QSizeF(size())).toSize().expandedTo({1, 1}); }
+
+/// Where a graphics card draws, no picture counts as in motion.
+void ToothView::note_motion() {
+  const bool mesh = asked_.exchange(false);
+  const bool moved = ordered_camera_ != scene_.camera || ordered_mirror_ != scene_.mirror;
+  ordered_camera_ = scene_.camera;
+  ordered_mirror_ = scene_.mirror;
+  shows_motion_ = in_software_ && (mesh || moved);
+  if (!shows_motion_) return;
+  in_motion_ = true;
+  rest_.stop();
+}
+
+void ToothView::sharpen() {
+  in_motion_ = false;
+  if (drawing_ || image_.size() != full_size_px()) repaint_soon();
+}
+
 void ToothView::order_frame() {
   if (!wanted_ || drawing_ || !painter_ || !isVisible()) return;
   wanted_ = false;
   drawing_ = true;
-  asked_.store(false);
+  note_motion();
   ordered_at_ = std::chrono::steady_clock::now();
   if (bur_source_) scene_.bur = bur_source_();
-  const qreal ratio = devicePixelRatioF();
-  scene_.line_scale = static_cast<float>(ratio);
+  const double share = in_motion_ ? scale_.share() : 1.0;
+  scene_.line_scale = static_cast<float>(share * devicePixelRatioF());
   FrameOrder order;
   order.scene = scene_;
-  order.size_px = {std::max(1, static_cast<int>(std::lround(width() * ratio))),
-                   std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+  order.size_px = (share * QSizeF(full_size_px())).toSize().expandedTo({1, 1});
   order.mesh = mesh_;
   order.feed = feed_;
   if (std::exchange(changed_.mesh, false))
@@ -90,6 +115,8 @@ void ToothView::take(FinishedFrame frame) {
   }
   spare_ = std::exchange(image_, std::move(frame.image));
   draw_ms_ = frame.draw_ms;
+  in_software_ = frame.in_software;
+  if (in_motion_) scale_.drawn(frame.draw_ms);
   fresh_ = true;
   update();
   if (frame.more) wanted_ = true;
@@ -101,7 +128,9 @@ void ToothView::paintEvent(QPaintEvent*) {
   if (image_.isNull()) {
     painter.fillRect(rect(), tokens().view_middle);
   } else {
-    painter.drawImage(rect(), image_);  // scaled only until a frame of the new size is there
+    // Smaller while it is in motion, and of another size until a frame of the new size is there.
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != full_size_px());
+    painter.drawImage(rect(), image_);
   }
   // Behind this event the window's pixels are handed over.
   if (std::exchange(fresh_, false)) QMetaObject::invokeMethod(this, &ToothView::frame_ended, Qt::QueuedConnection);
@@ -162,6 +191,7 @@ void ToothView::frame_ended() {
   changes_.clear();
   // Not before: two frames in work at once would keep the mirror's thread from the processor.
   drawing_ = false;
+  if (shows_motion_) rest_.start(static_cast<int>(std::max(kRestMs, kRestFrames * draw_ms_)));
   order_frame();
 }
 

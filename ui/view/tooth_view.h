@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 #include <atomic>
 #include <chrono>
@@ -13,6 +14,7 @@
 
 #include "ui/render/patch_feed.h"
 #include "ui/render/tooth_picture.h"
+#include "ui/view/picture_scale.h"
 
 namespace cusp::ui {
 
@@ -98,6 +100,9 @@ class ToothView : public QWidget {
   };
   void repaint_soon();
   void order_frame();
+  void note_motion();
+  void sharpen();
+  QSize full_size_px() const;
   void take(FinishedFrame frame);
   void take_feed();
   void show_placeholder(const QString& text);
@@ -119,6 +124,10 @@ class ToothView : public QWidget {
   TickTimes changes_;  // shown by the newest frame, not yet on the screen
   double draw_ms_ = 0;
   std::chrono::steady_clock::time_point ordered_at_;
+  PictureScale scale_;                       // of pictures in motion
+  QTimer rest_;                              // from the newest change on the screen to the picture's rest
+  Camera ordered_camera_;                    // of the newest order, as its mirror
+  std::optional<MouthMirror> ordered_mirror_;
   QPointF last_;
   int mesh_ = 0;  // rises with each volume and feed
   bool left_turns_ = false, wheel_taken_ = false;
@@ -126,6 +135,9 @@ class ToothView : public QWidget {
   bool wanted_ = false;   // a frame is wanted
   bool drawing_ = false;  // the painter has an order, or its frame is not yet on the screen
   bool fresh_ = false;    // the newest frame is not yet on the screen
+  bool in_software_ = false;   // no graphics card draws
+  bool in_motion_ = false;     // drawn at scale_.share()
+  bool shows_motion_ = false;  // the newest order has a change
   std::atomic<bool> asked_{false};
 };
 

@@ -35,7 +35,10 @@ class ViewPainter::Canvas {
     FinishedFrame out;
     out.mesh = order.mesh;
     std::string why;
-    if (!picture_) picture_ = ToothPicture::create(&why);
+    if (!picture_) {
+      picture_ = ToothPicture::create(&why);
+      in_software_ = draws_in_software();
+    }
     const FramebufferSize size{order.size_px.width(), order.size_px.height()};
     if (picture_ && (!framebuffer_ || framebuffer_->size() != size)) {
       framebuffer_.reset();
@@ -48,6 +51,7 @@ class ViewPainter::Canvas {
     put(order, out);
     framebuffer_->bind();
     picture_->draw(order.scene, size.width_px, size.height_px);
+    out.in_software = in_software_;
     out.image = std::move(order.spare);
     if (out.image.size() != order.size_px) out.image = QImage(order.size_px, QImage::Format_RGB32);
     framebuffer_->read(PixelOrder::bgra, {out.image.bits(), static_cast<std::size_t>(out.image.sizeInBytes())});
@@ -74,6 +78,7 @@ class ViewPainter::Canvas {
   std::unique_ptr<ToothPicture> picture_;
   std::unique_ptr<Framebuffer> framebuffer_;
   int mesh_ = -1;
+  bool in_software_ = false;
 };
 
 ViewPainter::ViewPainter(Drawn drawn) : drawn_(std::move(drawn)) {}

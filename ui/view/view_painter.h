@@ -41,6 +41,7 @@ struct FinishedFrame {
   TickTimes changes;            // that this frame shows first
   bool more = false;            // further patches wait in the feed
   double draw_ms = 0;           // uploading, drawing and reading back
+  bool in_software = false;     // no graphics card drew it
 };
 
 class ViewPainter {

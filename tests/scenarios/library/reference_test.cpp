@@ -15,9 +15,9 @@
 namespace cusp::test {
 namespace {
 
-/// One of each class; with CUSP_FULL set all exercises (four minutes).
+/// One of each class and a disc; with CUSP_FULL set all exercises (four minutes).
 std::vector<std::string> exercises() {
-  if (std::getenv("CUSP_FULL") == nullptr) return {"class-1-25", "class-2-46-mo"};
+  if (std::getenv("CUSP_FULL") == nullptr) return {"class-1-25", "class-2-46-mo", "circle-3"};
   std::vector<std::string> out;
   for (const std::string_view key : builtin_scenarios()) out.emplace_back(key);
   return out;

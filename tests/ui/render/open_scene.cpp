@@ -1,6 +1,7 @@
 // cusp-open-scene SCENARIO [PICTURE.png [WIDTH HEIGHT [CENTRE EDGE]]]: opens an exercise as the drilling screen does, but
 // for the window: specimen, scenery, meshes and the first picture. It then cuts the target in layers. Prints how long that
-// took, how much memory, what a patch costs to bake, and what a frame costs with the scenery and without, whole and cut.
+// took, how much memory, what a patch costs to bake, and what a frame costs with the scenery and without, whole and cut,
+// and what of it each pass takes, at the sizes of pictures in motion too.
 // SCENARIO: a file, or the id of a built-in exercise. WIDTH, HEIGHT: 1280 800. CENTRE, EDGE: the background, RRGGBB. Exit 1
 // beyond 10 s or 600 MB.
 #include <epoxy/gl.h>
@@ -179,6 +180,26 @@ void print_all_frames(const Shown& shown, const std::vector<Scene3d>& views) {
   for (std::size_t i = 0; i < views.size(); ++i) print_frames(shown, kNames[i], views[i]);
 }
 
+/// What a frame at the target is spent on: each part as the difference to a frame without it, and the same at smaller sizes.
+void print_split(Shown& shown, Scene3d scene) {
+  scene.bur = BurPose{.bur = Bur{}, .pivot_mm = scene.camera.centre_mm()};
+  const Size whole = shown.size;
+  for (const double share : {1.0, 0.85, 0.7, 0.6, 0.5, 0.02}) {
+    shown.size = {static_cast<int>(share * whole.width), static_cast<int>(share * whole.height)};
+    const double all = measure(shown, scene).cpu_ms;
+    Scene3d less = scene;
+    less.show_target = false;
+    const double no_lines = measure(shown, less).cpu_ms;
+    less.bur.reset();
+    const double no_bur = measure(shown, less).cpu_ms;
+    less.camera.set_centre(scene.camera.centre_mm() + Vec3(0.0, 0.0, 1e3));
+    const double background = measure(shown, less).cpu_ms;
+    std::printf("  %.2f of each side: %.1f ms; lines %.1f, bur %.1f, tooth %.1f, background %.1f\n", share, all, all - no_lines,
+                no_lines - no_bur, no_bur - background, background);
+  }
+  shown.size = whole;
+}
+
 /// "name.png" becomes "name-WHAT.png".
 std::string named(std::string path, const std::string& what) { return path.insert(path.size() - 4, "-" + what); }
 
@@ -237,6 +258,7 @@ int main(int argc, char** argv) {
   if (!shown.look->empty()) {
     cut(shown);
     print_all_frames(shown, views);
+    print_split(shown, views[0]);
     if (argc > 2 && !write_views(shown, views, argv[2], "cut")) return 1;
   }
   return seconds < kMostSeconds && kb < kMostKb ? 0 : 1;

@@ -8,6 +8,7 @@ in vec4 shaded;
 
 uniform vec3 half_way;                   // unit, between key light and eye; in the view's frame, as facing
 uniform vec3 over_colour;                // as the screen shows it
+uniform float stripes_a_px;              // of the hatching, along either axis of the framebuffer
 uniform vec3 map_colour[5];              // linear light, -0.5 -0.3 0 +0.3 +0.5 mm
 
 out vec4 colour;
@@ -36,7 +37,7 @@ void main() {
   colour = vec4(sqrt(min(lit, vec3(1.0))), 1.0);
 #else
   // Cut beyond the leeway: hatched.
-  float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) * 0.1);
+  float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) * stripes_a_px);
   float hatch = shaded.a > 0.5 ? (stripe < 0.5 ? 1.0 : 0.25) : 0.0;
   vec3 surface = mix(shaded.rgb, over_colour * (0.25 + 0.75 * shaded.r), hatch);
   // A wet surface mirrors the lamp's square face: where the mirrored eye's way goes, right and up.
