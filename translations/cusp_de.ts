@@ -5909,6 +5909,10 @@
         <source>Candidate %1</source>
         <translation>Kandidat %1</translation>
     </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>

@@ -27,6 +27,7 @@ struct PdfText {
 // Pixels of the screen at 100 %; `unit` of the paper to each.
 constexpr double kToothHigh = 250, kToothRatio = 1.35;  // of the picture, and how much wider than high it is
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
+constexpr double kRemarkFoot = 60;                      // left free below the last remark of a sheet
 constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time" that fit one page
 
 void write_head(Paper& paper, const ReportData& d, const Tokens& t) {
@@ -211,6 +212,33 @@ void write_legend(Paper& paper, const Tokens& t) {
   }
 }
 
+/// On sheets of their own, as many as they need.
+void write_remarks(QPainter& painter, const QRectF& page, double unit, const ReportData& d, const std::function<void()>& new_page) {
+  if (d.remarks.empty()) return;
+  const Tokens& t = Tokens::light();
+  const Paper::Column whole{page.left(), page.width()};
+  std::optional<Paper> paper;
+  const auto begin_sheet = [&] {
+    new_page();
+    paper.emplace(painter, page, unit);
+    write_head(*paper, d, t);
+  };
+  const auto write = [&](const QString& text, Weight weight) {
+    if (paper->y() > page.bottom() - paper->u(kRemarkFoot)) begin_sheet();
+    paper->write(text, whole, {11, weight, t.text});
+  };
+  begin_sheet();
+  paper->write(PdfText::tr("Remarks"), whole, {13, Weight::bold, t.text});
+  paper->skip(4);
+  for (const Remark& remark : d.remarks) {
+    write(remark.who + u", "_qs + format_day_time(remark.when), Weight::bold);
+    QStringList lines = remark.text.split(u'\n', Qt::SkipEmptyParts);
+    if (!remark.what.isEmpty()) lines.prepend(remark.what);
+    for (const QString& line : lines) write(line, Weight::regular);
+    paper->skip(8);
+  }
+}
+
 }  // namespace
 
 QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<QPointF>& taken) {
@@ -264,11 +292,13 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
   if (data.result.changes) foot = changes_text(*data.result.changes) + u'\n' + foot;
   painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, foot);
-  if (!tooth || tooth->closeups.empty()) return;
-  new_page();
-  Paper second(painter, page, unit);
-  write_head(second, data, t);
-  write_closeups(second, data, tooth->closeups);
+  if (tooth && !tooth->closeups.empty()) {
+    new_page();
+    Paper second(painter, page, unit);
+    write_head(second, data, t);
+    write_closeups(second, data, tooth->closeups);
+  }
+  write_remarks(painter, page, unit, data, new_page);
 }
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,

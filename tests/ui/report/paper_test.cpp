@@ -53,6 +53,23 @@ ReportData whole_block() {
   return data;
 }
 
+TEST(ReportPdf, has_the_remarks_on_sheets_of_their_own) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  data.remarks.push_back({Uuid::v7(), QStringLiteral("Dr Berg"), data.when, QStringLiteral("Floor depth: 6 instead of 4 points"),
+                          QStringLiteral("The block was worn."), std::nullopt});
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const std::string text = text_in(file);
+  for (const char* part : {"Remarks", "Dr Berg", "6 instead of 4 points", "The block was worn."}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+  for (int i = 0; i < 60; ++i) data.remarks.push_back(data.remarks.front());
+  data.remarks.back().text = QStringLiteral("The last one.");
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  EXPECT_NE(text_in(file).find("The last one."), std::string::npos);
+}
+
 TEST(ReportPdf, holds_the_picture_of_the_tooth) {
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
