@@ -2618,6 +2618,18 @@
         <source>Finish</source>
         <translation>Beenden</translation>
     </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DrillScreen</name>

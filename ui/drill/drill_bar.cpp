@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
 
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -12,6 +14,15 @@
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
+namespace {
+
+struct TimeWarning {
+  double left_s;
+  const char* ink;
+};
+constexpr std::array kTimeWarnings = {TimeWarning{300, "look"}, TimeWarning{60, "bad"}};
+
+}  // namespace
 
 DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   set_kind(this, "bar_top");
@@ -38,6 +49,10 @@ DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   clock_->setMinimumWidth(QFontMetrics(font_of(TextRole::live, Weight::bold)).horizontalAdvance(QStringLiteral("00:00:00")));
   row->addWidget(clock_sign);
   row->addWidget(clock_);
+  limit_ = make_label({}, TextRole::body, Weight::regular, "text2");
+  limit_->setAccessibleDescription(tr("Time limit"));
+  limit_->hide();
+  row->addWidget(limit_);
   row->addStretch(1);
   device_name_ = make_label({}, TextRole::body, Weight::regular, "text2");
   row->addWidget(device_name_, 0, Qt::AlignVCenter);
@@ -58,6 +73,26 @@ void DrillBar::set_exercise(const QString& title, const QString& aside) {
 void DrillBar::set_seconds(double seconds) {
   const QString time = format_clock(seconds);
   if (time != clock_->text()) clock_->setText(time);
+  if (limit_s_ > 0) show_time_left(std::max(0.0, limit_s_ - seconds));
+}
+
+void DrillBar::set_time_limit(double seconds) {
+  limit_s_ = seconds;
+  limit_->setVisible(seconds > 0);
+  limit_->setText(tr("of %1").arg(format_clock(seconds)));
+}
+
+void DrillBar::show_time_left(double left_s) {
+  int due = 0;
+  for (const TimeWarning& warning : kTimeWarnings) due += left_s < warning.left_s && warning.left_s < limit_s_ ? 1 : 0;
+  if (due == 0) return;
+  const QString text = tr("%1 left").arg(format_clock(left_s));
+  if (text != limit_->text()) limit_->setText(text);
+  if (due <= warned_) return;
+  warned_ = due;
+  const std::size_t last = left_s < kTimeWarnings.back().left_s ? 1 : 0;
+  set_ink(limit_, kTimeWarnings[last].ink);
+  announce(this, text);
 }
 
 void DrillBar::set_device(const DeviceLimits& device) {

@@ -20,6 +20,8 @@ class DrillBar : public QFrame {
 
   void set_exercise(const QString& title, const QString& aside);
   void set_seconds(double seconds);
+  /// Beside the clock; 0: none. Below five minutes and below one the time that is left is shown and read out.
+  void set_time_limit(double seconds);
   void set_device(const DeviceLimits& device);
   /// Only a device that pushes a hand suffers from late ticks; shown, and read out, as soon as the loop knows what it was
   /// granted.
@@ -36,9 +38,13 @@ class DrillBar : public QFrame {
   void finish();
 
  private:
-  QLabel *title_, *aside_, *clock_, *device_name_;
+  void show_time_left(double left_s);
+
+  QLabel *title_, *aside_, *clock_, *limit_, *device_name_;
   QPushButton *leave_, *pause_, *finish_;
   DeviceLimits device_;
+  double limit_s_ = 0;
+  int warned_ = 0;  // how many of the two warnings were given
   bool shown_grant_ = false, stopped_ = false;
 };
 
