@@ -2057,6 +2057,18 @@
         <source>Database that does not exist yet</source>
         <translation>Datenbank, die es noch nicht gibt</translation>
     </message>
+    <message>
+        <source>The person is erased. The attempts stay under the pseudonym %1.</source>
+        <translation>Die Person ist gelöscht. Die Versuche bleiben unter dem Pseudonym %1.</translation>
+    </message>
+    <message>
+        <source>Takes a person’s name, number and texts out for good; for administrators</source>
+        <translation>Löscht Name, Nummer und Texte einer Person endgültig; für Administratoren</translation>
+    </message>
+    <message>
+        <source>The person’s number</source>
+        <translation>Nummer der Person</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -5440,6 +5452,30 @@
         <source>Import a list</source>
         <translation>Liste importieren</translation>
     </message>
+    <message>
+        <source>Erase the person</source>
+        <translation>Person löschen</translation>
+    </message>
+    <message>
+        <source>Erase %1 for good?</source>
+        <translation>%1 endgültig löschen?</translation>
+    </message>
+    <message>
+        <source>Name, number and PIN go, and every text about this person&apos;s attempts. The attempts stay under a pseudonym. It cannot be undone; backups made before still hold the name.</source>
+        <translation>Name, Nummer und PIN werden gelöscht, und alle Texte über die Versuche dieser Person. Die Versuche bleiben unter einem Pseudonym. Das lässt sich nicht rückgängig machen; frühere Sicherungen enthalten den Namen noch.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>The person is erased.</source>
+        <translation>Die Person ist gelöscht.</translation>
+    </message>
+    <message>
+        <source>The attempts stay under a pseudonym.</source>
+        <translation>Die Versuche bleiben unter einem Pseudonym.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Performance</name>
@@ -8697,6 +8733,18 @@ Ihr bester davor</translation>
     <message>
         <source>The lists show something else than the record: %1%2.</source>
         <translation>Die Listen zeigen etwas anderes als die Aufzeichnung: %1%2.</translation>
+    </message>
+    <message>
+        <source>This is your own account.</source>
+        <translation>Das ist Ihr eigenes Konto.</translation>
+    </message>
+    <message>
+        <source>Another administrator erases it. Nothing was changed.</source>
+        <translation>Ein anderer Administrator löscht es. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>An attempt of this person still runs.</source>
+        <translation>Ein Versuch dieser Person läuft noch.</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@ void SealIndex::add(const AuditEntry& e) {
     sealed_later = std::strtoull(e.detail.c_str(), nullptr, 10);
   }
   if (e.action == "account_created") accounts_created.insert(e.subject);
+  if (e.action == "statement_erased") statements_erased.insert(e.subject);
   if (e.action == "station_key_added") keys[e.detail].push_back(e.at_utc_us);
   for (const FindingCode code : {FindingCode::rolled_back, FindingCode::counter_missing, FindingCode::counter_broken,
                                  FindingCode::log_damaged}) {
@@ -45,7 +46,7 @@ void SealIndex::add_account(const AuditEntry& e) {
     std::string_view action;
     std::array<bool, 6> may_change;  // by kAccountSealFields
   };
-  constexpr std::array<AccountAction, 8> actions = {{
+  constexpr std::array<AccountAction, 9> actions = {{
       {"account_created", {true, true, true, true, true, true}},
       {"person_sealed", {true, true, true, true, true, true}},
       {"account_renamed", {false, false, false, false, false, true}},
@@ -54,6 +55,7 @@ void SealIndex::add_account(const AuditEntry& e) {
       {"account_enabled", {false, true, false, false, false, false}},
       {"password_changed", {false, false, false, true, false, true}},
       {"pin_changed", {false, false, false, false, true, true}},
+      {"person_erased", {false, true, false, true, true, true}},
   }};
   const auto action = std::ranges::find(actions, std::string_view(e.action), &AccountAction::action);
   if (action == actions.end()) return;
@@ -86,6 +88,13 @@ void SealIndex::add_row(const AuditEntry& e) {
   const auto hash = hash_from_hex(last_field_of(e.detail));
   if (!hash) return;
   if (e.action == "commented" || e.action == "comment_sealed") {
+    LastSeal<int>& last = comments[{e.subject, *hash}];
+    last = {last.seal + 1, e.at_utc_us};
+  }
+  if (e.action == "comment_erased") {
+    if (const auto before = hash_from_hex(e.detail.substr(0, e.detail.find(' ')))) {
+      if (const auto old = comments.find({e.subject, *before}); old != comments.end() && old->second.seal > 0) --old->second.seal;
+    }
     LastSeal<int>& last = comments[{e.subject, *hash}];
     last = {last.seal + 1, e.at_utc_us};
   }

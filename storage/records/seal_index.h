@@ -33,6 +33,7 @@ struct SealIndex {
   std::uint64_t sealed_later = 0;  // rows from before sealing began
   std::map<Uuid, LastSeal<AccountSeal>> accounts;
   std::set<Uuid> accounts_created;
+  std::set<Uuid> statements_erased;  // whose text is gone by an administrator's act
   std::map<Uuid, std::vector<SessionSeal>> sessions;
   std::array<std::map<Uuid, LastSeal<Hash256>>, kSealedTables.size()> rows;  // by SealedTable; without comments
   std::map<std::pair<Uuid, Hash256>, LastSeal<int>> comments;                // (session, hash): how many

@@ -3,8 +3,10 @@
 /// | entry | subject | end of the detail |
 /// |---|---|---|
 /// | session_sealed | session | event, entries of its chain, last link |
-/// | account_created, account_renamed, role_changed, ..., person_sealed | user | the six fields of account_seal() |
+/// | account_created, account_renamed, role_changed, ..., person_erased, person_sealed | user | the six fields of account_seal() |
 /// | commented, comment_sealed | session | row_seals() of the comment |
+/// | comment_erased | session | row_seals() of the comment before and after |
+/// | statement_erased | statement | nothing: its text is gone |
 /// | cohort_created, cohort_sealed | cohort | row_seals() |
 /// | assigned, assignment_sealed | assignment | row_seals() |
 /// | version_published, version_kept, version_sealed | version | row_seals() |

@@ -245,6 +245,11 @@ class StoreVerifier {
   Stored<void> add_statement_findings() {
     auto found = check_statements(db_);
     if (!found) return std::unexpected(found.error());
+    std::erase_if(*found, [this](const ChainFinding& finding) {
+      const auto statement = Uuid::parse(finding.what);
+      return finding.code == FindingCode::row_missing && finding.table == "statement_texts" && statement &&
+             log_.statements_erased.contains(*statement);
+    });
     out_.findings.insert(out_.findings.end(), found->begin(), found->end());
     return {};
   }

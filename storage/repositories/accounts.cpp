@@ -178,6 +178,79 @@ Stored<void> Accounts::set_status(const Actor& actor, UserId user, Status status
   return commit_sealed(c_, transaction);
 }
 
+namespace {
+
+/// Comments of older programs: their text goes, and the log names the row as it stands then.
+void erase_old_comments(StorageContext& context, Transaction& transaction, const Actor& actor, UserId user) {
+  if (!transaction.ok()) return;
+  const auto comments = context.db.all(
+      "SELECT id FROM comments WHERE text <> '' AND session IN (SELECT id FROM sessions WHERE student = ?1)",
+      [](Row row) { return row.uuid(0); }, user);
+  if (!comments) return transaction.refuse(comments.error());
+  for (const Uuid& comment : *comments) {
+    const auto before = row_seals(context.db, SealedTable::comments, comment);
+    transaction.run("UPDATE comments SET text = '' WHERE id = ?1", comment);
+    const auto after = row_seals(context.db, SealedTable::comments, comment);
+    if (!before || !after || before->size() != 1 || after->size() != 1) continue;
+    log_event(context, transaction,
+              {.actor = actor.id, .action = "comment_erased", .subject = after->front().subject,
+               .detail = hex(before->front().seal) + ' ' + hex(after->front().seal)});
+  }
+}
+
+void erase_statement_texts(StorageContext& context, Transaction& transaction, const Actor& actor, UserId user) {
+  if (!transaction.ok()) return;
+  const auto statements = context.db.all(
+      "SELECT t.statement FROM statement_texts t JOIN statements s ON s.id = t.statement "
+      "JOIN sessions x ON x.id = s.session WHERE x.student = ?1",
+      [](Row row) { return row.uuid(0); }, user);
+  if (!statements) return transaction.refuse(statements.error());
+  for (const Uuid& statement : *statements) {
+    transaction.run("DELETE FROM statement_texts WHERE statement = ?1", statement);
+    log_event(context, transaction, {.actor = actor.id, .action = "statement_erased", .subject = statement});
+  }
+}
+
+void leave_cohorts(StorageContext& context, Transaction& transaction, const Actor& actor, UserId user) {
+  if (!transaction.ok()) return;
+  const auto cohorts = context.db.all("SELECT cohort FROM cohort_students WHERE student = ?1",
+                                      [](Row row) { return row.uuid(0); }, user);
+  if (!cohorts) return transaction.refuse(cohorts.error());
+  for (const Uuid& cohort : *cohorts) {
+    transaction.run("DELETE FROM cohort_students WHERE cohort = ?1 AND student = ?2", cohort, user);
+    log_event(context, transaction,
+              {.actor = actor.id, .action = "cohort_left", .subject = user.uuid, .detail = cohort.text()});
+  }
+}
+
+}  // namespace
+
+Stored<void> Accounts::erase(const Actor& actor, UserId user) {
+  if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
+  if (actor.id == user) return fail(StorageError::not_allowed, "own_account");
+  // Pages that hold the name are written over, not merely set free.
+  if (auto done = c_.db.run("PRAGMA secure_delete = ON"); !done) return done;
+  Transaction transaction(c_.db);
+  const auto running = transaction.first(
+      "SELECT count(*) FROM session_summaries INDEXED BY running_summaries WHERE state = 'running' AND student = ?1",
+      [](Row row) { return row.integer(0); }, user);
+  if (running.value_or(0) > 0) transaction.refuse({StorageError::wrong_state, "running", user.text()});
+  transaction.run(
+      "UPDATE people SET number = ?2, name = '–', password = '', pin = '', disabled = 1, wrong_tries = 0, locked_until = 0 "
+      "WHERE id = ?1 AND guest = 0",
+      user, "erased " + user.text());
+  require_one_change(c_, transaction);
+  keep_an_administrator(transaction);
+  log_account(c_, transaction, actor.id, "person_erased", user);
+  leave_cohorts(c_, transaction, actor, user);
+  erase_statement_texts(c_, transaction, actor, user);
+  erase_old_comments(c_, transaction, actor, user);
+  if (auto done = commit_sealed(c_, transaction); !done) return done;
+  // The log holds the old pages until then. Another connection may hold it open: the next checkpoint takes it.
+  static_cast<void>(c_.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
+  return {};
+}
+
 Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string_view old, std::string_view fresh) {
   if (!acceptable_password(fresh)) return fail(StorageError::weak_password, "password");
   if (actor.id != user) {
@@ -289,7 +362,7 @@ Stored<std::vector<Account>> Accounts::list(const Actor& actor) {
   if (!may(actor.role, Action::manage_accounts) && !may(actor.role, Action::manage_cohorts)) {
     if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
   }
-  return c_.db.all(std::string(kAccountColumns) + "WHERE guest = 0 ORDER BY name, number", account_of);
+  return c_.db.all(std::string(kAccountColumns) + "WHERE guest = 0 AND number NOT LIKE 'erased ________-____-%' ORDER BY name, number", account_of);
 }
 
 }  // namespace cusp::storage

@@ -53,6 +53,10 @@ class Accounts {
   Stored<void> set_role(const Actor& actor, UserId user, Role role);
   Stored<void> disable(const Actor& actor, UserId user);
   Stored<void> enable(const Actor& actor, UserId user);
+  /// For good: name, number, password and PIN, cohorts, and the texts of comments and reasons about the user's sessions. The
+  /// records stay under a pseudonym, and verify. not_allowed (where = own_account); wrong_state (where = running) while a
+  /// session runs. Backups from before still hold the name.
+  Stored<void> erase(const Actor& actor, UserId user);
   /// The actor's own, with the old password; or another user's, with manage_accounts (`old` is then ignored).
   Stored<void> set_password(const Actor& actor, UserId user, std::string_view old, std::string_view fresh);
   /// Needs manage_accounts. Students only; empty removes the PIN.
@@ -67,7 +71,7 @@ class Accounts {
 
   Stored<Account> find(UserId user);                     // not_found
   Stored<Account> find_number(std::string_view number);  // not_found
-  /// By name, without guests. Needs manage_accounts, manage_cohorts or see_all_results.
+  /// By name, without guests and erased ones. Needs manage_accounts, manage_cohorts or see_all_results.
   Stored<std::vector<Account>> list(const Actor& actor);
 
  private:

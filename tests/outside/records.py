@@ -93,6 +93,24 @@ def backups(desk, database):
     check(status == 1 and "no whole backup" in err and not os.path.exists(desk.path("again.db")), err)
 
 
+def erasure(desk, database):
+    """An administrator erases the student: the records verify, and the file holds the name no more."""
+    for end in ("", ".key", ".key-counter"):
+        shutil.copy(desk.path("restored.db") + end, desk.path("erased.db") + end)
+    erased = desk.path("erased.db")
+    status, _, err = desk.run("erase", erased, STUDENT, "--as", STUDENT, CUSP_PASSWORD=PIN)
+    check(status == 1, f"a student erases: {err}")
+    status, _, err = desk.run("erase", erased, "nobody", "--as", "admin", CUSP_PASSWORD="correct horse")
+    one_sentence(err, "erasing an unknown number")
+    status, out, err = desk.run("erase", erased, STUDENT, "--as", "admin", CUSP_PASSWORD="correct horse")
+    check(status == 0, f"erase: {out}{err}")
+    status, out, err = desk.run("history", erased, "verify", "--as", "admin", CUSP_PASSWORD="correct horse")
+    check(status == 0, f"after an erasure: {out}{err}")
+    with open(erased, "rb") as f:
+        content = f.read()
+    check(b"Lena Brandt" not in content and STUDENT.encode() not in content, "the file still holds the name or number")
+
+
 def secrets(desk, database):
     listed = ("history", database, "list", "--as")
     check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PIN)[0] == 0, "a PIN signs a student in")
@@ -182,6 +200,7 @@ def main():
         verify_names(desk)
         rebuild(desk)
         backups(desk, database)
+        erasure(desk, database)
         print("four tamperings were named, and PIN and password called by their names")
 
 

@@ -21,6 +21,7 @@ struct Rows {
   CohortId cohort;
   ScenarioVersion version;
   SessionId running, finished, graded;
+  UserId other;  // a student without a running session
 };
 
 using Outcome = std::optional<StorageFailure>;
@@ -60,6 +61,10 @@ std::vector<Operation> operations_on_people() {
        }},
       {"switch off",
        [](Store& s, const Rows& r) { return outcome(s.accounts.disable(r.administrator, r.student.id)); }},
+      {"erase a student",
+       [](Store& s, const Rows& r) {
+         return outcome(s.accounts.erase(r.administrator, r.other));
+       }},
       {"set a password",
        [](Store& s, const Rows& r) {
          return outcome(s.accounts.set_password(r.administrator, r.student.id, "", "another staple"));
@@ -139,6 +144,9 @@ class EveryCall : public ::testing::Test {
     must(store->cohorts.add(rows.administrator, rows.cohort, student.id));
     rows.version = keep(*store);
     rows.graded = complete_session(*store, student, rows.version);
+    const Account other = make_student(*store, "20260002", "Omar Haddad");
+    rows.other = other.id;
+    must(store->statements.comment(rows.instructor, complete_session(*store, other, rows.version), "Well done."));
     rows.finished = must(store->sessions.start(student.actor(), new_session(student, rows.version))).id;
     must(store->traces.append(rows.finished, second_from(1)));
     must(store->sessions.finish(rows.finished, volume_after(12), "student"));

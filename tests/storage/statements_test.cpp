@@ -1,6 +1,9 @@
 /// Statements about a session: what each changes of the result that counts, who may make it, and that all stay.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "storage/records/session_summary.h"
 #include "tests/storage/sample.h"
 
@@ -135,6 +138,44 @@ TEST_F(StatementsTest, nothing_is_stated_of_a_running_or_unknown_session_nor_of_
   must(statements().comment(instructor, running, "x"));
   EXPECT_EQ(code_of(statements().confirm(instructor, running)), StorageError::wrong_state);
   EXPECT_EQ(code_of(statements().comment(instructor, SessionId::make(), "x")), StorageError::not_found);
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST_F(StatementsTest, erasing_a_student_leaves_no_name_and_no_text_in_the_file_and_all_records_whole) {
+  const Account gone = must(store->accounts.create(administrator, {.number = "X-4711-X", .name = "Quentin Zaphod", .pin = "271828"}));
+  const Cohort cohort = must(store->cohorts.create(instructor, "Year 2"));
+  must(store->cohorts.add(instructor, cohort.id, gone.id));
+  const SessionId id = complete_session(*store, gone, version, 68);
+  must(statements().override_points(instructor, id, "target_removed", 20, "Quentin said it was worn."));
+  add_comment_row(*store, instructor, id, "Quentin, well done.");
+  EXPECT_EQ(code_of(store->accounts.erase(instructor, gone.id)), StorageError::not_allowed);
+  EXPECT_EQ(store->accounts.erase(administrator, administrator.id).error().where, "own_account");
+  const SessionId running = must(store->sessions.start(gone.actor(), new_session(gone, version))).id;
+  EXPECT_EQ(store->accounts.erase(administrator, gone.id).error().where, "running");
+  must(store->sessions.interrupt(running, "left"));
+
+  must(store->accounts.erase(administrator, gone.id));
+  expect_whole();
+  EXPECT_EQ(row_of(id).score, 70) << "the result stays, with its override";
+  EXPECT_TRUE(must(store->cohorts.students(cohort.id)).empty());
+  EXPECT_TRUE(must(statements().of(instructor, id)).front().text.empty());
+  EXPECT_EQ(code_of(store->accounts.sign_in_with_pin("X-4711-X", "271828")), StorageError::wrong_password);
+  store.reset();
+  for (const char* trace : {"Quentin", "Zaphod", "X-4711-X"}) {
+    EXPECT_EQ(bytes_of(folder / "a.db").find(trace), std::string::npos) << trace;
+    EXPECT_EQ(bytes_of(folder / "a.db-wal").find(trace), std::string::npos) << trace;
+  }
+}
+
+TEST_F(StatementsTest, a_text_that_is_taken_out_by_hand_is_no_erasure) {
+  const SessionId id = complete_session(*store, lena, version);
+  must(statements().comment(instructor, id, "Well done."));
+  must(store->database().run("DELETE FROM statement_texts"));
+  EXPECT_FALSE(must(verify_store(store->context())).intact());
 }
 
 /// Each change by hand is named, whichever column it touches.

@@ -90,6 +90,9 @@ QWidget* PeoplePage::make_form() {
   connect(save_, &QPushButton::clicked, this, &PeoplePage::save);
   connect(secret_, &QLineEdit::returnPressed, this, &PeoplePage::save);
   connect(switch_, &QPushButton::clicked, this, &PeoplePage::switch_account);
+  erase_ = make_button(tr("Erase the person"), ButtonKind::erase);
+  form_->body()->addWidget(erase_);
+  connect(erase_, &QPushButton::clicked, this, &PeoplePage::erase_person);
   return form_;
 }
 
@@ -114,6 +117,7 @@ void PeoplePage::begin_new() {
   save_->setText(tr("Add"));
   save_->setAccessibleName(tr("Add"));
   switch_->hide();
+  erase_->hide();
   fit_secret();
   name_->setFocus();
 }
@@ -133,6 +137,7 @@ void PeoplePage::show_chosen() {
   switch_->setText(act);
   switch_->setAccessibleName(act);
   switch_->setVisible(edited_->id != actor_.id);
+  erase_->setVisible(edited_->id != actor_.id);
   fit_secret();
 }
 
@@ -220,6 +225,22 @@ void PeoplePage::switch_account() {
                     tr("Switch account off"), true},
              [act](bool yes) {
                if (yes) act();
+             });
+}
+
+void PeoplePage::erase_person() {
+  if (!edited_) return;
+  const Account account = *edited_;
+  const QString name = QString::fromStdString(account.name);
+  ports_.ask(this, {tr("Erase %1 for good?").arg(name),
+                    tr("Name, number and PIN go, and every text about this person's attempts. The attempts stay under a pseudonym. "
+                       "It cannot be undone; backups made before still hold the name."),
+                    tr("Erase"), true},
+             [this, account](bool yes) {
+               if (!yes || show_if_failed(store_.accounts.erase(actor_, account.id))) return;
+               read();
+               begin_new();
+               band_->show_message(Band::Kind::good, tr("The person is erased."), tr("The attempts stay under a pseudonym."));
              });
 }
 

@@ -40,6 +40,7 @@ class PeoplePage : public QWidget {
   void fit_secret();
   void save();
   void switch_account();
+  void erase_person();
   bool show_if_failed(const Stored<void>& done);
 
   Store& store_;
@@ -52,7 +53,7 @@ class PeoplePage : public QWidget {
   QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
   class QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
   QComboBox* role_ = nullptr;
-  QPushButton *save_ = nullptr, *switch_ = nullptr;
+  QPushButton *save_ = nullptr, *switch_ = nullptr, *erase_ = nullptr;
   std::optional<Account> edited_;
 };
 

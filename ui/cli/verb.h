@@ -28,6 +28,7 @@ void add_import(CLI::App& program, Job& job);
 void add_specimen(CLI::App& program, Job& job);
 void add_history(CLI::App& program, Job& job);
 void add_template(CLI::App& program, Job& job);
+void add_erase(CLI::App& program, Job& job);
 /// backup and restore.
 void add_backup(CLI::App& program, Job& job);
 

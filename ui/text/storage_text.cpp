@@ -113,6 +113,9 @@ Message describe_not_allowed(const StorageFailure& f) {
   if (f.where == "assignment") {
     return {Text::tr("This exercise is not assigned to you."), Text::tr("Ask your instructor. Nothing was changed.")};
   }
+  if (f.where == "own_account") {
+    return {Text::tr("This is your own account."), Text::tr("Another administrator erases it. Nothing was changed.")};
+  }
   if (f.where == "withheld") {
     return {Text::tr("This result is not released yet."), Text::tr("It is shown here when your examiner releases it.")};
   }
@@ -123,6 +126,7 @@ Message describe_wrong_state(const StorageFailure& f) {
   if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
   if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
   if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};
+  if (f.where == "running") return {Text::tr("An attempt of this person still runs."), nothing_changed()};
   if (f.where == "grade") return {Text::tr("This attempt has no grade yet."), nothing_changed()};
   if (f.where == "released") return {Text::tr("This result is released already."), nothing_changed()};
   if (f.where == "confirmation") {
