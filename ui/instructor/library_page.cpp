@@ -1,5 +1,6 @@
 #include "ui/instructor/library_page.h"
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,6 +23,20 @@ namespace {
 
 constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
 
+/// Gives the button its menu, and the sign of one.
+QPushButton* put_menu(QPushButton* button, QMenu* menu) {
+  button->setMenu(menu);
+  auto* chevron = new QLabel;
+  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, button->devicePixelRatioF()));
+  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* inside = new QHBoxLayout(button);
+  inside->setContentsMargins(0, 0, px(8), 0);
+  inside->addStretch();
+  inside->addWidget(chevron);
+  button->setMinimumWidth(button->sizeHint().width() + px(24));
+  return button;
+}
+
 }  // namespace
 
 LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
@@ -38,15 +53,14 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   outer->setSpacing(px(12));
   auto* head = new PageHead(tr("Library"));
   QPushButton* import = make_button(tr("Import a specimen"), ButtonKind::standard, u"import"_qs);
-  QPushButton* copy = make_button(tr("Copy"), ButtonKind::standard, u"copy"_qs);
-  copy->setAccessibleName(tr("Copy the chosen exercise"));
+  QPushButton* more = make_more_button();
   QPushButton* fresh = make_new_button();
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
   discard_ = make_button(tr("Discard the draft"), ButtonKind::erase, u"trash"_qs);
   connect(discard_, &QPushButton::clicked, this, &LibraryPage::discard_draft);
   make_search();
   head->buttons()->addWidget(search_);
-  for (QPushButton* button : {discard_, import, copy, fresh, open}) head->buttons()->addWidget(button);
+  for (QPushButton* button : {discard_, import, more, fresh, open}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
@@ -59,31 +73,36 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   card->body()->addWidget(table_);
   outer->addWidget(card, 1);
   connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
-  connect(copy, &QPushButton::clicked, this, &LibraryPage::copy_chosen);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
   connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &LibraryPage::fit_buttons);
+  setAcceptDrops(true);
   read();
   fit_buttons();
   setFocusProxy(table_);
 }
 
-/// A button with a menu: empty, or from a template.
+/// A button with a menu: empty, from a template, or from a file.
 QPushButton* LibraryPage::make_new_button() {
   QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
   auto* menu = new QMenu(fresh);
+  menu->setObjectName(u"begin"_qs);
   connect(menu->addAction(tr("Empty")), &QAction::triggered, this, &LibraryPage::begin_new);
   connect(menu->addAction(tr("From a template…")), &QAction::triggered, this, &LibraryPage::begin_from_template);
-  fresh->setMenu(menu);
-  auto* chevron = new QLabel;
-  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, devicePixelRatioF()));
-  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* inside = new QHBoxLayout(fresh);
-  inside->setContentsMargins(0, 0, px(8), 0);
-  inside->addStretch();
-  inside->addWidget(chevron);
-  fresh->setMinimumWidth(fresh->sizeHint().width() + px(24));
-  return fresh;
+  connect(menu->addAction(tr("Open a file…")), &QAction::triggered, this, &LibraryPage::choose_file);
+  return put_menu(fresh, menu);
+}
+
+/// A button with a menu: what can be done with the chosen exercise.
+QPushButton* LibraryPage::make_more_button() {
+  QPushButton* more = make_button(tr("More"));
+  more->setAccessibleName(tr("More for the chosen exercise"));
+  auto* menu = new QMenu(more);
+  copy_ = menu->addAction(icon(u"copy"_qs), tr("Copy"));
+  save_ = menu->addAction(icon(u"save"_qs), tr("Save as file…"));
+  connect(copy_, &QAction::triggered, this, &LibraryPage::copy_chosen);
+  connect(save_, &QAction::triggered, this, &LibraryPage::save_chosen);
+  return put_menu(more, menu);
 }
 
 void LibraryPage::read() {
@@ -123,6 +142,8 @@ void LibraryPage::filter() {
 void LibraryPage::fit_buttons() {
   const int index = table_->chosen_row();
   discard_->setVisible(index >= 0 && model_->row(index).draft.has_value());
+  copy_->setEnabled(index >= 0);
+  save_->setEnabled(index >= 0);
 }
 
 void LibraryPage::discard_draft() {
