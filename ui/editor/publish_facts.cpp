@@ -20,7 +20,9 @@ Stored<const ScenarioVersion*> newest_of(Store& store, const std::vector<Scenari
   return nullptr;
 }
 
-Stored<std::vector<OlderUse>> uses_of(Store& store, const std::vector<ScenarioVersion>& versions, std::int64_t now_utc_us) {
+}  // namespace
+
+Stored<std::vector<OlderUse>> open_uses(Store& store, const std::vector<ScenarioVersion>& versions, std::int64_t now_utc_us) {
   std::map<VersionId, int> numbers;
   for (const ScenarioVersion& version : versions) numbers[version.id] = version.number;
   std::vector<OlderUse> out;
@@ -38,8 +40,6 @@ Stored<std::vector<OlderUse>> uses_of(Store& store, const std::vector<ScenarioVe
   return out;
 }
 
-}  // namespace
-
 Stored<PublishFacts> publish_facts(Store& store, const EditorModel& model, std::int64_t now_utc_us) {
   const auto number = next_version(store, model);
   if (!number) return std::unexpected(number.error());
@@ -47,7 +47,7 @@ Stored<PublishFacts> publish_facts(Store& store, const EditorModel& model, std::
   if (!versions) return std::unexpected(versions.error());
   const auto newest = newest_of(store, *versions);
   if (!newest) return std::unexpected(newest.error());
-  auto uses = uses_of(store, *versions, now_utc_us);
+  auto uses = open_uses(store, *versions, now_utc_us);
   if (!uses) return std::unexpected(uses.error());
   PublishFacts out;
   out.number = *number;

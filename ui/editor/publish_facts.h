@@ -31,6 +31,9 @@ struct PublishFacts {
   bool tried = false;
 };
 
+/// `versions`: all of one exercise.
+Stored<std::vector<OlderUse>> open_uses(Store& store, const std::vector<ScenarioVersion>& versions, std::int64_t now_utc_us);
+
 Stored<PublishFacts> publish_facts(Store& store, const EditorModel& model, std::int64_t now_utc_us);
 
 }  // namespace cusp::ui

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QShortcut>
 
@@ -12,6 +13,7 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
+#include "ui/instructor/withdrawal.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -101,7 +103,9 @@ QPushButton* LibraryPage::make_more_button() {
   copy_ = menu->addAction(icon(u"copy"_qs), tr("Copy"));
   save_ = menu->addAction(icon(u"save"_qs), tr("Save as file…"));
   connect(copy_, &QAction::triggered, this, &LibraryPage::copy_chosen);
+  withdraw_ = menu->addAction(icon(u"ban"_qs), tr("Withdraw…"));
   connect(save_, &QAction::triggered, this, &LibraryPage::save_chosen);
+  connect(withdraw_, &QAction::triggered, this, &LibraryPage::withdraw_chosen);
   return put_menu(more, menu);
 }
 
@@ -144,6 +148,7 @@ void LibraryPage::fit_buttons() {
   discard_->setVisible(index >= 0 && model_->row(index).draft.has_value());
   copy_->setEnabled(index >= 0);
   save_->setEnabled(index >= 0);
+  withdraw_->setEnabled(index >= 0 && model_->row(index).withdrawable);
 }
 
 void LibraryPage::discard_draft() {
@@ -168,6 +173,35 @@ void LibraryPage::discard_draft() {
                read();
                fit_buttons();
              });
+}
+
+void LibraryPage::withdraw_chosen() {
+  const int index = table_->chosen_row();
+  if (index < 0 || !model_->row(index).withdrawable) return;
+  const LibraryRow row = model_->row(index);
+  const auto plan = plan_withdrawal(store_, row, ports_.now().toMSecsSinceEpoch() * 1000);
+  if (!plan) return show_failure(plan.error());
+  QStringList follows;
+  follows << (plan->before ? tr("Students find version %1 again.").arg(*plan->before)
+                           : tr("Students no longer find this exercise; you keep it as a draft."));
+  if (plan->assignments > 0) follows << tr("%n open assignment(s) of this version can no longer be drilled.", nullptr, plan->assignments);
+  follows << tr("Results and reports stay. A withdrawn version does not come back: publishing makes a new one.");
+  ports_.ask(this, {tr("Withdraw version %1 of %2?").arg(plan->number).arg(local(row.exercise->scenario.title)), follows.join(u' '),
+                    tr("Withdraw version %1").arg(plan->number), true},
+             [self = QPointer(this), row, plan = *plan](bool yes) {
+               if (self && yes) self->withdraw_row(row, plan);
+             });
+}
+
+void LibraryPage::withdraw_row(const LibraryRow& row, const Withdrawal& plan) {
+  if (const auto done = withdraw(store_, actor_, row, plan, database_, cache_); !done) return show_failure(done.error());
+  const ScenarioId id = row.exercise->scenario.id;
+  read();
+  for (int i = 0; i < model_->rowCount(); ++i)
+    if (model_->row(i).shown().id == id && !table_->isRowHidden(i)) table_->choose_row(i);
+  fit_buttons();
+  band_->show_message(Band::Kind::good, tr("Version %1 of %2 is withdrawn.").arg(plan.number).arg(local(row.exercise->scenario.title)),
+                      plan.before ? tr("Students find version %1 again.").arg(*plan.before) : tr("It stays here as a draft of yours."));
 }
 
 void LibraryPage::show_failure(const StorageFailure& failure) {

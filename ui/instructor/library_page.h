@@ -1,5 +1,5 @@
 /// The instructor's exercises: opens one in the editor, begins a new one, empty, from a template or as a copy, imports a specimen,
-/// saves one as a file and opens such a file. Thread: GUI.
+/// saves one as a file and opens such a file, and withdraws a published version. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -22,6 +22,7 @@ namespace cusp::ui {
 
 class Band;
 class Table;
+struct Withdrawal;
 
 class LibraryPage : public QWidget {
   Q_OBJECT
@@ -43,6 +44,8 @@ class LibraryPage : public QWidget {
   void begin_from_template();
   /// Asks first; the published version stays.
   void discard_draft();
+  /// Asks first, with what follows. Only of a version that a person published.
+  void withdraw_chosen();
   /// Asks for a file name. Saves the published version; the draft of an exercise that was never published.
   void save_chosen();
   void choose_file();
@@ -66,6 +69,7 @@ class LibraryPage : public QWidget {
   QPushButton* make_new_button();
   QPushButton* make_more_button();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
+  void withdraw_row(const LibraryRow& row, const Withdrawal& plan);
   void save_row(const LibraryRow& row, const QString& title, const QString& picked);
   void open_taken(const ExerciseFile& file, KeepId keep);
   void show_failure(const StorageFailure& failure);
@@ -80,7 +84,7 @@ class LibraryPage : public QWidget {
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
   QPushButton* discard_ = nullptr;
-  QAction *copy_ = nullptr, *save_ = nullptr;
+  QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr;
 };
 
 }  // namespace cusp::ui
