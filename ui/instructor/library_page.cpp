@@ -58,11 +58,9 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   QPushButton* more = make_more_button();
   QPushButton* fresh = make_new_button();
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
-  discard_ = make_button(tr("Discard the draft"), ButtonKind::erase, u"trash"_qs);
-  connect(discard_, &QPushButton::clicked, this, &LibraryPage::discard_draft);
   make_search();
   head->buttons()->addWidget(search_);
-  for (QPushButton* button : {discard_, import, more, fresh, open}) head->buttons()->addWidget(button);
+  for (QPushButton* button : {import, more, fresh, open}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
@@ -104,6 +102,8 @@ QPushButton* LibraryPage::make_more_button() {
   save_ = menu->addAction(icon(u"save"_qs), tr("Save as file…"));
   connect(copy_, &QAction::triggered, this, &LibraryPage::copy_chosen);
   withdraw_ = menu->addAction(icon(u"ban"_qs), tr("Withdraw…"));
+  discard_ = menu->addAction(icon(u"trash"_qs), tr("Discard the draft…"));
+  connect(discard_, &QAction::triggered, this, &LibraryPage::discard_draft);
   connect(save_, &QAction::triggered, this, &LibraryPage::save_chosen);
   connect(withdraw_, &QAction::triggered, this, &LibraryPage::withdraw_chosen);
   return put_menu(more, menu);
@@ -145,7 +145,7 @@ void LibraryPage::filter() {
 
 void LibraryPage::fit_buttons() {
   const int index = table_->chosen_row();
-  discard_->setVisible(index >= 0 && model_->row(index).draft.has_value());
+  discard_->setEnabled(index >= 0 && model_->row(index).draft.has_value());
   copy_->setEnabled(index >= 0);
   save_->setEnabled(index >= 0);
   withdraw_->setEnabled(index >= 0 && model_->row(index).withdrawable);

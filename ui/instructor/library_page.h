@@ -83,8 +83,7 @@ class LibraryPage : public QWidget {
   Table* table_ = nullptr;
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
-  QPushButton* discard_ = nullptr;
-  QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr;
+  QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;
 };
 
 }  // namespace cusp::ui
