@@ -930,6 +930,199 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::Changes</name>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Measured from height</source>
+        <translation>Gemessen ab Höhe</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Length and width of the box</source>
+        <translation>Länge und Breite des Kastens</translation>
+    </message>
+    <message>
+        <source>Lean of a wall</source>
+        <translation>Neigung einer Wand</translation>
+    </message>
+    <message>
+        <source>Points of the outline</source>
+        <translation>Punkte des Umrisses</translation>
+    </message>
+    <message>
+        <source>Shape of the target</source>
+        <translation>Form des Ziels</translation>
+    </message>
+    <message>
+        <source>Tolerance zone, floor</source>
+        <translation>Toleranzzone, Boden</translation>
+    </message>
+    <message>
+        <source>Tolerance zone, sides</source>
+        <translation>Toleranzzone, Seiten</translation>
+    </message>
+    <message>
+        <source>Tolerance zone of single faces</source>
+        <translation>Toleranzzone einzelner Flächen</translation>
+    </message>
+    <message>
+        <source>Pass mark, of 100</source>
+        <translation>Bestehensgrenze, von 100</translation>
+    </message>
+    <message>
+        <source>Points for %1</source>
+        <translation>Punkte für %1</translation>
+    </message>
+    <message>
+        <source>Bands of %1</source>
+        <translation>Stufen von %1</translation>
+    </message>
+    <message>
+        <source>Criterion %1</source>
+        <translation>Kriterium %1</translation>
+    </message>
+    <message>
+        <source>Order of the criteria</source>
+        <translation>Reihenfolge der Kriterien</translation>
+    </message>
+    <message>
+        <source>“%1” fails the attempt</source>
+        <translation>„%1“ lässt den Versuch scheitern</translation>
+    </message>
+    <message>
+        <source>Radius of bur %1</source>
+        <translation>Radius von Bohrer %1</translation>
+    </message>
+    <message>
+        <source>Shape of bur %1</source>
+        <translation>Form von Bohrer %1</translation>
+    </message>
+    <message>
+        <source>Bur %1</source>
+        <translation>Bohrer %1</translation>
+    </message>
+    <message>
+        <source>Order of the burs</source>
+        <translation>Reihenfolge der Bohrer</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Steifigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Removal speed of %1</source>
+        <translation>Abtragsgeschwindigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Tissue %1</source>
+        <translation>Gewebe %1</translation>
+    </message>
+    <message>
+        <source>Order of the tissues</source>
+        <translation>Reihenfolge der Gewebe</translation>
+    </message>
+    <message>
+        <source>What is protected</source>
+        <translation>Was geschützt ist</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Natural variation of the tooth</source>
+        <translation>Natürliche Variation des Zahns</translation>
+    </message>
+    <message>
+        <source>Carious lesions</source>
+        <translation>Kariöse Läsionen</translation>
+    </message>
+    <message>
+        <source>What stands about the tooth</source>
+        <translation>Was um den Zahn steht</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Expected time</source>
+        <translation>Erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Title, %1</source>
+        <translation>Titel, %1</translation>
+    </message>
+    <message>
+        <source>Briefing, %1</source>
+        <translation>Aufgabe, %1</translation>
+    </message>
+    <message>
+        <source>How forces are computed</source>
+        <translation>Wie die Kräfte berechnet werden</translation>
+    </message>
+    <message>
+        <source>Handpiece, vibration, sound, water and heat</source>
+        <translation>Handstück, Vibration, Ton, Wasser und Wärme</translation>
+    </message>
+    <message>
+        <source>Change of the score that an audit accepts</source>
+        <translation>Änderung der Punkte, die eine Prüfung des Aufwands hinnimmt</translation>
+    </message>
+    <message>
+        <source>The push at which cutting is fastest</source>
+        <translation>Der Druck, bei dem am schnellsten abgetragen wird</translation>
+    </message>
+    <message>
+        <source>What the device has to do</source>
+        <translation>Was das Gerät können muss</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1: %2, was %3</source>
+        <extracomment>%1: what changed (&quot;Depth&quot;), %2: its value now, %3: its value before</extracomment>
+        <translation>%1: %2, vorher %3</translation>
+    </message>
+    <message>
+        <source>Full points for %1</source>
+        <translation>Volle Punkte für %1</translation>
+    </message>
+    <message>
+        <source>%1: changed</source>
+        <extracomment>%1: what changed (&quot;Points of the outline&quot;)</extracomment>
+        <translation>%1: geändert</translation>
+    </message>
+    <message>
+        <source>%1: new</source>
+        <translation>%1: neu</translation>
+    </message>
+    <message>
+        <source>%1: removed</source>
+        <translation>%1: entfernt</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Chart</name>
     <message>
         <source>Which</source>
@@ -2069,6 +2262,10 @@
         <source>The person’s number</source>
         <translation>Nummer der Person</translation>
     </message>
+    <message>
+        <source>A scenario.json, its folder, an exercise saved as a file, or a built-in one</source>
+        <translation>Eine scenario.json, ihr Ordner, eine als Datei gespeicherte Übung oder eine mitgelieferte</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3184,14 +3381,6 @@
     <message>
         <source>What was changed there is lost.</source>
         <translation>Was dort geändert wurde, geht verloren.</translation>
-    </message>
-    <message>
-        <source>Another window has published version %1. Publish yours as version %2?</source>
-        <translation>Ein anderes Fenster hat Version %1 veröffentlicht. Ihre als Version %2 veröffentlichen?</translation>
-    </message>
-    <message>
-        <source>Students then drill yours. Version %1 stays in the records.</source>
-        <translation>Studierende bohren dann Ihre. Version %1 bleibt in den Aufzeichnungen.</translation>
     </message>
     <message>
         <source>Title, in the language of the screen; the others stand under Texts</source>
@@ -4472,6 +4661,14 @@
         <source>Draft saved</source>
         <translation>Entwurf gespeichert</translation>
     </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation>Zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Version %1 withdrawn</source>
+        <translation>Version %1 zurückgezogen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LibraryPage</name>
@@ -4502,10 +4699,6 @@
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the chosen exercise</source>
-        <translation>Gewählte Übung kopieren</translation>
     </message>
     <message>
         <source>New exercise</source>
@@ -4557,6 +4750,121 @@
     <message>
         <source>Find an exercise</source>
         <translation>Übung finden</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Save the exercise as a file</source>
+        <translation>Die Übung als Datei speichern</translation>
+    </message>
+    <message>
+        <source>exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Exercise (*%1)</source>
+        <translation>Übung (*%1)</translation>
+    </message>
+    <message>
+        <source>The file is %1. Another station opens it in its library.</source>
+        <translation>Die Datei heißt %1. Eine andere Station öffnet sie in ihrer Bibliothek.</translation>
+    </message>
+    <message>
+        <source>Version %1 of %2 is saved as a file.</source>
+        <translation>Version %1 von %2 ist als Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>The draft of %1 is saved as a file.</source>
+        <translation>Der Entwurf von %1 ist als Datei gespeichert.</translation>
+    </message>
+    <message>
+        <source>Your draft of the next version is not in it.</source>
+        <translation>Ihr Entwurf der nächsten Version ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>Open an exercise</source>
+        <translation>Eine Übung öffnen</translation>
+    </message>
+    <message>
+        <source>%1 is in the library already.</source>
+        <translation>%1 ist schon in der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>The file holds the same. Nothing was changed.</source>
+        <translation>Die Datei enthält dasselbe. Nichts wurde verändert.</translation>
+    </message>
+    <message>
+        <source>Open %1 as a new exercise?</source>
+        <translation>%1 als neue Übung öffnen?</translation>
+    </message>
+    <message>
+        <source>The library has this exercise with another content. It stays as it is; the file becomes an exercise beside it.</source>
+        <translation>Die Bibliothek hat diese Übung mit anderem Inhalt. Sie bleibt, wie sie ist; die Datei wird eine Übung daneben.</translation>
+    </message>
+    <message>
+        <source>Open as a new exercise</source>
+        <translation>Als neue Übung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Eine Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More for the chosen exercise</source>
+        <translation>Mehr zur gewählten Übung</translation>
+    </message>
+    <message>
+        <source>Save as file…</source>
+        <translation>Als Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>Zurückziehen …</translation>
+    </message>
+    <message>
+        <source>Discard the draft…</source>
+        <translation>Entwurf verwerfen …</translation>
+    </message>
+    <message>
+        <source>Students find version %1 again.</source>
+        <translation>Studierende finden wieder Version %1.</translation>
+    </message>
+    <message>
+        <source>Students no longer find this exercise; you keep it as a draft.</source>
+        <translation>Studierende finden diese Übung nicht mehr; Sie behalten sie als Entwurf.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open assignment(s) of this version can no longer be drilled.</source>
+        <translation>
+            <numerusform>%n offene Zuweisung dieser Version kann nicht mehr gebohrt werden.</numerusform>
+            <numerusform>%n offene Zuweisungen dieser Version können nicht mehr gebohrt werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Results and reports stay. A withdrawn version does not come back: publishing makes a new one.</source>
+        <translation>Ergebnisse und Berichte bleiben. Eine zurückgezogene Version kommt nicht zurück: Veröffentlichen macht eine neue.</translation>
+    </message>
+    <message>
+        <source>Withdraw version %1 of %2?</source>
+        <translation>Version %1 von %2 zurückziehen?</translation>
+    </message>
+    <message>
+        <source>Withdraw version %1</source>
+        <translation>Version %1 zurückziehen</translation>
+    </message>
+    <message>
+        <source>Version %1 of %2 is withdrawn.</source>
+        <translation>Version %1 von %2 ist zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>It stays here as a draft of yours.</source>
+        <translation>Sie bleibt hier als Ihr Entwurf.</translation>
     </message>
 </context>
 <context>
@@ -5794,6 +6102,102 @@
     <message>
         <source>Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries are not all verified.</source>
         <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels. Die für Form, Kasten, Rand, Kontakt und Karies vorgeschlagenen sind nicht alle geprüft.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::PublishSheet</name>
+    <message>
+        <source>Publish</source>
+        <translation>Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Publish version %1 of %2?</source>
+        <translation>Version %1 von %2 veröffentlichen?</translation>
+    </message>
+    <message>
+        <source>Students then drill this version. Earlier results keep the version they were made with.</source>
+        <translation>Studierende bohren dann diese Version. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
+    </message>
+    <message>
+        <source>Another window has published version %1.</source>
+        <translation>Ein anderes Fenster hat Version %1 veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Students then drill yours. Version %1 stays in the records.</source>
+        <translation>Studierende bohren dann Ihre. Version %1 bleibt in den Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>Changed since version %1</source>
+        <translation>Geändert seit Version %1</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>Was sich ändert</translation>
+    </message>
+    <message>
+        <source>No version of it is published now. Students find it as a new exercise.</source>
+        <translation>Keine Version davon ist jetzt veröffentlicht. Studierende finden sie als neue Übung.</translation>
+    </message>
+    <message>
+        <source>Nothing.</source>
+        <translation>Nichts.</translation>
+    </message>
+    <message>
+        <source>Open assignments of an older version</source>
+        <translation>Offene Zuweisungen einer älteren Version</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <translation>fällig %1</translation>
+    </message>
+    <message>
+        <source>no due date</source>
+        <translation>ohne Termin</translation>
+    </message>
+    <message>
+        <source>%1: %2, version %3, %4</source>
+        <extracomment>%1: a cohort, %2: practice or assessment, %3: number of a version, %4: &quot;due Fri 4 Dec&quot;</extracomment>
+        <translation>%1: %2, Version %3, %4</translation>
+    </message>
+    <message>
+        <source>An assignment stays with its version. Assign version %1 to those cohorts anew.</source>
+        <translation>Eine Zuweisung bleibt bei ihrer Version. Weisen Sie diesen Kohorten Version %1 neu zu.</translation>
+    </message>
+    <message>
+        <source>It was tried out as it is now.</source>
+        <translation>Die Übung wurde so ausprobiert, wie sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>It was not tried out since it was opened or changed.</source>
+        <translation>Die Übung wurde nicht ausprobiert, seit sie geöffnet oder geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Try out</source>
+        <translation>Probieren</translation>
+    </message>
+    <message>
+        <source>Publish version %1</source>
+        <translation>Version %1 veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Publish it without trying it out?</source>
+        <translation>Ohne Ausprobieren veröffentlichen?</translation>
+    </message>
+    <message>
+        <source>Nobody has drilled it as it is now. Students would be the first.</source>
+        <translation>Niemand hat sie so gebohrt, wie sie jetzt ist. Studierende wären die Ersten.</translation>
+    </message>
+    <message>
+        <source>Publish untried</source>
+        <translation>Unausprobiert veröffentlichen</translation>
     </message>
 </context>
 <context>
@@ -8745,6 +9149,46 @@ Ihr bester davor</translation>
     <message>
         <source>An attempt of this person still runs.</source>
         <translation>Ein Versuch dieser Person läuft noch.</translation>
+    </message>
+    <message>
+        <source>%1 is not an exercise that Cusp saved as a file.</source>
+        <translation>%1 ist keine Übung, die Cusp als Datei gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>%1 is not whole: it breaks off. Copy the file again.</source>
+        <translation>%1 ist nicht vollständig: die Datei bricht ab. Kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 was damaged or changed after it was saved. Copy the file again.</source>
+        <translation>%1 wurde nach dem Speichern beschädigt oder verändert. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is missing in the file.</source>
+        <translation>%1 fehlt in der Datei.</translation>
+    </message>
+    <message>
+        <source>%1 does not belong in the file of an exercise.</source>
+        <translation>%1 gehört nicht in die Datei einer Übung.</translation>
+    </message>
+    <message>
+        <source>The exercise cannot be saved as a file.</source>
+        <translation>Die Übung lässt sich nicht als Datei speichern.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot be used.</source>
+        <translation>Diese Übung ist nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>The checks refuse it at %1. Nothing was changed.</source>
+        <translation>Die Prüfungen weisen sie zurück, bei %1. Nichts wurde verändert.</translation>
     </message>
 </context>
 <context>

@@ -236,6 +236,13 @@
             <numerusform>%n exercises cannot be read.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n open assignment(s) of this version can no longer be drilled.</source>
+        <translation>
+            <numerusform>%n open assignment of this version can no longer be drilled.</numerusform>
+            <numerusform>%n open assignments of this version can no longer be drilled.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::MeshForm</name>

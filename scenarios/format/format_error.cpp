@@ -31,6 +31,12 @@ std::string_view key_of(FormatError code) noexcept {
     case FormatError::unknown_level: return "unknown_level";
     case FormatError::unknown_bur: return "unknown_bur";
     case FormatError::unknown_builtin: return "unknown_builtin";
+    case FormatError::foreign_file: return "foreign_file";
+    case FormatError::truncated: return "truncated";
+    case FormatError::damaged: return "damaged";
+    case FormatError::missing_file: return "missing_file";
+    case FormatError::unnamed_file: return "unnamed_file";
+    case FormatError::unwritable: return "unwritable";
   }
   return "unreadable";
 }

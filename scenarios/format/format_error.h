@@ -37,6 +37,13 @@ enum class FormatError : std::uint8_t {
   unknown_level,
   unknown_bur,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key
+  // Of an exercise file (scenarios/library/exercise_file.h):
+  foreign_file,        // something else than an exercise file
+  truncated,           // it ends before its parts do
+  damaged,             // a check sum differs
+  missing_file,        // it lacks a part
+  unnamed_file,        // it holds a part that the exercise does not name
+  unwritable,          // detail = the reason, if the system gave one
 };
 
 using FormatFailure = Failure<FormatError>;

@@ -58,6 +58,8 @@ def scenarios(desk):
             s["specimen"] = {"volume": "none.nrrd"}
 
         refused(desk, "missing volume", *verb(desk.small_exercise("volume.json", lost_volume)), names=("none.nrrd",))
+    refused(desk, "no exercise file", "validate", broken("notes.cusp", "not an exercise"), names=("notes.cusp",))
+    refused(desk, "missing exercise file", "validate", desk.path("none.cusp"), names=("none.cusp",))
     refused(desk, "missing script", "play", "channel-1", "--script", desk.path("none.csv"), "--db", desk.path("s.db"),
             "--out", desk.path("o"), names=("none.csv",))
     with open(desk.path("bad.csv"), "w", encoding="utf-8") as f:

@@ -1,5 +1,7 @@
 // The desktop's ways into editor and imports, and from the editor to a try-out and back with everything as it was.
 
+#include <QPointer>
+
 #include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
@@ -40,8 +42,10 @@ void Desktop::import_people() {
 }
 
 void Desktop::try_out(const SessionPlan& plan, const QString& title) {
+  const QPointer<EditorPage> editor = qobject_cast<EditorPage*>(page());
   DrillScreen* screen = open_drilling(plan, {title, tr("Try-out: nothing is kept")});
-  connect(screen, &DrillScreen::finished, this, [this](std::shared_ptr<const SessionResult> result) {
+  connect(screen, &DrillScreen::finished, this, [this, editor, played = plan.scenario](std::shared_ptr<const SessionResult> result) {
+    if (editor) editor->model().now_tried(played);
     back();
     show_result(std::move(result), std::nullopt);
   });

@@ -18,7 +18,7 @@ QString number(const std::map<std::string, double>& args, const char* key) {
 }
 
 std::optional<FormatError> format_error(const std::string& code) {
-  for (int i = 0; i <= static_cast<int>(FormatError::unknown_builtin); ++i) {
+  for (int i = 0; i <= static_cast<int>(FormatError::unwritable); ++i) {
     if (key_of(static_cast<FormatError>(i)) == code) return static_cast<FormatError>(i);
   }
   return std::nullopt;

@@ -2,11 +2,15 @@
 
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <variant>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/checks/checks.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/exercise_file.h"
 #include "scenarios/library/library.h"
 #include "scenarios/specimens/specimens.h"
 #include "ui/cli/outputs.h"
@@ -24,34 +28,58 @@ struct ValidateOptions {
   JsonOption json;
 };
 
+/// What PATH names: the text of a scenario, and where its specimen comes from.
+struct Input {
+  std::string text;
+  std::filesystem::path folder;      // of the volume that the text names
+  std::optional<ExerciseFile> file;  // with its volume
+  std::vector<Finding> findings{};   // that refused the file
+};
+
+Result<Input, Message> open_file(const std::string& path) {
+  auto file = read_exercise_file(path);
+  if (file) return Input{canonical_json(file->scenario), {}, std::move(*file)};
+  if (const auto* finding = std::get_if<Finding>(&file.error())) return Input{{}, {}, {}, {*finding}};
+  return std::unexpected(describe(file.error()));
+}
+
+Result<Input, Message> open_input(const std::string& path) {
+  if (const std::string_view text = builtin_scenario_text(path); !text.empty()) return Input{std::string(text), {}, {}};
+  std::filesystem::path file(path);
+  if (file.extension() == kExerciseFileSuffix && !std::filesystem::is_directory(file)) return open_file(path);
+  if (std::filesystem::is_directory(file)) file /= "scenario.json";
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  if (error || !in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
+  if (size > kMaxScenarioBytes) return std::unexpected(describe(FormatFailure{FormatError::too_large, file.string(), {}}));
+  return Input{{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file.parent_path(), {}};
+}
+
+/// Findings about form and values, then with the specimen unless only the form is asked for.
+Result<std::vector<Finding>, Message> findings_of(const Input& input, bool form_only) {
+  if (!input.findings.empty()) return input.findings;
+  std::vector<Finding> findings = validate_text(input.text);
+  const auto scenario = read_scenario(input.text);
+  if (form_only || has_error(findings) || !scenario) return findings;
+  const bool packed = input.file && scenario->specimen.generator.empty();
+  const auto volume = packed ? voxels_of(*input.file) : make_specimen(scenario->specimen, input.folder);
+  if (!volume) return std::unexpected(describe(volume.error()));
+  const SpecimenFacts facts = facts_of(*volume);
+  findings = validate_text(input.text, &facts);
+  if (has_error(findings)) return findings;
+  const std::vector<Finding> checks = check_exercise(*scenario, Specimen::build(*volume, reading_of(scenario->method)));
+  findings.insert(has_error(checks) ? findings.begin() : findings.end(), checks.begin(), checks.end());
+  return findings;
+}
+
 int validate_verb(const ValidateOptions& o) {
   if (const auto no = refuse_outputs({o.json.file})) return failed(*no);
-  std::string text(builtin_scenario_text(o.path));
-  std::filesystem::path folder;
-  if (text.empty()) {
-    std::filesystem::path file(o.path);
-    if (std::filesystem::is_directory(file)) file /= "scenario.json";
-    folder = file.parent_path();
-    std::error_code error;
-    const auto size = std::filesystem::file_size(file, error);
-    std::ifstream in(file, std::ios::binary);
-    if (error || !in) return failed(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
-    if (size > kMaxScenarioBytes) return failed(describe(FormatFailure{FormatError::too_large, file.string(), {}}));
-    text.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  }
-  std::vector<Finding> findings = validate_text(text);
-  if (!o.form_only && !has_error(findings)) {
-    if (const auto scenario = read_scenario(text)) {
-      const auto volume = make_specimen(scenario->specimen, folder);
-      if (!volume) return failed(describe(volume.error()));
-      const SpecimenFacts facts = facts_of(*volume);
-      findings = validate_text(text, &facts);
-      if (!has_error(findings)) {
-        const std::vector<Finding> checks = check_exercise(*scenario, Specimen::build(*volume, reading_of(scenario->method)));
-        findings.insert(has_error(checks) ? findings.begin() : findings.end(), checks.begin(), checks.end());
-      }
-    }
-  }
+  const auto input = open_input(o.path);
+  if (!input) return failed(input.error());
+  const auto found = findings_of(*input, o.form_only);
+  if (!found) return failed(found.error());
+  const std::vector<Finding>& findings = *found;
 
   nlohmann::ordered_json json;
   json["valid"] = !has_error(findings);
@@ -89,7 +117,7 @@ int validate_verb(const ValidateOptions& o) {
 void add_validate(CLI::App& program, Job& job) {
   auto o = std::make_shared<ValidateOptions>();
   CLI::App* verb = program.add_subcommand("validate", help(CliText::tr("Check a scenario: its form, its values, and its specimen")));
-  verb->add_option("PATH", o->path, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("PATH", o->path, help(CliText::tr("A scenario.json, its folder, an exercise saved as a file, or a built-in one")))->required();
   verb->add_flag("--form-only", o->form_only, help(CliText::tr("Leave the specimen out")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return validate_verb(*o); }; });

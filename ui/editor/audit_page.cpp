@@ -86,6 +86,7 @@ void AuditPage::follow_job() {
   });
   connect(job_, &AuditJob::done, this, [this](const std::shared_ptr<const AuditReport>& report) {
     stop();
+    model_.now_tried(measured_);
     report_ = report;
     show_report();
     announce(this, leanest_->text());

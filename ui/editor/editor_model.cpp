@@ -93,6 +93,17 @@ bool EditorModel::unchanged() const {
   return same == scenario_;
 }
 
+bool EditorModel::tried() const {
+  if (!tried_) return false;
+  Scenario same = *tried_;
+  same.version = scenario_.version;
+  same.title = scenario_.title;
+  same.briefing = scenario_.briefing;
+  same.level = scenario_.level;
+  same.expected_time_s = scenario_.expected_time_s;
+  return same == scenario_;
+}
+
 EditorModel::Standing EditorModel::standing() const {
   if (has_error(findings_)) return Standing::failing;
   if (unchanged()) return Standing::unchanged;

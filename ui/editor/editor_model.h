@@ -115,6 +115,10 @@ class EditorModel : public QObject {
   bool publishable() const { return standing() == Standing::ready; }
   bool unchanged() const;
   const std::optional<Scenario>& published() const { return published_; }
+  /// The exercise was drilled to its end as `played`: by a try-out, or by the scripted operator of an audit.
+  void now_tried(const Scenario& played) { tried_ = played; }
+  /// Whether it was drilled with the present values. Texts, level and expected time are of no account.
+  bool tried() const;
   /// Call after publishing. The next edit begins the next version; undo starts empty.
   void now_published(const Scenario& version);
 
@@ -137,6 +141,7 @@ class EditorModel : public QObject {
 
   Scenario scenario_;
   std::optional<Scenario> published_;
+  std::optional<Scenario> tried_;
   std::string folder_;
   PartPath part_;
   SpecimenSource grown_from_;  // at the last specimen_changed()

@@ -45,6 +45,7 @@ class EditorPage : public QWidget {
  public Q_SLOTS:
   /// Starts an attempt at the draft as it stands, of which nothing is kept.
   void try_out();
+  /// Opens the sheet that asks before publishing.
   void publish_version();
   /// Saves the draft while the window closes; as a copy if another window has changed it.
   void keep_before_closing();

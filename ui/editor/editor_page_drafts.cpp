@@ -8,10 +8,12 @@
 #include "scenarios/format/read.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/publish_sheet.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -112,16 +114,12 @@ void EditorPage::leave() {
 
 void EditorPage::publish_version() {
   if (!model_->prove()) return;
-  const auto next = next_version(store_, *model_);
-  if (!next) return show_failure(next.error());
-  if (*next == model_->scenario().version) return publish_now();
-  ports_.ask(this,
-             {tr("Another window has published version %1. Publish yours as version %2?").arg(*next - 1).arg(*next),
-              tr("Students then drill yours. Version %1 stays in the records.").arg(*next - 1),
-              tr("Publish version %1").arg(*next)},
-             [self = QPointer(this)](bool yes) {
-               if (self && yes) self->publish_now();
-             });
+  auto facts = publish_facts(store_, *model_, ports_.now().toMSecsSinceEpoch() * 1000);
+  if (!facts) return show_failure(facts.error());
+  auto* sheet = new PublishSheet(std::move(*facts), local(model_->scenario().title), ports_, this);
+  connect(sheet, &PublishSheet::publish_wanted, this, &EditorPage::publish_now);
+  connect(sheet, &PublishSheet::try_out_wanted, this, &EditorPage::try_out);
+  sheet->open();
 }
 
 void EditorPage::publish_now() {

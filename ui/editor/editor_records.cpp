@@ -56,7 +56,9 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
     start.kept = (*draft)->json;
     if (auto read = read_scenario((*draft)->json)) start.draft = std::move(*read);
   }
-  start.draft.version = start.published->version + 1;
+  const auto versions = store.scenarios.versions(start.draft.id);
+  if (!versions) return std::unexpected(versions.error());
+  start.draft.version = 1 + std::max(start.published->version, versions->empty() ? 0 : versions->back().number);
   const fs::path folder = drafts_folder(database, start.draft.id);
   if (auto done = unpack_volume(store, exercise, folder, cache); !done) return std::unexpected(done.error());
   start.folder = folder.string();

@@ -13,8 +13,8 @@ namespace cusp::ui {
 /// Folder of a draft's volume, one for each exercise, beside the database.
 std::filesystem::path drafts_folder(const std::filesystem::path& database, ScenarioId scenario);
 
-/// Opens the actor's draft, or the published version without one, with the number of the next version. An unreadable draft is
-/// ignored. `cache`: folder for the volumes of published versions.
+/// Opens the actor's draft, or the published version without one, with the number of the next version; a withdrawn
+/// version keeps its number. An unreadable draft is ignored. `cache`: folder for the volumes of published versions.
 Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exercise& exercise,
                                      const std::filesystem::path& database, const std::filesystem::path& cache);
 /// Opens a draft of an exercise that was never published. `json`: the draft in the records.

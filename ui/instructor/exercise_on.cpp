@@ -20,6 +20,7 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
   if (pattern) s = *pattern;
   s.id = ScenarioId::make();
   s.key.clear();
+  s.version = 1;
   s.title = {{"en", name}};
   s.briefing = {{"en", pattern ? pattern->briefing.at("en") : name}};
   s.specimen = {};

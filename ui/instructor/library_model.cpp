@@ -14,6 +14,31 @@
 
 namespace cusp::ui {
 
+namespace {
+
+/// What the records say of the versions of a row.
+Stored<void> see_versions(Store& store, LibraryRow& row) {
+  const auto versions = store.scenarios.versions(row.shown().id);
+  if (!versions) return std::unexpected(versions.error());
+  if (versions->empty()) return {};
+  const auto withdrawn = store.scenarios.withdrawn(versions->back().id);
+  if (!withdrawn) return std::unexpected(withdrawn.error());
+  if (*withdrawn) row.withdrawn = versions->back().number;
+  for (const ScenarioVersion& version : *versions)
+    if (row.exercise && version.id == row.exercise->version) row.withdrawable = !version.author.is_nil();
+  return {};
+}
+
+QString state_of(const LibraryRow& r) {
+  if (!r.exercise) return r.withdrawn ? LibraryModel::tr("Withdrawn") : LibraryModel::tr("Draft");
+  if (r.draft) return LibraryModel::tr("Draft of the next");
+  if (r.withdrawn) return LibraryModel::tr("Version %1 withdrawn").arg(*r.withdrawn);
+  const bool as_delivered = r.exercise->version_number == 1 && !r.exercise->scenario.key.empty();
+  return as_delivered ? LibraryModel::tr("Comes with Cusp") : LibraryModel::tr("Published");
+}
+
+}  // namespace
+
 Stored<Library> load_library(Store& store, const Actor& actor) {
   auto list = load_exercises(store);
   if (!list) return std::unexpected(list.error());
@@ -38,6 +63,8 @@ Stored<Library> load_library(Store& store, const Actor& actor) {
     }
     if (!published) out.rows.push_back({std::nullopt, std::move(*scenario), draft.saved_utc_us, draft.json});
   }
+  for (LibraryRow& row : out.rows)
+    if (auto seen = see_versions(store, row); !seen) return std::unexpected(seen.error());
   std::ranges::stable_sort(out.rows, {}, [](const LibraryRow& row) {
     const bool comes_with_program = row.exercise && !row.exercise->scenario.key.empty();
     return std::tuple(!row.draft, -row.saved_utc_us, comes_with_program);
@@ -63,11 +90,10 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     switch (index.column()) {
       case kExercise: return local(r.shown().title);
       case kTooth: return specimen_name(r.shown().specimen);
-      case kVersion: return r.exercise ? QLocale().toString(r.exercise->version_number) : QString();
-      case kState:
-        if (!r.exercise) return tr("Draft");
-        if (r.draft) return tr("Draft of the next");
-        return r.exercise->version_number == 1 && !r.exercise->scenario.key.empty() ? tr("Comes with Cusp") : tr("Published");
+      case kVersion:
+        if (r.exercise) return QLocale().toString(r.exercise->version_number);
+        return r.withdrawn ? QLocale().toString(*r.withdrawn) : QString();
+      case kState: return state_of(r);
       case kSaved:
         return r.saved_utc_us > 0 ? format_day_time(local_time(r.saved_utc_us))
                                   : QString();
@@ -75,6 +101,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     }
   }
   if (role == ChipRole && index.column() == kState) {
+    if (r.withdrawn && !(r.draft && r.exercise)) return static_cast<int>(Chip::Kind::look);
     return static_cast<int>(r.draft ? Chip::Kind::accent : Chip::Kind::good);
   }
   if (role == BoldRole && index.column() == kExercise) return true;

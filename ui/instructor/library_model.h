@@ -16,6 +16,8 @@ struct LibraryRow {
   std::optional<Scenario> draft;     // of the actor
   std::int64_t saved_utc_us = 0;     // of the draft; 0 without one
   std::string draft_json = {};       // in the records
+  std::optional<int> withdrawn = {};  // newest version, if it is withdrawn; without an exercise all versions are
+  bool withdrawable = false;          // the version shown was published by a person
   const Scenario& shown() const { return draft ? *draft : exercise->scenario; }
 };
 

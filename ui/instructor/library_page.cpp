@@ -1,9 +1,11 @@
 #include "ui/instructor/library_page.h"
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QShortcut>
 
@@ -11,6 +13,7 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
+#include "ui/instructor/withdrawal.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -21,6 +24,20 @@ namespace cusp::ui {
 namespace {
 
 constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
+
+/// Gives the button its menu, and the sign of one.
+QPushButton* put_menu(QPushButton* button, QMenu* menu) {
+  button->setMenu(menu);
+  auto* chevron = new QLabel;
+  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, button->devicePixelRatioF()));
+  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* inside = new QHBoxLayout(button);
+  inside->setContentsMargins(0, 0, px(8), 0);
+  inside->addStretch();
+  inside->addWidget(chevron);
+  button->setMinimumWidth(button->sizeHint().width() + px(24));
+  return button;
+}
 
 }  // namespace
 
@@ -38,15 +55,12 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   outer->setSpacing(px(12));
   auto* head = new PageHead(tr("Library"));
   QPushButton* import = make_button(tr("Import a specimen"), ButtonKind::standard, u"import"_qs);
-  QPushButton* copy = make_button(tr("Copy"), ButtonKind::standard, u"copy"_qs);
-  copy->setAccessibleName(tr("Copy the chosen exercise"));
+  QPushButton* more = make_more_button();
   QPushButton* fresh = make_new_button();
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
-  discard_ = make_button(tr("Discard the draft"), ButtonKind::erase, u"trash"_qs);
-  connect(discard_, &QPushButton::clicked, this, &LibraryPage::discard_draft);
   make_search();
   head->buttons()->addWidget(search_);
-  for (QPushButton* button : {discard_, import, copy, fresh, open}) head->buttons()->addWidget(button);
+  for (QPushButton* button : {import, more, fresh, open}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
@@ -59,31 +73,40 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   card->body()->addWidget(table_);
   outer->addWidget(card, 1);
   connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
-  connect(copy, &QPushButton::clicked, this, &LibraryPage::copy_chosen);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
   connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &LibraryPage::fit_buttons);
+  setAcceptDrops(true);
   read();
   fit_buttons();
   setFocusProxy(table_);
 }
 
-/// A button with a menu: empty, or from a template.
+/// A button with a menu: empty, from a template, or from a file.
 QPushButton* LibraryPage::make_new_button() {
   QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
   auto* menu = new QMenu(fresh);
+  menu->setObjectName(u"begin"_qs);
   connect(menu->addAction(tr("Empty")), &QAction::triggered, this, &LibraryPage::begin_new);
   connect(menu->addAction(tr("From a template…")), &QAction::triggered, this, &LibraryPage::begin_from_template);
-  fresh->setMenu(menu);
-  auto* chevron = new QLabel;
-  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, devicePixelRatioF()));
-  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* inside = new QHBoxLayout(fresh);
-  inside->setContentsMargins(0, 0, px(8), 0);
-  inside->addStretch();
-  inside->addWidget(chevron);
-  fresh->setMinimumWidth(fresh->sizeHint().width() + px(24));
-  return fresh;
+  connect(menu->addAction(tr("Open a file…")), &QAction::triggered, this, &LibraryPage::choose_file);
+  return put_menu(fresh, menu);
+}
+
+/// A button with a menu: what can be done with the chosen exercise.
+QPushButton* LibraryPage::make_more_button() {
+  QPushButton* more = make_button(tr("More"));
+  more->setAccessibleName(tr("More for the chosen exercise"));
+  auto* menu = new QMenu(more);
+  copy_ = menu->addAction(icon(u"copy"_qs), tr("Copy"));
+  save_ = menu->addAction(icon(u"save"_qs), tr("Save as file…"));
+  connect(copy_, &QAction::triggered, this, &LibraryPage::copy_chosen);
+  withdraw_ = menu->addAction(icon(u"ban"_qs), tr("Withdraw…"));
+  discard_ = menu->addAction(icon(u"trash"_qs), tr("Discard the draft…"));
+  connect(discard_, &QAction::triggered, this, &LibraryPage::discard_draft);
+  connect(save_, &QAction::triggered, this, &LibraryPage::save_chosen);
+  connect(withdraw_, &QAction::triggered, this, &LibraryPage::withdraw_chosen);
+  return put_menu(more, menu);
 }
 
 void LibraryPage::read() {
@@ -122,7 +145,10 @@ void LibraryPage::filter() {
 
 void LibraryPage::fit_buttons() {
   const int index = table_->chosen_row();
-  discard_->setVisible(index >= 0 && model_->row(index).draft.has_value());
+  discard_->setEnabled(index >= 0 && model_->row(index).draft.has_value());
+  copy_->setEnabled(index >= 0);
+  save_->setEnabled(index >= 0);
+  withdraw_->setEnabled(index >= 0 && model_->row(index).withdrawable);
 }
 
 void LibraryPage::discard_draft() {
@@ -147,6 +173,35 @@ void LibraryPage::discard_draft() {
                read();
                fit_buttons();
              });
+}
+
+void LibraryPage::withdraw_chosen() {
+  const int index = table_->chosen_row();
+  if (index < 0 || !model_->row(index).withdrawable) return;
+  const LibraryRow row = model_->row(index);
+  const auto plan = plan_withdrawal(store_, row, ports_.now().toMSecsSinceEpoch() * 1000);
+  if (!plan) return show_failure(plan.error());
+  QStringList follows;
+  follows << (plan->before ? tr("Students find version %1 again.").arg(*plan->before)
+                           : tr("Students no longer find this exercise; you keep it as a draft."));
+  if (plan->assignments > 0) follows << tr("%n open assignment(s) of this version can no longer be drilled.", nullptr, plan->assignments);
+  follows << tr("Results and reports stay. A withdrawn version does not come back: publishing makes a new one.");
+  ports_.ask(this, {tr("Withdraw version %1 of %2?").arg(plan->number).arg(local(row.exercise->scenario.title)), follows.join(u' '),
+                    tr("Withdraw version %1").arg(plan->number), true},
+             [self = QPointer(this), row, plan = *plan](bool yes) {
+               if (self && yes) self->withdraw_row(row, plan);
+             });
+}
+
+void LibraryPage::withdraw_row(const LibraryRow& row, const Withdrawal& plan) {
+  if (const auto done = withdraw(store_, actor_, row, plan, database_, cache_); !done) return show_failure(done.error());
+  const ScenarioId id = row.exercise->scenario.id;
+  read();
+  for (int i = 0; i < model_->rowCount(); ++i)
+    if (model_->row(i).shown().id == id && !table_->isRowHidden(i)) table_->choose_row(i);
+  fit_buttons();
+  band_->show_message(Band::Kind::good, tr("Version %1 of %2 is withdrawn.").arg(plan.number).arg(local(row.exercise->scenario.title)),
+                      plan.before ? tr("Students find version %1 again.").arg(*plan.before) : tr("It stays here as a draft of yours."));
 }
 
 void LibraryPage::show_failure(const StorageFailure& failure) {

@@ -1,22 +1,28 @@
-/// The instructor's exercises: opens one in the editor, begins a new one, empty, from a template or as a copy, imports a specimen. Thread: GUI.
+/// The instructor's exercises: opens one in the editor, begins a new one, empty, from a template or as a copy, imports a specimen,
+/// saves one as a file and opens such a file, and withdraws a published version. Thread: GUI.
 #pragma once
 
 #include <QWidget>
 #include <filesystem>
 
+#include "scenarios/library/exercise_file.h"
 #include "storage/store.h"
 #include "ui/editor/editor_model.h"
+#include "ui/instructor/exchange.h"
 #include "ui/instructor/library_model.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
+class QAction;
 class QLineEdit;
+class QMenu;
 class QPushButton;
 
 namespace cusp::ui {
 
 class Band;
 class Table;
+struct Withdrawal;
 
 class LibraryPage : public QWidget {
   Q_OBJECT
@@ -38,10 +44,21 @@ class LibraryPage : public QWidget {
   void begin_from_template();
   /// Asks first; the published version stays.
   void discard_draft();
+  /// Asks first, with what follows. Only of a version that a person published.
+  void withdraw_chosen();
+  /// Asks for a file name. Saves the published version; the draft of an exercise that was never published.
+  void save_chosen();
+  void choose_file();
+  /// Makes a draft of the exercise in the file. Asks if the library has that exercise with another content.
+  void open_file(const QString& path);
 
  Q_SIGNALS:
   void edit_wanted(const EditorStart& start);
   void import_wanted();
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void read();
@@ -50,8 +67,13 @@ class LibraryPage : public QWidget {
   /// Shows the rows whose name or tooth has the text.
   void filter();
   QPushButton* make_new_button();
+  QPushButton* make_more_button();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
+  void withdraw_row(const LibraryRow& row, const Withdrawal& plan);
+  void save_row(const LibraryRow& row, const QString& title, const QString& picked);
+  void open_taken(const ExerciseFile& file, KeepId keep);
   void show_failure(const StorageFailure& failure);
+  void show_refusal(const ExerciseFileFailure& failure);
 
   Store& store_;
   Actor actor_;
@@ -61,7 +83,7 @@ class LibraryPage : public QWidget {
   Table* table_ = nullptr;
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
-  QPushButton* discard_ = nullptr;
+  QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;
 };
 
 }  // namespace cusp::ui

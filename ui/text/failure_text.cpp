@@ -51,8 +51,24 @@ Message describe(const FormatFailure& f) {
                                  : Text::tr("%1 names something that is not known: %2.").arg(where, detail));
     case FormatError::unknown_level: return at(Text::tr("%1 names no level of an exercise: %2.").arg(where, detail));
     case FormatError::unknown_builtin: return at(Text::tr("No exercise called %1 comes with the program.").arg(where));
+    case FormatError::foreign_file: return at(Text::tr("%1 is not an exercise that Cusp saved as a file.").arg(where));
+    case FormatError::truncated: return at(Text::tr("%1 is not whole: it breaks off. Copy the file again.").arg(where));
+    case FormatError::damaged: return at(Text::tr("%1 was damaged or changed after it was saved. Copy the file again.").arg(where));
+    case FormatError::missing_file: return at(Text::tr("%1 is missing in the file.").arg(where));
+    case FormatError::unnamed_file: return at(Text::tr("%1 does not belong in the file of an exercise.").arg(where));
+    case FormatError::unwritable:
+      return {Text::tr("The exercise cannot be saved as a file."),
+              detail.isEmpty() ? Text::tr("%1 cannot be written. Choose another folder.").arg(where)
+                               : Text::tr("%1 cannot be written: %2. Choose another folder.").arg(where, detail)};
   }
   return at(where);
+}
+
+Message describe(const ExerciseFileFailure& failure) {
+  if (const auto* format = std::get_if<FormatFailure>(&failure)) return describe(*format);
+  if (const auto* import = std::get_if<ImportFailure>(&failure)) return describe(*import);
+  return {Text::tr("This exercise cannot be used."),
+          Text::tr("The checks refuse it at %1. Nothing was changed.").arg(place(std::get<Finding>(failure).path))};
 }
 
 Message describe(const ImportFailure& f) {

@@ -8,6 +8,7 @@
 #include "engine/step/step.h"
 #include "scenarios/format/format_error.h"
 #include "scenarios/import/import_error.h"
+#include "scenarios/library/exercise_file.h"
 #include "storage/base/error.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
@@ -28,6 +29,8 @@ enum class Secret : std::uint8_t { password, pin };
 Message describe_account(const StorageFailure& failure, const QString& number, Secret asked);
 Message describe(const FormatFailure& failure);
 Message describe(const ImportFailure& failure);
+/// Of a finding it names the place alone; the editor and the verbs have their own text of one.
+Message describe(const ExerciseFileFailure& failure);
 Message describe(const PortFailure& failure);
 Message describe(const SessionFailure& failure);
 Message describe(Fault fault);

@@ -9,6 +9,7 @@ import administrator
 import assessment
 import cohort
 import desk
+import exchange
 import instructor
 import school
 import student
@@ -29,6 +30,8 @@ def main():
         done(f"the student drilled {student.EXERCISE}: {points} points, on the report and in the history")
         shown = instructor.visit(program)
         done(f"the instructor made a channel {instructor.DEPTH_MM} mm deep, tried it out ({', '.join(shown)}) and published it")
+        row = exchange.visit(program)
+        done(f"the exercise went out as a file, came back as another one, was published and withdrawn: {row}")
         program.close()
 
         program = own.start()

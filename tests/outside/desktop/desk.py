@@ -244,10 +244,15 @@ class Program:
         """Opens a button's menu and walks through it by `keys`: Qt does not show an open menu to a screen reader's search,
         and waits in it for the answer, so that it is opened by the mouse."""
         before = self.windows()
+        self.menu_to_dialog(button, *keys)
+        until("the menu to close", lambda: self.windows() <= before)
+
+    def menu_to_dialog(self, button, *keys):
+        """The same where the chosen item opens a dialog, which the caller waits for."""
+        before = self.windows()
         self.find("push button", button).click()
         until(f"the menu of {getattr(button, 'pattern', button)!r}", lambda: self.windows() > before)
         self.keys(*keys)
-        until("the menu to close", lambda: self.windows() <= before)
 
     def keys(self, *names):
         for name in names:

@@ -59,6 +59,10 @@ def visit(program):
     depth = program.find("spin button", "Depth", within=editor)
     desk.check(depth.value == float(DEPTH_MM), f"after the try-out the depth is {depth.value}")
     program.press(re.compile("^Publish version 4"), within=editor)
+    sheet = program.find("dialog", "Publish")
+    program.find("label", "Depth: 1.50 mm, was 2.00 mm", within=sheet)
+    program.find("label", "It was tried out as it is now.", within=sheet)
+    program.press("Publish version 4", within=sheet)
     program.find("label", re.compile(r"^Version 4 is published\."))
     program.keys("alt+Left")
     row = [cell.name for cell in school.row_of(program, "Exercises", EXERCISE)]

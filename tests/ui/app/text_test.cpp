@@ -32,7 +32,7 @@ void each_code_has_its_own_text(int codes) {
 
 TEST(Sentences, every_code_of_every_module_has_text) {
   each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::bad_trace) + 1);
-  each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unknown_builtin) + 1);
+  each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unwritable) + 1);
   each_code_has_its_own_text<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
   each_code_has_its_own_text<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
   for (int i = 0; i <= static_cast<int>(SessionError::specimen_changed); ++i) {

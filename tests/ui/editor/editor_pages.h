@@ -12,6 +12,7 @@
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/handle_knob.h"
+#include "ui/editor/publish_sheet.h"
 #include "ui/editor/target_view.h"
 
 namespace cusp::test {
@@ -56,6 +57,13 @@ inline std::vector<HandleKnob*> knobs_of(const TargetView& stage) {
   for (HandleKnob* knob : stage.findChildren<HandleKnob*>())
     if (!knob->isHidden()) out.push_back(knob);
   return out;
+}
+
+/// The sheet that asks before publishing; nullptr while none is open.
+inline PublishSheet* sheet_of(const EditorPage& page) {
+  for (PublishSheet* sheet : page.findChildren<PublishSheet*>())
+    if (sheet->isVisible()) return sheet;
+  return nullptr;
 }
 
 template <class W>

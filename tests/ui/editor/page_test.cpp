@@ -182,7 +182,11 @@ TEST_F(EditorPages, leaving_keeps_the_draft_and_publishing_takes_it_away) {
   page->leave();
   EXPECT_EQ(back.count(), 1);
   EXPECT_EQ(records.store().scenarios.drafts(instructor.actor())->size(), 1u);
+  page->model().now_tried(page->model().scenario());
   named<QPushButton>(*page, "Publish version 4")->click();
+  ASSERT_NE(sheet_of(*page), nullptr);
+  EXPECT_FALSE(records.store().scenarios.drafts(instructor.actor())->empty()) << "nothing is published before it is answered";
+  sheet_of(*page)->publish()->click();
   EXPECT_TRUE(records.store().scenarios.drafts(instructor.actor())->empty());
   EXPECT_EQ(records.store().scenarios.library()->size(), 1u);
   EXPECT_NE(named<QPushButton>(*page, "Publish version 5"), nullptr);

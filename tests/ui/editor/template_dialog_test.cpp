@@ -40,7 +40,7 @@ struct TemplateDialogs : EditorPages {
     page->show();
   }
   void ask() {
-    page->findChild<QMenu*>()->actions().at(1)->trigger();
+    page->findChild<QMenu*>(QStringLiteral("begin"))->actions().at(1)->trigger();
     dialog = page->findChild<TemplateDialog*>();
     ASSERT_TRUE(dialog);
   }

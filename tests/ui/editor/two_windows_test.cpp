@@ -11,6 +11,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
+#include "tests/ui/editor/editor_pages.h"
 #include "ui/instructor/library_page.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -153,16 +154,23 @@ TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_u
   QSignalSpy ready(first.get(), &EditorPage::ready);
   ASSERT_TRUE(first->grown() || ready.wait(60'000));
   first->publish_version();
+  sheet_of(*first)->publish()->click();
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Publish untried")});
   EXPECT_TRUE(drafts().empty());
   EXPECT_TRUE(save(*second)) << "none was kept when it was opened, and none is now";
   QSignalSpy grown(second.get(), &EditorPage::ready);
   ASSERT_TRUE(second->grown() || grown.wait(60'000));
-  answer = false;
   second->publish_version();
-  EXPECT_EQ(asked, QStringList{QStringLiteral("Publish version 5")});
+  PublishSheet* sheet = sheet_of(*second);
+  ASSERT_NE(sheet, nullptr);
+  EXPECT_EQ(sheet->publish()->text(), QStringLiteral("Publish version 5"));
+  const Band* band = sheet->findChild<Band*>();
+  ASSERT_NE(band, nullptr);
+  EXPECT_TRUE(band->text().contains(QStringLiteral("Another window has published version 4")));
+  sheet->reject();
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 2u);
-  answer = true;
   second->publish_version();
+  sheet_of(*second)->publish()->click();
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 3u);
 }
 

@@ -1,0 +1,49 @@
+/// NAME.cusp: an exercise as one file, to hand from station to station. A tar archive (tar.h) of, in this order:
+///   cusp-exercise   "format 1\ncontent <64 hex digits>\n": the content hash of the other two (content_hash.h)
+///   scenario.json   canonical
+///   <volume>        the NRRD file that scenario.json names, if it names one
+/// The reader refuses any other file in it, and checks sizes before it takes memory. Any thread but the haptic one.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/volume/voxel_volume.h"
+#include "scenarios/format/format_error.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/format/validate.h"
+#include "scenarios/import/import_error.h"
+
+namespace cusp::scenarios {
+
+inline constexpr int kExerciseFileFormat = 1;
+inline constexpr std::string_view kExerciseFileSuffix = ".cusp";
+/// As much as the largest volume takes without packing: VolumeLimits::max_voxels, 4 bytes each.
+inline constexpr std::size_t kMaxExerciseFileBytes = std::size_t{512} << 20;
+
+struct ExerciseFile {
+  Scenario scenario;
+  std::vector<std::byte> volume;  // NRRD; empty for a generated specimen
+};
+
+/// What is wrong with the file, with the exercise in it, or with its volume.
+using ExerciseFileFailure = std::variant<FormatFailure, Finding, ImportFailure>;
+
+/// The file's bytes. Refuses what the reader would refuse.
+[[nodiscard]] Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file);
+/// Writes beside the path and renames: no half file bears the name.
+[[nodiscard]] Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, const std::filesystem::path& path);
+
+/// Bytes of any origin. An exercise with an error of validate() is refused; a volume is read, and validated with it.
+[[nodiscard]] Result<ExerciseFile, ExerciseFileFailure> parse_exercise_file(std::string_view bytes);
+/// The volume's voxels. Pre: the file has one.
+[[nodiscard]] Result<VoxelVolume, ImportFailure> voxels_of(const ExerciseFile& file);
+/// `where` of a FormatFailure begins with the file's name.
+[[nodiscard]] Result<ExerciseFile, ExerciseFileFailure> read_exercise_file(const std::filesystem::path& path);
+
+}  // namespace cusp::scenarios

@@ -1,0 +1,141 @@
+// The sheet before publishing: what changed, who uses an older version, whether the exercise was tried out.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSignalSpy>
+
+#include "scenarios/format/ranges.h"
+#include "tests/modules.h"
+#include "tests/ui/editor/editor_pages.h"
+#include "ui/editor/change_messages.h"
+#include "ui/editor/publish_sheet.h"
+
+namespace cusp::test {
+namespace {
+
+QString text_of(const QWidget& sheet) {
+  QString all;
+  for (const QLabel* label : sheet.findChildren<QLabel*>()) all += label->text() + u'\n';
+  return all.remove(QRegularExpression(QStringLiteral("[\u2066-\u2069]"))).replace(QChar(0x00A0), u' ');
+}
+
+struct PublishSheets : EditorPages {
+  std::vector<Question> asked;
+  bool answer = false;
+  void SetUp() override {
+    EditorPages::SetUp();
+    ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(12, 0)); };
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked.push_back(question);
+      then(answer);
+    };
+  }
+  std::size_t versions(const EditorPage& page) {
+    return records.store().scenarios.versions(const_cast<EditorPage&>(page).model().scenario().id)->size();
+  }
+  void publish_tried(EditorPage& page) {
+    page.model().now_tried(page.model().scenario());
+    page.publish_version();
+    sheet_of(page)->publish()->click();
+  }
+};
+
+TEST_F(PublishSheets, ListWhatChangedWithValuesOfNowAndBefore) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->model().end_gesture();
+  page->model().set_pass(60);
+  page->publish_version();
+  const QString text = text_of(*sheet_of(*page));
+  EXPECT_TRUE(text.contains(QStringLiteral("Changed since version 3"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Depth: 1.50 mm, was 2.00 mm"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Pass mark, of 100: 60, was 70"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Full points for Floor depth, mean: 1.35 to 1.65"))) << "the bands move with the depth: " << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("None."))) << "no cohort uses it";
+  EXPECT_EQ(versions(*page), 0u);
+}
+
+TEST_F(PublishSheets, AskOnceMoreBeforeWhatNobodyTriedOutAndOnlyThen) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->publish_version();
+  EXPECT_NE(sheet_of(*page)->try_out(), nullptr);
+  sheet_of(*page)->publish()->click();
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(versions(*page), 0u);
+  EXPECT_NE(sheet_of(*page), nullptr) << "the sheet stays when the question is answered with no";
+  answer = true;
+  sheet_of(*page)->publish()->click();
+  EXPECT_EQ(asked.size(), 2u);
+  EXPECT_EQ(versions(*page), 2u) << "the program's own and the new one";
+  page->model().set_depth_mm(1.6);
+  publish_tried(*page);
+  EXPECT_EQ(asked.size(), 2u);
+  EXPECT_EQ(versions(*page), 3u);
+}
+
+TEST_F(PublishSheets, ATrialCountsUntilTheNextChangeThatADrillShows) {
+  const auto page = open();
+  EditorModel& model = page->model();
+  model.set_depth_mm(1.5);
+  EXPECT_FALSE(model.tried());
+  model.now_tried(model.scenario());
+  EXPECT_TRUE(model.tried());
+  model.set_title("en", QStringLiteral("Another title"));
+  EXPECT_TRUE(model.tried()) << "a title changes nothing that is drilled";
+  model.end_gesture();
+  model.set_width_mm(1.9);
+  EXPECT_FALSE(model.tried());
+  model.stack().undo();
+  EXPECT_TRUE(model.tried());
+}
+
+TEST_F(PublishSheets, LeadToTheTryOut) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  QSignalSpy wanted(page.get(), &EditorPage::try_out_wanted);
+  page->publish_version();
+  sheet_of(*page)->try_out()->click();
+  EXPECT_EQ(wanted.count(), 1);
+  EXPECT_EQ(sheet_of(*page), nullptr);
+}
+
+TEST_F(PublishSheets, NameTheCohortsWhoseOpenAssignmentsKeepAnOlderVersion) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  publish_tried(*page);
+  const ScenarioVersion version = records.store().scenarios.versions(page->model().scenario().id)->back();
+  const auto assign = [&](const char* cohort, std::optional<std::int64_t> due) {
+    const auto made = records.store().cohorts.create(instructor.actor(), cohort);
+    ASSERT_TRUE(made.has_value());
+    ASSERT_TRUE(records.store().assignments.create(instructor.actor(), {.version = version.id, .cohort = made->id, .due_utc_us = due}).has_value());
+  };
+  const std::int64_t day_us = 86'400'000'000;
+  const std::int64_t now_us = ports.now().toMSecsSinceEpoch() * 1000;
+  assign("Year 3", now_us + 14 * day_us);
+  assign("Year 4", std::nullopt);
+  assign("Year 2", now_us - day_us);
+  page->model().set_depth_mm(1.6);
+  page->publish_version();
+  const QString text = text_of(*sheet_of(*page));
+  EXPECT_TRUE(text.contains(QStringLiteral("Year 3: Practice, version 4"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Year 4: Practice, version 4"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("no due date"))) << text.toStdString();
+  EXPECT_FALSE(text.contains(QStringLiteral("Year 2"))) << "that one is over";
+  EXPECT_TRUE(text.contains(QStringLiteral("Assign version 5"))) << text.toStdString();
+}
+
+TEST(ChangeMessages, NameEveryNumberOfTheTableOfRanges) {
+  for (const NumberRange& range : number_ranges()) {
+    if (range.path == "/format" || range.path == "/version") continue;  // compare() leaves them out
+    const QString text = change_message({ChangeKind::changed, std::string(range.path), "depth_mean", range.least, range.most});
+    EXPECT_FALSE(text.contains(u'/') && !text.contains(QStringLiteral("mm/s")) && !text.contains(QStringLiteral("N/mm"))) << text.toStdString();
+    EXPECT_FALSE(text.contains(u'%')) << text.toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace cusp::test

@@ -1,0 +1,187 @@
+// The library's page and files: an exercise goes out as NAME.cusp and comes in as a draft.
+
+#include <gtest/gtest.h>
+
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QUrl>
+#include <filesystem>
+
+#include "scenarios/blocks/blocks.h"
+#include "scenarios/format/write.h"
+#include "scenarios/import/nrrd.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/scenarios/import/mesh_files.h"
+#include "tests/ui/desk_records.h"
+#include "ui/editor/editor_records.h"
+#include "ui/instructor/import_page.h"
+#include "ui/instructor/library_page.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+/// A station with its library's page.
+struct Station {
+  DeskRecords records;
+  TempFolder cache;
+  Ports ports = Ports::of_the_system();
+  Account instructor;
+  bool answer = true;
+  QStringList asked;
+  QString picked;
+  std::vector<EditorStart> opened;
+  std::unique_ptr<LibraryPage> page;
+
+  Station() {
+    instructor = *records.store().accounts.create(records.administrator().actor(),
+                                                  {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked << question.what;
+      then(answer);
+    };
+    ports.pick_file = [this](QWidget*, const FileWish&, std::function<void(const QString&)> then) { then(picked); };
+    show();
+  }
+  void show() {
+    page = std::make_unique<LibraryPage>(records.store(), instructor.actor(), ports, records.file(), cache.path());
+    page->show();
+    QObject::connect(page.get(), &LibraryPage::edit_wanted, [this](const EditorStart& start) { opened.push_back(start); });
+  }
+  void choose(ScenarioId id) {
+    for (int i = 0; i < page->model().rowCount(); ++i)
+      if (page->model().row(i).shown().id == id) page->table()->choose_row(i);
+  }
+  /// channel-1 with another depth, published; or with a depth of its own as a draft.
+  Scenario changed(double depth_mm) const {
+    Scenario s = *load_builtin("channel-1");
+    s.target.outline.depth_mm = depth_mm;
+    return s;
+  }
+  std::vector<ScenarioDraft> drafts() { return *records.store().scenarios.drafts(instructor.actor()); }
+  QString message() const {
+    for (const Band* band : page->findChildren<Band*>())
+      if (!band->isHidden()) return band->text();
+    return {};
+  }
+};
+
+struct LibraryFiles : ::testing::Test {
+  TempFolder folder;
+  Station from, to;
+  QString path(const char* name) const { return QString::fromStdString((folder / name).string()); }
+  /// A new exercise on a volume, saved by `from`.
+  Scenario send_volume(const QString& file) {
+    const EditorStart start = *exercise_on(dexterity_block(0.4), "Block from a scan", from.records.file());
+    Scenario draft = start.draft;
+    EXPECT_TRUE(from.records.store().scenarios.save_draft(from.instructor.actor(), draft.id, canonical_json(draft), {}).has_value());
+    from.show();
+    from.choose(draft.id);
+    from.picked = file;
+    from.page->save_chosen();
+    return draft;
+  }
+};
+
+TEST_F(LibraryFiles, AnExerciseGoesToAnotherStationWithItsVolumeAndOpensInTheEditor) {
+  const QString file = path("block");
+  const Scenario sent = send_volume(file);
+  EXPECT_TRUE(from.message().contains(QStringLiteral("block.cusp"))) << from.message().toStdString();
+  to.page->open_file(file + QStringLiteral(".cusp"));
+  ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+  Scenario wanted = sent;
+  wanted.version = 1;
+  EXPECT_EQ(to.opened[0].draft, wanted) << "with its id: nothing here has it";
+  EXPECT_FALSE(to.opened[0].published.has_value());
+  ASSERT_EQ(to.drafts().size(), 1u);
+  EXPECT_EQ(to.opened[0].kept, to.drafts()[0].json);
+  const auto volume = std::filesystem::path(to.opened[0].folder) / sent.specimen.volume;
+  EXPECT_EQ(read_nrrd(volume)->s, dexterity_block(0.4).s);
+  EXPECT_TRUE(to.asked.isEmpty());
+}
+
+TEST_F(LibraryFiles, WhatTheLibraryHasAlreadyIsChosenAndNothingIsMade) {
+  from.choose(load_builtin("class-2-46-mo")->id);
+  from.picked = path("one.cusp");
+  from.page->save_chosen();
+  to.page->open_file(from.picked);
+  EXPECT_TRUE(to.message().contains(QStringLiteral("already"))) << to.message().toStdString();
+  EXPECT_EQ(to.page->model().row(to.page->table()->chosen_row()).shown().key, "class-2-46-mo");
+  EXPECT_TRUE(to.drafts().empty());
+  EXPECT_TRUE(to.opened.empty());
+}
+
+TEST_F(LibraryFiles, AnExerciseWithAnotherContentHereBecomesANewOneAfterAsking) {
+  ASSERT_TRUE(write_exercise_file({from.changed(2.4), {}}, path("deeper.cusp").toStdString()));
+  to.answer = false;
+  to.page->open_file(path("deeper.cusp"));
+  ASSERT_EQ(to.asked.size(), 1);
+  EXPECT_TRUE(to.opened.empty());
+  EXPECT_TRUE(to.drafts().empty());
+  to.answer = true;
+  to.page->open_file(path("deeper.cusp"));
+  ASSERT_EQ(to.opened.size(), 1u);
+  const Scenario& made = to.opened[0].draft;
+  EXPECT_NE(made.id, load_builtin("channel-1")->id);
+  EXPECT_DOUBLE_EQ(made.target.outline.depth_mm, 2.4);
+  EXPECT_TRUE(made.title.at("en").ends_with("(copy)")) << made.title.at("en");
+  EXPECT_TRUE(made.key.empty());
+  EXPECT_EQ(made.version, 1);
+  to.page->open_file(path("deeper.cusp"));
+  EXPECT_EQ(to.asked.size(), 3) << "the copy has an id of its own: the file is as strange as before";
+}
+
+TEST_F(LibraryFiles, AFileIsTakenByDropping) {
+  send_volume(path("block.cusp"));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path("block.cusp"))});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(to.page.get(), &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(to.page.get(), &drop);
+  EXPECT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+}
+
+TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
+  write_text(folder / "notes.cusp", "not an exercise");
+  const std::string good = *exercise_file_bytes({from.changed(2.2), {}});
+  write_text(folder / "cut.cusp", good.substr(0, 3000));
+  std::string wrong = good;
+  wrong[wrong.find("\"depth_mm\":2.2") + 13] = '4';
+  write_text(folder / "changed.cusp", wrong);
+  const std::pair<const char*, const char*> cases[] = {{"none.cusp", "cannot be opened"},
+                                                       {"notes.cusp", "not an exercise that Cusp saved"},
+                                                       {"cut.cusp", "breaks off"},
+                                                       {"changed.cusp", "damaged or changed"}};
+  for (const auto& [name, cause] : cases) {
+    to.page->open_file(path(name));
+    EXPECT_TRUE(to.message().contains(QLatin1String(cause))) << name << ": " << to.message().toStdString();
+  }
+  EXPECT_TRUE(to.drafts().empty());
+  EXPECT_TRUE(to.opened.empty());
+}
+
+TEST_F(LibraryFiles, ADraftThatTheChecksRefuseIsNotSavedAsAFile) {
+  Scenario draft = from.changed(2.2);
+  draft.id = ScenarioId::make();
+  draft.rubric.criteria.clear();
+  ASSERT_TRUE(from.records.store().scenarios.save_draft(from.instructor.actor(), draft.id, canonical_json(draft), {}).has_value());
+  from.show();
+  from.choose(draft.id);
+  from.picked = path("empty.cusp");
+  from.page->save_chosen();
+  EXPECT_TRUE(from.message().contains(QStringLiteral("Nothing is graded yet"))) << from.message().toStdString();
+  EXPECT_FALSE(std::filesystem::exists(folder / "empty.cusp"));
+  from.picked = path("no/such/folder/x.cusp");
+  from.choose(load_builtin("channel-1")->id);
+  from.page->save_chosen();
+  EXPECT_TRUE(from.message().contains(QStringLiteral("Choose another folder"))) << from.message().toStdString();
+}
+
+}  // namespace
+}  // namespace cusp::test

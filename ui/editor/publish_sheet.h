@@ -1,0 +1,41 @@
+/// The question before a version is published, with what it changes, who uses an older version and whether it was tried out.
+/// Asks once more before an exercise is published that nobody tried out. Thread: GUI.
+#pragma once
+
+#include <QDialog>
+
+#include "ui/editor/publish_facts.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace cusp::ui {
+
+class PublishSheet : public QDialog {
+  Q_OBJECT
+
+ public:
+  PublishSheet(PublishFacts facts, const QString& title, const Ports& ports, QWidget* parent);
+  QPushButton* publish() const { return publish_; }
+  QPushButton* try_out() const { return try_; }  // nullptr if it was tried out
+  /// Closes and emits publish_wanted(), after a question if nobody tried the exercise out.
+  void accept() override;
+
+ Q_SIGNALS:
+  void publish_wanted();
+  void try_out_wanted();
+
+ private:
+  void add_changes(QVBoxLayout& column);
+  void add_uses(QVBoxLayout& column);
+  void add_trial(QVBoxLayout& column);
+  void add_buttons(QVBoxLayout& column);
+
+  PublishFacts facts_;
+  const Ports& ports_;
+  QPushButton *publish_ = nullptr, *try_ = nullptr;
+};
+
+}  // namespace cusp::ui

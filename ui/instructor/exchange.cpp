@@ -1,0 +1,113 @@
+#include "ui/instructor/exchange.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+
+#include "scenarios/format/write.h"
+#include "storage/base/files.h"
+#include "ui/editor/editor_records.h"
+#include "ui/editor/texts_form.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+Stored<std::vector<std::byte>> draft_volume(const Scenario& draft, const fs::path& database) {
+  const fs::path file = drafts_folder(database, draft.id) / draft.specimen.volume;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return fail(StorageError::not_found, file.string());
+  const std::vector<char> text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) return fail(StorageError::io, file.string());
+  std::vector<std::byte> out(text.size());
+  std::ranges::transform(text, out.begin(), [](char c) { return static_cast<std::byte>(c); });
+  return out;
+}
+
+Stored<ExerciseFile> file_of_draft(const Scenario& draft, const fs::path& database) {
+  ExerciseFile out{draft, {}};
+  if (!draft.specimen.generator.empty()) return out;
+  auto bytes = draft_volume(draft, database);
+  if (!bytes) return std::unexpected(bytes.error());
+  out.volume = std::move(*bytes);
+  return out;
+}
+
+Stored<ExerciseFile> file_of_published(Store& store, const Exercise& exercise) {
+  ExerciseFile out{exercise.scenario, {}};
+  if (!exercise.scenario.specimen.generator.empty()) return out;
+  const auto named = exercise.files.find(exercise.scenario.specimen.volume);
+  if (named == exercise.files.end()) return fail(StorageError::not_found, exercise.scenario.specimen.volume);
+  auto volume = store.blobs.get(named->second);
+  if (!volume) return std::unexpected(volume.error());
+  out.volume = std::move(*volume);
+  return out;
+}
+
+/// The number of a version is the station's own, and a key names an exercise of the program.
+bool same_content(const ExerciseFile& a, const ExerciseFile& b) {
+  Scenario as_b = a.scenario;
+  as_b.version = b.scenario.version;
+  as_b.key = b.scenario.key;
+  return as_b == b.scenario && a.volume == b.volume;
+}
+
+Stored<void> write_volume(const ExerciseFile& file, const fs::path& folder) {
+  if (file.volume.empty()) return {};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return fail(error_from_errno(error.value()), folder.string(), error.message());
+  const fs::path path = folder / file.scenario.specimen.volume;
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(file.volume.data()), static_cast<std::streamsize>(file.volume.size()));
+  out.close();
+  if (!out) return fail(error_from_errno(errno), path.string());
+  return {};
+}
+
+}  // namespace
+
+Stored<ExerciseFile> file_of(Store& store, const LibraryRow& row, const fs::path& database) {
+  return row.exercise ? file_of_published(store, *row.exercise) : file_of_draft(*row.draft, database);
+}
+
+Stored<Standing> standing_of(Store& store, const ExerciseFile& file, const LibraryRow* row, const fs::path& database) {
+  if (row == nullptr) {
+    const auto versions = store.scenarios.versions(file.scenario.id);  // withdrawn ones
+    if (!versions) return std::unexpected(versions.error());
+    return versions->empty() ? Standing::unknown : Standing::different;
+  }
+  if (row->exercise) {
+    const auto here = file_of_published(store, *row->exercise);
+    if (!here) return std::unexpected(here.error());
+    if (same_content(file, *here)) return Standing::same;
+  }
+  if (row->draft) {
+    // A draft whose volume is gone is another content.
+    if (const auto here = file_of_draft(*row->draft, database); here && same_content(file, *here)) return Standing::same;
+  }
+  return Standing::different;
+}
+
+Stored<EditorStart> take_in(Store& store, const Actor& actor, const ExerciseFile& file, KeepId keep, const fs::path& database) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  Scenario draft = file.scenario;
+  if (keep == KeepId::no) {
+    draft.id = ScenarioId::make();
+    draft.title = title_of_copy(draft.title);
+  }
+  draft.key.clear();
+  draft.version = 1;
+  if (auto written = write_volume(file, drafts_folder(database, draft.id)); !written) return std::unexpected(written.error());
+  const std::string json = canonical_json(draft);
+  const auto saved = store.scenarios.save_draft(actor, draft.id, json, std::nullopt);
+  if (!saved) return std::unexpected(saved.error());
+  if (*saved == DraftSave::changed_elsewhere) return fail(StorageError::duplicate, "scenario_drafts");
+  return open_draft(draft, json, database);
+}
+
+}  // namespace cusp::ui
