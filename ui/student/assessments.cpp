@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "scenarios/format/read.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chip.h"
@@ -76,12 +75,9 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (a.kind != SessionKind::assessment) continue;
     const auto attempts = store.history.of_assignment(student, a.id);
     if (!attempts) return std::unexpected(attempts.error());
-    const auto version = store.scenarios.version(a.version);
-    if (!version) continue;
-    auto scenario = read_scenario(version->json);
-    if (!scenario) continue;
-    AssignedAssessment one{a, {std::move(*scenario), version->id, version->number, version->files},
-                           static_cast<int>(attempts->size())};
+    auto exercise = load_exercise(store, a.version);
+    if (!exercise) continue;
+    AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
     one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results

@@ -78,6 +78,21 @@ Stored<void> load_newest(Course& course, Store& store, const Actor& student, con
   return {};
 }
 
+/// The first practice of each exercise; the student drills the version that was assigned, also when a newer one is published.
+void add_assignments(Course& course, Store& store, const std::vector<Assignment>& assigned) {
+  for (const Assignment& a : assigned) {
+    if (a.kind != SessionKind::practice) continue;
+    auto exercise = load_exercise(store, a.version);
+    if (!exercise) continue;
+    const auto row = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.scenario.id == exercise->scenario.id; });
+    if (row == course.rows.end() || row->assignment) continue;
+    if (row->exercise.version != a.version) row->exercise = std::move(*exercise);
+    row->assignment = a.id;
+    row->due_utc_us = a.due_utc_us;
+    row->attempts_allowed = a.attempts_allowed;
+  }
+}
+
 }  // namespace
 
 Stored<Course> load_course(Store& store, const Actor& student) {
@@ -99,14 +114,9 @@ Stored<Course> load_course(Store& store, const Actor& student) {
       row.best = s.best;
       row.last = s.last;
     }
-    for (const Assignment& a : *assigned) {
-      if (a.kind != SessionKind::practice || a.version != row.exercise.version || row.assignment) continue;
-      row.assignment = a.id;
-      row.due_utc_us = a.due_utc_us;
-      row.attempts_allowed = a.attempts_allowed;
-    }
     course.rows.push_back(std::move(row));
   }
+  add_assignments(course, store, *assigned);
   return course;
 }
 

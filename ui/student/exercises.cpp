@@ -44,6 +44,14 @@ const Exercise* ExerciseList::find(ScenarioId id) const {
   return nullptr;
 }
 
+Stored<Exercise> load_exercise(Store& store, VersionId id) {
+  const auto version = store.scenarios.version(id);
+  if (!version) return std::unexpected(version.error());
+  auto scenario = read_scenario(version->json);
+  if (!scenario) return fail(StorageError::bad_value, scenario.error().where, id.text());
+  return Exercise{std::move(*scenario), version->id, version->number, version->files};
+}
+
 Stored<ExerciseList> load_exercises(Store& store) {
   ExerciseList list;
   for (const std::string_view key : builtin_scenarios()) {

@@ -25,6 +25,8 @@ struct ExerciseList {
 };
 
 Stored<ExerciseList> load_exercises(Store& store);
+/// A stored version. bad_value if its text cannot be read.
+Stored<Exercise> load_exercise(Store& store, VersionId version);
 
 /// Folder with the exercise's files, written from the records on first use. Empty for an exercise without files.
 Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exercise,

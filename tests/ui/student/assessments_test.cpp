@@ -1,6 +1,8 @@
 // A student's assessments: their state, the start code, and that no result shows before its release.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -91,6 +93,20 @@ TEST_F(Assessments, BeginWithTheStartCodeAlone) {
   begin->click();
   ASSERT_EQ(admitted.count(), 1);
   EXPECT_EQ(admitted[0][0].toString(), QStringLiteral("4711"));
+}
+
+TEST_F(Assessments, AnAssignedPracticeStaysDueInItsVersionWhenANewerOneIsPublished) {
+  const Assignment practice = *records.store().assignments.create(
+      examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour});
+  Scenario newer = *load_builtin("channel-1");
+  newer.version += 1;
+  newer.time_limit_s = 600;
+  ASSERT_TRUE(records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes));
+  const Course course = *load_course(records.store(), lena.actor());
+  const auto row = std::ranges::find_if(course.rows, [](const CourseRow& r) { return r.assignment.has_value(); });
+  ASSERT_NE(row, course.rows.end());
+  EXPECT_EQ(row->assignment, practice.id);
+  EXPECT_EQ(row->exercise.version, assignment.version);
 }
 
 TEST_F(Assessments, AnAssignedAssessmentIsNoPracticeOfTheCourse) {
