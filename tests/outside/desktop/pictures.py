@@ -94,7 +94,7 @@ def of_instructor(album, program):
 
 def of_administrator(album, program):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
-    for page in ("People", "Performance"):
+    for page in ("People", "Performance", "Station"):
         school.page(program, page)
         album.take(program, page.lower())
     school.page(program, "People")
@@ -107,6 +107,7 @@ def of_administrator(album, program):
     school.sign_in_staff(program, *school.INSTRUCTOR[1:])
     school.page(program, "Cohorts")
     album.take(program, "cohorts")
+    school.sign_out(program)
 
 
 def main():
@@ -128,6 +129,7 @@ def main():
         of_student(album, program)
         of_instructor(album, program)
         of_administrator(album, program)
+        program, _ = assessment.visit(own, program, album.take)
         program.close()
         album.sheet()
 

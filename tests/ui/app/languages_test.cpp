@@ -135,7 +135,8 @@ TEST(Languages, no_text_on_any_page_was_forgotten) {
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 78, 426);
   QStringList own = {QStringLiteral("Cusp"), QStringLiteral("Lena Brandt"), QStringLiteral("Anna Weber"), QSysInfo::machineHostName(),
-                     QStringLiteral("English"), QStringLiteral("Deutsch"), QStringLiteral("Falcon"), QStringLiteral("Inverse3"), QStringLiteral("SpaceMouse")};
+                     QStringLiteral("English"), QStringLiteral("Deutsch"), QStringLiteral("Falcon"), QStringLiteral("Inverse3"), QStringLiteral("SpaceMouse"),
+                     QString::fromStdString(records.file().string())};
   const auto exercises = load_exercises(records.store());
   ASSERT_TRUE(exercises.has_value());
   for (const Exercise& e : exercises->exercises) {
