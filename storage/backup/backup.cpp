@@ -74,15 +74,29 @@ Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_
   std::error_code error;
   const auto bytes = fs::file_size(folder / kBackupDatabase, error);
   if (error) return std::unexpected(backup_failure(error, folder));
-  const Backup backup{folder, now, *sessions, bytes};
-  const json description = {{"cusp_backup", kBackupFormat}, {"made_at", now}, {"sessions", backup.sessions}, {"bytes", backup.bytes}};
+  const Backup backup{folder, context.station, now, *sessions, bytes};
+  const json description = {{"cusp_backup", kBackupFormat}, {"station", backup.station.text()}, {"made_at", now}, {"sessions", backup.sessions}, {"bytes", backup.bytes}};
   if (auto done = write_private_file(folder / kBackupDescription, description.dump()); !done) return std::unexpected(done.error());
   return backup;
 }
 
-void remove_folder(const fs::path& folder) {
+void remove_new(const fs::path& made) {
   std::error_code ignored;
-  fs::remove_all(folder, ignored);
+  fs::remove_all(made, ignored);
+}
+
+Stored<void> copy_back(const Backup& backup, const fs::path& file, const fs::path& key) {
+  auto from = Database::open(backup.folder / kBackupDatabase, {.access = DatabaseOptions::Access::read_only});
+  if (!from) return std::unexpected(from.error());
+  const auto damage = from->integrity_check();
+  if (!damage) return std::unexpected(damage.error());
+  if (!damage->empty()) return fail(StorageError::corrupt, backup.folder.string(), *damage);
+  if (auto done = copy_database(*from, file); !done) return done;
+  if (auto done = copy_private(counter_file_of(backup.folder / kBackupKey), counter_file_of(key)); !done) return done;
+  if (auto done = copy_private(backup.folder / kBackupKey, key); !done) return done;
+  const auto sessions = check_copy(file);
+  if (!sessions) return std::unexpected(sessions.error());
+  return {};
 }
 
 }  // namespace
@@ -96,7 +110,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   if (!folder) return std::unexpected(folder.error());
   auto backup = fill(context, *folder, now);
   if (!backup) {
-    remove_folder(*folder);
+    remove_new(*folder);
     return backup;
   }
   if (context.db.read_only()) return backup;
@@ -118,20 +132,22 @@ Stored<Backup> read_backup(const fs::path& folder) {
     const auto it = description.find(key);
     return it != description.end() && it->is_number_integer() ? it->get<std::int64_t>() : -1;
   };
-  if (!description.is_object() || number("cusp_backup") != kBackupFormat || number("made_at") < 0 || number("sessions") < 0 ||
+  const auto named = description.find("station");
+  const auto station = named != description.end() && named->is_string() ? Uuid::parse(named->get<std::string>()) : std::nullopt;
+  if (!station || number("cusp_backup") != kBackupFormat || number("made_at") < 0 || number("sessions") < 0 ||
       number("bytes") < 0) {
     return fail(StorageError::not_found, folder.string());
   }
-  return Backup{folder, number("made_at"), static_cast<std::uint64_t>(number("sessions")),
+  return Backup{folder, *station, number("made_at"), static_cast<std::uint64_t>(number("sessions")),
                 static_cast<std::uint64_t>(number("bytes"))};
 }
 
-Stored<std::vector<Backup>> backups_in(const fs::path& into) {
+Stored<std::vector<Backup>> backups_in(const fs::path& into, const Uuid& station) {
   std::vector<Backup> out;
   std::error_code error;
   if (!fs::exists(into, error)) return out;
   for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error)) {
-    if (auto backup = read_backup(it->path())) out.push_back(std::move(*backup));
+    if (auto backup = read_backup(it->path()); backup && backup->station == station) out.push_back(std::move(*backup));
   }
   if (error) return std::unexpected(backup_failure(error, into));
   std::ranges::sort(out, [](const Backup& a, const Backup& b) {
@@ -140,8 +156,8 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into) {
   return out;
 }
 
-Stored<void> thin_backups(const fs::path& into, std::size_t keep) {
-  const auto all = backups_in(into);
+Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t keep) {
+  const auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
   for (std::size_t i = keep; i < all->size(); ++i) {
     std::error_code error;
@@ -157,19 +173,10 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file) {
     std::error_code error;
     if (fs::exists(name, error)) return fail(StorageError::duplicate, name.string());
   }
-  {
-    auto from = Database::open(backup.folder / kBackupDatabase, {.access = DatabaseOptions::Access::read_only});
-    if (!from) return std::unexpected(from.error());
-    const auto damage = from->integrity_check();
-    if (!damage) return std::unexpected(damage.error());
-    if (!damage->empty()) return fail(StorageError::corrupt, backup.folder.string(), *damage);
-    if (auto done = copy_database(*from, file); !done) return done;
-  }
-  if (auto done = copy_private(counter_file_of(backup.folder / kBackupKey), counter_file_of(key)); !done) return done;
-  if (auto done = copy_private(backup.folder / kBackupKey, key); !done) return done;
-  const auto sessions = check_copy(file);
-  if (!sessions) return std::unexpected(sessions.error());
-  return {};
+  auto done = copy_back(backup, file, key);
+  if (done) return done;
+  for (const fs::path& name : {file, key, counter_file_of(key)}) remove_new(name);
+  return done;
 }
 
 Stored<void> log_restored(StorageContext& context, const Backup& backup) {

@@ -15,6 +15,7 @@ namespace cusp::storage {
 
 struct Backup {
   std::filesystem::path folder{};
+  Uuid station{};
   std::int64_t made_utc_us = 0;
   std::uint64_t sessions = 0;
   std::uint64_t bytes = 0;  // of the database
@@ -24,15 +25,16 @@ struct Backup {
 /// The copy is opened, checked for damage and synced. After a failure no part of it is left.
 Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into);
 
-/// Newest first. Empty if the folder does not exist.
-Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into);
+/// Of this station, newest first: several may share a folder. Empty if the folder does not exist.
+Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const Uuid& station);
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);
-/// Removes all but the newest `keep` ones.
-Stored<void> thin_backups(const std::filesystem::path& into, std::size_t keep);
+/// Removes all of this station but the newest `keep` ones.
+Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, std::size_t keep);
 
 /// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them exists: nothing is
-/// overwritten. corrupt if the backup is damaged. log_restored() follows, in the store of the new file.
+/// overwritten. corrupt if the backup is damaged. A failure leaves
+/// no new file. log_restored() follows, in the store of the new file.
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file);
 /// The entry "restored" of the audit log.
 Stored<void> log_restored(StorageContext& context, const Backup& backup);

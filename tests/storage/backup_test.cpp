@@ -19,6 +19,7 @@ struct BackupTest : ::testing::Test {
   Account lena = make_student(*store);
   ScenarioVersion version = keep(*store);
   fs::path into() { return folder / "backups"; }
+  Uuid station() { return store->context().station; }
   Backup make() { return must(make_backup(store->context(), administrator, into())); }
   std::size_t folders() {
     return fs::exists(into()) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(into()), {})) : 0;
@@ -73,18 +74,28 @@ TEST_F(BackupTest, of_one_second_have_folders_of_their_own_and_the_oldest_go_fir
   EXPECT_EQ(folders(), 2u);
   *now += 86'400'000'000;
   const Backup newest = make();
-  ASSERT_EQ(must(backups_in(into())).size(), 3u);
-  EXPECT_EQ(must(backups_in(into())).front().folder, newest.folder);
-  must(thin_backups(into(), 1));
-  ASSERT_EQ(must(backups_in(into())).size(), 1u);
-  EXPECT_EQ(must(backups_in(into())).front().folder, newest.folder);
-  EXPECT_TRUE(must(backups_in(folder / "nowhere")).empty());
+  ASSERT_EQ(must(backups_in(into(), station())).size(), 3u);
+  EXPECT_EQ(must(backups_in(into(), station())).front().folder, newest.folder);
+  must(thin_backups(into(), station(), 1));
+  ASSERT_EQ(must(backups_in(into(), station())).size(), 1u);
+  EXPECT_EQ(must(backups_in(into(), station())).front().folder, newest.folder);
+  EXPECT_TRUE(must(backups_in(folder / "nowhere", station())).empty());
+}
+
+TEST_F(BackupTest, of_another_station_in_the_same_folder_are_neither_listed_nor_removed) {
+  const Backup own = make();
+  const auto other = open(folder / "b.db", quick(now));
+  const Backup foreign = must(make_backup(other->context(), make_administrator(*other).actor(), into()));
+  must(thin_backups(into(), station(), 0));
+  EXPECT_FALSE(fs::exists(own.folder));
+  EXPECT_EQ(must(read_backup(foreign.folder)).station, other->context().station);
+  EXPECT_TRUE(must(backups_in(into(), station())).empty());
 }
 
 TEST_F(BackupTest, an_unfinished_folder_is_none) {
   const Backup backup = make();
   fs::remove(backup.folder / "backup.json");
-  EXPECT_TRUE(must(backups_in(into())).empty());
+  EXPECT_TRUE(must(backups_in(into(), station())).empty());
   EXPECT_EQ(code_of(read_backup(backup.folder)), StorageError::not_found);
   std::ofstream(backup.folder / "backup.json") << R"({"cusp_backup": 2})";
   EXPECT_EQ(code_of(read_backup(backup.folder)), StorageError::not_found);

@@ -18,7 +18,7 @@ Stored<Backup> back_up_and_thin(const std::filesystem::path& database, const std
   if (!store) return std::unexpected(store.error());
   auto backup = make_backup((*store)->context(), actor, into);
   if (!backup) return backup;
-  if (auto thinned = thin_backups(into, kBackupsKept); !thinned) return std::unexpected(thinned.error());
+  if (auto thinned = thin_backups(into, backup->station, kBackupsKept); !thinned) return std::unexpected(thinned.error());
   return backup;
 }
 
@@ -38,8 +38,8 @@ BackgroundTask verify_records(std::filesystem::path database, std::function<void
   });
 }
 
-bool backup_is_due(const std::filesystem::path& into, std::int64_t now_utc_us) {
-  const auto all = backups_in(into);
+bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
+  const auto all = backups_in(into, station);
   return !all || all->empty() || now_utc_us - all->front().made_utc_us >= kBackupEveryUs;
 }
 

@@ -23,7 +23,7 @@ BackgroundTask back_up(std::filesystem::path database, std::filesystem::path int
 /// verify_store(); `then` is called on the task's thread.
 BackgroundTask verify_records(std::filesystem::path database, std::function<void(Stored<StoreVerification>)> then);
 
-/// Whether the newest backup in the folder is older than a day, or none is there.
-bool backup_is_due(const std::filesystem::path& into, std::int64_t now_utc_us);
+/// Whether the station's newest backup in the folder is older than a day, or none is there.
+bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us);
 
 }  // namespace cusp::ui

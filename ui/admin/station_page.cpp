@@ -46,9 +46,13 @@ std::function<void(Result)> on_window(StationPage* page, void (StationPage::*sho
 }  // namespace
 
 StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
-    : QWidget(parent), database_(store.database().file()), actor_(actor), settings_(settings), ports_(ports) {
+    : QWidget(parent), database_(store.database().file()), station_(store.context().station), actor_(actor), settings_(settings), ports_(ports) {
   const auto count = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
   if (count) sessions_ = count->value_or(0);
+  // With what the write-ahead log still holds.
+  const auto bytes = store.database().first("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()",
+                                            [](Row row) { return row.u64(0); });
+  if (bytes) bytes_ = bytes->value_or(0);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
@@ -71,10 +75,8 @@ QString StationPage::message() const { return band_->isVisibleTo(this) ? band_->
 
 QWidget* StationPage::make_records() {
   auto* card = new Card(tr("Records"));
-  std::error_code none;
-  const auto bytes = std::filesystem::file_size(database_, none);
   card->body()->addWidget(wrapped(QString::fromStdString(database_.string())));
-  card->body()->addWidget(make_label(tr("%n session(s), %1", nullptr, static_cast<int>(sessions_)).arg(none ? QString() : size_text(bytes))));
+  card->body()->addWidget(make_label(tr("%n session(s), %1", nullptr, static_cast<int>(sessions_)).arg(size_text(bytes_))));
   card->body()->addWidget(wrapped(tr("Verification proves that nobody but the program has changed a result, an account or the log.")));
   verify_ = make_button(tr("Verify now"), ButtonKind::standard, u"shield"_qs);
   card->body()->addWidget(verify_, 0, Qt::AlignLeading);
@@ -95,13 +97,13 @@ QWidget* StationPage::make_backups() {
   row->addWidget(choose_);
   row->addStretch();
   card->body()->addLayout(row);
-  auto* table = new Table;
-  table->setAccessibleName(tr("Backups"));
+  table_ = new Table;
+  table_->setAccessibleName(tr("Backups"));
   list_ = new QStandardItemModel(this);
   list_->setHorizontalHeaderLabels({tr("Made"), tr("Sessions"), tr("Size"), tr("Folder")});
-  table->setModel(list_);
-  table->set_stretch_column(3);
-  card->body()->addWidget(table, 1);
+  table_->setModel(list_);
+  table_->set_stretch_column(3);
+  card->body()->addWidget(table_, 1);
   card->body()->addWidget(wrapped(tr("To go back, restore a backup to a new database with \"cusp restore FOLDER NEW.db\". Nothing is overwritten.")));
   connect(back_up_, &QPushButton::clicked, this, &StationPage::back_up);
   connect(choose_, &QPushButton::clicked, this, &StationPage::choose_folder);
@@ -111,7 +113,7 @@ QWidget* StationPage::make_backups() {
 void StationPage::show_backups() {
   const auto into = settings_.backup_folder(database_);
   folder_->setText(tr("One a day, the newest %1 are kept in %2").arg(kBackupsKept).arg(QString::fromStdString(into.string())));
-  const auto all = backups_in(into);
+  const auto all = backups_in(into, station_);
   list_->removeRows(0, list_->rowCount());
   if (!all || all->empty()) {
     newest_->setText(all ? tr("There is no backup yet.") : describe(all.error()).what);
@@ -128,6 +130,7 @@ void StationPage::show_backups() {
     }
     list_->appendRow(cells);
   }
+  for (int column = 0; column < 3; ++column) table_->resizeColumnToContents(column);
 }
 
 void StationPage::begin(const QString& what) {

@@ -20,6 +20,7 @@ namespace cusp::ui {
 
 class Band;
 class Busy;
+class Table;
 
 class StationPage : public QWidget {
   Q_OBJECT
@@ -45,10 +46,11 @@ class StationPage : public QWidget {
   void end();
 
   std::filesystem::path database_;
+  Uuid station_;
   Actor actor_;
   Settings& settings_;
   const Ports& ports_;
-  std::uint64_t sessions_ = 0;
+  std::uint64_t sessions_ = 0, bytes_ = 0;
   bool working_ = false;
   BackgroundTask task_;
   Band* band_;
@@ -56,6 +58,7 @@ class StationPage : public QWidget {
   QLabel *folder_ = nullptr, *newest_ = nullptr;
   QPushButton *back_up_ = nullptr, *choose_ = nullptr, *verify_ = nullptr;
   QStandardItemModel* list_ = nullptr;
+  Table* table_ = nullptr;
 };
 
 }  // namespace cusp::ui

@@ -56,7 +56,7 @@ void Desktop::keep_daily_backup() {
   const auto into = settings_.backup_folder(database_);
   // What is written meanwhile would slow the recorder down.
   const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
-  if (!store_ || reading_only_ || drilling || !backup_.over() || !backup_is_due(into, system_utc_us())) return;
+  if (!store_ || reading_only_ || drilling || !backup_.over() || !backup_is_due(into, store_->context().station, system_utc_us())) return;
   backup_ = back_up(database_, into, std::nullopt, [self = QPointer(this)](const Stored<Backup>& made) {
     const auto failure = made ? std::nullopt : std::optional(describe(made.error()));
     QMetaObject::invokeMethod(

@@ -48,7 +48,7 @@ TEST_F(Station, MakesABackupWhereItWasAskedTo) {
   shown->back_up();
   ASSERT_TRUE(waited(*shown));
   EXPECT_TRUE(shown->message().contains(QStringLiteral("made and checked"))) << shown->message().toStdString();
-  const auto all = backups_in(chosen.toStdString());
+  const auto all = backups_in(chosen.toStdString(), records.store().context().station);
   ASSERT_TRUE(all);
   ASSERT_EQ(all->size(), 1u);
   EXPECT_EQ(all->front().sessions, 1u);
@@ -78,11 +78,12 @@ TEST_F(Station, VerifiesAndNamesWhatWasChanged) {
 
 TEST_F(Station, ABackupIsDueADayAfterTheLast) {
   const std::filesystem::path into = folder.filePath(QStringLiteral("daily")).toStdString();
-  EXPECT_TRUE(backup_is_due(into, kMorning));
+  const Uuid station = records.store().context().station;
+  EXPECT_TRUE(backup_is_due(into, station, kMorning));
   const auto made = make_backup(records.store().context(), std::nullopt, into);
   ASSERT_TRUE(made);
-  EXPECT_FALSE(backup_is_due(into, made->made_utc_us + kBackupEveryUs - 1));
-  EXPECT_TRUE(backup_is_due(into, made->made_utc_us + kBackupEveryUs));
+  EXPECT_FALSE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs - 1));
+  EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs));
 }
 
 }  // namespace
