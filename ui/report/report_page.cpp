@@ -2,9 +2,6 @@
 
 #include <QBoxLayout>
 #include <QLabel>
-#include <QPainter>
-#include <QPrintDialog>
-#include <QPrinter>
 #include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
@@ -12,7 +9,6 @@
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/pinned_tooth.h"
-#include "ui/report/report_pdf.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -23,7 +19,6 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
-constexpr int kPictureSide = 1200;   // of the tooth on paper: 140 dots a cm
 constexpr int kReasonsShown = 3;
 constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
 constexpr int kLeastTextPercent = 55, kMostTextPercent = 64;  // of the page; the rest shows the tooth
@@ -398,48 +393,6 @@ QWidget* ReportPage::make_against() {
   card->body()->addWidget(against_);
   card->body()->addStretch();
   return card;
-}
-
-const DrawnTooth& ReportPage::drawing() {
-  if (!drawing_ || !*drawing_) drawing_ = draw_report_tooth(data_.result, order_for_paper(data_, kPictureSide));
-  return *drawing_;
-}
-
-void ReportPage::save_pdf() {
-  FileWish wish;
-  wish.title = tr("Save the report");
-  wish.name = (data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)).trimmed() + u".pdf"_qs;
-  wish.filter = tr("PDF (*.pdf)");
-  ports_.pick_file(this, wish, [this](const QString& path) {
-    const DrawnTooth& tooth = drawing();
-    const auto done = write_report_pdf(path.toStdString(), data_, tooth);
-    if (!done) {
-      band_->show_message(Band::Kind::bad, tr("The report was not saved."),
-                          tr("%1 cannot be written. The attempt and its grade are kept.").arg(path));
-    } else if (!tooth) {
-      band_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
-                          picture_failure_text(tooth.error()) + u' ' + path);
-    } else {
-      band_->show_message(Band::Kind::good, tr("The report is saved."), path);
-    }
-  });
-}
-
-void ReportPage::print() {
-  auto* dialog = new QPrintDialog(this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->printer()->setPageSize(QPageSize(QPageSize::A4));
-  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
-    QPainter painter(printer);
-    const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
-    const DrawnTooth& tooth = drawing();
-    paint_report(painter, page, printer->resolution() / 84.0, data_, tooth, [printer] { printer->newPage(); });
-    if (!tooth) {
-      band_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
-                          picture_failure_text(tooth.error()));
-    }
-  });
-  dialog->open();
 }
 
 }  // namespace cusp::ui
