@@ -27,6 +27,8 @@ Stored<void> unpack_volume(Store& store, const Exercise& exercise, const fs::pat
   return {};
 }
 
+}  // namespace
+
 Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return fail(StorageError::not_found, file.string());
@@ -36,8 +38,6 @@ Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
   std::ranges::transform(text, out.begin(), [](char c) { return static_cast<std::byte>(c); });
   return out;
 }
-
-}  // namespace
 
 fs::path drafts_folder(const fs::path& database, ScenarioId scenario) {
   return database.parent_path() / (database.stem().string() + "-drafts") / scenario.text();

@@ -1,7 +1,9 @@
 /// The editor's records: opens an exercise, saves and discards its draft, publishes. No widget, no text. Thread: GUI.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <vector>
 
 #include "storage/store.h"
 #include "ui/editor/editor_model.h"
@@ -12,6 +14,9 @@ namespace cusp::ui {
 
 /// Folder of a draft's volume, one for each exercise, beside the database.
 std::filesystem::path drafts_folder(const std::filesystem::path& database, ScenarioId scenario);
+
+/// A volume beside a draft. not_found or io (where = the file).
+Stored<std::vector<std::byte>> bytes_of(const std::filesystem::path& file);
 
 /// Opens the actor's draft, or the published version without one, with the number of the next version; a withdrawn
 /// version keeps its number. An unreadable draft is ignored. `cache`: folder for the volumes of published versions.

@@ -1,9 +1,7 @@
 #include "ui/instructor/exchange.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 
 #include "scenarios/format/write.h"
 #include "storage/base/files.h"
@@ -16,21 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Stored<std::vector<std::byte>> draft_volume(const Scenario& draft, const fs::path& database) {
-  const fs::path file = drafts_folder(database, draft.id) / draft.specimen.volume;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(StorageError::not_found, file.string());
-  const std::vector<char> text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (in.bad()) return fail(StorageError::io, file.string());
-  std::vector<std::byte> out(text.size());
-  std::ranges::transform(text, out.begin(), [](char c) { return static_cast<std::byte>(c); });
-  return out;
-}
-
 Stored<ExerciseFile> file_of_draft(const Scenario& draft, const fs::path& database) {
   ExerciseFile out{draft, {}};
   if (!draft.specimen.generator.empty()) return out;
-  auto bytes = draft_volume(draft, database);
+  auto bytes = bytes_of(drafts_folder(database, draft.id) / draft.specimen.volume);
   if (!bytes) return std::unexpected(bytes.error());
   out.volume = std::move(*bytes);
   return out;
