@@ -1,0 +1,53 @@
+/// What a station signs about the files of an appeal pack: their hashes, the attempt, who made the pack, and the head of the
+/// audit log at that moment. ui/report/appeal_pack.h lists the files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "storage/base/rights.h"
+#include "storage/records/chain.h"
+#include "storage/records/context.h"
+
+namespace cusp::storage {
+
+struct PackFile {
+  std::string name;
+  Hash256 hash{};  // blake2b_256 of its bytes
+};
+
+struct PackDescription {
+  Uuid station{};
+  SessionId session{};
+  UserId maker{};
+  std::int64_t made_utc_us = 0;
+  ChainHead log{};  // of the station's audit log
+  std::vector<PackFile> files{};
+};
+
+/// Two small texts: the description as JSON, and the public key with its signature over that text.
+struct SignedPack {
+  std::string description, signature;
+};
+
+/// Signs, and adds the entry "packed" to the audit log. Needs export_results. read_only without the station's key.
+Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, SessionId session, std::vector<PackFile> files);
+
+enum class PackSigner : std::uint8_t {
+  this_station,   // a key of this database's station
+  other_station,  // a key that this database does not know
+};
+
+struct CheckedPack {
+  PackDescription description{};
+  Hash256 key{};  // id of the key that signed
+  bool signature_holds = false;
+};
+
+/// Texts of any origin. bad_value (where = "description" or "signature") for one that is none.
+Stored<CheckedPack> check_pack(const SignedPack& pack);
+Stored<PackSigner> signer_of(StorageContext& context, const CheckedPack& pack);
+
+}  // namespace cusp::storage

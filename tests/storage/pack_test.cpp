@@ -1,0 +1,163 @@
+/// Appeal packs: the records of one attempt as a database of their own, and what the station signs about them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "storage/exchange/pack.h"
+#include "storage/exchange/session_extract.h"
+#include "storage/records/statement_rows.h"
+#include "tests/storage/sample.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackTest : ::testing::Test {
+  Folder folder;
+  std::unique_ptr<Store> store = open(folder / "a.db");
+  Actor administrator = make_administrator(*store).actor();
+  Actor instructor = make_instructor(*store).actor();
+  Account lena = make_student(*store), omar = make_student(*store, "20260002", "Omar Haddad");
+  ScenarioVersion version = keep(*store);
+  SessionId session{};
+  Assignment exam{};
+
+  void SetUp() override {
+    const CohortId cohort = must(store->cohorts.create(instructor, "Year 2")).id;
+    must(store->cohorts.add(instructor, cohort, lena.id));
+    exam = {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment};
+    exam = must(store->assignments.create(instructor, exam, "4711"));
+    NewSession wanted = new_session(lena, version);
+    wanted.assignment = exam.id;
+    wanted.start_code = "4711";
+    session = must(store->sessions.start(lena.actor(), wanted)).id;
+    must(store->traces.append(session, second_from(1)));
+  }
+  void hand_in() {
+    must(store->sessions.finish(session, volume_after(12), "student"));
+    must(store->grades.save(session, small_grade(41, false), {}));
+    must(store->statements.override_points(instructor, session, "target_removed", 20, "The block was worn."));
+    must(store->statements.confirm(instructor, session));
+    complete_session(*store, omar, version);
+  }
+  fs::path file() { return folder / "records.db"; }
+  void extract(StudentNamed named = StudentNamed::by_candidate_number) {
+    must(extract_session(store->context(), administrator, session, named, file()));
+  }
+  std::unique_ptr<Store> opened() {
+    StoreOptions options = quick();
+    options.database.access = DatabaseOptions::Access::read_only;
+    return open(file(), options);
+  }
+  std::string bytes() {
+    std::ifstream in(file(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+TEST_F(PackTest, an_extract_opens_alone_verifies_and_shows_the_same_result) {
+  hand_in();
+  extract();
+  EXPECT_FALSE(fs::exists(file().string() + "-wal")) << "one file";
+  const auto alone = opened();
+  EXPECT_FALSE(alone->context().incident);
+  EXPECT_EQ(alone->context().station, store->context().station);
+  EXPECT_TRUE(must(verify_session(alone->context(), session)).intact());
+  EXPECT_TRUE(must(check_statements(alone->database())).empty());
+  const auto here = must(store->history.details(instructor, session)), there = must(alone->history.details(instructor, session));
+  EXPECT_EQ(there.row.score, here.row.score);
+  EXPECT_EQ(there.grade->grade.score, here.grade->grade.score);
+  EXPECT_EQ(must(alone->statements.of(instructor, session)).size(), 2u);
+  EXPECT_EQ(must(alone->traces.inputs(session)).size(), 12u);
+  EXPECT_EQ(must(alone->assignments.find(exam.id)).kind, SessionKind::assessment);
+}
+
+TEST_F(PackTest, an_extract_holds_nothing_of_anybody_else_no_secret_and_the_name_only_if_asked) {
+  hand_in();
+  extract();
+  const std::string hidden = bytes();
+  for (const char* no : {"Omar Haddad", "Lena Brandt", "20267314", "$argon2", "4711"}) EXPECT_EQ(hidden.find(no), std::string::npos) << no;
+  const auto alone = opened();
+  EXPECT_EQ(must(alone->accounts.find(lena.id)).number, candidate_number(exam.id, lena.id));
+  EXPECT_EQ(must(sessions_to_verify(alone->context())).size(), 1u);
+  fs::remove(file());
+  extract(StudentNamed::by_name);
+  EXPECT_EQ(must(opened()->accounts.find(lena.id)).name, "Lena Brandt");
+}
+
+TEST_F(PackTest, a_byte_changed_in_an_extract_is_found) {
+  hand_in();
+  extract();
+  {
+    auto changed = must(Database::open(file()));
+    must(changed.run("UPDATE grades SET score = 95"));
+    must(changed.run("UPDATE statements SET points = 21 WHERE kind = 'override_points'"));
+  }
+  const auto alone = opened();
+  EXPECT_FALSE(must(verify_session(alone->context(), session)).intact());
+  EXPECT_EQ(must(check_statements(alone->database())).size(), 1u);
+}
+
+TEST_F(PackTest, an_extract_needs_the_right_an_ended_session_and_a_new_file) {
+  EXPECT_EQ(code_of(extract_session(store->context(), administrator, session, StudentNamed::by_name, file())), StorageError::wrong_state);
+  hand_in();
+  EXPECT_EQ(code_of(extract_session(store->context(), lena.actor(), session, StudentNamed::by_name, file())), StorageError::not_allowed);
+  EXPECT_EQ(code_of(extract_session(store->context(), administrator, SessionId{Uuid::v7()}, StudentNamed::by_name, file())), StorageError::not_found);
+  EXPECT_EQ(code_of(extract_session(store->context(), administrator, session, StudentNamed::by_name, folder / "none" / "r.db")), StorageError::not_found);
+  EXPECT_FALSE(fs::exists(file()));
+  extract();
+  const std::string before = bytes();
+  EXPECT_EQ(code_of(extract_session(store->context(), administrator, session, StudentNamed::by_name, file())), StorageError::duplicate);
+  EXPECT_EQ(bytes(), before);
+}
+
+TEST_F(PackTest, the_log_about_an_attempt_names_who_assigned_stated_and_packed_it) {
+  hand_in();
+  EXPECT_EQ(code_of(log_about(store->context(), lena.actor(), session)), StorageError::not_allowed);
+  must(sign_pack(store->context(), administrator, session, {}));
+  const auto entries = must(log_about(store->context(), administrator, session));
+  const auto has = [&](std::string_view action) { return std::ranges::any_of(entries, [&](const AuditEntry& e) { return e.action == action; }); };
+  for (const char* action : {"version_kept", "assigned", "session_sealed", "stated", "packed"}) EXPECT_TRUE(has(action)) << action;
+  EXPECT_FALSE(has("account_created"));
+  const std::string csv = log_csv(entries);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), static_cast<std::ptrdiff_t>(entries.size() + 1));
+}
+
+TEST_F(PackTest, a_signature_holds_for_the_description_it_was_made_for_alone) {
+  hand_in();
+  const std::vector<PackFile> files = {{"records.db", blake2b_256("one")}, {"report.pdf", blake2b_256("two")}};
+  EXPECT_EQ(code_of(sign_pack(store->context(), lena.actor(), session, files)), StorageError::not_allowed);
+  const SignedPack signed_pack = must(sign_pack(store->context(), administrator, session, files));
+  const CheckedPack checked = must(check_pack(signed_pack));
+  EXPECT_TRUE(checked.signature_holds);
+  EXPECT_EQ(checked.description.session, session);
+  EXPECT_EQ(checked.description.maker, administrator.id);
+  ASSERT_EQ(checked.description.files.size(), 2u);
+  EXPECT_EQ(checked.description.files[1].hash, files[1].hash);
+  EXPECT_EQ(must(signer_of(store->context(), checked)), PackSigner::this_station);
+  const auto other = open(folder / "b.db");
+  EXPECT_EQ(must(signer_of(other->context(), checked)), PackSigner::other_station);
+  for (std::size_t i = 0; i < signed_pack.description.size(); ++i) {
+    SignedPack changed = signed_pack;
+    changed.description[i] ^= 1;
+    const auto result = check_pack(changed);
+    EXPECT_FALSE(result && result->signature_holds) << i;
+  }
+}
+
+TEST_F(PackTest, texts_that_are_no_description_or_signature_are_refused) {
+  const SignedPack good = must(sign_pack(store->context(), administrator, session, {{"a", blake2b_256("a")}}));
+  for (const char* text : {"", "{}", "[]", "null", "{\"cusp_pack\":1}", "{\"cusp_pack\":2}"}) EXPECT_EQ(code_of(check_pack({text, good.signature})), StorageError::bad_value) << text;
+  for (const std::string& text : {std::string(), std::string("key x"), good.signature + "x", std::string(good.signature.size(), '0')})
+    EXPECT_EQ(code_of(check_pack({good.description, text})), StorageError::bad_value) << text;
+  for (std::size_t cut = 0; cut < good.description.size(); cut += 7) {
+    SignedPack half = good;
+    half.description.resize(cut);
+    EXPECT_EQ(code_of(check_pack(half)), StorageError::bad_value) << cut;
+  }
+}
+
+}  // namespace
+}  // namespace cusp::test
