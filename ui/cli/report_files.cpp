@@ -16,12 +16,6 @@ namespace {
 
 constexpr int kPictureSidePx = 1200;
 
-std::string hex(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
 Result<void, Message> write_picture(const std::filesystem::path& file, const DrawnTooth& tooth) {
   if (!tooth) return std::unexpected(Message{picture_failure_text(tooth.error()), CliText::tr("The record and the report are kept.")});
   QByteArray png;
@@ -35,32 +29,6 @@ Result<void, Message> write_picture(const std::filesystem::path& file, const Dra
 
 Message cannot_write(const std::filesystem::path& file) {
   return {CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
-}
-
-ReportTexts report_texts() {
-  ReportTexts out;
-  out.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
-  out.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
-  return out;
-}
-
-std::string report_text(const SessionResult& result, Store& store, const Account& student) {
-  ReportHead head;
-  head.session = result.session.text();
-  head.scenario_id = result.scenario.id.text();
-  head.scenario_version = result.scenario.version;
-  if (const auto session = store.sessions.find(result.session)) {
-    head.scenario_hash = storage::hex(session->version_hash);
-    if (const auto version = store.scenarios.version(session->version)) head.scenario_version = version->number;
-  }
-  head.student = student.number;
-  head.operator_name = result.operator_name == kUserOperator ? std::string() : result.operator_name;
-  head.engine = result.engine_version;
-  head.device = result.device.name;
-  head.duration_s = result.seconds;
-  head.state = result.interrupted ? "interrupted" : "finished";
-  head.volume_hash = hex(result.volume_hash);
-  return report_json(head, result.grade, report_texts());
 }
 
 void print_criteria(const Grade& grade, const std::string& indent) {

@@ -6,19 +6,14 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "scenarios/grading/report_json.h"
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/report/report_text.h"
 #include "ui/session/exercise_session.h"
 #include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
-/// The text of report.json: keys are fixed, names in the installed language.
-std::string report_text(const SessionResult& result, Store& store, const Account& student);
-
-/// Names and reasons of a report's criteria, in the installed language.
-ReportTexts report_texts();
 /// "report.json cannot be written."
 Message cannot_write(const std::filesystem::path& file);
 

@@ -86,18 +86,4 @@ QString finding_text(const Finding& f) {
 
 QString no_plan_text() { return CliText::tr("No bur of the exercise fits into its target."); }
 
-QString proof_text(const ReplayProof& proof) {
-  if (!proof.chain.intact()) return finding_text(proof.chain.findings.front());
-  if (proof.differs_at_tick) {
-    return CliText::tr("The replay comes to another state at tick %1.").arg(*proof.differs_at_tick);
-  }
-  if (proof.has_final_volume && !proof.volume_equal) {
-    return CliText::tr("The replay comes to another tooth than the one that is stored.");
-  }
-  if (proof.has_grade && !proof.grade_equal) {
-    return CliText::tr("The replay comes to another grade than the one that is stored (%1).").arg(text(proof.grade_differs));
-  }
-  return {};
-}
-
 }  // namespace cusp::ui

@@ -22,7 +22,5 @@ inline std::string help(const QString& text) { return text.toStdString(); }
 QString finding_text(const Finding& finding);
 /// Why a scripted operator has nothing to do.
 QString no_plan_text();
-/// Why a proof does not hold.
-QString proof_text(const ReplayProof& proof);
 
 }  // namespace cusp::ui

@@ -9,15 +9,6 @@
 
 namespace cusp::ui {
 
-std::string plain(const QString& text) {
-  QString out;
-  for (const QChar c : text) {
-    const bool mark = c.unicode() >= 0x2066 && c.unicode() <= 0x2069;
-    if (!mark) out += c == u'\n' || c == u'\r' ? QChar(u' ') : c;
-  }
-  return out.toStdString();
-}
-
 void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
 int failed(const QString& what) {
   warn(what);

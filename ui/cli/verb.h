@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ui/text/failure_text.h"
+#include "ui/text/plain.h"
 
 namespace cusp::ui {
 
@@ -41,8 +42,6 @@ void warn(const QString& what);
 int wrong_usage(const QString& what);
 /// One line on stdout.
 void print_line(const std::string& line);
-/// Text for a terminal: one line, without the marks that hold right-to-left text together on a screen.
-std::string plain(const QString& text);
 
 /// --json FILE, or - for stdout. The same in every language.
 struct JsonOption {

@@ -70,4 +70,19 @@ QString finding_text(const ChainFinding& f) {
   return where;
 }
 
+QString proof_text(const ReplayProof& proof) {
+  if (!proof.chain.intact()) return finding_text(proof.chain.findings.front());
+  if (proof.differs_at_tick) return Text::tr("The replay comes to another state at tick %1.").arg(*proof.differs_at_tick);
+  if (proof.has_final_volume && !proof.volume_equal) return Text::tr("The replay comes to another tooth than the one that is stored.");
+  if (proof.has_grade && !proof.grade_equal) {
+    return Text::tr("The replay comes to another grade than the one that is stored (%1).").arg(QString::fromStdString(proof.grade_differs));
+  }
+  return {};
+}
+
+QString fingerprint(const Hash256& key) {
+  const QString hex = QString::fromStdString(storage::hex(key));
+  return QStringList{hex.mid(0, 4), hex.mid(4, 4), hex.mid(8, 4), hex.mid(12, 4)}.join(u' ');
+}
+
 }  // namespace cusp::ui

@@ -6,6 +6,7 @@
 
 #include "storage/records/verify.h"
 #include "ui/modules.h"
+#include "ui/session/replay.h"
 #include "ui/text/failure_text.h"
 
 namespace cusp::ui {
@@ -18,5 +19,11 @@ Message describe_reading_only(const StorageFailure& cause, const std::filesystem
 
 /// What verification found, and where: "The record was changed: trace_chunks, row 11, second 12 of the session."
 QString finding_text(const ChainFinding& finding);
+
+/// What of the proof does not hold; empty if all does.
+QString proof_text(const ReplayProof& proof);
+
+/// The first eight bytes of a key's id, to be compared by eye: "1a2b 3c4d 5e6f 7a8b".
+QString fingerprint(const Hash256& key);
 
 }  // namespace cusp::ui
