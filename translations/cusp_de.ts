@@ -13,6 +13,41 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::AppealPack</name>
+    <message>
+        <source>The pack cannot be written to the temporary folder.</source>
+        <translation>Die Akte kann nicht in den temporären Ordner geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is no appeal pack.</source>
+        <translation>%1 ist keine Einspruchsakte.</translation>
+    </message>
+    <message>
+        <source>It may have been cut off on its way. Ask for it once more.</source>
+        <translation>Sie wurde vielleicht unterwegs abgeschnitten. Bitten Sie noch einmal darum.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The attempt and its grade are kept.</source>
+        <translation>Der Versuch und seine Bewertung bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The attempt is too long for an appeal pack.</source>
+        <translation>Der Versuch ist zu lang für eine Einspruchsakte.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 kann nicht gelesen werden.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AssessmentCard</name>
     <message>
         <source>Opens %1</source>
@@ -1728,18 +1763,6 @@
         <translation>%1 (%2, Grenze %3).</translation>
     </message>
     <message>
-        <source>The replay comes to another state at tick %1.</source>
-        <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
-    </message>
-    <message>
-        <source>The replay comes to another tooth than the one that is stored.</source>
-        <translation>Die Wiederholung kommt zu einem anderen Zahn als dem gespeicherten.</translation>
-    </message>
-    <message>
-        <source>The replay comes to another grade than the one that is stored (%1).</source>
-        <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
-    </message>
-    <message>
         <source>turned inside out</source>
         <translation>nach innen gewendet</translation>
     </message>
@@ -2266,6 +2289,42 @@
         <source>A scenario.json, its folder, an exercise saved as a file, or a built-in one</source>
         <translation>Eine scenario.json, ihr Ordner, eine als Datei gespeicherte Übung oder eine mitgelieferte</translation>
     </message>
+    <message>
+        <source>The signature does not belong to this pack.</source>
+        <translation>Die Signatur gehört nicht zu dieser Akte.</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was signed.</source>
+        <translation>%1 ist nicht so, wie es signiert wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed since this pack was made on %1; key %2.</source>
+        <translation>Nichts wurde geändert, seit diese Akte am %1 angelegt wurde; Schlüssel %2.</translation>
+    </message>
+    <message>
+        <source>Saves an attempt as an appeal pack, one file that another station verifies; for staff</source>
+        <translation>Speichert einen Versuch als Einspruchsakte, eine Datei, die eine andere Station prüft; für Mitarbeitende</translation>
+    </message>
+    <message>
+        <source>Where the pack is written, NAME.cusppack</source>
+        <translation>Wohin die Akte geschrieben wird, NAME.cusppack</translation>
+    </message>
+    <message>
+        <source>Verifies an appeal pack: its signature, its files, and its records</source>
+        <translation>Prüft eine Einspruchsakte: Signatur, Dateien und Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>NAME.cusppack</source>
+        <translation>NAME.cusppack</translation>
+    </message>
+    <message>
+        <source>Database that may know the key of the pack</source>
+        <translation>Datenbank, die den Schlüssel der Akte vielleicht kennt</translation>
+    </message>
+    <message>
+        <source>Also compute the attempt anew, and compare tooth and grade bit for bit</source>
+        <translation>Den Versuch auch neu berechnen und Zahn und Bewertung Bit für Bit vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -2701,6 +2760,22 @@
     <message>
         <source>The daily backup failed.</source>
         <translation>Die tägliche Sicherung ist fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Save the appeal pack</source>
+        <translation>Einspruchsakte speichern</translation>
+    </message>
+    <message>
+        <source>Appeal pack (*.cusppack)</source>
+        <translation>Einspruchsakte (*.cusppack)</translation>
+    </message>
+    <message>
+        <source>The appeal pack is being made.</source>
+        <translation>Die Einspruchsakte wird angelegt.</translation>
+    </message>
+    <message>
+        <source>Opening the appeal pack</source>
+        <translation>Einspruchsakte wird geöffnet</translation>
     </message>
 </context>
 <context>
@@ -5110,6 +5185,72 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PackCard</name>
+    <message>
+        <source>Appeal pack</source>
+        <translation>Einspruchsakte</translation>
+    </message>
+    <message>
+        <source>made %1</source>
+        <translation>angelegt %1</translation>
+    </message>
+    <message>
+        <source>Signed by this station, key %1.</source>
+        <translation>Von dieser Station signiert, Schlüssel %1.</translation>
+    </message>
+    <message>
+        <source>Signed by the key %1, which these records do not know: compare it with the one on that station’s page.</source>
+        <translation>Mit dem Schlüssel %1 signiert, den diese Aufzeichnungen nicht kennen: Vergleichen Sie ihn mit dem auf der Seite jener Station.</translation>
+    </message>
+    <message>
+        <source>This pack was changed after it was made.</source>
+        <translation>Diese Akte wurde geändert, nachdem sie angelegt war.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Nothing was changed: %n file(s), and every record of the attempt.</source>
+        <translation>
+            <numerusform>Nichts wurde geändert: %n Datei und alle Aufzeichnungen des Versuchs.</numerusform>
+            <numerusform>Nichts wurde geändert: %n Dateien und alle Aufzeichnungen des Versuchs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Compute the attempt anew</source>
+        <translation>Versuch neu berechnen</translation>
+    </message>
+    <message>
+        <source>from its trace, and compare tooth and grade</source>
+        <translation>aus seiner Spur, und Zahn und Bewertung vergleichen</translation>
+    </message>
+    <message>
+        <source>Computing the attempt anew</source>
+        <translation>Der Versuch wird neu berechnet</translation>
+    </message>
+    <message>
+        <source>The trace does not lead to this result.</source>
+        <translation>Die Spur führt nicht zu diesem Ergebnis.</translation>
+    </message>
+    <message>
+        <source>This program cannot compute the attempt anew.</source>
+        <translation>Dieses Programm kann den Versuch nicht neu berechnen.</translation>
+    </message>
+    <message>
+        <source>It was drilled with engine %1; this is engine %2. The records hold.</source>
+        <translation>Gebohrt wurde mit Rechenkern %1; dies ist Rechenkern %2. Die Aufzeichnungen stimmen.</translation>
+    </message>
+    <message>
+        <source>The trace leads to this tooth and this grade, bit for bit.</source>
+        <translation>Die Spur führt zu diesem Zahn und dieser Bewertung, Bit für Bit.</translation>
+    </message>
+    <message>
+        <source>The signature does not belong to this description.</source>
+        <translation>Die Signatur gehört nicht zu dieser Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Not as they were signed: %1.</source>
+        <translation>Nicht so, wie sie signiert wurden: %1.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::PartsForm</name>
     <message>
         <source>Outline</source>
@@ -5986,6 +6127,14 @@
         <source>Up to %1 can be sorted: choose an exercise, a student or a period.</source>
         <translation>Bis zu %1 lassen sich sortieren: wählen Sie eine Übung, eine Person oder einen Zeitraum.</translation>
     </message>
+    <message>
+        <source>Open an appeal pack</source>
+        <translation>Einspruchsakte öffnen</translation>
+    </message>
+    <message>
+        <source>Appeal pack (*.cusppack)</source>
+        <translation>Einspruchsakte (*.cusppack)</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PinSlips</name>
@@ -6495,6 +6644,18 @@
     <message>
         <source>Show the place</source>
         <translation>Ort zeigen</translation>
+    </message>
+    <message>
+        <source>The appeal pack is saved.</source>
+        <translation>Die Einspruchsakte ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Appeal pack</source>
+        <translation>Einspruchsakte</translation>
+    </message>
+    <message>
+        <source>Save records, report and tooth in one file that another station verifies</source>
+        <translation>Aufzeichnungen, Bericht und Zahn in einer Datei speichern, die eine andere Station prüft</translation>
     </message>
 </context>
 <context>
@@ -7398,6 +7559,14 @@ Ihr bester davor</translation>
             <numerusform>%n Fund: etwas wurde von außen geändert.</numerusform>
             <numerusform>%n Funde: etwas wurde von außen geändert.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>Signs this station’s records and appeal packs</source>
+        <translation>Signiert die Aufzeichnungen und Einspruchsakten dieser Station</translation>
     </message>
 </context>
 <context>
@@ -9189,6 +9358,18 @@ Ihr bester davor</translation>
     <message>
         <source>The checks refuse it at %1. Nothing was changed.</source>
         <translation>Die Prüfungen weisen sie zurück, bei %1. Nichts wurde verändert.</translation>
+    </message>
+    <message>
+        <source>The replay comes to another state at tick %1.</source>
+        <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
+    </message>
+    <message>
+        <source>The replay comes to another tooth than the one that is stored.</source>
+        <translation>Die Wiederholung kommt zu einem anderen Zahn als dem gespeicherten.</translation>
+    </message>
+    <message>
+        <source>The replay comes to another grade than the one that is stored (%1).</source>
+        <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
     </message>
 </context>
 <context>

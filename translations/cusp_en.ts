@@ -255,6 +255,16 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PackCard</name>
+    <message numerus="yes">
+        <source>Nothing was changed: %n file(s), and every record of the attempt.</source>
+        <translation>
+            <numerusform>Nothing was changed: %n file, and every record of the attempt.</numerusform>
+            <numerusform>Nothing was changed: %n files, and every record of the attempt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::PeopleImport</name>
     <message numerus="yes">
         <source>%n new account(s).</source>

@@ -67,6 +67,9 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   csv->setEnabled(may(reader.role, Action::export_results));
   head->buttons()->addWidget(csv);
   connect(csv, &QPushButton::clicked, this, &Performance::export_csv);
+  QPushButton* pack = make_button(tr("Open an appeal pack"), ButtonKind::standard, u"import"_qs);
+  head->buttons()->addWidget(pack);
+  connect(pack, &QPushButton::clicked, this, &Performance::choose_pack);
   body->addWidget(head);
   body->addWidget(make_filters());
   band_ = new Band;
@@ -334,6 +337,14 @@ void Performance::show_learning(const Figures& f) {
   learning.mark = f.pass_mark;
   if (learning.mark) learning.mark_text = tr("pass %1").arg(format_points(*learning.mark));
   learning_->set_data(learning);
+}
+
+void Performance::choose_pack() {
+  FileWish wish;
+  wish.title = tr("Open an appeal pack");
+  wish.filter = tr("Appeal pack (*.cusppack)");
+  wish.saving = false;
+  ports_.pick_file(this, wish, [this](const QString& path) { Q_EMIT pack_wanted(path); });
 }
 
 void Performance::export_csv() {

@@ -41,9 +41,12 @@ class Performance : public QWidget {
  public Q_SLOTS:
   void read();
   void export_csv();
+  /// Asks for the file of an appeal pack.
+  void choose_pack();
 
  Q_SIGNALS:
   void report_wanted(const SessionId& session);
+  void pack_wanted(const QString& path);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

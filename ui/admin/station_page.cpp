@@ -53,6 +53,7 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   const auto bytes = store.database().first("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()",
                                             [](Row row) { return row.u64(0); });
   if (bytes) bytes_ = bytes->value_or(0);
+  if (const auto& key = store.context().key) key_ = fingerprint(key->id());
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
@@ -77,6 +78,12 @@ QWidget* StationPage::make_records() {
   auto* card = new Card(tr("Records"));
   card->body()->addWidget(wrapped(QString::fromStdString(database_.string())));
   card->body()->addWidget(make_label(tr("%n session(s), %1", nullptr, static_cast<int>(sessions_)).arg(size_text(bytes_))));
+  if (!key_.isEmpty()) {
+    auto* key = make_label(tr("Key %1").arg(key_));
+    key->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    key->setToolTip(tr("Signs this station’s records and appeal packs"));
+    card->body()->addWidget(key);
+  }
   card->body()->addWidget(wrapped(tr("Verification proves that nobody but the program has changed a result, an account or the log.")));
   verify_ = make_button(tr("Verify now"), ButtonKind::standard, u"shield"_qs);
   card->body()->addWidget(verify_, 0, Qt::AlignLeading);

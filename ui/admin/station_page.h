@@ -51,6 +51,7 @@ class StationPage : public QWidget {
   Settings& settings_;
   const Ports& ports_;
   std::uint64_t sessions_ = 0, bytes_ = 0;
+  QString key_;  // fingerprint of the station's key; empty: opened for reading
   bool working_ = false;
   BackgroundTask task_;
   Band* band_;

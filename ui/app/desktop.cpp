@@ -162,6 +162,7 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
     list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {
                auto* page = new Performance(*store_, account_->actor(), ports_);
                connect(page, &Performance::report_wanted, this, &Desktop::open_report);
+               connect(page, &Performance::pack_wanted, this, &Desktop::open_pack);
                return page;
              }};
   }

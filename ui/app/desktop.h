@@ -31,6 +31,7 @@ class DrillScreen;
 struct DrillText;
 struct EditorStart;
 class ReportPage;
+struct OpenedPack;
 class ThumbnailCache;
 class Shell;
 class SignIn;
@@ -79,6 +80,8 @@ class Desktop : public QMainWindow {
   /// Grades an attempt that broke off as it stands, keeps that grade and shows it.
   void grade_interrupted(const SessionId& session);
   void edit(const EditorStart& start);
+  /// Shows an appeal pack of any origin as a report, with what its verification found.
+  void open_pack(const QString& path);
   void import_specimen();
   void import_people();
 
@@ -114,6 +117,10 @@ class Desktop : public QMainWindow {
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
   void add_marking(ReportPage& report, const std::shared_ptr<const SessionResult>& result);
+  StoreOptions beside() const;
+  void offer_pack(ReportPage& report);
+  void write_pack(ReportPage& report, const QString& path);
+  void show_pack(const std::shared_ptr<const OpenedPack>& pack);
   void show_assignment(AssignmentId assignment);
   void show_handed_in(const SessionId& session);
   void show_failure(const Message& message);
@@ -134,7 +141,7 @@ class Desktop : public QMainWindow {
   SignIn* sign_in_ = nullptr;
   hid::HidStation* hid_ = nullptr;
   QTimer backup_timer_;
-  BackgroundTask backup_;
+  BackgroundTask backup_, packing_;
   std::optional<Message> backup_failure_;  // of the last daily backup
 };
 

@@ -39,11 +39,7 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
   QWidget* waiting = make_page(busy);
   push(waiting);
   busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), Busy::Cancel::none);
-  StoreOptions options;
-  options.database.access = reading_only_ ? DatabaseOptions::Access::read_only : DatabaseOptions::Access::existing;
-  options.mark_interrupted = false;
-  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options] {
-    // A store belongs to one thread: this one opens its own on the same file.
+  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
     auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, keep));
     QMetaObject::invokeMethod(
         qApp,
@@ -104,6 +100,8 @@ void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::opti
     });
   }
   if (signed_in && !reading_only_ && may(reader.role, Action::comment) && report->data().counts) add_marking(*report, result);
+  const bool packs = signed_in && !reading_only_ && may(reader.role, Action::export_results) && report->data().counts;
+  if (packs) offer_pack(*report);
   push(report);
 }
 

@@ -84,6 +84,9 @@ void ReportPage::fill() {
 
 void ReportPage::set_marking(QWidget* card) { body_->insertWidget(body_->indexOf(main_), card); }
 
+void ReportPage::offer_pack() { pack_->show(); }
+void ReportPage::show_message(Band::Kind kind, const QString& what, const QString& more) { band_->show_message(kind, what, more); }
+
 void ReportPage::show_data(ReportData data) {
   const int row = table_->chosen_row();
   data_ = std::move(data);
@@ -175,7 +178,12 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   connect(pdf, &QPushButton::clicked, this, &ReportPage::save_pdf);
   row->addWidget(paper);
   row->addWidget(pdf);
-  for (QPushButton* button : {paper, pdf}) saves_.emplace_back(button, button->text());
+  pack_ = make_button(tr("Appeal pack"), ButtonKind::standard, u"box"_qs);
+  pack_->setToolTip(tr("Save records, report and tooth in one file that another station verifies"));
+  pack_->hide();
+  connect(pack_, &QPushButton::clicked, this, &ReportPage::pack_wanted);
+  row->addWidget(pack_);
+  for (QPushButton* button : {paper, pdf, pack_}) saves_.emplace_back(button, button->text());
   if (again == TryAgain::offered) {
     QPushButton* fresh = make_button(tr("Try again"), ButtonKind::primary);
     connect(fresh, &QPushButton::clicked, this, &ReportPage::try_again_wanted);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/report/report_data.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 
 class QBoxLayout;
@@ -15,7 +16,6 @@ class QPushButton;
 
 namespace cusp::ui {
 
-class Band;
 class CriteriaModel;
 class AgainstBefore;
 class DeviationLegend;
@@ -34,14 +34,18 @@ class ReportPage : public QWidget {
   const ReportData& data() const { return data_; }
   /// The same attempt after somebody stated something about it. The tooth stays.
   void show_data(ReportData data);
-  /// A card above the criteria, for who marks. Once.
+  /// A card above the criteria: for who marks, or about an opened pack. Once.
   void set_marking(QWidget* card);
+  /// Shows the button of the appeal pack.
+  void offer_pack();
+  void show_message(Band::Kind kind, const QString& what, const QString& more);
   /// Of the chosen row; nullptr: none is chosen.
   const CriterionGrade* chosen_criterion() const;
 
  Q_SIGNALS:
   void back_wanted();
   void try_again_wanted();
+  void pack_wanted();
   void criterion_chosen();
 
  protected:
@@ -72,7 +76,8 @@ class ReportPage : public QWidget {
   AgainstBefore* against_ = nullptr;  // if an attempt came before
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;
-  std::vector<std::pair<QPushButton*, QString>> saves_;  // print and PDF, with their texts
+  std::vector<std::pair<QPushButton*, QString>> saves_;  // print, PDF and pack, with their texts
+  QPushButton* pack_ = nullptr;
   QBoxLayout* body_;  // of the text
   QWidget *head_ = nullptr, *main_ = nullptr;  // of the text: made anew by fill()
   QBoxLayout* halves_;                         // tooth and text
