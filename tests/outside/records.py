@@ -204,4 +204,5 @@ def main():
         print("four tamperings were named, and PIN and password called by their names")
 
 
-main()
+if __name__ == "__main__":
+    main()
