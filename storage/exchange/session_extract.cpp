@@ -17,6 +17,7 @@ constexpr std::array kCopies = {
     "UNION SELECT key FROM source.statements WHERE session = ?1)",
     "INSERT INTO people SELECT id, number, name, role, '', '', 1, guest, 0, 0, created_at FROM source.people WHERE id IN ("
     "SELECT student FROM source.sessions WHERE id = ?1 UNION SELECT grader FROM source.grades WHERE session = ?1 "
+    "UNION SELECT d.author FROM source.adjustments d JOIN source.sessions s ON s.assignment = d.assignment AND s.student = d.student WHERE s.id = ?1 "
     "UNION SELECT author FROM source.statements WHERE session = ?1 UNION SELECT author FROM source.comments WHERE session = ?1 "
     "UNION SELECT a.author FROM source.assignments a JOIN source.sessions s ON s.assignment = a.id WHERE s.id = ?1 "
     "UNION SELECT v.author FROM source.scenario_versions v JOIN source.sessions s ON s.version = v.id WHERE s.id = ?1)",
@@ -28,6 +29,8 @@ constexpr std::array kCopies = {
     "INSERT INTO version_files SELECT * FROM source.version_files WHERE version = (SELECT version FROM source.sessions WHERE id = ?1)",
     "INSERT INTO assignments SELECT * FROM source.assignments WHERE id = (SELECT assignment FROM source.sessions WHERE id = ?1)",
     "INSERT INTO sessions SELECT * FROM source.sessions WHERE id = ?1",
+    "INSERT INTO adjustments SELECT d.* FROM source.adjustments d JOIN source.sessions s ON s.assignment = d.assignment AND s.student = d.student "
+    "WHERE s.id = ?1",
     "INSERT INTO session_events SELECT * FROM source.session_events WHERE session = ?1",
     "INSERT INTO trace_chunks SELECT * FROM source.trace_chunks WHERE session = ?1",
     "INSERT INTO key_states SELECT * FROM source.key_states WHERE session = ?1",

@@ -108,6 +108,7 @@ void SealIndex::add_row(const AuditEntry& e) {
   keep(SealedTable::statements, {"stated", "statement_sealed"});
   keep(SealedTable::assessments, {"assessment_set", "assessment_sealed"});
   keep(SealedTable::version_withdrawals, {"version_withdrawn", "withdrawal_sealed"});
+  keep(SealedTable::adjustments, {"adjusted", "adjustment_sealed"});
 }
 
 }  // namespace cusp::storage

@@ -13,6 +13,7 @@
 /// | stated, statement_sealed | statement | row_seals() |
 /// | assessment_set, assessment_sealed | assignment | row_seals() |
 /// | version_withdrawn, withdrawal_sealed | version | row_seals() |
+/// | adjusted, adjustment_sealed | adjustment | row_seals() |
 /// | sealing_began | station | number of rows from before; the entries after it seal them |
 /// | rolled_back, counter_missing, counter_broken, log_damaged | station | an incident; stays a finding for good |
 #pragma once

@@ -31,6 +31,8 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
       return "assignment, start_code";
     case SealedTable::version_withdrawals:
       return "version, author, at, sequence";
+    case SealedTable::adjustments:
+      return "id, assignment, student, extra_time_percent, author, at, sequence";
   }
   return {};
 }
@@ -72,8 +74,8 @@ std::optional<AccountSeal> account_seal_from(std::string_view detail) {
 }
 
 std::string_view name_of(SealedTable table) noexcept {
-  constexpr std::array<std::string_view, 7> names = {"comments",   "cohorts",     "assignments",        "scenario_versions",
-                                                     "statements", "assessments", "version_withdrawals"};
+  constexpr std::array<std::string_view, 8> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
+                                                     "statements", "assessments", "version_withdrawals", "adjustments"};
   return names[static_cast<std::size_t>(table)];
 }
 

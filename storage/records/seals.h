@@ -35,11 +35,12 @@ enum class SealedTable : std::uint8_t {
   statements,
   assessments,
   version_withdrawals,
+  adjustments,
 };
 inline constexpr std::array kSealedTables = {SealedTable::comments,    SealedTable::cohorts,
                                              SealedTable::assignments, SealedTable::scenario_versions,
                                              SealedTable::statements,  SealedTable::assessments,
-                                             SealedTable::version_withdrawals};
+                                             SealedTable::version_withdrawals, SealedTable::adjustments};
 std::string_view name_of(SealedTable table) noexcept;
 struct RowSeal {
   Uuid subject;  // of the row's entries in the audit log

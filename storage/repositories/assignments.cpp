@@ -84,6 +84,33 @@ Stored<std::string> Assignments::start_code(const Actor& actor, AssignmentId ass
   return code->value_or(std::string());
 }
 
+Stored<void> Assignments::give_extra_time(const Actor& actor, AssignmentId assignment, UserId student, int percent) {
+  if (auto allowed = require(actor, Action::assign); !allowed) return allowed;
+  if (percent < 0 || percent > kMostExtraTimePercent) return fail(StorageError::bad_value, "extra_time");
+  Transaction transaction(c_.db);
+  const auto member = transaction.first(
+      "SELECT 1 FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort WHERE a.id = ?1 AND m.student = ?2",
+      [](Row) { return true; }, assignment, student);
+  if (!member) transaction.refuse({StorageError::not_allowed, "assignment", assignment.text()});
+  const Uuid id = Uuid::v7();
+  const std::int64_t sequence = c_.next_sequence(transaction);
+  transaction.run(
+      "INSERT INTO adjustments (id, assignment, student, extra_time_percent, author, at, sequence) VALUES (?1, ?2, ?3, ?4, ?5, "
+      "?6, ?7)",
+      id, assignment, student, percent, actor.id, c_.clock(), sequence);
+  log_row(c_, transaction, actor.id, "adjusted", SealedTable::adjustments, id);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<int> Assignments::extra_time_percent(AssignmentId assignment, UserId student) {
+  const auto percent = c_.db.first(
+      "SELECT extra_time_percent FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = ?1 AND student = ?2 "
+      "ORDER BY sequence DESC LIMIT 1",
+      [](Row row) { return static_cast<int>(row.integer(0)); }, assignment, student);
+  if (!percent) return std::unexpected(percent.error());
+  return percent->value_or(0);
+}
+
 Stored<int> Assignments::attempts(AssignmentId assignment, UserId student) {
   const auto count = c_.db.first(
       "SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = ?1 AND student = ?2",

@@ -23,6 +23,7 @@ struct Assignment {
   std::int64_t created_utc_us = 0;
 };
 
+inline constexpr int kMostExtraTimePercent = 400;
 inline constexpr std::size_t kLeastStartCode = 4, kMostStartCode = 32;  // bytes
 
 /// Stands for the student's name in an assessment: six letters and digits, "K7F 3QD", always the same.
@@ -37,6 +38,10 @@ class Assignments {
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.
   Stored<std::string> start_code(const Actor& actor, AssignmentId assignment);
+  /// Of the exercise's time limit, for attempts that begin afterwards; 0 takes it back. Needs assign. not_allowed
+  /// (where = assignment) for one who is not in its cohort, bad_value (where = extra_time) outside 0 to kMostExtraTimePercent.
+  Stored<void> give_extra_time(const Actor& actor, AssignmentId assignment, UserId student, int percent);
+  Stored<int> extra_time_percent(AssignmentId assignment, UserId student);
   /// Attempts that the student has begun.
   Stored<int> attempts(AssignmentId assignment, UserId student);
   Stored<std::vector<Assignment>> for_student(UserId student);  // by due date, those without one last

@@ -14,7 +14,7 @@ std::optional<double> known_in(const json& in, const char* key) {
 }  // namespace
 
 std::string header_to_json(const SessionHeader& h) {
-  const json out = {
+  json out = {
       {"engine_version", h.engine_version},
       {"build", h.build},
       {"device",
@@ -49,6 +49,7 @@ std::string header_to_json(const SessionHeader& h) {
       {"specimen_blob", hex(h.specimen_blob)},
       {"scene", h.scene},
   };
+  if (h.extra_time_percent > 0) out["extra_time_percent"] = h.extra_time_percent;
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -93,6 +94,7 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     if (!blob) return std::nullopt;
     h.specimen_blob = *blob;
     in.at("scene").get_to(h.scene);
+    h.extra_time_percent = in.value("extra_time_percent", h.extra_time_percent);
     return h;
   } catch (const json::exception&) {
     return std::nullopt;

@@ -18,12 +18,15 @@ struct AssignedRules {
   std::optional<std::int64_t> opens_utc_us, due_utc_us, attempts_allowed;
   std::string start_code;
   std::int64_t attempts = 0;  // of this student so far
+  int extra_time_percent = 0;
 };
 
 std::optional<AssignedRules> assigned_rules(Transaction& transaction, AssignmentId assignment, UserId student) {
   return transaction.first(
       "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
-      "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2) "
+      "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2), "
+      "coalesce((SELECT extra_time_percent FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
+      "AND student = ?2 ORDER BY sequence DESC LIMIT 1), 0) "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
       "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1",
       [](Row row) {
@@ -33,19 +36,26 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
                              row.maybe_integer(3),
                              row.maybe_integer(4),
                              row.text(5),
-                             row.integer(6)};
+                             row.integer(6),
+                             static_cast<int>(row.integer(7))};
       },
       assignment, student);
 }
 
-/// The kind of session; refuses the transaction if the assignment does not admit it.
-SessionKind admitted_kind(Transaction& transaction, const NewSession& wanted, std::int64_t now) {
+/// What the session then is.
+struct Admission {
+  SessionKind kind = SessionKind::practice;
+  int extra_time_percent = 0;
+};
+
+/// Refuses the transaction if the assignment does not admit the session.
+Admission admission(Transaction& transaction, const NewSession& wanted, std::int64_t now) {
   const auto refuse = [&](StorageError code, const char* where) {
     transaction.refuse({code, where, wanted.assignment ? wanted.assignment->text() : std::string()});
-    return wanted.kind;
+    return Admission{wanted.kind};
   };
   if (!wanted.assignment) {
-    return wanted.kind == SessionKind::assessment ? refuse(StorageError::not_allowed, "assignment") : wanted.kind;
+    return wanted.kind == SessionKind::assessment ? refuse(StorageError::not_allowed, "assignment") : Admission{wanted.kind};
   }
   const auto rules = assigned_rules(transaction, *wanted.assignment, wanted.student);
   if (!rules || rules->version != wanted.version) return refuse(StorageError::not_allowed, "assignment");
@@ -55,7 +65,7 @@ SessionKind admitted_kind(Transaction& transaction, const NewSession& wanted, st
   if (rules->attempts_allowed && rules->attempts >= *rules->attempts_allowed) {
     return refuse(StorageError::wrong_state, "attempts_used");
   }
-  return rules->kind;
+  return {rules->kind, rules->extra_time_percent};
 }
 
 }  // namespace
@@ -63,9 +73,9 @@ SessionKind admitted_kind(Transaction& transaction, const NewSession& wanted, st
 Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
   if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
-  const std::string header = header_to_json(wanted.header);
+  SessionHeader h = wanted.header;
   // JSON cannot hold a number that is not finite: nobody could open the session.
-  if (!header_from_json(header)) return fail(StorageError::bad_value, "header");
+  if (!header_from_json(header_to_json(h))) return fail(StorageError::bad_value, "header");
   const SessionId id = SessionId::make();
   Transaction transaction(c_.db);
   const auto guest = transaction.first(
@@ -79,18 +89,18 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       wanted.version);
   if (!hashes) transaction.refuse({StorageError::not_found, "scenario_versions", wanted.version.text()});
   const std::int64_t now = c_.clock();
-  const SessionKind asked = admitted_kind(transaction, wanted, now);
+  const Admission admitted = admission(transaction, wanted, now);
   if (!transaction.ok()) return std::unexpected(transaction.commit().error());
 
-  const SessionKind kind = *guest ? SessionKind::try_it : asked;
-  const SessionHeader& h = wanted.header;
+  const SessionKind kind = *guest ? SessionKind::try_it : admitted.kind;
+  h.extra_time_percent = admitted.extra_time_percent;
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO sessions (id, station, student, version, version_hash, json_hash, kind, assignment, hand, device, "
       "device_class, engine_version, specimen_blob, header, started_at, sequence) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
       id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
-      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header, now,
+      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header_to_json(h), now,
       sequence);
   const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.operator_name, {});
   ChainWriter chain(c_, transaction, id);
@@ -107,7 +117,7 @@ Stored<void> Sessions::admit(const Actor& actor, const NewSession& wanted) {
   if (auto allowed = require(actor, Action::drill); !allowed) return allowed;
   if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
   Transaction transaction(c_.db);
-  admitted_kind(transaction, wanted, c_.clock());
+  admission(transaction, wanted, c_.clock());
   return transaction.commit();
 }
 

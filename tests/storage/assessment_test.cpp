@@ -82,6 +82,26 @@ TEST_F(AssessmentTest, it_begins_between_its_dates_as_often_as_allowed_with_the_
   EXPECT_EQ(refusal(begin(lena, exam)), "attempts_used");
 }
 
+TEST_F(AssessmentTest, extra_time_is_of_one_student_in_one_assignment_and_of_attempts_that_begin_afterwards) {
+  const Assignment exam = assign(SessionKind::assessment), other = assign(SessionKind::assessment);
+  const auto give = [&](const Actor& actor, UserId student, int percent) {
+    const auto done = store->assignments.give_extra_time(actor, exam.id, student, percent);
+    return done ? "given" : done.error().where;
+  };
+  const Session without = must(begin(lena, exam));
+  EXPECT_EQ(give(instructor, lena.id, 25), "given");
+  EXPECT_EQ(give(lena.actor(), lena.id, 25), "assign");
+  EXPECT_EQ(give(instructor, omar.id, 25), "assignment") << "not in the cohort";
+  for (const int percent : {-1, kMostExtraTimePercent + 1}) EXPECT_EQ(give(instructor, lena.id, percent), "extra_time");
+  EXPECT_EQ(must(store->sessions.find(without.id)).header.extra_time_percent, 0);
+  EXPECT_EQ(must(begin(lena, exam)).header.extra_time_percent, 25);
+  EXPECT_EQ(must(begin(lena, other)).header.extra_time_percent, 0);
+  EXPECT_EQ(give(instructor, lena.id, 0), "given");
+  EXPECT_EQ(must(begin(lena, exam)).header.extra_time_percent, 0) << "the newest counts";
+  EXPECT_EQ(must(store->assignments.extra_time_percent(exam.id, lena.id)), 0);
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
 TEST_F(AssessmentTest, an_assessment_without_assignment_or_of_another_version_does_not_begin) {
   NewSession wanted = new_session(lena, version);
   wanted.kind = SessionKind::assessment;

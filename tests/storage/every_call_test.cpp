@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 struct Rows {
   Actor administrator, instructor, student;
   CohortId cohort;
+  AssignmentId assignment;
   ScenarioVersion version;
   SessionId running, finished, graded;
   UserId other;  // a student without a running session
@@ -85,6 +86,10 @@ std::vector<Operation> operations_on_people() {
          return outcome(s.assignments.create(
              r.instructor, {.version = r.version.id, .cohort = r.cohort, .kind = SessionKind::assessment}, "4711"));
        }},
+      {"give extra time",
+       [](Store& s, const Rows& r) {
+         return outcome(s.assignments.give_extra_time(r.instructor, r.assignment, r.student.id, 25));
+       }},
       {"write in the audit log",
        [](Store& s, const Rows& r) { return outcome(s.audit.add({.actor = r.administrator.id, .action = "exported", .subject = Uuid::v7(), .detail = "csv"})); }},
   };
@@ -143,6 +148,7 @@ class EveryCall : public ::testing::Test {
     rows.cohort = must(store->cohorts.create(rows.administrator, "Year 2")).id;
     must(store->cohorts.add(rows.administrator, rows.cohort, student.id));
     rows.version = keep(*store);
+    rows.assignment = must(store->assignments.create(rows.instructor, {.version = rows.version.id, .cohort = rows.cohort})).id;
     rows.graded = complete_session(*store, student, rows.version);
     const Account other = make_student(*store, "20260002", "Omar Haddad");
     rows.other = other.id;

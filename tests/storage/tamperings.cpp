@@ -42,6 +42,7 @@ Uuid owner_of(Database& db, const std::string& table, const std::string& row) {
                                                              {"statements", "id"},
                                                              {"assessments", "assignment"},
                                                              {"version_withdrawals", "version"},
+                                                             {"adjustments", "id"},
                                                              {"sessions", "id"}};
   const auto special = columns.find(table);
   std::string column = special == columns.end() ? "" : special->second;
