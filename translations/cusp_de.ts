@@ -108,6 +108,10 @@
         <source>Start assessment</source>
         <translation>Prüfung beginnen</translation>
     </message>
+    <message>
+        <source>%1 (%2 % extra time)</source>
+        <translation>%1 (%2 % Zeitzugabe)</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentPage</name>
@@ -159,6 +163,26 @@
             <numerusform>%n nicht bestandenes Ergebnis wartet auf Bestätigung.</numerusform>
             <numerusform>%n nicht bestandene Ergebnisse warten auf Bestätigung.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Give extra time</source>
+        <translation>Zeitzugabe geben</translation>
+    </message>
+    <message>
+        <source>of the time limit, for attempts that begin from now on</source>
+        <translation>der Zeitgrenze, für Versuche, die ab jetzt beginnen</translation>
+    </message>
+    <message>
+        <source>Extra time of %1</source>
+        <translation>Zeitzugabe für %1</translation>
+    </message>
+    <message>
+        <source>%1 has %2 % more time.</source>
+        <translation>%1 hat %2 % mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>%1 has no extra time.</source>
+        <translation>%1 hat keine Zeitzugabe.</translation>
     </message>
 </context>
 <context>
@@ -962,6 +986,10 @@
     <message>
         <source>Released</source>
         <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Extra time</source>
+        <translation>Zeitzugabe</translation>
     </message>
 </context>
 <context>
@@ -9370,6 +9398,10 @@ Ihr bester davor</translation>
     <message>
         <source>The replay comes to another grade than the one that is stored (%1).</source>
         <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
+    </message>
+    <message>
+        <source>Extra time is 0 to 400 % of the time limit.</source>
+        <translation>Die Zeitzugabe beträgt 0 bis 400 % der Zeitgrenze.</translation>
     </message>
 </context>
 <context>

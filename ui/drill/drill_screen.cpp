@@ -189,7 +189,7 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   in.panel->set_exercise(scenario, {.target = !attempt.look->empty(), .pulp = attempt.has_pulp, .tooth = is_tooth, .guidance = in.guidance});
   in.panel->set_device(attempt.session->device(), attempt.session->stiffness_share());
   in.bar->set_device(attempt.session->device());
-  in.bar->set_time_limit(scenario.time_limit_s);
+  in.bar->set_time_limit(attempt.session->time_limit_s());
   in.sound->begin(scenario);
   in.stage->set_exercise(scenario, *attempt.look,
                          {.bounds = attempt.bounds,

@@ -10,6 +10,7 @@
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -46,7 +47,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
   const CandidateRow& r = row(index.row());
   const int column = index.column();
   if (role == BoldRole) return column == kCandidate;
-  if (role == Qt::TextAlignmentRole && column == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && (column == kScore || column == kExtra)) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
   if (role == IconRole && column == kOpen && r.attempt) return u"chevron_right"_qs;
   if (role == Qt::AccessibleTextRole && column == kOpen) return r.attempt ? tr("Report") : QString();
   if (role == QuietRole) return !r.attempt && column != kCandidate;
@@ -56,6 +57,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
   switch (column) {
     case kCandidate: return r.candidate;
     case kName: return r.name;
+    case kExtra: return r.extra_time_percent > 0 ? format({static_cast<double>(r.extra_time_percent), {}, u"%"_qs, 0}) : QString();
     case kDate: return r.attempt ? format_day_time(local_time(r.attempt->started_utc_us)) : tr("not begun");
     case kScore: return r.attempt && r.attempt->score ? format_points(*r.attempt->score) : QString();
     case kResult: return r.attempt ? result_text(*r.attempt) : QString();
@@ -67,11 +69,12 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
 
 QVariant CandidatesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && section == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && (section == kScore || section == kExtra)) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kCandidate: return tr("Candidate");
     case kName: return tr("Name");
+    case kExtra: return tr("Extra time");
     case kDate: return tr("Begun");
     case kScore: return tr("Points");
     case kResult: return tr("Result");
@@ -112,6 +115,8 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
   table_->set_stretch_column(CandidatesModel::kMarked);
   table_->set_rows_shown(16);
   card->body()->addWidget(table_);
+  card->body()->addWidget(make_extra_time());
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &AssessmentPage::show_chosen);
   body->addWidget(card);
   body->addStretch();
   connect(table_, &Table::row_opened, this, &AssessmentPage::open_chosen);
@@ -148,6 +153,49 @@ QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
   return bar;
 }
 
+QWidget* AssessmentPage::make_extra_time() {
+  extra_row_ = new QWidget;
+  auto* row = new QHBoxLayout(extra_row_);
+  row->setContentsMargins(px(8), px(4), px(8), px(4));
+  row->setSpacing(px(8));
+  extra_of_ = make_label({});
+  extra_ = new NumberField;
+  extra_->setRange(0, kMostExtraTimePercent);
+  extra_->setDecimals(0);
+  extra_->setSingleStep(5);
+  extra_->setSuffix(u" %"_qs);
+  extra_->setFixedWidth(px(96));
+  QPushButton* give = make_button(tr("Give extra time"), ButtonKind::standard, u"clock"_qs);
+  row->addWidget(extra_of_);
+  row->addWidget(extra_);
+  row->addWidget(give);
+  row->addWidget(make_label(tr("of the time limit, for attempts that begin from now on"), TextRole::body, Weight::regular, "text2"), 1);
+  connect(give, &QPushButton::clicked, this, [this] { give_extra_time(static_cast<int>(extra_->value())); });
+  return extra_row_;
+}
+
+void AssessmentPage::show_chosen() {
+  const int row = table_->chosen_row();
+  const bool offered = row >= 0 && assignment_.kind == SessionKind::assessment && may(actor_.role, Action::assign);
+  extra_row_->setVisible(offered);
+  if (!offered) return;
+  const QString name = tr("Extra time of %1").arg(model_->row(row).candidate);
+  extra_of_->setText(name);
+  extra_->setAccessibleName(name);
+  extra_->show_value(model_->row(row).extra_time_percent);
+}
+
+void AssessmentPage::give_extra_time(int percent) {
+  const int row = table_->chosen_row();
+  if (row < 0) return;
+  const QString candidate = model_->row(row).candidate;
+  if (const auto done = store_.assignments.give_extra_time(actor_, assignment_.id, model_->row(row).student, percent); !done) {
+    return show_failure(done.error());
+  }
+  read();
+  band_->show_message(Band::Kind::good, percent > 0 ? tr("%1 has %2 % more time.").arg(candidate).arg(percent) : tr("%1 has no extra time.").arg(candidate), {});
+}
+
 QString AssessmentPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
 
 void AssessmentPage::show_failure(const StorageFailure& failure) {
@@ -168,7 +216,8 @@ void AssessmentPage::read() {
   const int chosen = table_->chosen_row();
   std::vector<CandidateRow> rows;
   const auto add = [&](UserId student, const HistoryRow* attempt) {
-    CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, {}, {}};
+    CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, 0, {}, {}};
+    row.extra_time_percent = store_.assignments.extra_time_percent(assignment_.id, student).value_or(0);
     if (attempt != nullptr) {
       row.attempt = *attempt;
       if (const auto details = store_.history.details(actor_, attempt->session)) row.grade = details->grade;
@@ -185,6 +234,7 @@ void AssessmentPage::read() {
   model_->set_rows(std::move(rows));
   table_->setColumnHidden(CandidatesModel::kName, !names_->isChecked());
   table_->choose_row(std::max(chosen, 0));
+  show_chosen();
 }
 
 void AssessmentPage::open_chosen() {

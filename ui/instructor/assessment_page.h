@@ -10,17 +10,20 @@
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
+class QLabel;
 class QPushButton;
 
 namespace cusp::ui {
 
 class Band;
+class NumberField;
 class Table;
 
 /// A candidate's attempt; without `attempt` the student has begun none.
 struct CandidateRow {
   UserId student;
   QString candidate, name;
+  int extra_time_percent = 0;
   std::optional<HistoryRow> attempt;
   std::optional<EffectiveGrade> grade;
 };
@@ -29,7 +32,7 @@ class CandidatesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kCandidate, kName, kDate, kScore, kResult, kMarked, kReleased, kOpen, kColumns };
+  enum Column { kCandidate, kName, kExtra, kDate, kScore, kResult, kMarked, kReleased, kOpen, kColumns };
   explicit CandidatesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void set_rows(std::vector<CandidateRow> rows);
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -50,6 +53,8 @@ class AssessmentPage : public QWidget {
   const CandidatesModel& model() const { return *model_; }
   Table* table() const { return table_; }
   QString message() const;
+  /// Of the chosen candidate, for attempts that begin afterwards.
+  void give_extra_time(int percent);
   /// Releases every graded result that needs no confirmation; asks first.
   void release_all();
 
@@ -63,6 +68,8 @@ class AssessmentPage : public QWidget {
 
  private:
   QWidget* make_bar(const QString& title, const QString& aside);
+  QWidget* make_extra_time();
+  void show_chosen();
   void read();
   void open_chosen();
   void release_now();
@@ -76,6 +83,9 @@ class AssessmentPage : public QWidget {
   Band* band_ = nullptr;
   Table* table_ = nullptr;
   QPushButton *names_ = nullptr, *release_ = nullptr;
+  NumberField* extra_ = nullptr;
+  QLabel* extra_of_ = nullptr;
+  QWidget* extra_row_ = nullptr;
 };
 
 }  // namespace cusp::ui

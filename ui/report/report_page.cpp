@@ -178,7 +178,7 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   connect(pdf, &QPushButton::clicked, this, &ReportPage::save_pdf);
   row->addWidget(paper);
   row->addWidget(pdf);
-  pack_ = make_button(tr("Appeal pack"), ButtonKind::standard, u"box"_qs);
+  pack_ = make_button(tr("Appeal pack"), ButtonKind::standard, u"shield"_qs);
   pack_->setToolTip(tr("Save records, report and tooth in one file that another station verifies"));
   pack_->hide();
   connect(pack_, &QPushButton::clicked, this, &ReportPage::pack_wanted);

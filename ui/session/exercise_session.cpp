@@ -73,7 +73,7 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
   }
   in.follower = std::make_unique<SessionFollower>(
       in.setup.reference, *in.setup.mirror_start,
-      SessionFollower::Settings{in.recorder.get(), in.setup.process, in.plan.scenario.time_limit_s,
+      SessionFollower::Settings{in.recorder.get(), in.setup.process, in.setup.time_limit_s,
                                 [&in] { in.loop->pause(); }});
   in.loop = std::make_unique<HapticLoop>(in.with_pedal, std::move(*in.setup.loop_start));
   in.mirror = std::make_unique<Mirror>(std::move(*in.setup.mirror_start), in.loop->hand_over(),
@@ -205,5 +205,6 @@ const std::shared_ptr<const Scene>& ExerciseSession::scene() const { return inne
 const std::shared_ptr<const Reference>& ExerciseSession::reference() const { return inner_->setup.reference; }
 DeviceLimits ExerciseSession::device() const { return inner_->setup.device; }
 double ExerciseSession::stiffness_share() const { return inner_->setup.stiffness_share; }
+double ExerciseSession::time_limit_s() const { return inner_->setup.time_limit_s; }
 
 }  // namespace cusp::ui

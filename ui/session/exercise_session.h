@@ -101,6 +101,7 @@ class ExerciseSession {
   DeviceLimits device() const;
   /// What the tissues' stiffness was multiplied with, because the device cannot hold more; 1: nothing was cut.
   double stiffness_share() const;
+  double time_limit_s() const;  // with the student's extra time; 0: none
 
  private:
   struct Inner;

@@ -64,6 +64,7 @@ Outcome<void> resume(SessionPlan& plan, SessionSetup& setup) {
   setup.device = opened->session.header.device;
   setup.scene = opened->scene;
   setup.stiffness_share = opened->session.header.stiffness_share;
+  setup.time_limit_s = extended_limit_s(plan.scenario.time_limit_s, opened->session.header.extra_time_percent);
   auto replay = Replay::open(*setup.store, std::move(*opened));
   if (!replay) return std::unexpected(replay.error());
   if (auto done = replay->to(UINT64_MAX, {.from = ReplayFrom::whole_process}); !done) return std::unexpected(done.error());
@@ -105,6 +106,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   setup.scene = std::move(*scene);
   setup.stiffness_share = stiffness_cut(plan.scenario, plan.specimen->grid().voxel_mm, device).share;
   setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
+  setup.time_limit_s = plan.scenario.time_limit_s;
   setup.loop_start.emplace(setup.scene);
   setup.mirror_start.emplace(setup.scene);
   if (!setup.store) return setup;
@@ -138,6 +140,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   auto session = setup.store->sessions.start(plan.student, row);
   if (!session) return session_fail(SessionError::storage, session.error());
   setup.session = session->id;
+  setup.time_limit_s = extended_limit_s(plan.scenario.time_limit_s, session->header.extra_time_percent);
   return setup;
 }
 

@@ -16,12 +16,16 @@ struct SessionSetup {
   DeviceLimits device;
   std::shared_ptr<const Scene> scene;
   double stiffness_share = 1.0;          // of the scenario's, that the device leaves
+  double time_limit_s = 0;               // of the scenario, with the student's extra time; 0: none
   std::shared_ptr<const Reference> reference;
   std::unique_ptr<Store> store;          // null: nothing is kept
   SessionId session;
   std::optional<StepState> loop_start, mirror_start;
   Process process;                       // of the part before, when a session resumes
 };
+
+/// A time limit with a student's extra time. 0: none.
+constexpr double extended_limit_s(double limit_s, int extra_percent) noexcept { return limit_s * (100 + extra_percent) / 100; }
 
 /// `plan` gets its specimen. No row is written before everything else has succeeded.
 Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device);

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "ui/session/session_setup.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chip.h"
@@ -62,9 +63,13 @@ QLabel* quiet(const QString& text) {
 
 }  // namespace
 
-QString time_limit_text(const Scenario& scenario) {
-  if (scenario.time_limit_s <= 0) return {};
-  return AssessmentCard::tr("%1 min").arg(format_clock(scenario.time_limit_s));
+/// With the student's extra time.
+QString time_limit_text(const AssignedAssessment& a) {
+  const double limit_s = a.exercise.scenario.time_limit_s;
+  if (limit_s <= 0) return {};
+  const QString text = AssessmentCard::tr("%1 min").arg(format_clock(extended_limit_s(limit_s, a.extra_time_percent)));
+  if (a.extra_time_percent == 0) return text;
+  return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.extra_time_percent);
 }
 
 Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now) {
@@ -78,6 +83,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     auto exercise = load_exercise(store, a.version);
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
+    one.extra_time_percent = store.assignments.extra_time_percent(a.id, student.id).value_or(0);
     one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
@@ -102,7 +108,7 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWid
   line->addStretch();
   text->addLayout(line);
   QStringList facts = {attempts_text(a)};
-  if (const QString limit = time_limit_text(a.exercise.scenario); !limit.isEmpty()) facts += tr("time limit %1").arg(limit);
+  if (const QString limit = time_limit_text(a); !limit.isEmpty()) facts += tr("time limit %1").arg(limit);
   text->addWidget(quiet(facts.join(u" · "_qs)));
   row->addLayout(text, 1);
   if (a.state == State::open) {
@@ -125,7 +131,7 @@ AssessmentStart::AssessmentStart(Store& store, const Actor& student, const Assig
   column->addWidget(make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold));
   const QString candidate = QString::fromStdString(candidate_number(a.assignment.id, student.id));
   column->addWidget(quiet(tr("You are candidate %1. Your name is not shown to who marks.").arg(candidate)));
-  const QString limit = time_limit_text(a.exercise.scenario);
+  const QString limit = time_limit_text(a);
   column->addWidget(quiet(limit.isEmpty() ? tr("There is no time limit.")
                                           : tr("You have %1. The clock starts with the tooth; a device fault stops it.").arg(limit)));
   column->addWidget(quiet(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));

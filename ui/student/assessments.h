@@ -23,6 +23,7 @@ struct AssignedAssessment {
   Assignment assignment;
   Exercise exercise;  // in the assigned version
   int attempts = 0;
+  int extra_time_percent = 0;  // of the exercise's time limit
   State state = State::open;
 };
 
@@ -78,6 +79,6 @@ class HandedIn : public QWidget {
 };
 
 /// "30 min", or an empty text without a limit.
-QString time_limit_text(const Scenario& scenario);
+QString time_limit_text(const AssignedAssessment& assessment);
 
 }  // namespace cusp::ui

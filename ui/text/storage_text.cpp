@@ -102,6 +102,7 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "name") return {Text::tr("A name has 1 to 200 characters."), nothing_changed()};
   if (f.where == "pin") return {Text::tr("Only students have a PIN."), nothing_changed()};
   if (f.where == "text") return {Text::tr("A comment or reason has 1 to 10,000 characters."), nothing_changed()};
+  if (f.where == "extra_time") return {Text::tr("Extra time is 0 to 400 % of the time limit."), nothing_changed()};
   if (f.where == "start_code") return {Text::tr("A start code has 4 to 32 characters."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),

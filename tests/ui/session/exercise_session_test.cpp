@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 
@@ -89,6 +91,39 @@ TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
   const auto events = work.store()->sessions.events(result->session);
   ASSERT_TRUE(events);
   EXPECT_TRUE(std::ranges::any_of(*events, [](const SessionEvent& e) { return e.reason == "time_limit"; }));
+}
+
+TEST(ExerciseSession, HoldsItselfLaterForAStudentWithExtraTimeAlsoAfterResuming) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.scenario.time_limit_s = 0.5;
+  {
+    const auto store = work.store();
+    const Actor administrator = store->accounts.create_first_administrator({"ada", "Ada", Role::administrator, "correct horse", ""})->actor();
+    const Actor instructor = store->accounts.create(administrator, {"okafor", "Dr Okafor", Role::instructor, "battery staple", ""})->actor();
+    const CohortId cohort = store->cohorts.create(instructor, "Year 2")->id;
+    ASSERT_TRUE(store->cohorts.add(instructor, cohort, work.demo.id));
+    const auto version = store->scenarios.publish(instructor, plan.scenario, canonical_json(plan.scenario), content_hash(plan.scenario).bytes);
+    ASSERT_TRUE(version);
+    plan.version = version->id;
+    plan.assignment = store->assignments.create(instructor, {.version = version->id, .cohort = cohort})->id;
+    ASSERT_TRUE(store->assignments.give_extra_time(instructor, *plan.assignment, work.demo.id, 50));
+  }
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
+  auto session = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(session);
+  EXPECT_EQ((*session)->time_limit_s(), 0.75);
+  ASSERT_TRUE(eventually([&] { return (*session)->view().seconds > 0.55; }));
+  EXPECT_FALSE((*session)->view().time_is_up);
+  const SessionId id = (*session)->session();
+  (*session)->abandon();
+  session->reset();
+  SessionPlan again = work.plan();
+  again.resumes = id;
+  DrillingPort other(1u << 30, DrillingPort::Pace::to_deadline);
+  auto resumed = ExerciseSession::start(again, other);
+  ASSERT_TRUE(resumed);
+  EXPECT_EQ((*resumed)->time_limit_s(), 0.75);
 }
 
 TEST(ExerciseSession, PausedItsClockStandsStill) {

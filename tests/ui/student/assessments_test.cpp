@@ -13,6 +13,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/assessments.h"
+#include "ui/text/plain.h"
 #include "ui/student/course.h"
 
 namespace cusp::test {
@@ -76,6 +77,17 @@ TEST_F(Assessments, AreInterruptedThenHandedInAndLeaveTheStartPageWithTheirRelea
 TEST_F(Assessments, OfferTheirStartOnlyWhileOpen) {
   EXPECT_EQ(AssessmentCard(at(kMorning - kHour)[0], lena.id).start_button(), nullptr);
   EXPECT_NE(AssessmentCard(at(kMorning + 1000)[0], lena.id).start_button(), nullptr);
+}
+
+TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
+  AssignedAssessment one = at(kMorning + 1000)[0];
+  one.exercise.scenario.time_limit_s = 600;
+  EXPECT_EQ(plain(time_limit_text(one)), "10:00 min");
+  ASSERT_TRUE(records.store().assignments.give_extra_time(examiner, one.assignment.id, lena.id, 25));
+  one.extra_time_percent = at(kMorning + 1000)[0].extra_time_percent;
+  EXPECT_EQ(plain(time_limit_text(one)), "12:30 min (25 % extra time)");
+  one.exercise.scenario.time_limit_s = 0;
+  EXPECT_TRUE(time_limit_text(one).isEmpty());
 }
 
 TEST_F(Assessments, BeginWithTheStartCodeAlone) {
