@@ -1,9 +1,10 @@
-"""An assessment: assigned with a start code, sat by two students (one is killed half-way and continues), marked without names,
-released, and read.
+"""An assessment: assigned with a start code, sat by two students (the device of one falls silent, the other is killed half-way
+and continues), marked without names, released, and read.
 
     /usr/bin/python3 tests/outside/desktop/assessment.py build/release/cusp
 """
 import re
+import signal
 import sys
 import time
 
@@ -68,6 +69,18 @@ def drill(program, until_s):
     program.screen.x("mouseup", 1)
 
 
+def device_fault(program):
+    """The whole program stands for a second: to its loop the device fell silent. The clock stands until somebody resumes."""
+    program.process.send_signal(signal.SIGSTOP)
+    time.sleep(1)
+    program.process.send_signal(signal.SIGCONT)
+    program.find("label", re.compile("^The device (answered too late|went quiet)"))
+    stood = clock_s(program)
+    time.sleep(2.5)
+    desk.check(clock_s(program) == stood, f"the clock ran on from {stood} to {clock_s(program)} s while the device was silent")
+    program.press("Resume")
+
+
 def hand_in(program):
     program.press("Finish")
     question = program.find("alert")
@@ -79,6 +92,8 @@ def hand_in(program):
 def sit(program, take):
     begin(program, *school.STUDENT[1:], take)
     drill(program, SECOND_S)
+    device_fault(program)
+    drill(program, SECOND_S + 2)
     take(program, "assessment-drilling")
     hand_in(program)
     take(program, "assessment-handed-in")
