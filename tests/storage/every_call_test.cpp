@@ -3,10 +3,10 @@
 /// of the first 500.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <set>
 
+#include "tests/full_run.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
@@ -225,7 +225,7 @@ class EveryCall : public ::testing::Test {
   }
 
   void all_faults(const std::vector<Operation>& operations) {
-    const bool full = std::getenv("CUSP_FULL") != nullptr;
+    const bool full = full_run();
     before = content_of(open(folder / "start.db")->database());
     for (const Operation& operation : operations) {
       SCOPED_TRACE(operation.name);

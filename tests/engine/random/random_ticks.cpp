@@ -18,6 +18,7 @@
 #include "engine_sources.h"
 #include "tests/engine/random/random_shards.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/full_run.h"
 #include "tests/random.h"
 
 namespace cusp::test {
@@ -233,7 +234,7 @@ void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int
 class RandomTicks : public testing::TestWithParam<Method> {};
 
 TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
-  const bool full = std::getenv("CUSP_FULL") != nullptr;
+  const bool full = full_run();
   const char* one = std::getenv("CUSP_RANDOM_SEED");
   const char* shard = std::getenv("CUSP_RANDOM_SHARD");
   const char* folder = std::getenv("CUSP_RANDOM_DONE");

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -18,6 +17,7 @@
 #include "scenarios/library/library.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/specimens/specimens.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -25,7 +25,6 @@ namespace {
 
 using nlohmann::json;
 
-bool full() { return std::getenv("CUSP_FULL") != nullptr; }
 
 /// A specimen with what the checks know of it. Teeth are measured in voxels of 0.4 mm at least: what is asked of them here
 /// does not hang on the fineness.
@@ -124,7 +123,7 @@ TEST(Mutations, EveryNumberOfEveryExerciseIsRefusedOrHarmlessWhateverItBecomes) 
     places_of(document, "", Nodes::numbers, places);
     for (const std::string& place : places)
       for (const char* bare : kBareNumbers) {
-        if (!full() && n++ % 61 != 0) continue;
+        if (!full_run() && n++ % 61 != 0) continue;
         outcomes.take(with_text(document, place, bare), std::string(key) + place + " = " + bare);
       }
   }
@@ -203,7 +202,7 @@ class Mutator {
 TEST(Mutations, TwoThousandBrokenScenariosAreRefusedOrHarmless) {
   Outcomes outcomes;
   const auto keys = builtin_scenarios();
-  const std::uint64_t count = full() ? 2000 : 100;
+  const std::uint64_t count = full_run() ? 2000 : 100;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     Mutator mutator(seed);
     const std::string_view key = keys[seed % keys.size()];

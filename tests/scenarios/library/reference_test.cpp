@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
 #include "scenarios/grading/grader.h"
 #include "scenarios/library/library.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/operators/fast_cut.h"
 #include "scenarios/specimens/specimens.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -17,7 +17,7 @@ namespace {
 
 /// One of each class and a disc; with CUSP_FULL set all exercises (four minutes).
 std::vector<std::string> exercises() {
-  if (std::getenv("CUSP_FULL") == nullptr) return {"class-1-25", "class-2-46-mo", "circle-3"};
+  if (!full_run()) return {"class-1-25", "class-2-46-mo", "circle-3"};
   std::vector<std::string> out;
   for (const std::string_view key : builtin_scenarios()) out.emplace_back(key);
   return out;

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "engine/volume/cell_field.h"
@@ -15,6 +14,7 @@
 #include "scenarios/shapes/distance.h"
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"
 
@@ -49,7 +49,6 @@ Scenario class_one_on(int fdi) {
   return s;
 }
 
-bool full() { return std::getenv("CUSP_FULL") != nullptr; }
 
 /// Two teeth and three blocks, in coarse voxels.
 const std::vector<Exercise>& exercises() {
@@ -209,7 +208,7 @@ TEST(Evidence, OfWhatIsLeftLiesOnItsSurfaceThoughNobodyHasBeenThere) {
     SCOPED_TRACE(e.name);
     const Reference reference(e.scenario, e.specimen);
     for (const double share : {0.0, 0.2, 0.4}) {
-      if (!e.tooth() && share != 0.2 && !full()) continue;
+      if (!e.tooth() && share != 0.2 && !full_run()) continue;
       ++measured;
       const Final end = swept(e, "expert", operator_by_name("expert", e.scenario, *e.specimen, 1).value(), share);
       for (const Measure& m : measure(reference, end.volume, end.process))
@@ -228,10 +227,10 @@ TEST(Evidence, LiesOnTheSurfaceThatItsMeasureNames) {
       const char* const name = kOperators[h];
       // Of a floor most is seen where it was cut too deep.
       const bool drills = e.tooth() || h % 3 == i % 3 || std::string_view(name) == "too_deep";
-      if (!drills && !full()) continue;
+      if (!drills && !full_run()) continue;
       SCOPED_TRACE(e.name + " by " + name);
       ScriptedOperator scripted = operator_by_name(name, e.scenario, *e.specimen, 1).value();
-      const Final end = full() ? drilled(e, std::move(scripted)) : swept(e, name, scripted, 1.0);
+      const Final end = full_run() ? drilled(e, std::move(scripted)) : swept(e, name, scripted, 1.0);
       for (const Measure& m : measure(reference, end.volume, end.process)) {
         if (m.where_mm && m.unit != "N" && m.unit != "K") check_place(reference, end.volume, m, counts);
       }

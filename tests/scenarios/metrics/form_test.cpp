@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -20,6 +19,7 @@
 #include "scenarios/shapes/distance.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 #include "tests/scenarios/metrics/box_exercise.h"
 
@@ -183,7 +183,7 @@ void print_rows(double voxel_mm, const std::map<std::string, Row>& rows) {
 }
 
 TEST(Form, IsWithinItsUncertaintyOnKnownPreparations) {
-  const bool full = std::getenv("CUSP_FULL") != nullptr;
+  const bool full = full_run();
   const int cases = full ? 60 : 6;
   constexpr std::uint64_t kSeed = 22;
   for (const double voxel_mm : full ? std::vector<double>{0.05, 0.078, 0.1} : std::vector<double>{0.1}) {

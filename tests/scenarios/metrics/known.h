@@ -16,11 +16,11 @@
 #include "engine/volume/volume.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/metrics/measure.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
 
-inline bool full_run() { return std::getenv("CUSP_FULL") != nullptr; }
 inline std::vector<double> known_voxels() { return full_run() ? std::vector<double>{0.05, 0.078, 0.1} : std::vector<double>{0.1}; }
 
 /// All cases of one measurement at one voxel.

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
 #include "scenarios/library/library.h"
 #include "scenarios/specimens/specimens.h"
+#include "tests/full_run.h"
 #include "tests/scenarios/operators/fault_matrix.h"
 
 namespace cusp::test {
@@ -85,7 +85,7 @@ TEST(SingleFaults, FindTheRimOfALesionThatIsLeft) {
 
 // One of each class; fault_matrix.py covers all exercises.
 TEST(FaultMatrix, FindsEachFaultByItsOwnCriteria) {
-  if (std::getenv("CUSP_FULL") == nullptr) GTEST_SKIP() << "seven minutes; ./check --full sets CUSP_FULL";
+  if (!full_run()) GTEST_SKIP() << "seven minutes; ./check --full sets CUSP_FULL";
   for (const char* key : {"channel-1", "class-1-36-wet", "class-1-25", "class-2-46-mo"}) {
     const FaultMatrix matrix = matrix_of(*load_builtin(key));
     for (const SingleFaultRow& fault : single_faults())

@@ -8,6 +8,7 @@
 #include "scenarios/operators/fast_cut.h"
 #include "scenarios/operators/faults.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"
 #include "tests/scenarios/regions.h"
@@ -85,21 +86,25 @@ struct Shape {
 
 /// The share that is removed: measured, rounded down. A sharp inner edge keeps the bur's fillet, an overhang what lies
 /// behind it.
+/// Four of different kinds; the other four in a full run.
 std::vector<Shape> shapes() {
   Outline opens = slot(1.4, 1.8, 0.3);
   opens.taper_deg = {8, 8, 8, 8};
   Outline retentive = slot(1.4, 1.8, 0.3);
   retentive.taper_deg = {-6, -6, -6, -6};
-  return {{"class II", class_two(), 98.0},
-          {"walls that open", region_of(opens), 98.5},
+  std::vector<Shape> all = {
+          {"class II", class_two(), 98.0},
           {"walls that close", region_of(retentive), 98.0},
-          {"bowl", sphere({0, 0, 0}, 1.6), 99.0},
-          {"cone", along(RegionKind::cone, {0, 0, -2}, {0, 0, 0.5}, 0.8, 1.6), 98.5},
           {"slanted capsule, partly under tissue", along(RegionKind::capsule, {-2, 0, 0}, {2, 0, -0.6}, 0.8), 95.0},
           {"ring with sharp edges", node(RegionKind::difference, {along(RegionKind::cylinder, {0, 0, -1.5}, {0, 0, 1}, 2.4),
                                                                   along(RegionKind::cylinder, {0, 0, -3}, {0, 0, 2}, 1.2)}), 97.0},
+          {"walls that open", region_of(opens), 98.5},
+          {"bowl", sphere({0, 0, 0}, 1.6), 99.0},
+          {"cone", along(RegionKind::cone, {0, 0, -2}, {0, 0, 0.5}, 0.8, 1.6), 98.5},
           {"two parts with sharp edges", node(RegionKind::joined, {along(RegionKind::cylinder, {-2.5, 0, -1.5}, {-2.5, 0, 1}, 0.9),
                                                                    along(RegionKind::cylinder, {2.5, 1, -2.5}, {2.5, 1, 1}, 0.9)}), 96.0}};
+  if (!full_run()) all.resize(4);
+  return all;
 }
 
 TEST(RegionPlan, RemovesTargetsOfAnyShapeAndNothingElse) {
@@ -112,7 +117,8 @@ TEST(RegionPlan, RemovesTargetsOfAnyShapeAndNothingElse) {
 }
 
 TEST(RegionPlan, RemovesThemWithEachKindOfHead) {
-  for (const char* number : {"2", "245", "556", "1156"}) {
+  const std::vector<const char*> burs = full_run() ? std::vector{"2", "245", "556", "1156"} : std::vector{"2", "556"};
+  for (const char* number : burs) {
     const Cut result = cut(exercise(class_two(), {bur(number)}));
     EXPECT_GT(result.of("target_removed"), 95.0) << number;  // measured: 95.9 (ball: rounder than the target's edges) to 99.1
     EXPECT_LT(result.over_cut(), 0.1) << number;
@@ -140,10 +146,11 @@ TEST(RegionPlan, MakesTheErrorsThatItIsAskedFor) {
   EXPECT_NEAR(right.of("depth_mean"), 2.0, 0.02);
   EXPECT_EQ(right.of("pulp_exposure"), 0.0);
   EXPECT_NEAR(cut(s, "too_deep").of("depth_mean"), 2.8, 0.02);
-  EXPECT_NEAR(cut(s, "too_shallow").of("target_removed"), 72, 5);
   EXPECT_NEAR(cut(s, "competent").of("depth_mean"), 2.12, 0.02);  // 0.6 of a zone of 0.2 mm
-  EXPECT_GT(cut(s, "off_outline").of("overcut_beyond_side"), 2.0);
   EXPECT_EQ(cut(s, "pulp").of("pulp_exposure"), 1.0);
+  if (!full_run()) return;
+  EXPECT_NEAR(cut(s, "too_shallow").of("target_removed"), 72, 5);
+  EXPECT_GT(cut(s, "off_outline").of("overcut_beyond_side"), 2.0);
   EXPECT_GT(cut(s, "novice").of("overcut_beyond_floor"), 2.0);
 }
 

@@ -2,11 +2,11 @@
 #include <QTest>
 #include <QTreeWidget>
 #include <array>
-#include <cstdlib>
 #include <random>
 
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
+#include "tests/full_run.h"
 #include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/looks.h"
@@ -163,7 +163,7 @@ void edit_at_random(EditorModel& model, std::mt19937& random) {
 
 /// 400 edits; with CUSP_FULL=1 10,000.
 TEST_F(ComposedTarget, after_random_edits_every_state_opens_equal_and_undo_restores_each) {
-  const int edits = std::getenv("CUSP_FULL") != nullptr ? 10'000 : 400;
+  const int edits = full_run() ? 10'000 : 400;
   EditorStart start;
   start.draft = *load_builtin("class-2-46-mo");
   EditorModel model(start);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <numbers>
 #include <random>
@@ -15,6 +14,7 @@
 #include "engine/step/step.h"
 #include "scenarios/library/library.h"
 #include "scenarios/metrics/measure.h"
+#include "tests/full_run.h"
 #include "tests/modules.h"
 #include "ui/session/scene_builder.h"
 
@@ -31,7 +31,6 @@ constexpr double kPushN = 0.8;
 constexpr double kHandS = 90;        // of one hand
 constexpr double kReactionS = 0.3;  // from a shown depth to the finger [M]
 
-bool full_run() { return std::getenv("CUSP_FULL") != nullptr; }
 
 /// The tooth, once for all hands.
 struct Bench {
