@@ -132,6 +132,7 @@ void Desktop::show_cover() {
 void Desktop::sign_in(const Account& account) {
   account_ = account;
   show_shell(entries().first().key);
+  open_waiting_file();
 }
 
 void Desktop::sign_out() {

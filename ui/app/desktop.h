@@ -57,6 +57,10 @@ class Desktop : public QMainWindow {
   /// for reading: then there are results and reports, and neither drilling nor the library.
   void start();
 
+  /// An exercise file that the library opens as soon as somebody with the right signs in; others read who may open it.
+  /// The path is absolute. Before start().
+  void open_after_sign_in(const QString& file) { waiting_file_ = file; }
+
   void sign_in(const Account& account);
   void sign_out();
   const std::optional<Account>& account() const { return account_; }
@@ -115,6 +119,7 @@ class Desktop : public QMainWindow {
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
   void add_marking(ReportPage& report, const std::shared_ptr<const SessionResult>& result);
   void show_assignment(AssignmentId assignment);
+  void open_waiting_file();
   void show_handed_in(const SessionId& session);
   void show_failure(const Message& message);
   void quick_open();
@@ -133,6 +138,7 @@ class Desktop : public QMainWindow {
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;
   hid::HidStation* hid_ = nullptr;
+  QString waiting_file_;  // empty: none
   QTimer backup_timer_;
   BackgroundTask backup_;
   std::optional<Message> backup_failure_;  // of the last daily backup
