@@ -193,7 +193,8 @@ TEST_F(DesktopTest, on_a_full_disk_results_are_read_and_nothing_is_drilled) {
   EXPECT_EQ(pages(), QStringList({QStringLiteral("results"), QStringLiteral("device"), QStringLiteral("help")}));
   EXPECT_TRUE(bands_of(*desktop->shell()).join(u' ').contains(QStringLiteral("The disk is full.")));
   desktop->sign_in(records.administrator());
-  EXPECT_EQ(pages(), QStringList({QStringLiteral("people"), QStringLiteral("performance"), QStringLiteral("device"), QStringLiteral("help")}));
+  EXPECT_EQ(pages(), QStringList({QStringLiteral("people"), QStringLiteral("performance"), QStringLiteral("audit"), QStringLiteral("device"),
+                                  QStringLiteral("help")}));
   desktop->sign_out();
   full = false;
   Q_EMIT qobject_cast<SignIn*>(desktop->page())->try_again();
