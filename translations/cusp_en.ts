@@ -245,6 +245,30 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::LogPage</name>
+    <message numerus="yes">
+        <source>Last %n day(s)</source>
+        <translation>
+            <numerusform>Last day</numerusform>
+            <numerusform>Last %n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The log is whole: %n entry(ies) hold.</source>
+        <translation>
+            <numerusform>The log is whole: %n entry holds.</numerusform>
+            <numerusform>The log is whole: %n entries hold.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(ies) exported.</source>
+        <translation>
+            <numerusform>%n entry exported.</numerusform>
+            <numerusform>%n entries exported.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::MeshForm</name>
     <message numerus="yes">
         <source>%n gap(s), the widest of %1 at %2</source>
@@ -405,6 +429,27 @@
         <translation>
             <numerusform>%1: %2 point lost</numerusform>
             <numerusform>%1: %2 points lost</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Sign-in failed, %n wrong time(s) in a row</source>
+        <translation>
+            <numerusform>Sign-in failed, wrong once</numerusform>
+            <numerusform>Sign-in failed, wrong %n times in a row</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Records backed up, %n session(s)</source>
+        <translation>
+            <numerusform>Records backed up, %n session</numerusform>
+            <numerusform>Records backed up, %n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Audit log exported, %n entry(ies)</source>
+        <translation>
+            <numerusform>Audit log exported, %n entry</numerusform>
+            <numerusform>Audit log exported, %n entries</numerusform>
         </translation>
     </message>
 </context>

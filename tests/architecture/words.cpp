@@ -147,7 +147,7 @@ bool is_prose(const fs::path& path) {
 TEST(Words, AreThoseOfTheField) {
   const fs::path root = CUSP_SOURCE_DIR;
   std::vector<fs::path> files = {root / "README.md", root / "CMakeLists.txt"};
-  for (const char* folder : {"engine", "device", "scenarios", "storage", "ui", "tests", "translations"}) {
+  for (const char* folder : {"engine", "device", "scenarios", "storage", "ui", "tests", "translations", "package"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (entry.is_regular_file() && is_prose(entry.path())) files.push_back(entry.path());
     }

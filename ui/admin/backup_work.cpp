@@ -5,9 +5,10 @@
 namespace cusp::ui {
 namespace {
 
-Stored<std::unique_ptr<Store>> open_beside(const std::filesystem::path& database) {
+Stored<std::unique_ptr<Store>> open_beside(const std::filesystem::path& database,
+                                           DatabaseOptions::Access access = DatabaseOptions::Access::existing) {
   StoreOptions options;
-  options.database.access = DatabaseOptions::Access::existing;
+  options.database.access = access;
   options.mark_interrupted = false;
   return Store::open(database, options);
 }
@@ -35,6 +36,15 @@ BackgroundTask verify_records(std::filesystem::path database, std::function<void
   return BackgroundTask([database = std::move(database), then = std::move(then)] {
     const auto store = open_beside(database);
     then(store ? verify_store((*store)->context()) : Stored<StoreVerification>(std::unexpected(store.error())));
+  });
+}
+
+BackgroundTask verify_log(std::filesystem::path database, const Actor& actor, std::shared_ptr<LogProgress> progress,
+                          std::function<void(Stored<Verification>)> then) {
+  return BackgroundTask([database = std::move(database), actor, progress = std::move(progress), then = std::move(then)] {
+    const auto store = open_beside(database, DatabaseOptions::Access::read_only);
+    if (!store) return then(std::unexpected(store.error()));
+    then((*store)->audit.verify(actor, [&progress](std::int64_t number) { progress->holding = number + 1; }));
   });
 }
 

@@ -1,9 +1,11 @@
-/// Backups of a station's records, made on a thread of their own with a store of their own.
+/// Backups of a station's records and their verification, on a thread of their own with a store of their own.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "storage/backup/backup.h"
@@ -22,6 +24,15 @@ BackgroundTask back_up(std::filesystem::path database, std::filesystem::path int
                        std::function<void(Stored<Backup>)> then);
 /// verify_store(); `then` is called on the task's thread.
 BackgroundTask verify_records(std::filesystem::path database, std::function<void(Stored<StoreVerification>)> then);
+
+/// How far a verification of the audit log has come. Written by the task, read by the window.
+struct LogProgress {
+  std::atomic<std::int64_t> holding{0};  // entries, from the first one on
+};
+/// AuditLog::verify() over a store that only reads; `then` is called on the task's thread. Whoever drops the task continues at
+/// once, and ignores the answer.
+BackgroundTask verify_log(std::filesystem::path database, const Actor& actor, std::shared_ptr<LogProgress> progress,
+                          std::function<void(Stored<Verification>)> then);
 
 /// Whether the station's newest backup in the folder is older than a day, or none is there.
 bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us);

@@ -21,6 +21,7 @@
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
+#include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -44,14 +45,6 @@ class Sorted : public QSortFilterProxyModel {
     setSortCaseSensitivity(Qt::CaseInsensitive);
   }
 };
-
-QComboBox* make_choice(const QString& name) {
-  auto* box = new QComboBox;
-  box->setAccessibleName(name);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  box->setMinimumWidth(px(110));
-  return box;
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "device/hid/hid_station.h"
+#include "ui/admin/log_page.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
 #include "ui/admin/station_page.h"
@@ -132,6 +133,7 @@ void Desktop::show_cover() {
 void Desktop::sign_in(const Account& account) {
   account_ = account;
   show_shell(entries().first().key);
+  open_waiting_file();
 }
 
 void Desktop::sign_out() {
@@ -139,7 +141,7 @@ void Desktop::sign_out() {
   show_sign_in(new SignIn(*store_));
 }
 
-/// People, cohorts, and everybody's results.
+/// People, cohorts, everybody's results, and what the station keeps.
 void Desktop::add_school_entries(QVector<NavEntry>& list) {
   const Role role = account_->role;
   if (may(role, Action::manage_accounts)) {
@@ -169,6 +171,9 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   if (!reading_only_ && may(role, Action::manage_station)) {
     list += {u"station"_qs, tr("Station"), u"save"_qs,
              [this]() -> QWidget* { return new StationPage(*store_, account_->actor(), settings_, ports_); }};
+  }
+  if (may(role, Action::see_audit_log)) {
+    list += {u"audit"_qs, tr("Audit log"), u"shield"_qs, [this]() -> QWidget* { return new LogPage(*store_, account_->actor(), ports_); }};
   }
 }
 

@@ -58,6 +58,10 @@ class Desktop : public QMainWindow {
   /// for reading: then there are results and reports, and neither drilling nor the library.
   void start();
 
+  /// An exercise file that the library opens as soon as somebody with the right signs in; others read who may open it.
+  /// The path is absolute. Before start().
+  void open_after_sign_in(const QString& file) { waiting_file_ = file; }
+
   void sign_in(const Account& account);
   void sign_out();
   const std::optional<Account>& account() const { return account_; }
@@ -122,6 +126,7 @@ class Desktop : public QMainWindow {
   void write_pack(ReportPage& report, const QString& path);
   void show_pack(const std::shared_ptr<const OpenedPack>& pack);
   void show_assignment(AssignmentId assignment);
+  void open_waiting_file();
   void show_handed_in(const SessionId& session);
   void show_failure(const Message& message);
   void quick_open();
@@ -140,6 +145,7 @@ class Desktop : public QMainWindow {
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;
   hid::HidStation* hid_ = nullptr;
+  QString waiting_file_;  // empty: none
   QTimer backup_timer_;
   BackgroundTask backup_, packing_;
   std::optional<Message> backup_failure_;  // of the last daily backup

@@ -1,6 +1,8 @@
-// The desktop's ways into editor and imports, and from the editor to a try-out and back with everything as it was.
+// The desktop's ways into editor, exercise files and imports, and from the editor to a try-out and back with everything as it was.
 
+#include <QFileInfo>
 #include <QPointer>
+#include <utility>
 
 #include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
@@ -8,6 +10,8 @@
 #include "ui/drill/drill_screen.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
+#include "ui/instructor/library_page.h"
+#include "ui/modules.h"
 
 namespace cusp::ui {
 
@@ -20,6 +24,22 @@ void Desktop::edit(const EditorStart& start) {
     edit(copy);
   });
   push(editor);
+}
+
+void Desktop::open_waiting_file() {
+  if (waiting_file_.isEmpty()) return;
+  const QString what = tr("%1 is not open.").arg(QFileInfo(waiting_file_).fileName());
+  if (!may(account_->role, Action::edit_scenarios)) {
+    show_failure({what, tr("Instructors open exercise files. Sign out, and sign in as an instructor: the file then opens.")});
+    return;
+  }
+  if (reading_only_) {
+    show_failure({what, tr("The records can only be read now, so nothing can be added to the library.")});
+    return;
+  }
+  shell_->show_page(u"library"_qs);
+  const QString file = std::exchange(waiting_file_, {});
+  if (auto* library = qobject_cast<LibraryPage*>(shell_->page())) library->open_file(file);
 }
 
 void Desktop::import_specimen() {

@@ -1,7 +1,8 @@
-// `cusp` opens the desktop; `cusp VERB …` does the same work without a window.
+// `cusp` opens the desktop, `cusp NAME.cusp` with that exercise file; `cusp VERB …` does the same work without a window.
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFileInfo>
 
 #include "device/hid/hid_station.h"
 #include "device/hid/transport_hidapi.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   QCommandLineParser line;
   const QCommandLineOption database(QStringLiteral("db"), QStringLiteral("Database file."), QStringLiteral("FILE"));
   line.addOption(database);
+  line.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Exercise file."), QStringLiteral("[FILE]"));
   line.process(app);
 
   cusp::ui::Settings settings;
@@ -33,6 +35,9 @@ int main(int argc, char** argv) {
   hid.start();
   cusp::ui::Desktop desktop(settings, cusp::ui::Ports::of_the_system(), cusp::ui::database_path(line.value(database)));
   desktop.use_hid(hid);
+  if (const QStringList files = line.positionalArguments(); !files.isEmpty()) {
+    desktop.open_after_sign_in(QFileInfo(files.first()).absoluteFilePath());
+  }
   desktop.start();
   desktop.show();
   return QApplication::exec();

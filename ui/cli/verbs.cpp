@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "scenarios/import/worker.h"
+#include "scenarios/library/exercise_file.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
@@ -60,7 +61,7 @@ bool is_verb(int argc, char** argv) {
   if (argc < 2) return false;
   const std::string_view first = argv[1];
   return std::ranges::find(kVerbs, first) != kVerbs.end() || first == "--help" || first == "-h" || first == "--version" ||
-         (!first.empty() && first.front() != '-');
+         (!first.empty() && first.front() != '-' && !first.ends_with(kExerciseFileSuffix));
 }
 
 int run_verb(int argc, char** argv) {

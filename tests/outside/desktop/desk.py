@@ -158,7 +158,7 @@ def fits(wish, text):
 class Program:
     """The desktop, running on a screen."""
 
-    def __init__(self, binary, screen, folder, database, **environment):
+    def __init__(self, binary, screen, folder, database, *arguments, **environment):
         self.binary, self.screen, self.folder, self.database = binary, screen, folder, database
         env = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1",
                    LIBGL_ALWAYS_SOFTWARE="1", LC_ALL="C.UTF-8", LANGUAGE="en", HOME=folder)
@@ -170,7 +170,7 @@ class Program:
         self.log = open(os.path.join(folder, "program.log"), "a")
         # Now and then the accessibility bus misses a program that starts (seen once): started again.
         for attempt in range(3):
-            self.process = subprocess.Popen([binary, "--db", database], env=env, stdout=self.log, stderr=self.log,
+            self.process = subprocess.Popen([binary, "--db", database, *arguments], env=env, stdout=self.log, stderr=self.log,
                                             stdin=subprocess.DEVNULL)
             try:
                 self.root = until("the program's window", self._find_root, 20 if attempt < 2 else None)
@@ -325,8 +325,8 @@ class Desk:
         self.screen = Screen(self.folder, width, height)
         self.program = None
 
-    def start(self, **environment):
-        self.program = Program(self.binary, self.screen, self.folder, self.database, **environment)
+    def start(self, *arguments, **environment):
+        self.program = Program(self.binary, self.screen, self.folder, self.database, *arguments, **environment)
         return self.program
 
     def __enter__(self):

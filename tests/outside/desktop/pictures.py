@@ -3,6 +3,7 @@
     /usr/bin/python3 tests/outside/desktop/pictures.py build/release/cusp FOLDER [light|dark] [percent of size]
 """
 import os
+import re
 import sys
 import time
 
@@ -92,11 +93,23 @@ def of_instructor(album, program):
     school.sign_out(program)
 
 
+def of_audit_log(album, program):
+    school.page(program, "Audit log")
+    program.press("Verify now")
+    program.find("label", re.compile("The log is whole"))
+    album.take(program, "audit-log")
+    # Nobody of this school assigns anything before this page.
+    program.find("combo box", "All kinds").choose("Cohorts and assignments")
+    program.find("label", "No entry fits")
+    album.take(program, "audit-log-empty")
+
+
 def of_administrator(album, program):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
     for page in ("People", "Performance", "Station"):
         school.page(program, page)
         album.take(program, page.lower())
+    of_audit_log(album, program)
     school.page(program, "People")
     program.press("Import a list")
     album.take(program, "import-people")

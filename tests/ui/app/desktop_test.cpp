@@ -12,7 +12,10 @@
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "scenarios/library/exercise_file.h"
+#include "scenarios/library/library.h"
 #include "ui/app/desktop.h"
+#include "ui/editor/editor_page.h"
 #include "ui/text/language.h"
 #include "ui/app/shell.h"
 #include "ui/signin/sign_in.h"
@@ -190,13 +193,45 @@ TEST_F(DesktopTest, on_a_full_disk_results_are_read_and_nothing_is_drilled) {
   EXPECT_EQ(pages(), QStringList({QStringLiteral("results"), QStringLiteral("device"), QStringLiteral("help")}));
   EXPECT_TRUE(bands_of(*desktop->shell()).join(u' ').contains(QStringLiteral("The disk is full.")));
   desktop->sign_in(records.administrator());
-  EXPECT_EQ(pages(), QStringList({QStringLiteral("people"), QStringLiteral("performance"), QStringLiteral("device"), QStringLiteral("help")}));
+  EXPECT_EQ(pages(), QStringList({QStringLiteral("people"), QStringLiteral("performance"), QStringLiteral("audit"), QStringLiteral("device"),
+                                  QStringLiteral("help")}));
   desktop->sign_out();
   full = false;
   Q_EMIT qobject_cast<SignIn*>(desktop->page())->try_again();
   EXPECT_TRUE(bands_of(*desktop->page()).isEmpty());
   desktop->sign_in(lena);
   EXPECT_EQ(pages().first(), QStringLiteral("start"));
+}
+
+TEST_F(DesktopTest, a_waiting_exercise_file_opens_for_an_instructor_and_names_who_may_open_it_to_others) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const Account mara = *records.store().accounts.create(records.administrator().actor(),
+                                                        {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  Scenario sent = *load_builtin("channel-1");
+  sent.id = ScenarioId{Uuid::v7()};
+  const QString file = folder.filePath(QStringLiteral("shallow.cusp"));
+  ASSERT_TRUE(write_exercise_file({sent, {}}, file.toStdString()));
+  desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file());
+  desktop->open_after_sign_in(file);
+  desktop->start();
+  desktop->show();
+  for (const Account& who : {lena, records.administrator()}) {
+    desktop->sign_in(who);
+    QString all;
+    for (const QLabel* label : desktop->page()->findChildren<QLabel*>()) all += label->text() + u'\n';
+    EXPECT_TRUE(all.contains(QStringLiteral("shallow.cusp is not open."))) << all.toStdString();
+    EXPECT_TRUE(all.contains(QStringLiteral("sign in as an instructor"))) << all.toStdString();
+    desktop->back();
+    EXPECT_EQ(desktop->page(), desktop->shell());
+    desktop->sign_out();
+  }
+  EXPECT_TRUE(desktop->store()->scenarios.drafts(mara.actor())->empty());
+  desktop->sign_in(mara);
+  EXPECT_NE(qobject_cast<EditorPage*>(desktop->page()), nullptr);
+  EXPECT_EQ(desktop->store()->scenarios.drafts(mara.actor())->size(), 1u);
+  desktop->sign_out();
+  desktop->sign_in(mara);
+  EXPECT_EQ(desktop->page(), desktop->shell()) << "it opens once";
 }
 
 TEST_F(DesktopTest, f6_walks_through_the_panes) {

@@ -1,0 +1,108 @@
+/// The audit log's pages, filters and verification, against a plain reading of all entries.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/storage/sample.h"
+#include "tests/storage/statements_seen.h"
+
+namespace cusp::test {
+namespace {
+
+struct AuditLogTest : ::testing::Test {
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Account admin = make_administrator(*store), student = make_student(*store);
+  void SetUp() override {
+    must(store->accounts.disable(admin.actor(), student.id));
+    must(store->accounts.enable(admin.actor(), student.id));
+    EXPECT_FALSE(store->accounts.sign_in(student.number, "not the password"));
+    for (int i = 0; i < 20; ++i, ++*now) must(store->audit.add({.actor = admin.id, .action = "backed_up", .subject = {}, .detail = "0"}));
+  }
+  std::vector<AuditEntry> all() { return must(store->audit.list(admin.actor(), 1000)); }
+  std::vector<std::int64_t> numbers(const AuditFilter& filter, int limit = 1000) {
+    std::vector<std::int64_t> out;
+    while (true) {
+      const auto page = must(store->audit.list(admin.actor(), limit, out.empty() ? INT64_MAX : out.back(), filter));
+      EXPECT_LE(page.size(), static_cast<std::size_t>(limit));
+      for (const AuditEntry& entry : page) out.push_back(entry.number);
+      if (page.empty()) return out;
+    }
+  }
+  template <class Fits>
+  std::vector<std::int64_t> fitting(Fits fits) {
+    std::vector<std::int64_t> out;
+    for (const AuditEntry& entry : all())
+      if (fits(entry)) out.push_back(entry.number);
+    return out;
+  }
+};
+
+TEST_F(AuditLogTest, PagesHoldEachEntryOnceNewestFirst) {
+  const auto whole = fitting([](const AuditEntry&) { return true; });
+  ASSERT_GT(whole.size(), 25u);
+  EXPECT_TRUE(std::ranges::is_sorted(whole, std::greater()));
+  for (const int limit : {1, 3, 7, 1000}) EXPECT_EQ(numbers({}, limit), whole) << limit;
+}
+
+TEST_F(AuditLogTest, EachFilterLeavesWhatFits) {
+  const std::vector<std::string> actions = {"account_disabled", "sign_in_failed"};
+  const auto of_actions = fitting([&](const AuditEntry& e) { return std::ranges::count(actions, e.action) > 0; });
+  EXPECT_EQ(of_actions.size(), 2u);
+  EXPECT_EQ(numbers({.actions = actions}), of_actions);
+  EXPECT_TRUE(numbers({.actions = {"account"}}).empty()) << "a part of a code is no code";
+  const auto of_student = fitting([&](const AuditEntry& e) { return e.actor == student.id || e.subject == student.id.uuid; });
+  EXPECT_GE(of_student.size(), 4u);
+  EXPECT_EQ(numbers({.person = student.id}, 2), of_student);
+  const auto of_program = fitting([](const AuditEntry& e) { return e.actor == UserId{} || e.subject == Uuid{}; });
+  EXPECT_EQ(numbers({.person = UserId{}}), of_program);
+  const auto entries = all();
+  const std::int64_t from = entries[entries.size() / 2].at_utc_us, to = entries[2].at_utc_us;
+  EXPECT_EQ(numbers({.from_utc_us = from, .to_utc_us = to}),
+            fitting([&](const AuditEntry& e) { return e.at_utc_us >= from && e.at_utc_us < to; }));
+}
+
+TEST_F(AuditLogTest, APageIsReadAlongItsKeyWithoutSorting) {
+  const StatementsSeen seen;
+  const auto again = open(folder / "b.db");
+  const Account other = make_administrator(*again);
+  must(again->audit.list(other.actor(), 10, 5, {.actions = {"signed_in"}, .person = other.id}));
+  bool found = false;
+  for (const std::string& sql : StatementsSeen::texts()) {
+    if (sql.find("FROM audit_log WHERE number < ?1") == std::string::npos) continue;
+    found = true;
+    std::string plan;
+    for (const std::string& line : plan_of(again->database(), sql)) plan += line + '\n';
+    EXPECT_NE(plan.find("SEARCH audit_log USING INTEGER PRIMARY KEY"), std::string::npos) << plan;
+    EXPECT_EQ(plan.find("TEMP B-TREE"), std::string::npos) << plan;
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(AuditLogTest, TheAdministratorAloneReadsAndVerifies) {
+  for (const Role role : {Role::student, Role::instructor}) {
+    const Actor other{student.id, role};
+    EXPECT_EQ(code_of(store->audit.list(other, 10)), StorageError::not_allowed);
+    EXPECT_EQ(code_of(store->audit.verify(other, [](std::int64_t) {})), StorageError::not_allowed);
+  }
+}
+
+TEST_F(AuditLogTest, VerificationCountsWhatHoldsAndNamesTheEntryThatBreaksTheChain) {
+  std::vector<std::int64_t> held;
+  const auto each = [&held](std::int64_t number) { held.push_back(number); };
+  EXPECT_TRUE(must(store->audit.verify(admin.actor(), each)).intact());
+  std::ranges::reverse(held);
+  EXPECT_EQ(held, numbers({}));
+  must(store->database().run("UPDATE audit_log SET detail = '1' WHERE number = 9"));
+  held.clear();
+  const auto proof = must(store->audit.verify(admin.actor(), each));
+  ASSERT_FALSE(proof.intact());
+  EXPECT_EQ(proof.findings.front().code, FindingCode::row_changed);
+  EXPECT_EQ(proof.findings.front().row, 9);
+  EXPECT_EQ(std::ranges::count(held, 9), 0);
+  EXPECT_EQ(held[8], 8);
+}
+
+}  // namespace
+}  // namespace cusp::test

@@ -1,0 +1,282 @@
+#include "ui/admin/log_page.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDateEdit>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QStackedWidget>
+#include <QTimer>
+
+#include "ui/text/audit_log_text.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/incident_text.h"
+#include "ui/text/names.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/choice.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kEntriesAtOnce = 200;     // a page of the table
+constexpr int kExportedAtOnce = 5'000;  // entries read at a time for the CSV
+constexpr int kLookMs = 100;            // between two looks at how far a verification is
+constexpr int kBetweenDays = -1;        // data of the period that the two dates set
+
+QDateEdit* make_day(const QString& name, const QDate& day) {
+  auto* field = new QDateEdit(day);
+  field->setCalendarPopup(true);
+  field->setDisplayFormat(u"d MMM yyyy"_qs);
+  field->setAccessibleName(name);
+  return field;
+}
+
+std::int64_t begin_us(const QDate& day) { return day.startOfDay().toMSecsSinceEpoch() * 1000; }
+
+}  // namespace
+
+LogPage::LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent)
+    : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new LogModel(this)), look_(new QTimer(this)) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setSpacing(px(12));
+  auto* head = new PageHead(tr("Audit log"));
+  verify_ = make_button(tr("Verify now"), ButtonKind::primary, u"shield"_qs);
+  QPushButton* csv = make_button(tr("Export CSV"), ButtonKind::standard, u"export"_qs, QKeySequence::Save);
+  head->buttons()->addWidget(csv);
+  head->buttons()->addWidget(verify_);
+  outer->addWidget(head);
+  outer->addWidget(make_filters());
+  band_ = new Band;
+  outer->addWidget(band_);
+  busy_ = new Busy;
+  busy_->hide();
+  outer->addWidget(busy_);
+  outer->addWidget(make_table(), 1);
+  connect(csv, &QPushButton::clicked, this, &LogPage::export_csv);
+  connect(verify_, &QPushButton::clicked, this, &LogPage::verify);
+  connect(busy_, &Busy::cancelled, this, &LogPage::cancel_verification);
+  connect(look_, &QTimer::timeout, this, &LogPage::show_progress);
+  fill_people();
+  read();
+  for (QComboBox* box : {kind_, person_, period_}) connect(box, &QComboBox::currentIndexChanged, this, &LogPage::read);
+  for (QDateEdit* day : {first_day_, last_day_}) connect(day, &QDateEdit::dateChanged, this, &LogPage::read);
+  setFocusProxy(table_);
+}
+
+QWidget* LogPage::make_filters() {
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(8));
+  kind_ = make_choice(tr("Kind"));
+  person_ = make_choice(tr("Person"));
+  period_ = make_choice(tr("Date"));
+  kind_->addItem(tr("All kinds"));
+  for (int i = 0; i < kLogKinds; ++i) kind_->addItem(log_kind_name(static_cast<LogKind>(i)), i);
+  period_->addItem(tr("All dates"));
+  for (const int days : {1, 7, 30, 365}) period_->addItem(tr("Last %n day(s)", nullptr, days), days);
+  period_->addItem(tr("Between two days"), kBetweenDays);
+  for (QComboBox* box : {kind_, person_, period_}) row->addWidget(box);
+  days_ = new QWidget;
+  auto* days = new QHBoxLayout(days_);
+  days->setContentsMargins(0, 0, 0, 0);
+  days->setSpacing(px(8));
+  const QDate today = ports_.now().date();
+  first_day_ = make_day(tr("First day"), today.addDays(-30));
+  last_day_ = make_day(tr("Last day"), today);
+  days->addWidget(first_day_);
+  days->addWidget(make_label(u"–"_qs));
+  days->addWidget(last_day_);
+  row->addWidget(days_);
+  row->addStretch();
+  return bar;
+}
+
+QWidget* LogPage::make_table() {
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  table_ = new Table;
+  table_->setAccessibleName(tr("Entries of the audit log"));
+  table_->setModel(model_);
+  table_->set_stretch_column(LogModel::kWhat);
+  below_ = new QStackedWidget;
+  below_->addWidget(table_);
+  auto* none = new EmptyState(u"list"_qs, tr("No entry fits"), tr("The log has no entry of this kind, person and date."), tr("Show all entries"));
+  connect(none, &EmptyState::acted, this, &LogPage::show_all);
+  below_->addWidget(none);
+  card->body()->addWidget(below_);
+  return card;
+}
+
+/// The people of the filter, and the names of what entries concern.
+void LogPage::fill_people() {
+  person_->addItem(tr("All people"));
+  person_->addItem(u"Cusp"_qs, QString::fromStdString(UserId{}.text()));
+  const auto people = store_.accounts.list(actor_);
+  if (!people) return show_failure(people.error());
+  for (const Account& account : *people) {
+    const QString name = QString::fromStdString(account.name);
+    names_[account.id.uuid] = name;
+    person_->addItem(name, QString::fromStdString(account.id.text()));
+  }
+  if (const auto cohorts = store_.cohorts.list()) {
+    for (const Cohort& cohort : *cohorts) names_[cohort.id.uuid] = QString::fromStdString(cohort.name);
+  }
+  names_[store_.context().station] = tr("this station");
+  model_->set_names(names_);
+}
+
+QString LogPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+bool LogPage::shows_none() const { return below_->currentIndex() == 1; }
+
+AuditFilter LogPage::filter() const {
+  AuditFilter out;
+  if (const QVariant kind = kind_->currentData(); kind.isValid()) out.actions = actions_of(static_cast<LogKind>(kind.toInt()));
+  if (const QString id = person_->currentData().toString(); !id.isEmpty()) out.person = UserId::parse(id.toStdString());
+  const QVariant days = period_->currentData();
+  if (!days.isValid()) return out;
+  if (days.toInt() == kBetweenDays) {
+    out.from_utc_us = begin_us(first_day_->date());
+    out.to_utc_us = begin_us(last_day_->date().addDays(1));
+  } else {
+    out.from_utc_us = ports_.now().addDays(-days.toInt()).toMSecsSinceEpoch() * 1000;
+  }
+  return out;
+}
+
+std::optional<std::vector<AuditEntry>> LogPage::page(const AuditFilter& filter, int limit, std::int64_t before_number) {
+  auto entries = store_.audit.list(actor_, limit, before_number, filter);
+  if (entries) return std::move(*entries);
+  show_failure(entries.error());
+  return std::nullopt;
+}
+
+void LogPage::read() {
+  days_->setVisible(period_->currentData() == kBetweenDays);
+  model_->begin([this, shown = filter()](std::int64_t before_number) { return page(shown, kEntriesAtOnce, before_number); });
+  below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
+  for (const int column : {LogModel::kNumber, LogModel::kWhen, LogModel::kWho, LogModel::kAbout}) table_->resizeColumnToContents(column);
+  table_->setColumnWidth(LogModel::kProof, px(140));
+  table_->choose_row(0);
+}
+
+void LogPage::show_all() {
+  for (QComboBox* box : {kind_, person_, period_}) box->setCurrentIndex(0);
+}
+
+void LogPage::verify() {
+  if (verifying()) return;
+  const auto newest = page({}, 1, INT64_MAX);
+  if (!newest) return;
+  entries_ = newest->empty() ? 0 : newest->front().number + 1;
+  progress_ = std::make_shared<LogProgress>();
+  verify_->setEnabled(false);
+  band_->clear();
+  busy_->start(tr("Verifying the audit log"), Busy::Cancel::offered);
+  look_->start(kLookMs);
+  task_ = verify_log(store_.database().file(), actor_, progress_, [self = QPointer(this), asked = progress_](Stored<Verification> proof) {
+    auto shared = std::make_shared<Stored<Verification>>(std::move(proof));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, asked, shared] {
+          if (self && self->progress_ == asked) self->show_verified(*shared);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void LogPage::show_progress() {
+  if (!verifying() || entries_ == 0) return;
+  const std::int64_t holding = progress_->holding;
+  busy_->set_progress(static_cast<double>(holding) / static_cast<double>(entries_),
+                      tr("%1 of %2 entries").arg(QLocale().toString(static_cast<qlonglong>(holding)), QLocale().toString(static_cast<qlonglong>(entries_))));
+}
+
+void LogPage::cancel_verification() {
+  progress_.reset();
+  task_ = BackgroundTask();
+  look_->stop();
+  busy_->finish();
+  verify_->setEnabled(true);
+}
+
+/// "It says: Lena Brandt, Account disabled."; empty if the entry is gone.
+QString LogPage::entry_line(std::int64_t number) {
+  const auto found = page({}, 1, number + 1);
+  if (!found || found->empty() || found->front().number != number) return {};
+  return tr("It says: %1, %2.").arg(actor_text(found->front(), names_), entry_text(found->front()));
+}
+
+void LogPage::show_verified(const Stored<Verification>& proof) {
+  const std::int64_t holding = progress_->holding;
+  cancel_verification();
+  if (!proof) return show_failure(proof.error());
+  if (proof->intact()) {
+    model_->set_proof({entries_, holding});
+    band_->show_message(Band::Kind::good, tr("The log is whole: %n entry(ies) hold.", nullptr, static_cast<int>(holding)),
+                        tr("Verified %1.").arg(ports_.now().toString(u"HH:mm:ss"_qs)));
+    return;
+  }
+  const ChainFinding& first = proof->findings.front();
+  if (first.table != "audit_log") {  // the signature over the end
+    model_->set_proof({entries_, 0});
+    band_->show_message(Band::Kind::bad, tr("The end of the log does not hold: entries were changed, added or taken out."), finding_text(first));
+    return;
+  }
+  model_->set_proof({entries_, first.row, first.row});
+  const QString what = first.code == FindingCode::row_missing ? tr("Entry %1 is missing: the chain breaks there.").arg(first.row)
+                                                              : tr("Entry %1 breaks the chain: it was changed.").arg(first.row);
+  band_->show_message(Band::Kind::bad, what, (tr("The entries before it hold.") + u' ' + entry_line(first.row)).trimmed());
+}
+
+void LogPage::show_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
+}
+
+std::optional<std::string> LogPage::whole_csv(std::size_t& entries) {
+  std::string out = log_csv_head();
+  const AuditFilter shown = filter();
+  std::int64_t before = INT64_MAX;
+  while (true) {
+    const auto some = page(shown, kExportedAtOnce, before);
+    if (!some) return std::nullopt;
+    if (some->empty()) return out;
+    for (const AuditEntry& entry : *some) out += log_csv_line(entry, names_);
+    entries += some->size();
+    before = some->back().number;
+  }
+}
+
+void LogPage::export_csv() {
+  std::size_t entries = 0;
+  const auto text = whole_csv(entries);
+  if (!text) return;
+  if (!store_.database().read_only()) {
+    const auto noted = store_.audit.add({.actor = actor_.id, .action = "log_exported", .subject = store_.context().station, .detail = std::to_string(entries)});
+    if (!noted) return show_failure(noted.error());
+  }
+  FileWish wish;
+  wish.title = tr("Export CSV");
+  wish.name = u"cusp-audit-log-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs) + u".csv"_qs;
+  wish.filter = tr("CSV (*.csv)");
+  ports_.pick_file(this, wish, [self = QPointer(this), entries, bytes = QByteArray::fromStdString(*text)](const QString& path) {
+    if (!self) return;
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
+      self->band_->show_message(Band::Kind::good, tr("%n entry(ies) exported.", nullptr, static_cast<int>(entries)), path);
+    } else {
+      self->band_->show_message(Band::Kind::bad, tr("The file was not written."),
+                                tr("%1: %2. What was there before is unchanged.").arg(path, file.errorString()));
+    }
+  });
+}
+
+}  // namespace cusp::ui

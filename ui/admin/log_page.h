@@ -1,0 +1,82 @@
+/// The audit log, newest first: filters by kind, person and date, verification in the background, CSV. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "storage/store.h"
+#include "ui/admin/log_model.h"
+#include "ui/admin/backup_work.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
+
+class QComboBox;
+class QDateEdit;
+class QPushButton;
+class QStackedWidget;
+class QTimer;
+
+namespace cusp::ui {
+
+class Band;
+class Busy;
+class Table;
+
+class LogPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Ports outlive the page.
+  LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+
+  AuditFilter filter() const;
+  const LogModel& model() const { return *model_; }
+  Table* table() const { return table_; }
+  QComboBox* kind() const { return kind_; }
+  QComboBox* person() const { return person_; }
+  QComboBox* period() const { return period_; }
+  QDateEdit* first_day() const { return first_day_; }
+  QDateEdit* last_day() const { return last_day_; }
+  QString message() const;
+  bool verifying() const { return progress_ != nullptr; }
+  bool shows_none() const;
+
+ public Q_SLOTS:
+  void read();
+  void show_all();
+  void verify();
+  void cancel_verification();
+  void export_csv();
+
+ private:
+  QWidget* make_filters();
+  QWidget* make_table();
+  void fill_people();
+  void show_progress();
+  void show_verified(const Stored<Verification>& proof);
+  QString entry_line(std::int64_t number);
+  std::optional<std::vector<AuditEntry>> page(const AuditFilter& filter, int limit, std::int64_t before_number);
+  std::optional<std::string> whole_csv(std::size_t& entries);
+  void show_failure(const StorageFailure& failure);
+
+  Store& store_;
+  Actor actor_;
+  const Ports& ports_;
+  LogModel* model_;
+  LogNames names_;
+  std::int64_t entries_ = 0;                // of the whole log when it was last verified
+  std::shared_ptr<LogProgress> progress_;  // while a verification runs
+  BackgroundTask task_;
+  QTimer* look_;
+  Table* table_ = nullptr;
+  QStackedWidget* below_ = nullptr;
+  Band* band_ = nullptr;
+  Busy* busy_ = nullptr;
+  QComboBox *kind_ = nullptr, *person_ = nullptr, *period_ = nullptr;
+  QWidget* days_ = nullptr;
+  QDateEdit *first_day_ = nullptr, *last_day_ = nullptr;
+  QPushButton* verify_ = nullptr;
+};
+
+}  // namespace cusp::ui
