@@ -15,6 +15,7 @@ void Desktop::edit(const EditorStart& start) {
   auto* editor = new EditorPage(*store_, account_->actor(), ports_, start);
   connect(editor, &EditorPage::back_wanted, this, &Desktop::back);
   connect(editor, &EditorPage::try_out_wanted, this, &Desktop::try_out);
+  connect(editor, &EditorPage::result_wanted, this, [this](const std::shared_ptr<const SessionResult>& result) { show_result(result, std::nullopt); });
   connect(editor, &EditorPage::copied, this, [this](const EditorStart& copy) {
     back();
     edit(copy);

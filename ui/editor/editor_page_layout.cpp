@@ -108,14 +108,9 @@ QWidget* EditorPage::make_top_bar() {
     redo_->setFocus();
     model_->stack().redo();
   });
-  try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs, QKeySequence(Qt::Key_F5));
-  row->addWidget(try_);
-  QLabel* cap = make_key_cap(u"F5"_qs);
-  cap->setFixedHeight(px(18));
-  row->addWidget(cap, 0, Qt::AlignVCenter);
+  add_try_outs(*row);
   publish_ = make_button(tr("Publish"), ButtonKind::primary);
   row->addWidget(publish_);
-  connect(try_, &QPushButton::clicked, this, &EditorPage::try_out);
   connect(publish_, &QPushButton::clicked, this, &EditorPage::publish_version);
   return bar;
 }
