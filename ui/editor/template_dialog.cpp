@@ -167,7 +167,7 @@ void TemplateDialog::add_row(QFormLayout& form, const TemplateParameter& paramet
 QWidget* TemplateDialog::make_field(Row& row) {
   constexpr int kFieldWidth = 112;
   const TemplateParameter& p = row.parameter;
-  if (p.unit.empty()) {
+  if (is_choice(p)) {
     row.choice = new QCheckBox;
     row.choice->setFixedWidth(px(kFieldWidth));
     connect(row.choice, &QCheckBox::toggled, this, &TemplateDialog::take_edit);
@@ -179,7 +179,7 @@ QWidget* TemplateDialog::make_field(Row& row) {
   row.number->setSingleStep(p.unit == "deg" ? 1 : 0.05);
   row.number->setAlignment(Qt::AlignRight);
   row.number->setFixedWidth(px(kFieldWidth));
-  row.number->setSuffix(QChar(0x00A0) + unit_text(QString::fromStdString(p.unit)));
+  if (!p.unit.empty()) row.number->setSuffix(QChar(0x00A0) + unit_text(QString::fromStdString(p.unit)));
   // NumberField reports a value when it is left; the button must follow each key.
   connect(row.number->findChild<QLineEdit*>(), &QLineEdit::textChanged, this, &TemplateDialog::take_edit);
   connect(row.number, &NumberField::editingFinished, this, &TemplateDialog::take_edit);
@@ -263,6 +263,7 @@ void TemplateDialog::fit_height() {
   setFixedWidth(width);
   // Names of two lines make rows taller than the size hint says.
   const int wanted = scroll_->widget()->layout()->totalHeightForWidth(width - 2 * px(24));
+  scroll_->widget()->setMinimumHeight(wanted);  // else the rows give up the last line of their notes
   scroll_->setMinimumHeight(std::min(wanted, std::max(px(kLeastRowsHeight), room.height() - px(kOtherHeight))));
   adjustSize();
 }

@@ -39,7 +39,7 @@ class TemplateDialog : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// A parameter without a unit is a check box, any other a number.
+  /// A choice is a check box, any other parameter a number.
   struct Row {
     TemplateParameter parameter;
     NumberField* number = nullptr;
