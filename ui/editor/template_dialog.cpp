@@ -50,13 +50,15 @@ void TemplateDialog::Row::show(double value) {
 
 bool TemplateDialog::Row::at_default() const { return std::abs(value() - usual) <= kShownRounding; }
 
-TemplateDialog::TemplateDialog(QWidget* parent) : QDialog(parent), id_(ScenarioId::make()) {
+TemplateDialog::TemplateDialog(const std::string& key, QWidget* parent) : QDialog(parent), id_(ScenarioId::make()) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("New exercise from a template"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(24), px(24), px(24), px(24));
   column->setSpacing(px(12));
   make_choices();
+  if (const auto first = std::ranges::find(exercise_templates(), key, &ExerciseTemplate::key); first != exercise_templates().end())
+    template_->setCurrentIndex(static_cast<int>(first - exercise_templates().begin()));
   column->addWidget(make_rule());
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);

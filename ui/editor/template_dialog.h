@@ -26,7 +26,8 @@ class TemplateDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit TemplateDialog(QWidget* parent = nullptr);
+  /// Begins with the template of that key; the user may choose another.
+  explicit TemplateDialog(const std::string& key, QWidget* parent = nullptr);
   ~TemplateDialog() override;
   /// Makes the exercise and closes; stays open if the values make none.
   void accept() override;

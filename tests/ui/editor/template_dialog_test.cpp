@@ -23,6 +23,11 @@ namespace {
 
 constexpr const char* kDepth = "Depth of the pulpal floor below the mouth";
 
+/// The entry of the menu of beginnings that names a template.
+QAction* begin_of(LibraryPage& page, const char* key) {
+  return page.findChild<QMenu*>(QStringLiteral("begin"))->findChild<QAction*>(QLatin1String(key));
+}
+
 /// The library with the dialog open over it.
 struct TemplateDialogs : EditorPages {
   std::unique_ptr<LibraryPage> page;
@@ -40,7 +45,7 @@ struct TemplateDialogs : EditorPages {
     page->show();
   }
   void ask() {
-    page->findChild<QMenu*>(QStringLiteral("begin"))->actions().at(1)->trigger();
+    begin_of(*page, "class-1-adhesive")->trigger();
     dialog = page->findChild<TemplateDialog*>();
     ASSERT_TRUE(dialog);
   }
@@ -118,6 +123,17 @@ TEST_F(TemplateDialogs, make_an_exercise_of_every_template_by_its_defaults) {
   for (int i = 0; i < combo("Template")->count(); ++i) {
     combo("Template")->setCurrentIndex(i);
     EXPECT_TRUE(make()->isEnabled()) << standing().toStdString();
+  }
+}
+
+TEST_F(TemplateDialogs, begin_with_the_template_that_the_menu_names) {
+  for (const ExerciseTemplate& one : exercise_templates()) {
+    dialog->reject();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.isNull(); }));
+    begin_of(*page, one.key.c_str())->trigger();
+    dialog = page->findChild<TemplateDialog*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(combo("Template")->currentText().toStdString(), one.name.at("en"));
   }
 }
 
