@@ -45,8 +45,8 @@ void Desktop::import_people() {
 void Desktop::try_out(const SessionPlan& plan, const QString& title) {
   const QPointer<EditorPage> editor = qobject_cast<EditorPage*>(page());
   DrillScreen* screen = open_drilling(plan, {title, tr("Try-out: nothing is kept")});
-  connect(screen, &DrillScreen::finished, this, [this, editor, played = plan.scenario](std::shared_ptr<const SessionResult> result) {
-    if (editor) editor->model().now_tried(played);
+  connect(screen, &DrillScreen::finished, this, [this, editor](std::shared_ptr<const SessionResult> result) {
+    if (editor) editor->model().now_tried({TriedBy::author, result->scenario, result->measures});
     back();
     show_result(std::move(result), std::nullopt);
   });

@@ -43,7 +43,7 @@ void EditorPage::try_out() {
 void EditorPage::follow_reference() {
   reference_job_ = new OperatorJob(this);
   connect(reference_job_, &OperatorJob::cut, this, [this](const std::shared_ptr<const SessionResult>& result) {
-    model_->now_tried(result->scenario);
+    model_->now_tried({TriedBy::reference, result->scenario, result->measures});
     Q_EMIT result_wanted(result);
   });
   connect(reference_job_, &OperatorJob::failed, this, [this](OperatorCutError error) {
