@@ -77,6 +77,22 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
   return out;
 }
 
+/// Points that count in place of measured ones, with who changed them and why.
+std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts) {
+  std::vector<PointsChange> out;
+  for (const SignedStatement& s : counts.overrides) {
+    if (s.kind != StatementKind::override_points) continue;
+    const auto account = store.accounts.find(s.author);
+    const QString who = account ? QString::fromStdString(account->name) : QString();
+    const auto measured = std::ranges::find(counts.stored.grade.criteria, s.criterion, &CriterionGrade::id);
+    const double before = measured == counts.stored.grade.criteria.end() ? 0 : measured->points;
+    //: %1: points that count, %2: measured points, %3: an examiner, %4: the reason.
+    out.push_back({s.criterion, ReportText::tr("%1 instead of %2 points, changed by %3: %4")
+                                    .arg(format_points(s.points.value_or(0)), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
+  }
+  return out;
+}
+
 }  // namespace
 
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
@@ -87,6 +103,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (kept && details && details->grade) {
     data.counts = details->grade;
     if (!details->grade->overrides.empty()) data.result.grade = details->grade->grade;
+    data.changes = changes_of(*store, *details->grade);
   }
   // The records do not hold this flag.
   mark_counted_with_target(data.result.grade, result.scenario.rubric);

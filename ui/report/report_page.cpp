@@ -282,7 +282,7 @@ QWidget* ReportPage::make_criteria() {
   auto* card = new Card;
   card->setAccessibleName(tr("Criteria"));
   card->body()->setContentsMargins(px(kTableSide), px(6), px(kTableSide), px(6));
-  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, this);
+  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, data_.changes, this);
   table_ = new Table;
   table_->setAccessibleName(tr("Criteria"));
   table_->setModel(model_);
