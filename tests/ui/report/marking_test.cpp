@@ -108,6 +108,26 @@ TEST_F(Marking, ACommentHasThePlaceOfTheChosenCriterionAndCanBeTakenBack) {
   EXPECT_TRUE(gathered(lena).remarks.empty()) << message(card).toStdString();
 }
 
+TEST_F(Marking, IsOneLineInALowWindowUntilItIsOpened) {
+  for (const int height : {800, 1000}) {
+    ReportPage page(gathered(examiner), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+    auto* card = new MarkingCard(records.store(), examiner.actor(), page.data(), ports);
+    page.set_marking(card);
+    page.resize(1280, height);
+    page.show();
+    QCoreApplication::processEvents();
+    const bool open = height == 1000;
+    EXPECT_EQ(card->findChild<QPlainTextEdit*>()->isVisible(), open);
+    if (open) continue;
+    EXPECT_LT(card->height(), px(52)) << "one line of controls";
+    button(*card, "Mark this attempt")->click();
+    EXPECT_TRUE(card->findChild<QPlainTextEdit*>()->isVisible());
+    page.hide();
+    page.show();
+    EXPECT_TRUE(card->findChild<QPlainTextEdit*>()->isVisible()) << "as the examiner left it";
+  }
+}
+
 TEST_F(Marking, PracticeIsNeverReleased) {
   MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
   EXPECT_TRUE(button(card, "Release to the student")->isHidden());
