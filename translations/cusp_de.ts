@@ -527,6 +527,52 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::BandPicture</name>
+    <message>
+        <source>No points below</source>
+        <translation>Keine Punkte unter</translation>
+    </message>
+    <message>
+        <source>Half from</source>
+        <translation>Halbe ab</translation>
+    </message>
+    <message>
+        <source>Full from</source>
+        <translation>Volle ab</translation>
+    </message>
+    <message>
+        <source>Full to</source>
+        <translation>Volle bis</translation>
+    </message>
+    <message>
+        <source>Half to</source>
+        <translation>Halbe bis</translation>
+    </message>
+    <message>
+        <source>No points above</source>
+        <translation>Keine Punkte über</translation>
+    </message>
+    <message>
+        <source>Bands of %1 as a picture</source>
+        <translation>Stufen von %1 als Bild</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::BandsForm</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Your try-out</source>
+        <translation>Ihr Probelauf</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Briefing</name>
     <message>
         <source>Back</source>
@@ -2662,6 +2708,14 @@
         <source>counts with the target</source>
         <translation>zählt mit dem Ziel</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (geändert)</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Desktop</name>
@@ -3468,6 +3522,22 @@
     <message>
         <source>Choose an outline among the parts of the target first</source>
         <translation>Zuerst unter den Formen des Ziels einen Umriss wählen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Try out by the reference operator</source>
+        <translation>Vom Referenzbediener probieren lassen</translation>
+    </message>
+    <message>
+        <source>The reference operator cuts it at once, and a report shows its points (Shift+F5)</source>
+        <translation>Der Referenzbediener präpariert die Übung sofort; ein Bericht zeigt seine Punkte (Umschalt+F5)</translation>
+    </message>
+    <message>
+        <source>The reference operator cuts it</source>
+        <translation>Der Referenzbediener präpariert</translation>
     </message>
 </context>
 <context>
@@ -4819,10 +4889,6 @@
         <translation>Leer</translation>
     </message>
     <message>
-        <source>From a template…</source>
-        <translation>Aus einer Vorlage…</translation>
-    </message>
-    <message>
         <source>Find an exercise</source>
         <translation>Übung finden</translation>
     </message>
@@ -4940,6 +5006,10 @@
     <message>
         <source>It stays here as a draft of yours.</source>
         <translation>Sie bleibt hier als Ihr Entwurf.</translation>
+    </message>
+    <message>
+        <source>From a template: %1…</source>
+        <translation>Aus einer Vorlage: %1…</translation>
     </message>
 </context>
 <context>
@@ -5059,6 +5129,14 @@
     <message>
         <source>It is taken back. Both stay in the records.</source>
         <translation>Es ist zurückgenommen. Beides bleibt in den Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>Mark this attempt</source>
+        <translation>Diesen Versuch bewerten</translation>
+    </message>
+    <message>
+        <source>Comment, change points, confirm or release</source>
+        <translation>Kommentieren, Punkte ändern, bestätigen oder freigeben</translation>
     </message>
 </context>
 <context>
@@ -6205,34 +6283,6 @@
         <translation>%1 entfernen</translation>
     </message>
     <message>
-        <source>No points below</source>
-        <translation>Keine Punkte unter</translation>
-    </message>
-    <message>
-        <source>Half from</source>
-        <translation>Halbe ab</translation>
-    </message>
-    <message>
-        <source>Full from</source>
-        <translation>Volle ab</translation>
-    </message>
-    <message>
-        <source>Full to</source>
-        <translation>Volle bis</translation>
-    </message>
-    <message>
-        <source>Half to</source>
-        <translation>Halbe bis</translation>
-    </message>
-    <message>
-        <source>No points above</source>
-        <translation>Keine Punkte über</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Full points: %1</source>
         <translation>Volle Punktzahl: %1</translation>
     </message>
@@ -6251,6 +6301,18 @@
     <message>
         <source>Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries are not all verified.</source>
         <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels. Die für Form, Kasten, Rand, Kontakt und Karies vorgeschlagenen sind nicht alle geprüft.</translation>
+    </message>
+    <message>
+        <source>Measure the operators</source>
+        <translation>Bediener messen</translation>
+    </message>
+    <message>
+        <source>Reference, competent and novice cut it at once; their values mark the bands of each criterion</source>
+        <translation>Referenz, Geübter und Anfänger präparieren die Übung sofort; ihre Werte stehen als Marken an den Stufen jedes Kriteriums</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
     </message>
 </context>
 <context>
@@ -6513,6 +6575,15 @@
     <message>
         <source>Remarks</source>
         <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 points, changed by %3: %4</source>
+        <extracomment>%1: points that count, %2: measured points, %3: an examiner, %4: the reason.</extracomment>
+        <translation>%1 statt %2 Punkte, geändert von %3: %4</translation>
+    </message>
+    <message>
+        <source>%1, its cuts made at once: time, force and heat are not measured</source>
+        <translation>%1, auf einmal präpariert: Zeit, Kraft und Wärme sind nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -9370,6 +9441,30 @@ Ihr bester davor</translation>
     <message>
         <source>The replay comes to another grade than the one that is stored (%1).</source>
         <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
+    </message>
+    <message>
+        <source>The operator cannot cut it.</source>
+        <translation>Der Bediener kann die Übung nicht präparieren.</translation>
+    </message>
+    <message>
+        <source>No bur of the exercise fits into its target.</source>
+        <translation>Kein Bohrer der Übung passt in ihr Ziel.</translation>
+    </message>
+    <message>
+        <source>More is cut than a volume of this exercise can keep.</source>
+        <translation>Es ist mehr abgetragen, als ein Volumen dieser Übung fassen kann.</translation>
+    </message>
+    <message>
+        <source>Reference operator</source>
+        <translation>Referenzbediener</translation>
+    </message>
+    <message>
+        <source>Competent operator</source>
+        <translation>Geübter Bediener</translation>
+    </message>
+    <message>
+        <source>Novice operator</source>
+        <translation>Unerfahrener Bediener</translation>
     </message>
 </context>
 <context>
