@@ -551,6 +551,52 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::BandPicture</name>
+    <message>
+        <source>No points below</source>
+        <translation>Keine Punkte unter</translation>
+    </message>
+    <message>
+        <source>Half from</source>
+        <translation>Halbe ab</translation>
+    </message>
+    <message>
+        <source>Full from</source>
+        <translation>Volle ab</translation>
+    </message>
+    <message>
+        <source>Full to</source>
+        <translation>Volle bis</translation>
+    </message>
+    <message>
+        <source>Half to</source>
+        <translation>Halbe bis</translation>
+    </message>
+    <message>
+        <source>No points above</source>
+        <translation>Keine Punkte über</translation>
+    </message>
+    <message>
+        <source>Bands of %1 as a picture</source>
+        <translation>Stufen von %1 als Bild</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::BandsForm</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Your try-out</source>
+        <translation>Ihr Probelauf</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Briefing</name>
     <message>
         <source>Back</source>
@@ -2690,6 +2736,14 @@
         <source>counts with the target</source>
         <translation>zählt mit dem Ziel</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (geändert)</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Desktop</name>
@@ -2804,6 +2858,22 @@
     <message>
         <source>Opening the appeal pack</source>
         <translation>Einspruchsakte wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Audit log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>%1 is not open.</source>
+        <translation>%1 ist nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>Instructors open exercise files. Sign out, and sign in as an instructor: the file then opens.</source>
+        <translation>Übungsdateien öffnen Lehrkräfte. Melden Sie sich ab und als Lehrkraft an: Dann öffnet sich die Datei.</translation>
+    </message>
+    <message>
+        <source>The records can only be read now, so nothing can be added to the library.</source>
+        <translation>Die Aufzeichnungen können jetzt nur gelesen werden, deshalb kann nichts in die Bibliothek kommen.</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3566,22 @@
     <message>
         <source>Choose an outline among the parts of the target first</source>
         <translation>Zuerst unter den Formen des Ziels einen Umriss wählen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Try out by the reference operator</source>
+        <translation>Vom Referenzbediener probieren lassen</translation>
+    </message>
+    <message>
+        <source>The reference operator cuts it at once, and a report shows its points (Shift+F5)</source>
+        <translation>Der Referenzbediener präpariert die Übung sofort; ein Bericht zeigt seine Punkte (Umschalt+F5)</translation>
+    </message>
+    <message>
+        <source>The reference operator cuts it</source>
+        <translation>Der Referenzbediener präpariert</translation>
     </message>
 </context>
 <context>
@@ -4847,10 +4933,6 @@
         <translation>Leer</translation>
     </message>
     <message>
-        <source>From a template…</source>
-        <translation>Aus einer Vorlage…</translation>
-    </message>
-    <message>
         <source>Find an exercise</source>
         <translation>Übung finden</translation>
     </message>
@@ -4968,6 +5050,193 @@
     <message>
         <source>It stays here as a draft of yours.</source>
         <translation>Sie bleibt hier als Ihr Entwurf.</translation>
+    </message>
+    <message>
+        <source>From a template: %1…</source>
+        <translation>Aus einer Vorlage: %1…</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::LogModel</name>
+    <message>
+        <source>breaks the chain</source>
+        <translation>bricht die Kette</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation>nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>erased account</source>
+        <translation>gelöschtes Konto</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Entry</source>
+        <translation>Eintrag</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Concerns</source>
+        <translation>Betrifft</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Prüfung</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::LogPage</name>
+    <message>
+        <source>Audit log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Verify now</source>
+        <translation>Jetzt prüfen</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>All dates</source>
+        <translation>Alle Tage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Last %n day(s)</source>
+        <translation>
+            <numerusform>Letzter Tag</numerusform>
+            <numerusform>Letzte %n Tage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Between two days</source>
+        <translation>Zwischen zwei Tagen</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Erster Tag</translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation>Letzter Tag</translation>
+    </message>
+    <message>
+        <source>Entries of the audit log</source>
+        <translation>Einträge des Protokolls</translation>
+    </message>
+    <message>
+        <source>No entry fits</source>
+        <translation>Kein Eintrag passt</translation>
+    </message>
+    <message>
+        <source>The log has no entry of this kind, person and date.</source>
+        <translation>Das Protokoll hat keinen Eintrag dieser Art, dieser Person und dieser Zeit.</translation>
+    </message>
+    <message>
+        <source>Show all entries</source>
+        <translation>Alle Einträge zeigen</translation>
+    </message>
+    <message>
+        <source>All people</source>
+        <translation>Alle Personen</translation>
+    </message>
+    <message>
+        <source>this station</source>
+        <translation>diese Station</translation>
+    </message>
+    <message>
+        <source>Verifying the audit log</source>
+        <translation>Das Protokoll wird geprüft</translation>
+    </message>
+    <message>
+        <source>%1 of %2 entries</source>
+        <translation>%1 von %2 Einträgen</translation>
+    </message>
+    <message>
+        <source>It says: %1, %2.</source>
+        <translation>In ihm steht: %1, %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The log is whole: %n entry(ies) hold.</source>
+        <translation>
+            <numerusform>Das Protokoll ist unversehrt: %n Eintrag hält.</numerusform>
+            <numerusform>Das Protokoll ist unversehrt: %n Einträge halten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Verified %1.</source>
+        <translation>Geprüft um %1.</translation>
+    </message>
+    <message>
+        <source>The end of the log does not hold: entries were changed, added or taken out.</source>
+        <translation>Das Ende des Protokolls hält nicht: Einträge wurden geändert, hinzugefügt oder entfernt.</translation>
+    </message>
+    <message>
+        <source>Entry %1 is missing: the chain breaks there.</source>
+        <translation>Eintrag %1 fehlt: Dort bricht die Kette.</translation>
+    </message>
+    <message>
+        <source>Entry %1 breaks the chain: it was changed.</source>
+        <translation>Eintrag %1 bricht die Kette: Er wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The entries before it hold.</source>
+        <translation>Die Einträge davor halten.</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(ies) exported.</source>
+        <translation>
+            <numerusform>%n Eintrag exportiert.</numerusform>
+            <numerusform>%n Einträge exportiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file was not written.</source>
+        <translation>Die Datei wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1: %2. What was there before is unchanged.</source>
+        <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -5087,6 +5356,14 @@
     <message>
         <source>It is taken back. Both stay in the records.</source>
         <translation>Es ist zurückgenommen. Beides bleibt in den Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>Mark this attempt</source>
+        <translation>Diesen Versuch bewerten</translation>
+    </message>
+    <message>
+        <source>Comment, change points, confirm or release</source>
+        <translation>Kommentieren, Punkte ändern, bestätigen oder freigeben</translation>
     </message>
 </context>
 <context>
@@ -6233,34 +6510,6 @@
         <translation>%1 entfernen</translation>
     </message>
     <message>
-        <source>No points below</source>
-        <translation>Keine Punkte unter</translation>
-    </message>
-    <message>
-        <source>Half from</source>
-        <translation>Halbe ab</translation>
-    </message>
-    <message>
-        <source>Full from</source>
-        <translation>Volle ab</translation>
-    </message>
-    <message>
-        <source>Full to</source>
-        <translation>Volle bis</translation>
-    </message>
-    <message>
-        <source>Half to</source>
-        <translation>Halbe bis</translation>
-    </message>
-    <message>
-        <source>No points above</source>
-        <translation>Keine Punkte über</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Full points: %1</source>
         <translation>Volle Punktzahl: %1</translation>
     </message>
@@ -6279,6 +6528,18 @@
     <message>
         <source>Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries are not all verified.</source>
         <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels. Die für Form, Kasten, Rand, Kontakt und Karies vorgeschlagenen sind nicht alle geprüft.</translation>
+    </message>
+    <message>
+        <source>Measure the operators</source>
+        <translation>Bediener messen</translation>
+    </message>
+    <message>
+        <source>Reference, competent and novice cut it at once; their values mark the bands of each criterion</source>
+        <translation>Referenz, Geübter und Anfänger präparieren die Übung sofort; ihre Werte stehen als Marken an den Stufen jedes Kriteriums</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
     </message>
 </context>
 <context>
@@ -6541,6 +6802,15 @@
     <message>
         <source>Remarks</source>
         <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 points, changed by %3: %4</source>
+        <extracomment>%1: points that count, %2: measured points, %3: an examiner, %4: the reason.</extracomment>
+        <translation>%1 statt %2 Punkte, geändert von %3: %4</translation>
+    </message>
+    <message>
+        <source>%1, its cuts made at once: time, force and heat are not measured</source>
+        <translation>%1, auf einmal präpariert: Zeit, Kraft und Wärme sind nicht gemessen</translation>
     </message>
 </context>
 <context>
@@ -9402,6 +9672,279 @@ Ihr bester davor</translation>
     <message>
         <source>Extra time is 0 to 400 % of the time limit.</source>
         <translation>Die Zeitzugabe beträgt 0 bis 400 % der Zeitgrenze.</translation>
+    </message>
+    <message>
+        <source>Signed in</source>
+        <translation>Angemeldet</translation>
+    </message>
+    <message>
+        <source>Sign-in failed: wrong password or PIN</source>
+        <translation>Anmeldung gescheitert: falsches Passwort oder falsche PIN</translation>
+    </message>
+    <message>
+        <source>Account created</source>
+        <translation>Konto angelegt</translation>
+    </message>
+    <message>
+        <source>Name or number of an account changed</source>
+        <translation>Name oder Nummer eines Kontos geändert</translation>
+    </message>
+    <message>
+        <source>Role of an account changed</source>
+        <translation>Rolle eines Kontos geändert</translation>
+    </message>
+    <message>
+        <source>Account disabled</source>
+        <translation>Konto gesperrt</translation>
+    </message>
+    <message>
+        <source>Account enabled</source>
+        <translation>Konto entsperrt</translation>
+    </message>
+    <message>
+        <source>Password changed</source>
+        <translation>Passwort geändert</translation>
+    </message>
+    <message>
+        <source>PIN changed</source>
+        <translation>PIN geändert</translation>
+    </message>
+    <message>
+        <source>Person erased</source>
+        <translation>Person gelöscht</translation>
+    </message>
+    <message>
+        <source>Text of a comment erased</source>
+        <translation>Text eines Kommentars gelöscht</translation>
+    </message>
+    <message>
+        <source>Text of a statement erased</source>
+        <translation>Text einer Erklärung gelöscht</translation>
+    </message>
+    <message>
+        <source>Account sealed as it was found</source>
+        <translation>Konto versiegelt, wie es vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Cohort created</source>
+        <translation>Kohorte angelegt</translation>
+    </message>
+    <message>
+        <source>Student added to a cohort</source>
+        <translation>Student/in in eine Kohorte aufgenommen</translation>
+    </message>
+    <message>
+        <source>Student taken out of a cohort</source>
+        <translation>Student/in aus einer Kohorte genommen</translation>
+    </message>
+    <message>
+        <source>Cohort sealed as it was found</source>
+        <translation>Kohorte versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Exercise assigned</source>
+        <translation>Übung zugewiesen</translation>
+    </message>
+    <message>
+        <source>Assessment set</source>
+        <translation>Prüfung angesetzt</translation>
+    </message>
+    <message>
+        <source>Extra time given</source>
+        <translation>Zeitzugabe gegeben</translation>
+    </message>
+    <message>
+        <source>Extra time sealed as it was found</source>
+        <translation>Zeitzugabe versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Assignment sealed as it was found</source>
+        <translation>Zuweisung versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Assessment sealed as it was found</source>
+        <translation>Prüfung versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Version of an exercise published</source>
+        <translation>Version einer Übung veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Version of an exercise kept</source>
+        <translation>Version einer Übung aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Version of an exercise withdrawn</source>
+        <translation>Version einer Übung zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Version of an exercise sealed as it was found</source>
+        <translation>Version einer Übung versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Withdrawal of a version sealed as it was found</source>
+        <translation>Rückzug einer Version versiegelt, wie er vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Attempt sealed as it was found</source>
+        <translation>Versuch versiegelt, wie er vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Statement about an attempt signed</source>
+        <translation>Erklärung zu einem Versuch signiert</translation>
+    </message>
+    <message>
+        <source>Statement about an attempt sealed as it was found</source>
+        <translation>Erklärung zu einem Versuch versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Comment sealed as it was found</source>
+        <translation>Kommentar versiegelt, wie er vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Records backed up</source>
+        <translation>Aufzeichnungen gesichert</translation>
+    </message>
+    <message>
+        <source>Records restored from a backup</source>
+        <translation>Aufzeichnungen aus einer Sicherung wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Attempt saved as an appeal pack</source>
+        <translation>Versuch als Einspruchsakte gespeichert</translation>
+    </message>
+    <message>
+        <source>Attempts exported as a list</source>
+        <translation>Versuche als Liste exportiert</translation>
+    </message>
+    <message>
+        <source>Criteria exported as a list</source>
+        <translation>Kriterien als Liste exportiert</translation>
+    </message>
+    <message>
+        <source>Audit log exported as a list</source>
+        <translation>Protokoll als Liste exportiert</translation>
+    </message>
+    <message>
+        <source>Lists made anew from the records</source>
+        <translation>Listen aus den Aufzeichnungen neu erstellt</translation>
+    </message>
+    <message>
+        <source>Key of this station added</source>
+        <translation>Schlüssel dieser Station hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Sealing of the records began</source>
+        <translation>Versiegelung der Aufzeichnungen begonnen</translation>
+    </message>
+    <message>
+        <source>Audit log found changed at its end</source>
+        <translation>Protokoll am Ende verändert vorgefunden</translation>
+    </message>
+    <message>
+        <source>Counter beside the records’ key found missing</source>
+        <translation>Zähler beim Schlüssel der Aufzeichnungen fehlte</translation>
+    </message>
+    <message>
+        <source>Counter beside the records’ key found changed</source>
+        <translation>Zähler beim Schlüssel der Aufzeichnungen verändert vorgefunden</translation>
+    </message>
+    <message>
+        <source>Records found older than their counter</source>
+        <translation>Aufzeichnungen älter als ihr Zähler vorgefunden</translation>
+    </message>
+    <message>
+        <source>Attempt started</source>
+        <translation>Versuch begonnen</translation>
+    </message>
+    <message>
+        <source>Attempt interrupted</source>
+        <translation>Versuch unterbrochen</translation>
+    </message>
+    <message>
+        <source>Attempt resumed</source>
+        <translation>Versuch fortgesetzt</translation>
+    </message>
+    <message>
+        <source>Attempt finished</source>
+        <translation>Versuch beendet</translation>
+    </message>
+    <message>
+        <source>Attempt graded</source>
+        <translation>Versuch bewertet</translation>
+    </message>
+    <message>
+        <source>Attempt closed</source>
+        <translation>Versuch geschlossen</translation>
+    </message>
+    <message>
+        <source>Sign-ins</source>
+        <translation>Anmeldungen</translation>
+    </message>
+    <message>
+        <source>Accounts</source>
+        <translation>Konten</translation>
+    </message>
+    <message>
+        <source>Cohorts and assignments</source>
+        <translation>Kohorten und Zuweisungen</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Records and exports</source>
+        <translation>Aufzeichnungen und Exporte</translation>
+    </message>
+    <message numerus="yes">
+        <source>Sign-in failed, %n wrong time(s) in a row</source>
+        <translation>
+            <numerusform>Anmeldung gescheitert, %n-mal falsch</numerusform>
+            <numerusform>Anmeldung gescheitert, %n-mal falsch hintereinander</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Records backed up, %n session(s)</source>
+        <translation>
+            <numerusform>Aufzeichnungen gesichert, %n Versuch</numerusform>
+            <numerusform>Aufzeichnungen gesichert, %n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Audit log exported, %n entry(ies)</source>
+        <translation>
+            <numerusform>Protokoll exportiert, %n Eintrag</numerusform>
+            <numerusform>Protokoll exportiert, %n Einträge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The operator cannot cut it.</source>
+        <translation>Der Bediener kann die Übung nicht präparieren.</translation>
+    </message>
+    <message>
+        <source>No bur of the exercise fits into its target.</source>
+        <translation>Kein Bohrer der Übung passt in ihr Ziel.</translation>
+    </message>
+    <message>
+        <source>More is cut than a volume of this exercise can keep.</source>
+        <translation>Es ist mehr abgetragen, als ein Volumen dieser Übung fassen kann.</translation>
+    </message>
+    <message>
+        <source>Reference operator</source>
+        <translation>Referenzbediener</translation>
+    </message>
+    <message>
+        <source>Competent operator</source>
+        <translation>Geübter Bediener</translation>
+    </message>
+    <message>
+        <source>Novice operator</source>
+        <translation>Unerfahrener Bediener</translation>
     </message>
 </context>
 <context>

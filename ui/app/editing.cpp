@@ -19,6 +19,7 @@ void Desktop::edit(const EditorStart& start) {
   auto* editor = new EditorPage(*store_, account_->actor(), ports_, start);
   connect(editor, &EditorPage::back_wanted, this, &Desktop::back);
   connect(editor, &EditorPage::try_out_wanted, this, &Desktop::try_out);
+  connect(editor, &EditorPage::result_wanted, this, [this](const std::shared_ptr<const SessionResult>& result) { show_result(result, std::nullopt); });
   connect(editor, &EditorPage::copied, this, [this](const EditorStart& copy) {
     back();
     edit(copy);
@@ -64,8 +65,8 @@ void Desktop::import_people() {
 void Desktop::try_out(const SessionPlan& plan, const QString& title) {
   const QPointer<EditorPage> editor = qobject_cast<EditorPage*>(page());
   DrillScreen* screen = open_drilling(plan, {title, tr("Try-out: nothing is kept")});
-  connect(screen, &DrillScreen::finished, this, [this, editor, played = plan.scenario](std::shared_ptr<const SessionResult> result) {
-    if (editor) editor->model().now_tried(played);
+  connect(screen, &DrillScreen::finished, this, [this, editor](std::shared_ptr<const SessionResult> result) {
+    if (editor) editor->model().now_tried({TriedBy::author, result->scenario, result->measures});
     back();
     show_result(std::move(result), std::nullopt);
   });

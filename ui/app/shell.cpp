@@ -15,12 +15,13 @@
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/bar_top.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
 
-constexpr int kTopBar = 48, kSidebar = 200;  // px at 100 %
+constexpr int kSidebar = 200;  // px at 100 %
 
 }  // namespace
 
@@ -49,13 +50,9 @@ Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
 void Shell::show_notice(const Message& message) { notice_->show_message(Band::Kind::look, message.what, message.more); }
 
 QWidget* Shell::make_top_bar(const Account& account) {
-  auto* bar = new QFrame;
-  bar->setProperty("kind", u"bar_top"_qs);
-  bar->setFixedHeight(px(kTopBar));
+  const auto [bar, row] = make_bar_top();
   bar->setAccessibleName(tr("Top bar"));
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(px(16), 0, px(12), 0);
-  row->setSpacing(px(8));
+  row->addSpacing(px(4));
   auto* logo = new QLabel;
   logo->setPixmap(icon_pixmap(u"tooth"_qs, Ink::accent, 20, devicePixelRatioF()));
   row->addWidget(logo);

@@ -104,6 +104,12 @@ bool EditorModel::tried() const {
   return same == scenario_;
 }
 
+void EditorModel::now_tried(TryOut fresh) {
+  if (fresh.by == TriedBy::author || fresh.by == TriedBy::reference) tried_ = fresh.played;
+  try_outs_.keep(std::move(fresh));
+  Q_EMIT tried_out();
+}
+
 EditorModel::Standing EditorModel::standing() const {
   if (has_error(findings_)) return Standing::failing;
   if (unchanged()) return Standing::unchanged;

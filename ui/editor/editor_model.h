@@ -14,6 +14,7 @@
 #include "scenarios/format/scenario.h"
 #include "scenarios/format/validate.h"
 #include "ui/editor/region_parts.h"
+#include "ui/editor/try_outs.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -101,6 +102,8 @@ class EditorModel : public QObject {
   /// one of them earns points or passes; findings() contains it until the next edit.
   bool prove();
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
+  /// Of the facts; null until it is grown.
+  const std::shared_ptr<const Specimen>& specimen() const { return specimen_; }
 
   /// Errors first. From validate(), check_regions() and check_texts(). Without facts the checks that need the specimen do not run;
   /// with the pulp's voxels alone only the rule about opening it is checked.
@@ -117,12 +120,17 @@ class EditorModel : public QObject {
   const std::optional<Scenario>& published() const { return published_; }
   /// The exercise was drilled to its end as `played`: by a try-out, or by the scripted operator of an audit.
   void now_tried(const Scenario& played) { tried_ = played; }
+  /// The same, with what was measured. Cuts of the competent and the novice are no try-out.
+  void now_tried(TryOut fresh);
+  const TryOuts& try_outs() const { return try_outs_; }
   /// Whether it was drilled with the present values. Texts, level and expected time are of no account.
   bool tried() const;
   /// Call after publishing. The next edit begins the next version; undo starts empty.
   void now_published(const Scenario& version);
 
  Q_SIGNALS:
+  /// There are new measured values.
+  void tried_out();
   /// Another part of the target is chosen.
   void part_chosen();
   /// After every edit, undo and redo, and after set_facts().
@@ -142,6 +150,7 @@ class EditorModel : public QObject {
   Scenario scenario_;
   std::optional<Scenario> published_;
   std::optional<Scenario> tried_;
+  TryOuts try_outs_;
   std::string folder_;
   PartPath part_;
   SpecimenSource grown_from_;  // at the last specimen_changed()

@@ -15,6 +15,7 @@
 #include "ui/editor/check_messages.h"
 #include "ui/editor/editor_page_parts.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/operator_job.h"
 #include "ui/editor/shape_form.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
@@ -55,6 +56,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   // EditorModel::changed comes before the stack has the step, so the buttons follow the stack.
   connect(&model_->stack(), &QUndoStack::indexChanged, this, &EditorPage::show_undo);
   follow_grower();
+  follow_reference();
   start_autosave();
   setFocusProxy(tabs_);
   follow_model();
@@ -155,6 +157,7 @@ void EditorPage::follow_model() {
   publish_->setAccessibleName(publish_->text());
   publish_->setEnabled(standing == EditorModel::Standing::ready);
   try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
+  reference_->setEnabled(try_->isEnabled() && !reference_job_->running());
   tooth_->setText(isolate(specimen_name(s.specimen)));
   const bool drawn = model_->has_outline();
   on_top_->setEnabled(grown_ != nullptr && s.target.kind == RegionKind::outline);
@@ -247,17 +250,6 @@ void EditorPage::put_target_on_top() {
   model_->end_gesture();
   model_->set_outline(t, u"place"_qs);
   model_->end_gesture();
-}
-
-void EditorPage::try_out() {
-  if (!grown_ || has_error(model_->findings())) return;
-  SessionPlan plan;
-  plan.scenario = model_->scenario();
-  plan.scenario_folder = model_->folder();
-  plan.student = actor_;
-  plan.kind = SessionKind::try_out;  // no database: the records get nothing
-  plan.specimen = grown_->whole->specimen_ptr();
-  Q_EMIT try_out_wanted(plan, local(model_->scenario().title));
 }
 
 }  // namespace cusp::ui

@@ -15,6 +15,7 @@
 
 class QAbstractButton;
 class QButtonGroup;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -28,6 +29,7 @@ namespace cusp::ui {
 class Band;
 class Busy;
 class Chip;
+class OperatorJob;
 class TargetView;
 
 class EditorPage : public QWidget {
@@ -45,6 +47,8 @@ class EditorPage : public QWidget {
  public Q_SLOTS:
   /// Starts an attempt at the draft as it stands, of which nothing is kept.
   void try_out();
+  /// Lets the reference operator cut the draft at once, and asks for the report of it.
+  void try_out_by_reference();
   /// Opens the sheet that asks before publishing.
   void publish_version();
   /// Saves the draft while the window closes; as a copy if another window has changed it.
@@ -55,6 +59,8 @@ class EditorPage : public QWidget {
  Q_SIGNALS:
   void back_wanted();
   void try_out_wanted(const SessionPlan& plan, const QString& title);
+  /// Of the reference operator's try-out.
+  void result_wanted(const std::shared_ptr<const SessionResult>& result);
   void published(const ScenarioVersion& version);
   /// The editor continues with this copy; the opened exercise belongs to another window.
   void copied(const EditorStart& copy);
@@ -64,8 +70,12 @@ class EditorPage : public QWidget {
  private:
   void lay_out();
   void follow_grower();
+  void follow_reference();
+  void stop_reference();
+  void end_reference();
   void start_autosave();
   QWidget* make_top_bar();
+  void add_try_outs(QHBoxLayout& row);
   QWidget* make_left();
   QWidget* make_right();
   QWidget* make_checks();
@@ -92,6 +102,7 @@ class EditorPage : public QWidget {
   QTimer autosave_, grow_soon_;
   EditorModel* model_;
   SpecimenGrower* grower_;
+  OperatorJob* reference_job_ = nullptr;
   std::shared_ptr<const GrownSpecimen> grown_;
   TargetView* stage_ = nullptr;
   Band *band_ = nullptr, *clash_ = nullptr;
@@ -100,7 +111,7 @@ class EditorPage : public QWidget {
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;
   QToolButton *undo_ = nullptr, *redo_ = nullptr;
-  QPushButton *try_ = nullptr, *publish_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
+  QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
   QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr;
   QStackedWidget* left_ = nullptr;
   QTabWidget* tabs_ = nullptr;

@@ -20,6 +20,7 @@
 #include "ui/editor/tissues_form.h"
 #include "ui/editor/texts_form.h"
 #include "ui/session/audit_run.h"
+#include "ui/widgets/bar_top.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -27,7 +28,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kTopBar = 48, kLeft = 248, kRight = 368, kChecks = 80;  // px at 100 %
+constexpr int kLeft = 248, kRight = 368, kChecks = 80;  // px at 100 %
 
 QWidget* scrolling(QWidget* form) {
   auto* area = new QScrollArea;
@@ -64,19 +65,10 @@ void EditorPage::lay_out() {
 }
 
 QWidget* EditorPage::make_top_bar() {
-  auto* bar = new QFrame;
-  bar->setProperty("kind", u"bar_top"_qs);
-  bar->setFixedHeight(px(kTopBar));
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(px(12), 0, px(12), 0);
-  row->setSpacing(px(8));
-  QPushButton* back = make_button(tr("Library"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
+  const auto [bar, row] = make_bar_top();
+  QPushButton* back = add_way_back({bar, row}, tr("Library"));
   back->setToolTip(tr("Keeps the draft and goes back (Alt+Left)"));
   connect(back, &QPushButton::clicked, this, &EditorPage::leave);
-  row->addWidget(back);
-  QFrame* rule = make_rule(Qt::Vertical);
-  rule->setFixedHeight(px(30));
-  row->addWidget(rule);
   title_ = new QLineEdit;
   title_->setAccessibleName(tr("Title of the exercise"));
   title_->setToolTip(tr("Title, in the language of the screen; the others stand under Texts"));
@@ -108,14 +100,9 @@ QWidget* EditorPage::make_top_bar() {
     redo_->setFocus();
     model_->stack().redo();
   });
-  try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs, QKeySequence(Qt::Key_F5));
-  row->addWidget(try_);
-  QLabel* cap = make_key_cap(u"F5"_qs);
-  cap->setFixedHeight(px(18));
-  row->addWidget(cap, 0, Qt::AlignVCenter);
+  add_try_outs(*row);
   publish_ = make_button(tr("Publish"), ButtonKind::primary);
   row->addWidget(publish_);
-  connect(try_, &QPushButton::clicked, this, &EditorPage::try_out);
   connect(publish_, &QPushButton::clicked, this, &EditorPage::publish_version);
   return bar;
 }

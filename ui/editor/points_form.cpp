@@ -7,15 +7,17 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/grading/default_bands.h"
 #include "scenarios/library/library.h"
+#include "ui/editor/bands_form.h"
 #include "ui/editor/form_parts.h"
+#include "ui/editor/operator_job.h"
 #include "ui/modules.h"
+#include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -24,9 +26,6 @@ namespace cusp::ui {
 namespace {
 
 constexpr double kOpenEnd = 1000;  // beyond what an attempt can reach in any unit
-
-constexpr std::array kEdges = {&Bands::fail_lo,  &Bands::acc_lo, &Bands::ideal_lo,
-                               &Bands::ideal_hi, &Bands::acc_hi, &Bands::fail_hi};
 
 bool has_tissue(const Scenario& s, Tissue tissue) {
   return std::ranges::any_of(s.tissues, [tissue](const ScenarioTissue& t) { return t.tissue == tissue; });
@@ -46,8 +45,8 @@ Bands first_bands(const std::string& metric, const Region& target, int fdi) {
       if (!metric.starts_with("depth_") || target.kind != RegionKind::outline) return b;
       const double by = target.outline.depth_mm - known->target.outline.depth_mm;
       const bool open_low = b.fail_lo == b.ideal_lo && b.acc_lo == b.ideal_lo;
-      for (std::size_t i = open_low ? 3 : 0; i < kEdges.size(); ++i) {
-        b.*kEdges[i] = std::round((b.*kEdges[i] + by) * 1e4) / 1e4;
+      for (std::size_t i = open_low ? 3 : 0; i < kBandEdges.size(); ++i) {
+        b.*kBandEdges[i] = std::round((b.*kBandEdges[i] + by) * 1e4) / 1e4;
       }
       return b;
     }
@@ -65,6 +64,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   column->setContentsMargins(px(16), px(12), px(16), px(16));
   column->setSpacing(px(6));
   add_section(column, tr("Points"), &sum_);
+  column->addLayout(make_measuring());
   list_ = new QVBoxLayout;
   list_->setSpacing(px(6));
   column->addLayout(list_);
@@ -103,6 +103,33 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   follow_model();
 }
 
+/// The scripted operators cut the draft at once, and their values mark the bands.
+QBoxLayout* PointsForm::make_measuring() {
+  job_ = new OperatorJob(this);
+  measure_ = make_button(tr("Measure the operators"), ButtonKind::standard, u"ruler"_qs);
+  measure_->setToolTip(tr("Reference, competent and novice cut it at once; their values mark the bands of each criterion"));
+  measured_ = make_label({}, TextRole::caption, Weight::regular, "text2");
+  measured_->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(8));
+  row->addWidget(measure_);
+  row->addWidget(measured_, 1);
+  connect(measure_, &QPushButton::clicked, this, [this] {
+    job_->start(model_.scenario(), model_.specimen(), {"reference", "competent", "novice"});
+    measured_->setText(tr("Measuring"));
+    follow_model();
+  });
+  connect(job_, &OperatorJob::cut, this, [this](const std::shared_ptr<const SessionResult>& result) {
+    model_.now_tried({tried_by(result->operator_name), result->scenario, result->measures});
+  });
+  connect(job_, &OperatorJob::failed, this, [this](OperatorCutError error) { measured_->setText(describe(error).line()); });
+  connect(job_, &OperatorJob::done, this, [this] {
+    if (measured_->text() == tr("Measuring")) measured_->clear();
+    follow_model();
+  });
+  return row;
+}
+
 PointsForm::Row PointsForm::make_row(std::size_t index) {
   const std::string metric = model_.scenario().rubric.criteria[index].metric;
   const QString name = metric_name(metric);
@@ -133,22 +160,7 @@ PointsForm::Row PointsForm::make_row(std::size_t index) {
   column->addLayout(line);
   column->addWidget(row.weight->note());
   connect(away, &QPushButton::clicked, this, [this, index] { model_.remove_criterion(index); });
-  row.bands = new QFrame;
-  row.bands->setProperty("kind", u"sunken"_qs);
-  auto* edges = new QVBoxLayout(row.bands);
-  edges->setContentsMargins(px(8), px(8), px(8), px(8));
-  edges->setSpacing(px(4));
-  const QString names[] = {tr("No points below"), tr("Half from"), tr("Full from"),
-                           tr("Full to"),         tr("Half to"),   tr("No points above")};
-  for (std::size_t i = 0; i < kEdges.size(); ++i) {
-    row.edges[i] = new NumberBox(model_, tr("%1: %2").arg(name, names[i]), QString::fromUtf8(metric_unit(metric).toUtf8()),
-                                 -kOpenEnd, kOpenEnd, 0.05, 2, [this, index, i](double v) {
-                                   Bands b = model_.scenario().rubric.criteria[index].bands;
-                                   b.*kEdges[i] = v;
-                                   return model_.set_bands(index, b);
-                                 });
-    add_row(edges, names[i], row.edges[i]);
-  }
+  row.bands = new BandsForm(model_, index);
   row.bands->setVisible(open_ == metric);
   row.open->setChecked(open_ == metric);
   connect(row.open, &QPushButton::toggled, this, [this, metric, bands = row.bands](bool on) {
@@ -187,10 +199,11 @@ void PointsForm::follow_model() {
     const Criterion& c = s.rubric.criteria[i];
     sum += c.weight;
     rows_[i].weight->show_value(c.weight);
-    for (std::size_t k = 0; k < kEdges.size(); ++k) rows_[i].edges[k]->show_value(c.bands.*kEdges[k]);
+    rows_[i].bands->follow_model();
     rows_[i].open->setAccessibleDescription(wanted_text(c));
     rows_[i].open->setToolTip(tr("Full points: %1").arg(wanted_text(c)));
   }
+  measure_->setEnabled(model_.specimen() != nullptr && !has_error(model_.findings()) && !job_->running());
   sum_->setText(tr("pass %1 of 100, shares of %2").arg(format_points(s.rubric.pass), format_points(sum)));
   pass_->show_value(s.rubric.pass);
   const bool pulp = has_tissue(s, Tissue::pulp);

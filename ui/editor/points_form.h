@@ -6,6 +6,7 @@
 
 #include "ui/editor/editor_model.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -14,7 +15,9 @@ class QVBoxLayout;
 
 namespace cusp::ui {
 
+class BandsForm;
 class NumberBox;
+class OperatorJob;
 
 class PointsForm : public QWidget {
   Q_OBJECT
@@ -26,11 +29,11 @@ class PointsForm : public QWidget {
   struct Row {
     NumberBox* weight;
     QPushButton* open;
-    QWidget* bands;
-    NumberBox* edges[6];
+    BandsForm* bands;
   };
   void follow_model();
   void build_rows();
+  QBoxLayout* make_measuring();
   Row make_row(std::size_t index);
 
   EditorModel& model_;
@@ -38,7 +41,9 @@ class PointsForm : public QWidget {
   NumberBox* pass_;
   QCheckBox *pulp_, *dry_;
   QComboBox* metric_;
-  QPushButton* add_;
+  QPushButton *add_, *measure_;
+  QLabel* measured_;
+  OperatorJob* job_;
   QVBoxLayout* list_;
   std::vector<Row> rows_;
   std::vector<std::string> built_;  // metrics of rows_, in order

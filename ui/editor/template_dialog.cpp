@@ -50,13 +50,15 @@ void TemplateDialog::Row::show(double value) {
 
 bool TemplateDialog::Row::at_default() const { return std::abs(value() - usual) <= kShownRounding; }
 
-TemplateDialog::TemplateDialog(QWidget* parent) : QDialog(parent), id_(ScenarioId::make()) {
+TemplateDialog::TemplateDialog(const std::string& key, QWidget* parent) : QDialog(parent), id_(ScenarioId::make()) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("New exercise from a template"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(24), px(24), px(24), px(24));
   column->setSpacing(px(12));
   make_choices();
+  if (const auto first = std::ranges::find(exercise_templates(), key, &ExerciseTemplate::key); first != exercise_templates().end())
+    template_->setCurrentIndex(static_cast<int>(first - exercise_templates().begin()));
   column->addWidget(make_rule());
   scroll_ = new QScrollArea;
   scroll_->setWidgetResizable(true);
@@ -167,7 +169,7 @@ void TemplateDialog::add_row(QFormLayout& form, const TemplateParameter& paramet
 QWidget* TemplateDialog::make_field(Row& row) {
   constexpr int kFieldWidth = 112;
   const TemplateParameter& p = row.parameter;
-  if (p.unit.empty()) {
+  if (is_choice(p)) {
     row.choice = new QCheckBox;
     row.choice->setFixedWidth(px(kFieldWidth));
     connect(row.choice, &QCheckBox::toggled, this, &TemplateDialog::take_edit);
@@ -179,7 +181,7 @@ QWidget* TemplateDialog::make_field(Row& row) {
   row.number->setSingleStep(p.unit == "deg" ? 1 : 0.05);
   row.number->setAlignment(Qt::AlignRight);
   row.number->setFixedWidth(px(kFieldWidth));
-  row.number->setSuffix(QChar(0x00A0) + unit_text(QString::fromStdString(p.unit)));
+  if (!p.unit.empty()) row.number->setSuffix(QChar(0x00A0) + unit_text(QString::fromStdString(p.unit)));
   // NumberField reports a value when it is left; the button must follow each key.
   connect(row.number->findChild<QLineEdit*>(), &QLineEdit::textChanged, this, &TemplateDialog::take_edit);
   connect(row.number, &NumberField::editingFinished, this, &TemplateDialog::take_edit);
@@ -263,6 +265,7 @@ void TemplateDialog::fit_height() {
   setFixedWidth(width);
   // Names of two lines make rows taller than the size hint says.
   const int wanted = scroll_->widget()->layout()->totalHeightForWidth(width - 2 * px(24));
+  scroll_->widget()->setMinimumHeight(wanted);  // else the rows give up the last line of their notes
   scroll_->setMinimumHeight(std::min(wanted, std::max(px(kLeastRowsHeight), room.height() - px(kOtherHeight))));
   adjustSize();
 }

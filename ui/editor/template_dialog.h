@@ -26,7 +26,8 @@ class TemplateDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit TemplateDialog(QWidget* parent = nullptr);
+  /// Begins with the template of that key; the user may choose another.
+  explicit TemplateDialog(const std::string& key, QWidget* parent = nullptr);
   ~TemplateDialog() override;
   /// Makes the exercise and closes; stays open if the values make none.
   void accept() override;
@@ -39,7 +40,7 @@ class TemplateDialog : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// A parameter without a unit is a check box, any other a number.
+  /// A choice is a check box, any other parameter a number.
   struct Row {
     TemplateParameter parameter;
     NumberField* number = nullptr;

@@ -40,9 +40,11 @@ QString source_text(const std::string& source) {
 
 }  // namespace
 
+bool is_choice(const TemplateParameter& p) { return p.unit.empty() && p.least == 0 && p.most == 1; }
+
 QString parameter_note(const TemplateParameter& p, double usual) {
   const QString source = source_text(p.source);
-  if (p.unit.empty()) return (usual > 0.5 ? TemplateDialog::tr("Default: yes") : TemplateDialog::tr("Default: no")) + u'\n' + source;
+  if (is_choice(p)) return (usual > 0.5 ? TemplateDialog::tr("Default: yes") : TemplateDialog::tr("Default: no")) + u'\n' + source;
   return TemplateDialog::tr("%1, default %2").arg(range_text(p), with_unit(bare_number(usual, p.unit), p.unit)) + u'\n' + source;
 }
 

@@ -9,6 +9,8 @@
 
 namespace cusp::ui {
 
+/// Yes or no: without a unit, from 0 to 1. A share of something has a narrower range.
+bool is_choice(const TemplateParameter& parameter);
 /// "1.2 to 2.6 mm, default 1.8 mm" in one line and the source in the next. A source marked [M] is called not verified.
 QString parameter_note(const TemplateParameter& parameter, double usual);
 /// "Depth of the pulpal floor: 9 mm is outside 1.2 to 2.6 mm." `typed`: the text in the field, without its unit.

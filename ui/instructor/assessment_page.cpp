@@ -9,6 +9,7 @@
 #include "ui/student/course.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/bar_top.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
@@ -128,15 +129,8 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
 }
 
 QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
-  auto* bar = new QFrame;
-  bar->setProperty("kind", u"bar_top"_qs);
-  bar->setFixedHeight(px(48));
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(px(12), 0, px(12), 0);
-  row->setSpacing(px(8));
-  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
-  connect(leave, &QPushButton::clicked, this, &AssessmentPage::back_wanted);
-  row->addWidget(leave);
+  const auto [bar, row] = make_bar_top();
+  connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &AssessmentPage::back_wanted);
   row->addWidget(make_label(title, TextRole::section, Weight::bold));
   row->addWidget(make_label(aside, TextRole::body, Weight::regular, "text2"), 1);
   // An assessment is marked without names.

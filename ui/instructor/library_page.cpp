@@ -10,6 +10,7 @@
 #include <QShortcut>
 
 #include "scenarios/library/library.h"
+#include "scenarios/templates/templates.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
@@ -82,13 +83,19 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   setFocusProxy(table_);
 }
 
-/// A button with a menu: empty, from a template, or from a file.
+/// A button with a menu: empty, each template, or from a file.
 QPushButton* LibraryPage::make_new_button() {
   QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
   auto* menu = new QMenu(fresh);
   menu->setObjectName(u"begin"_qs);
   connect(menu->addAction(tr("Empty")), &QAction::triggered, this, &LibraryPage::begin_new);
-  connect(menu->addAction(tr("From a template…")), &QAction::triggered, this, &LibraryPage::begin_from_template);
+  menu->addSeparator();
+  for (const ExerciseTemplate& one : exercise_templates()) {
+    QAction* entry = menu->addAction(tr("From a template: %1…").arg(local(one.name)));
+    entry->setObjectName(QString::fromStdString(one.key));
+    connect(entry, &QAction::triggered, this, [this, key = one.key] { begin_from_template(key); });
+  }
+  menu->addSeparator();
   connect(menu->addAction(tr("Open a file…")), &QAction::triggered, this, &LibraryPage::choose_file);
   return put_menu(fresh, menu);
 }
@@ -240,8 +247,8 @@ void LibraryPage::begin_new() {
   begin_as_copy({*pattern, {}, 1, {}}, {{"en", "New exercise"}, {"de", "Neue Übung"}});
 }
 
-void LibraryPage::begin_from_template() {
-  auto* dialog = new TemplateDialog(this);
+void LibraryPage::begin_from_template(const std::string& key) {
+  auto* dialog = new TemplateDialog(key, this);
   connect(dialog, &TemplateDialog::made, this, [this](const Scenario& exercise) { Q_EMIT edit_wanted(open_new(exercise, database_)); });
   dialog->open();
 }

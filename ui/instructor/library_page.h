@@ -41,7 +41,7 @@ class LibraryPage : public QWidget {
   /// A channel in the plain block.
   void begin_new();
   /// Asks for template, tooth and parameters.
-  void begin_from_template();
+  void begin_from_template(const std::string& key);
   /// Asks first; the published version stays.
   void discard_draft();
   /// Asks first, with what follows. Only of a version that a person published.

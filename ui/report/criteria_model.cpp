@@ -1,12 +1,14 @@
 #include "ui/report/criteria_model.h"
 
+#include <algorithm>
+
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
 
-CriteriaModel::CriteriaModel(const Grade& grade, const Rubric& rubric, QObject* parent)
-    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(rubric) {}
+CriteriaModel::CriteriaModel(const Grade& grade, const Rubric& rubric, std::vector<PointsChange> changes, QObject* parent)
+    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(rubric), changes_(std::move(changes)) {}
 
 int CriteriaModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(grade_.criteria.size());
@@ -18,6 +20,11 @@ void CriteriaModel::set_detail(Detail detail) {
   Q_EMIT layoutAboutToBeChanged();
   detail_ = detail;
   Q_EMIT layoutChanged();  // the columns' widths change
+}
+
+QString CriteriaModel::change(int row) const {
+  const auto found = std::ranges::find(changes_, criterion(row).id, &PointsChange::criterion);
+  return found == changes_.end() ? QString() : found->text;
 }
 
 bool CriteriaModel::neutral(int row) const {
@@ -42,6 +49,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       return {};
     case IconRole:
       if (index.column() == kPlace) return m.where_mm ? u"target"_qs : QString();
+      if (index.column() == kName) return change(index.row()).isEmpty() ? QString() : u"edit"_qs;
       if (index.column() != kSign) return {};
       if (!m.measured) return u"info"_qs;
       if (neutral(index.row())) return u"minus"_qs;
@@ -65,6 +73,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
     case BoldRole: return index.column() == kPoints && marked;
     case QuietRole: return !marked && index.column() == kPoints;
     case Qt::ToolTipRole:
+      if (const QString changed = change(index.row()); !changed.isEmpty()) return changed;
       return c.band == "borderline" && c.reason_code != "little_drilled" ? tr("An edge of the marking is nearer than the figure is known.") : reason_text(c);
     case Qt::AccessibleTextRole:
       if (index.column() == kSign) {
@@ -72,6 +81,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
         if (neutral(index.row())) return tr("counts with the target");
         return bar_role(index.row()) == Bar::Role::good ? tr("full points") : tr("points lost");
       }
+      if (index.column() == kName && !change(index.row()).isEmpty()) return tr("%1. %2").arg(text_of(index), change(index.row()));
       if (index.column() == kPlace) return m.where_mm ? tr("shows its place on the tooth") : QString();
       if (index.column() == kYours && m.measured) {
         return format({m.value, m.uncertainty, QString::fromStdString(m.unit)});
@@ -87,7 +97,7 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
   const Measure& m = c.measure;
   const bool marked = m.measured && c.points_max > 0;
   switch (index.column()) {
-    case kName: return metric_name(c.id);
+    case kName: return change(index.row()).isEmpty() ? metric_name(c.id) : tr("%1 (changed)").arg(metric_name(c.id));
     case kYours:
       return m.measured ? format_value({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
     case kWanted:

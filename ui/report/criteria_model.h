@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <string>
+#include <vector>
 
 #include "scenarios/grading/grade.h"
 #include "scenarios/grading/maxima.h"
@@ -11,12 +13,18 @@
 
 namespace cusp::ui {
 
+/// Points of one criterion that an examiner changed.
+struct PointsChange {
+  std::string criterion;  // its id
+  QString text;           // who, from what to what, and the reason
+};
+
 class CriteriaModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kSign, kName, kYours, kWanted, kPoints, kPlace, kColumns };
-  CriteriaModel(const Grade& grade, const Rubric& rubric, QObject* parent = nullptr);
+  CriteriaModel(const Grade& grade, const Rubric& rubric, std::vector<PointsChange> changes = {}, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -25,6 +33,8 @@ class CriteriaModel : public QAbstractTableModel {
   enum class Detail { whole, narrow };
   void set_detail(Detail detail);
   const CriterionGrade& criterion(int row) const { return grade_.criteria[static_cast<std::size_t>(row)]; }
+  /// What an examiner changed in the row; empty: nothing.
+  QString change(int row) const;
   Bar::Role bar_role(int row) const;
   /// Scaled for the screen: their maxima sum to the grade's.
   const ScaledPoints& points(int row) const { return points_[static_cast<std::size_t>(row)]; }
@@ -36,6 +46,7 @@ class CriteriaModel : public QAbstractTableModel {
   Grade grade_;
   std::vector<ScaledPoints> points_;
   Rubric rubric_;
+  std::vector<PointsChange> changes_;
   Detail detail_ = Detail::whole;
 };
 

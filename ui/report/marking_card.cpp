@@ -17,6 +17,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kTextHeight = 60, kRemarkShown = 60;  // px at 100 %; characters
+constexpr int kOpenHeight = 900;  // px at 100 %, of the window: a lower one keeps its room for the criteria
 
 QWidget* row_of(std::initializer_list<QWidget*> parts) {
   auto* box = new QWidget;
@@ -41,26 +42,57 @@ MarkingCard::MarkingCard(Store& store, const Actor& actor, const ReportData& rep
   setAccessibleName(tr("Marking"));
   band_ = new Band;
   body()->addWidget(band_);
+  make_fold();
+  auto* inside = new QVBoxLayout(content_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(px(8));
   text_ = new QPlainTextEdit;
   text_->setPlaceholderText(tr("A comment, or the reason for a change"));
   text_->setAccessibleName(tr("Comment or reason"));
   text_->setFixedHeight(px(kTextHeight));
   text_->setTabChangesFocus(true);
-  body()->addWidget(text_);
+  inside->addWidget(text_);
   at_place_ = new QCheckBox(tr("at the place of the chosen criterion"));
   QPushButton* add = make_button(tr("Add comment"), ButtonKind::standard, u"comment"_qs);
   auto* row = new QHBoxLayout;
   row->addWidget(add);
   row->addWidget(at_place_, 1);
-  body()->addLayout(row);
+  inside->addLayout(row);
   connect(add, &QPushButton::clicked, this, &MarkingCard::comment);
   if (may(actor.role, Action::grade_again)) {
-    body()->addWidget(make_points());
-    body()->addWidget(make_result());
+    inside->addWidget(make_points());
+    inside->addWidget(make_result());
   }
-  body()->addWidget(make_taking_back());
+  inside->addWidget(make_taking_back());
   set_criterion(nullptr);
   show_data(report);
+}
+
+/// A button at the head shows or hides the rest.
+void MarkingCard::make_fold() {
+  content_ = new QWidget;
+  body()->addWidget(content_);
+  fold_ = make_button(tr("Mark this attempt"), ButtonKind::quiet, u"chevron_down"_qs);
+  fold_->setCheckable(true);
+  fold_->setToolTip(tr("Comment, change points, confirm or release"));
+  head()->addWidget(fold_);
+  connect(fold_, &QPushButton::toggled, this, [this](bool on) {
+    show_content(on ? Content::shown : Content::hidden);
+  });
+  connect(fold_, &QPushButton::clicked, this, [this] { chosen_ = true; });
+  show_content(Content::hidden);
+}
+
+void MarkingCard::show_content(Content content) {
+  const bool on = content == Content::shown;
+  content_->setVisible(on);
+  body()->setContentsMargins(px(16), px(on ? 16 : 6), px(16), px(on ? 16 : 6));
+  fold_->setIcon(icon(on ? u"chevron_up"_qs : u"chevron_down"_qs));
+}
+
+void MarkingCard::showEvent(QShowEvent* event) {
+  Card::showEvent(event);
+  if (!chosen_) fold_->setChecked(window()->height() >= px(kOpenHeight));
 }
 
 QWidget* MarkingCard::make_points() {

@@ -1,5 +1,5 @@
 /// Marks one attempt: comments, points that count instead, critical events that do not count, confirmation, release, and
-/// taking each of them back. Every act is a statement in the records. Thread: GUI.
+/// taking each of them back. In a low window it begins as one line. Every act is a statement in the records. Thread: GUI.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,13 @@ class MarkingCard : public Card {
   /// Something was stated or taken back.
   void stated();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void make_fold();
+  enum class Content { shown, hidden };
+  void show_content(Content content);
   QWidget* make_points();
   QWidget* make_result();
   QWidget* make_taking_back();
@@ -51,6 +57,9 @@ class MarkingCard : public Card {
   Band* band_;
   QPlainTextEdit* text_;
   QCheckBox* at_place_;
+  QPushButton* fold_ = nullptr;
+  QWidget* content_ = nullptr;
+  bool chosen_ = false;  // to be open or not
   QLabel* points_label_ = nullptr;
   NumberField* points_ = nullptr;
   QPushButton *change_ = nullptr, *strike_ = nullptr, *confirm_ = nullptr, *release_ = nullptr, *take_back_ = nullptr;

@@ -7,6 +7,7 @@
 #include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 #include "ui/render/target_look.h"
+#include "ui/session/operator_cut.h"
 #include "ui/text/bur_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
@@ -76,6 +77,22 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
   return out;
 }
 
+/// Points that count in place of measured ones, with who changed them and why.
+std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts) {
+  std::vector<PointsChange> out;
+  for (const SignedStatement& s : counts.overrides) {
+    if (s.kind != StatementKind::override_points) continue;
+    const auto account = store.accounts.find(s.author);
+    const QString who = account ? QString::fromStdString(account->name) : QString();
+    const auto measured = std::ranges::find(counts.stored.grade.criteria, s.criterion, &CriterionGrade::id);
+    const double before = measured == counts.stored.grade.criteria.end() ? 0 : measured->points;
+    //: %1: points that count, %2: measured points, %3: an examiner, %4: the reason.
+    out.push_back({s.criterion, ReportText::tr("%1 instead of %2 points, changed by %3: %4")
+                                    .arg(format_points(s.points.value_or(0)), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
+  }
+  return out;
+}
+
 }  // namespace
 
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
@@ -86,6 +103,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (kept && details && details->grade) {
     data.counts = details->grade;
     if (!details->grade->overrides.empty()) data.result.grade = details->grade->grade;
+    data.changes = changes_of(*store, *details->grade);
   }
   // The records do not hold this flag.
   mark_counted_with_target(data.result.grade, result.scenario.rubric);
@@ -167,11 +185,15 @@ std::vector<Advice> next_time(const ReportData& data) {
 }
 
 QString occasion_text(const ReportData& data) {
+  if (cut_at_once(data.result)) return operator_name(data.result.operator_name);
   if (data.attempt == 0) return ReportText::tr("Nothing of this attempt is kept");
   return ReportText::tr("%1 · %2, attempt %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.attempt);
 }
 
 QString circumstances_text(const ReportData& data) {
+  if (cut_at_once(data.result)) {
+    return ReportText::tr("%1, its cuts made at once: time, force and heat are not measured").arg(operator_name(data.result.operator_name));
+  }
   QStringList parts;
   parts += ReportText::tr("%1 min").arg(format_clock(data.result.seconds));
   if (data.peak_push_n) parts += ReportText::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));

@@ -12,6 +12,7 @@
 #include "scenarios/grading/maxima.h"
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/report/criteria_model.h"
 #include "ui/render/snapshot.h"
 #include "ui/session/bur_use.h"
 #include "ui/session/exercise_session.h"
@@ -40,6 +41,7 @@ struct ReportData {
   std::vector<BurSpan> burs;    // times of each bur; empty without records
   std::vector<CriticalEvent> critical;  // an opened pulp first
   std::optional<EffectiveGrade> counts;  // with what examiners changed; none without records
+  std::vector<PointsChange> changes;     // by examiners, of points that count
   std::vector<Remark> remarks;           // oldest first
   bool released = true;                  // false: an assessment whose result the student does not see yet
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class

@@ -10,6 +10,7 @@
 #include "ui/report/criteria_model.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/text/grade_text.h"
+#include "ui/widgets/bar_top.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -155,19 +156,8 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
 }
 
 QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
-  auto* bar = new QFrame;
-  bar->setProperty("kind", u"bar_top"_qs);
-  bar->setFixedHeight(px(48));
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(px(12), 0, px(12), 0);
-  row->setSpacing(px(8));
-  QPushButton* leave = make_button(back_name, ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
-  connect(leave, &QPushButton::clicked, this, &ReportPage::back_wanted);
-  row->addWidget(leave);
-  QFrame* rule = make_rule(Qt::Vertical);
-  rule->setFixedHeight(px(24));
-  row->addWidget(rule);
-  row->addSpacing(px(4));
+  const auto [bar, row] = make_bar_top();
+  connect(add_way_back({bar, row}, back_name), &QPushButton::clicked, this, &ReportPage::back_wanted);
   row->addWidget(make_label(data_.title, TextRole::section, Weight::bold));
   QString aside = occasion_text(data_);
   if (!data_.student.isEmpty() && again == TryAgain::hidden) aside = data_.student + u" · "_qs + aside;
@@ -282,7 +272,7 @@ QWidget* ReportPage::make_criteria() {
   auto* card = new Card;
   card->setAccessibleName(tr("Criteria"));
   card->body()->setContentsMargins(px(kTableSide), px(6), px(kTableSide), px(6));
-  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, this);
+  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, data_.changes, this);
   table_ = new Table;
   table_->setAccessibleName(tr("Criteria"));
   table_->setModel(model_);

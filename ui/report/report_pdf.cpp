@@ -123,7 +123,7 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
 }
 
 void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
-  const CriteriaModel model(d.result.grade, d.result.scenario.rubric);
+  const CriteriaModel model(d.result.grade, d.result.scenario.rubric, d.changes);
   const QRectF page = paper.page();
   const double widths[] = {0.36, 0.22, 0.2, 0.22};
   const int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints};
@@ -160,6 +160,14 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
                 c.points / c.points_max, colour_of(model.bar_role(row)), t.sunken);
     }
     paper.skip(20);
+    if (const QString change = model.change(row); !change.isEmpty()) {
+      // One line: the remarks have the whole reason.
+      const QRectF line(page.left() + paper.u(10), paper.y() - paper.u(3), page.width() - paper.u(20), paper.u(15));
+      paper.painter().setFont(paper.font(10));
+      paper.painter().setPen(t.text2);
+      paper.painter().drawText(line, Qt::AlignLeft | Qt::AlignVCenter, paper.painter().fontMetrics().elidedText(change, Qt::ElideRight, static_cast<int>(line.width())));
+      paper.skip(14);
+    }
     paper.rule(t.line);
   }
   paper.skip(10);

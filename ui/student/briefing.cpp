@@ -12,6 +12,7 @@
 #include "ui/text/bur_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/bar_top.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -83,19 +84,10 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
 }
 
 QWidget* Briefing::make_bar() {
-  auto* bar = new QFrame;
-  bar->setProperty("kind", u"bar_top"_qs);
-  bar->setFixedHeight(px(48));
-  auto* bar_row = new QHBoxLayout(bar);
-  bar_row->setContentsMargins(px(12), 0, px(12), 0);
-  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
-  connect(leave, &QPushButton::clicked, this, &Briefing::back_wanted);
-  bar_row->addWidget(leave);
-  QFrame* rule = make_rule(Qt::Vertical);
-  rule->setFixedHeight(px(24));
-  bar_row->addWidget(rule);
-  bar_row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, Weight::bold));
-  bar_row->addStretch();
+  const auto [bar, row] = make_bar_top();
+  connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &Briefing::back_wanted);
+  row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, Weight::bold));
+  row->addStretch();
   return bar;
 }
 

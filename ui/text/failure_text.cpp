@@ -127,6 +127,16 @@ Message describe(const PortFailure& f) {
   return {Text::tr("The device failed."), where};
 }
 
+Message describe(OperatorCutError error) {
+  switch (error) {
+    case OperatorCutError::no_path:
+      return {Text::tr("The operator cannot cut it."), Text::tr("No bur of the exercise fits into its target.")};
+    case OperatorCutError::too_much_cut:
+      return {Text::tr("The operator cannot cut it."), Text::tr("More is cut than a volume of this exercise can keep.")};
+  }
+  return {};
+}
+
 Message describe(const SessionFailure& f) {
   // The code of the module below is nearer to the cause; SessionError names only the consequence.
   if (const auto* code = std::get_if<StorageError>(&f.cause)) return describe(StorageFailure{*code, f.where, f.detail});

@@ -12,6 +12,7 @@
 #include "storage/base/error.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
+#include "ui/session/operator_cut.h"
 
 namespace cusp::ui {
 
@@ -33,6 +34,7 @@ Message describe(const ImportFailure& failure);
 Message describe(const ExerciseFileFailure& failure);
 Message describe(const PortFailure& failure);
 Message describe(const SessionFailure& failure);
+Message describe(OperatorCutError error);
 Message describe(Fault fault);
 /// How the loop of a device stands among other programs.
 Message describe(const RealtimeGrant& grant);

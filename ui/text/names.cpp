@@ -67,6 +67,13 @@ QString level_and_time_text(const Scenario& scenario) {
   return time.isEmpty() ? level : Text::tr("%1, %2").arg(level, time);
 }
 
+QString operator_name(const std::string& key) {
+  if (key == "reference" || key == "expert") return Text::tr("Reference operator");
+  if (key == "competent") return Text::tr("Competent operator");
+  if (key == "novice") return Text::tr("Novice operator");
+  return QString::fromStdString(key);
+}
+
 QString device_name(const std::string& device_class) {
   if (device_class == "pointer") return Text::tr("Mouse and keys");
   if (device_class == "falcon") return QStringLiteral("Falcon");

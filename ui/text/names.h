@@ -23,6 +23,8 @@ QString level_name(Level level);
 QString expected_time_text(double seconds);
 /// "Beginner, 15 min": what an exercise states of both; empty if neither.
 QString level_and_time_text(const Scenario& scenario);
+/// "Reference operator" of a scripted one; the key itself of any other.
+QString operator_name(const std::string& key);
 QString device_name(const std::string& device_class);
 QString tissue_name(Tissue tissue);
 /// "gingival floor" of a key of kFaceKeys; "other walls" of a side wall.

@@ -144,6 +144,7 @@ def mark(program, take):
         program.keys("Return")
         program.find(None, "Marking")
         desk.check(not any(school.STUDENT[0] in w for w in program.texts()), "the name of the candidate shows to who marks")
+        program.press("Mark this attempt", school.CHOICE)
         if row == 0:
             change_points(program)
             take(program, "marking")

@@ -175,6 +175,47 @@ TEST_F(EditorPages, a_try_out_is_of_the_draft_is_kept_nowhere_and_leaves_everyth
   EXPECT_TRUE(records.store().scenarios.library()->empty());
 }
 
+TEST_F(EditorPages, the_reference_operator_tries_the_draft_out_with_one_click_and_its_report_is_asked_for) {
+  const auto page = open();
+  page->model().set_depth_mm(1.6);
+  const Scenario draft = page->model().scenario();
+  EXPECT_FALSE(page->model().tried());
+  auto* reference = named<QPushButton>(*page, "Try out by the reference operator");
+  ASSERT_NE(reference, nullptr);
+  QSignalSpy wanted(page.get(), &EditorPage::result_wanted);
+  reference->click();
+  EXPECT_FALSE(reference->isEnabled()) << "one at a time";
+  ASSERT_TRUE(wanted.wait(kGrowsWithinMs));
+  const auto result = wanted[0][0].value<std::shared_ptr<const SessionResult>>();
+  EXPECT_TRUE(result->scenario == draft);
+  EXPECT_TRUE(result->grade.passed) << result->grade.score;
+  EXPECT_TRUE(result->session.is_nil());
+  EXPECT_TRUE(page->model().tried());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return reference->isEnabled(); }, kGrowsWithinMs));
+  EXPECT_TRUE(records.store().scenarios.library()->empty());
+}
+
+TEST_F(EditorPages, an_edit_ends_the_reference_operator_for_its_cuts_are_of_the_exercise_before) {
+  const auto page = open();
+  auto* reference = named<QPushButton>(*page, "Try out by the reference operator");
+  QSignalSpy wanted(page.get(), &EditorPage::result_wanted);
+  reference->click();
+  page->model().set_depth_mm(1.6);
+  EXPECT_TRUE(reference->isEnabled());
+  reference->click();
+  ASSERT_TRUE(wanted.wait(kGrowsWithinMs));
+  EXPECT_EQ(wanted[0][0].value<std::shared_ptr<const SessionResult>>()->scenario.target.outline.depth_mm, 1.6);
+}
+
+TEST_F(EditorPages, a_try_out_by_hand_ends_the_reference_operator_whose_report_would_cover_it) {
+  const auto page = open();
+  auto* reference = named<QPushButton>(*page, "Try out by the reference operator");
+  reference->click();
+  ASSERT_FALSE(reference->isEnabled());
+  named<QPushButton>(*page, "Try out")->click();
+  EXPECT_TRUE(reference->isEnabled());
+}
+
 TEST_F(EditorPages, leaving_keeps_the_draft_and_publishing_takes_it_away) {
   auto page = open();
   QSignalSpy back(page.get(), &EditorPage::back_wanted);

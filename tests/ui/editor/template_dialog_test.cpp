@@ -23,6 +23,11 @@ namespace {
 
 constexpr const char* kDepth = "Depth of the pulpal floor below the mouth";
 
+/// The entry of the menu of beginnings that names a template.
+QAction* begin_of(LibraryPage& page, const char* key) {
+  return page.findChild<QMenu*>(QStringLiteral("begin"))->findChild<QAction*>(QLatin1String(key));
+}
+
 /// The library with the dialog open over it.
 struct TemplateDialogs : EditorPages {
   std::unique_ptr<LibraryPage> page;
@@ -40,7 +45,7 @@ struct TemplateDialogs : EditorPages {
     page->show();
   }
   void ask() {
-    page->findChild<QMenu*>(QStringLiteral("begin"))->actions().at(1)->trigger();
+    begin_of(*page, "class-1-adhesive")->trigger();
     dialog = page->findChild<TemplateDialog*>();
     ASSERT_TRUE(dialog);
   }
@@ -114,6 +119,24 @@ TEST_F(TemplateDialogs, make_a_draft_that_opens_in_the_editor_and_is_kept_like_a
   EXPECT_EQ(records.store().scenarios.drafts(instructor.actor())->size(), 1u);
 }
 
+TEST_F(TemplateDialogs, make_an_exercise_of_every_template_by_its_defaults) {
+  for (int i = 0; i < combo("Template")->count(); ++i) {
+    combo("Template")->setCurrentIndex(i);
+    EXPECT_TRUE(make()->isEnabled()) << standing().toStdString();
+  }
+}
+
+TEST_F(TemplateDialogs, begin_with_the_template_that_the_menu_names) {
+  for (const ExerciseTemplate& one : exercise_templates()) {
+    dialog->reject();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.isNull(); }));
+    begin_of(*page, one.key.c_str())->trigger();
+    dialog = page->findChild<TemplateDialog*>();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(combo("Template")->currentText().toStdString(), one.name.at("en"));
+  }
+}
+
 TEST_F(TemplateDialogs, refuse_a_value_out_of_range_with_its_name_and_range) {
   type(kDepth, "9");
   EXPECT_FALSE(make()->isEnabled());
@@ -178,7 +201,7 @@ TEST_F(TemplateDialogs, show_range_unit_default_and_source_of_each_parameter) {
       bool shown = false;
       for (const QLabel* label : dialog->findChildren<QLabel*>()) shown = shown || label->text() == note;
       EXPECT_TRUE(shown) << note.toStdString();
-      EXPECT_EQ(note.contains(QStringLiteral(" to ")), !p.unit.empty()) << note.toStdString();
+      EXPECT_EQ(note.contains(QStringLiteral(" to ")), !is_choice(p)) << note.toStdString();
     }
   }
   leave_pictures();

@@ -11,10 +11,12 @@
 
 #include "tests/modules.h"
 #include "tests/ui/report/sample_report.h"
+#include "ui/report/criteria_model.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -69,7 +71,16 @@ TEST_F(Marking, ChangedPointsCountOnTheReportAndTheReasonIsRead) {
   page.show_data(gathered(examiner));
   EXPECT_DOUBLE_EQ(page.data().result.grade.score, 66 + before.points_max - before.points);
   EXPECT_EQ(page.findChildren<Table*>().last()->model()->rowCount(), static_cast<int>(page.data().result.grade.criteria.size()));
+  const QAbstractItemModel& table = *page.table()->model();
+  for (int row = 0; row < table.rowCount(); ++row) {
+    const QModelIndex name = table.index(row, CriteriaModel::kName);
+    EXPECT_EQ(name.data().toString().contains(QStringLiteral("(changed)")), row == 1) << name.data().toString().toStdString();
+    EXPECT_EQ(name.data(Qt::ToolTipRole).toString().contains(QStringLiteral("The block was worn.")), row == 1);
+    EXPECT_EQ(name.data(IconRole).toString().isEmpty(), row != 1);
+  }
+  EXPECT_TRUE(table.index(1, CriteriaModel::kName).data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("Dr Berg")));
   const ReportData of_student = gathered(lena);
+  ASSERT_EQ(of_student.changes.size(), 1u);
   ASSERT_EQ(of_student.remarks.size(), 1u);
   EXPECT_EQ(of_student.remarks[0].who, QStringLiteral("Dr Berg"));
   EXPECT_EQ(of_student.remarks[0].text, QStringLiteral("The block was worn."));
@@ -95,6 +106,26 @@ TEST_F(Marking, ACommentHasThePlaceOfTheChosenCriterionAndCanBeTakenBack) {
   say(card, "Another one's.");
   button(card, "Take back")->click();
   EXPECT_TRUE(gathered(lena).remarks.empty()) << message(card).toStdString();
+}
+
+TEST_F(Marking, IsOneLineInALowWindowUntilItIsOpened) {
+  for (const int height : {800, 1000}) {
+    ReportPage page(gathered(examiner), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+    auto* card = new MarkingCard(records.store(), examiner.actor(), page.data(), ports);
+    page.set_marking(card);
+    page.resize(1280, height);
+    page.show();
+    QCoreApplication::processEvents();
+    const bool open = height == 1000;
+    EXPECT_EQ(card->findChild<QPlainTextEdit*>()->isVisible(), open);
+    if (open) continue;
+    EXPECT_LT(card->height(), px(52)) << "one line of controls";
+    button(*card, "Mark this attempt")->click();
+    EXPECT_TRUE(card->findChild<QPlainTextEdit*>()->isVisible());
+    page.hide();
+    page.show();
+    EXPECT_TRUE(card->findChild<QPlainTextEdit*>()->isVisible()) << "as the examiner left it";
+  }
 }
 
 TEST_F(Marking, PracticeIsNeverReleased) {

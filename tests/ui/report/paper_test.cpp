@@ -10,6 +10,7 @@
 #include "tests/ui/report/sample_report.h"
 #include "ui/report/report_pdf.h"
 #include "ui/session/scene_builder.h"
+#include "ui/text/grade_text.h"
 
 namespace cusp::test {
 namespace {
@@ -68,6 +69,18 @@ TEST(ReportPdf, has_the_remarks_on_sheets_of_their_own) {
   data.remarks.back().text = QStringLiteral("The last one.");
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
   EXPECT_NE(text_in(file).find("The last one."), std::string::npos);
+}
+
+TEST(ReportPdf, marks_a_criterion_whose_points_an_examiner_changed_with_the_reason) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  const std::string changed = data.result.grade.criteria.at(1).id;
+  data.changes.push_back({changed, QStringLiteral("4 instead of 2 points, changed by Dr Berg: the block was worn")});
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const std::string text = text_in(file);
+  EXPECT_NE(text.find(metric_name(changed).toStdString() + " (changed)"), std::string::npos) << text;
+  EXPECT_NE(text.find("changed by Dr Berg: the block was worn"), std::string::npos) << text;
 }
 
 TEST(ReportPdf, holds_the_picture_of_the_tooth) {
