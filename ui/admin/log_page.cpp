@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QStackedWidget>
 #include <QTimer>
 
@@ -19,6 +18,7 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
@@ -263,20 +263,8 @@ void LogPage::export_csv() {
     const auto noted = store_.audit.add({.actor = actor_.id, .action = "log_exported", .subject = store_.context().station, .detail = std::to_string(entries)});
     if (!noted) return show_failure(noted.error());
   }
-  FileWish wish;
-  wish.title = tr("Export CSV");
-  wish.name = u"cusp-audit-log-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs) + u".csv"_qs;
-  wish.filter = tr("CSV (*.csv)");
-  ports_.pick_file(this, wish, [self = QPointer(this), entries, bytes = QByteArray::fromStdString(*text)](const QString& path) {
-    if (!self) return;
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
-      self->band_->show_message(Band::Kind::good, tr("%n entry(ies) exported.", nullptr, static_cast<int>(entries)), path);
-    } else {
-      self->band_->show_message(Band::Kind::bad, tr("The file was not written."),
-                                tr("%1: %2. What was there before is unchanged.").arg(path, file.errorString()));
-    }
-  });
+  save_csv(*band_, ports_, {tr("Export CSV"), u"cusp-audit-log-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs), *text,
+                            tr("%n entry(ies) exported.", nullptr, static_cast<int>(entries))});
 }
 
 }  // namespace cusp::ui

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTimer>
@@ -25,6 +24,7 @@
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
@@ -345,21 +345,8 @@ void Performance::export_csv() {
   options.language = current_language().toStdString();
   const auto csv = export_history(store_.context(), reader_, filter(), options);
   if (!csv) return show_failure(csv.error());
-  FileWish wish;
-  wish.title = tr("Export CSV");
-  wish.name = u"cusp-performance-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs) + u".csv"_qs;
-  wish.filter = tr("CSV (*.csv)");
-  const int rows = static_cast<int>(csv->rows);
-  ports_.pick_file(this, wish, [this, rows, bytes = QByteArray::fromStdString(csv->text)](const QString& path) {
-    // QSaveFile renames at the end: a full disk leaves the old file.
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
-      band_->show_message(Band::Kind::good, tr("%n attempt(s) exported.", nullptr, rows), path);
-    } else {
-      band_->show_message(Band::Kind::bad, tr("The file was not written."),
-                          tr("%1: %2. What was there before is unchanged.").arg(path, file.errorString()));
-    }
-  });
+  save_csv(*band_, ports_, {tr("Export CSV"), u"cusp-performance-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs), csv->text,
+                            tr("%n attempt(s) exported.", nullptr, static_cast<int>(csv->rows))});
 }
 
 void Performance::resizeEvent(QResizeEvent* event) {

@@ -12,6 +12,7 @@
 #include "ui/text/incident_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -66,7 +67,12 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   auto* row = new QHBoxLayout;
   row->setSpacing(px(16));
   row->addWidget(make_backups(), 3);
-  row->addWidget(make_records(), 2, Qt::AlignTop);
+  auto* aside = new QVBoxLayout;
+  aside->setSpacing(px(16));
+  aside->addWidget(make_records());
+  aside->addWidget(make_idle());
+  aside->addStretch();
+  row->addLayout(aside, 2);
   outer->addLayout(row, 1);
   show_backups();
   setFocusProxy(back_up_);
@@ -88,6 +94,20 @@ QWidget* StationPage::make_records() {
   verify_ = make_button(tr("Verify now"), ButtonKind::standard, u"shield"_qs);
   card->body()->addWidget(verify_, 0, Qt::AlignLeading);
   connect(verify_, &QPushButton::clicked, this, &StationPage::verify);
+  return card;
+}
+
+QWidget* StationPage::make_idle() {
+  auto* card = new Card(tr("Signing out"));
+  idle_ = new NumberField;
+  idle_->setRange(0, Settings::kMostIdleMinutes);
+  idle_->setDecimals(0);
+  idle_->setSpecialValueText(tr("never"));
+  idle_->setSuffix(tr(" min"));
+  idle_->show_value(settings_.idle_minutes());
+  card->body()->addWidget(labelled(tr("After so many minutes without input"), idle_));
+  card->body()->addWidget(wrapped(tr("Nobody is signed out while drilling. It holds from the next sign-in.")));
+  connect(idle_, &QDoubleSpinBox::valueChanged, this, [this](double minutes) { settings_.set_idle_minutes(static_cast<int>(minutes)); });
   return card;
 }
 

@@ -20,6 +20,7 @@ namespace cusp::ui {
 
 class Band;
 class Busy;
+class NumberField;
 class Table;
 
 class StationPage : public QWidget {
@@ -39,6 +40,7 @@ class StationPage : public QWidget {
  private:
   QWidget* make_records();
   QWidget* make_backups();
+  QWidget* make_idle();
   void show_backups();
   void show_backed_up(const Stored<Backup>& backup);
   void show_verified(const Stored<StoreVerification>& proof);
@@ -56,6 +58,7 @@ class StationPage : public QWidget {
   BackgroundTask task_;
   Band* band_;
   Busy* busy_ = nullptr;
+  NumberField* idle_ = nullptr;
   QLabel *folder_ = nullptr, *newest_ = nullptr;
   QPushButton *back_up_ = nullptr, *choose_ = nullptr, *verify_ = nullptr;
   QStandardItemModel* list_ = nullptr;

@@ -19,6 +19,7 @@
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/cohorts_page.h"
@@ -77,6 +78,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
     }
   });
   connect(pictures_.get(), &ThumbnailCache::ready, this, &Desktop::show_cover);
+  connect(&idle_, &IdleWatch::idle, this, &Desktop::lock_idle);
   connect(&backup_timer_, &QTimer::timeout, this, &Desktop::keep_daily_backup);
 }
 
@@ -132,8 +134,20 @@ void Desktop::show_cover() {
 
 void Desktop::sign_in(const Account& account) {
   account_ = account;
+  begin_idle();
   show_shell(entries().first().key);
   open_waiting_file();
+}
+
+void Desktop::begin_idle() { idle_.set_limit(std::chrono::minutes(settings_.idle_minutes())); }
+
+void Desktop::lock_idle() {
+  // A device moves without mouse and keys.
+  if (!account_ || findChild<DrillScreen*>() != nullptr) return begin_idle();
+  for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
+  const int minutes = settings_.idle_minutes();
+  sign_out();
+  sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), tr("What you did is kept.")});
 }
 
 void Desktop::sign_out() {

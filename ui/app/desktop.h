@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "storage/store.h"
+#include "ui/app/idle_watch.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/session/replay.h"
@@ -64,6 +65,8 @@ class Desktop : public QMainWindow {
 
   void sign_in(const Account& account);
   void sign_out();
+  /// Signs out after the station's time without input, unless somebody drills. An editor keeps its draft.
+  void lock_idle();
   const std::optional<Account>& account() const { return account_; }
   Store* store() { return store_.get(); }
 
@@ -100,6 +103,7 @@ class Desktop : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void begin_idle();
   void rebuild();
   void show_sign_in(SignIn* page);
   void show_cover();
@@ -147,6 +151,7 @@ class Desktop : public QMainWindow {
   hid::HidStation* hid_ = nullptr;
   QString waiting_file_;  // empty: none
   QTimer backup_timer_;
+  IdleWatch idle_;
   BackgroundTask backup_, packing_;
   std::optional<Message> backup_failure_;  // of the last daily backup
 };

@@ -3,16 +3,20 @@
 #include <QBoxLayout>
 #include <QKeySequence>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <algorithm>
 
 #include "ui/student/course.h"
 #include "ui/text/failure_text.h"
+#include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/widgets/bar_top.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/menu_button.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
@@ -140,11 +144,33 @@ QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
   names_->setVisible(assignment_.kind == SessionKind::assessment);
   connect(names_, &QPushButton::toggled, this, [this](bool on) { table_->setColumnHidden(CandidatesModel::kName, !on); });
   row->addWidget(names_);
+  row->addWidget(make_gradebook_button());
   release_ = make_button(tr("Release results"), ButtonKind::primary, u"eye"_qs);
   release_->setVisible(assignment_.kind == SessionKind::assessment && may(actor_.role, Action::assign));
   connect(release_, &QPushButton::clicked, this, &AssessmentPage::release_all);
   row->addWidget(release_);
   return bar;
+}
+
+QPushButton* AssessmentPage::make_gradebook_button() {
+  QPushButton* button = make_button(tr("Gradebook"), ButtonKind::standard, u"export"_qs);
+  button->setToolTip(tr("Save the released results as a column for another system"));
+  auto* menu = new QMenu(button);
+  menu->addAction(tr("For Moodle"), this, [this] { export_gradebook(Gradebook::moodle); });
+  menu->addAction(tr("For Canvas"), this, [this] { export_gradebook(Gradebook::canvas); });
+  button->setVisible(may(actor_.role, Action::export_results));
+  return put_menu(button, menu);
+}
+
+void AssessmentPage::export_gradebook(Gradebook system) {
+  CsvOptions options;
+  options.language = current_language().toStdString();
+  const auto file = storage::export_gradebook(store_.context(), actor_, assignment_.id, system, options);
+  if (!file) return show_failure(file.error());
+  QString done = tr("%n result(s) exported.", nullptr, static_cast<int>(file->students));
+  if (file->withheld > 0) done += u' ' + tr("%n wait(s) for release.", nullptr, static_cast<int>(file->withheld));
+  save_csv(*band_, ports_, {tr("Save for the gradebook"), (system == Gradebook::moodle ? u"moodle-"_qs : u"canvas-"_qs) + ports_.now().toString(u"yyyy-MM-dd"_qs),
+                            file->text, done});
 }
 
 QWidget* AssessmentPage::make_extra_time() {

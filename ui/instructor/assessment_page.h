@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "storage/export/gradebook.h"
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
@@ -55,6 +56,8 @@ class AssessmentPage : public QWidget {
   QString message() const;
   /// Of the chosen candidate, for attempts that begin afterwards.
   void give_extra_time(int percent);
+  /// Asks for the file of a column of results.
+  void export_gradebook(Gradebook system);
   /// Releases every graded result that needs no confirmation; asks first.
   void release_all();
 
@@ -68,6 +71,7 @@ class AssessmentPage : public QWidget {
 
  private:
   QWidget* make_bar(const QString& title, const QString& aside);
+  QPushButton* make_gradebook_button();
   QWidget* make_extra_time();
   void show_chosen();
   void read();

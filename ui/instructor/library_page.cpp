@@ -18,6 +18,7 @@
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/menu_button.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -25,20 +26,6 @@ namespace cusp::ui {
 namespace {
 
 constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
-
-/// Gives the button its menu, and the sign of one.
-QPushButton* put_menu(QPushButton* button, QMenu* menu) {
-  button->setMenu(menu);
-  auto* chevron = new QLabel;
-  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, button->devicePixelRatioF()));
-  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* inside = new QHBoxLayout(button);
-  inside->setContentsMargins(0, 0, px(8), 0);
-  inside->addStretch();
-  inside->addWidget(chevron);
-  button->setMinimumWidth(button->sizeHint().width() + px(24));
-  return button;
-}
 
 }  // namespace
 

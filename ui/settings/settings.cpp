@@ -31,6 +31,10 @@ int Settings::volume_percent() const {
 void Settings::set_volume_percent(int percent) { store_.setValue("sound/volume", std::clamp(percent, 0, 100)); }
 bool Settings::muted() const { return store_.value("sound/muted", false).toBool(); }
 void Settings::set_muted(bool muted) { store_.setValue("sound/muted", muted); }
+int Settings::idle_minutes() const {
+  return std::clamp(store_.value("station/idle_minutes", kUsualIdleMinutes).toInt(), 0, kMostIdleMinutes);
+}
+void Settings::set_idle_minutes(int minutes) { store_.setValue("station/idle_minutes", std::clamp(minutes, 0, kMostIdleMinutes)); }
 std::filesystem::path Settings::backup_folder(const std::filesystem::path& database) const {
   const QString chosen = store_.value("records/backup_folder").toString();
   return chosen.isEmpty() ? database.parent_path() / "backups" : std::filesystem::path(chosen.toStdString());

@@ -32,6 +32,10 @@ class Settings {
   bool muted() const;
   void set_muted(bool muted);
   static constexpr int kUsualVolumePercent = 50;
+  /// Minutes without input after which the desktop signs out; 0 = never.
+  int idle_minutes() const;
+  void set_idle_minutes(int minutes);
+  static constexpr int kUsualIdleMinutes = 15, kMostIdleMinutes = 240;
   /// Where the daily backups of a database go; "backups" beside it unless another folder was chosen.
   std::filesystem::path backup_folder(const std::filesystem::path& database) const;
   void set_backup_folder(const QString& folder);

@@ -68,6 +68,8 @@ void SignIn::show_incident(const Message& message) {
   incident_->setVisible(first_start_ || who() == Who::staff);
 }
 
+void SignIn::show_note(const Message& message) { band_->show_message(Band::Kind::info, message.what, message.more); }
+
 void SignIn::show_reading_only(const Message& why) {
   reading_only_->show_message(Band::Kind::look, why.what, why.more);
   try_again_->show();

@@ -36,6 +36,8 @@ class SignIn : public QWidget {
   Who who() const;
   /// A fault met while the records were opened: shown to staff, and to whoever makes the first administrator.
   void show_incident(const Message& message);
+  /// Why the page is here, until somebody signs in.
+  void show_note(const Message& message);
   /// The records cannot be written: shown to everybody, with "Try again".
   void show_reading_only(const Message& why);
   QString message() const;

@@ -53,6 +53,7 @@ constexpr Entry kEntries[] = {
     {"packed", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempt saved as an appeal pack")},
     {"history_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempts exported as a list")},
     {"criteria_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Criteria exported as a list")},
+    {"gradebook_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Results exported for a gradebook")},
     {"log_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Audit log exported as a list")},
     {"summaries_rebuilt", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Lists made anew from the records")},
     {"station_key_added", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Key of this station added")},

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -46,6 +47,35 @@ struct DesktopTest : ::testing::Test {
     return keys;
   }
 };
+
+TEST_F(DesktopTest, who_leaves_the_desktop_is_signed_out_and_reads_why) {
+  const Account lena = records.student("1", "Lena Brandt");
+  settings.set_idle_minutes(20);
+  open(records.file());
+  desktop->sign_in(lena);
+  desktop->lock_idle();
+  EXPECT_FALSE(desktop->account());
+  const auto* page = desktop->findChild<SignIn*>();
+  ASSERT_NE(page, nullptr);
+  EXPECT_TRUE(page->message().contains(QStringLiteral("20 minute"))) << page->message().toStdString();
+  desktop->lock_idle();
+  EXPECT_FALSE(desktop->account());
+}
+
+TEST(IdleWatch, speaks_once_after_its_time_without_input_and_never_without_a_limit) {
+  IdleWatch watch;
+  QSignalSpy idle(&watch, &IdleWatch::idle);
+  watch.set_limit(std::chrono::milliseconds(40));
+  ASSERT_TRUE(idle.wait());
+  EXPECT_FALSE(idle.wait(120)) << "once";
+  QWidget somewhere;
+  QTest::keyClick(&somewhere, Qt::Key_A);
+  ASSERT_TRUE(idle.wait());
+  watch.set_limit(std::chrono::milliseconds(0));
+  QTest::keyClick(&somewhere, Qt::Key_A);
+  EXPECT_FALSE(idle.wait(120));
+  EXPECT_EQ(idle.count(), 2);
+}
 
 TEST_F(DesktopTest, each_role_has_its_pages) {
   const Account lena = records.student("1", "Lena Brandt");

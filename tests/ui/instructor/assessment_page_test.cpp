@@ -1,8 +1,10 @@
 // The candidates of an assessment: without names, their results, and their release.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -95,6 +97,23 @@ TEST_F(Candidates, ReceiveExtraTimeThatShowsBesideTheirNumber) {
   EXPECT_TRUE(page.message().contains(row_of(page, ida).candidate)) << page.message().toStdString();
   page.give_extra_time(401);
   EXPECT_EQ(row_of(page, ida).extra_time_percent, 25);
+}
+
+TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("out.csv"));
+  ports.pick_file = [&](QWidget*, const FileWish& wish, const std::function<void(const QString&)>& then) {
+    EXPECT_TRUE(wish.name.startsWith(QStringLiteral("canvas-"))) << wish.name.toStdString();
+    then(path);
+  };
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  page.release_all();
+  page.export_gradebook(Gradebook::canvas);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("1 result"))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("1 wait"))) << page.message().toStdString();
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readAll().startsWith("Student,ID,SIS User ID"));
 }
 
 TEST_F(Candidates, OpenTheirReport) {

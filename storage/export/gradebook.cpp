@@ -1,0 +1,82 @@
+#include "storage/export/gradebook.h"
+
+#include <map>
+
+#include "storage/repositories/assignments.h"
+#include "storage/repositories/audit_log.h"
+
+namespace cusp::storage {
+namespace {
+
+struct Result {
+  std::string number, name;
+  double score = 0;
+};
+
+struct Results {
+  std::map<std::string, Result> best;  // by number
+  std::size_t withheld = 0;
+  double most = 100;
+};
+
+Results results_of(const std::vector<HistoryRow>& rows) {
+  Results out;
+  std::map<std::string, bool> waits;
+  for (const HistoryRow& row : rows) {
+    if (!row.score) continue;
+    if (!row.released) {
+      waits[row.student_number] = true;
+      continue;
+    }
+    out.most = row.score_max.value_or(out.most);
+    const auto [at, fresh] = out.best.try_emplace(row.student_number, row.student_number, row.student_name, *row.score);
+    if (!fresh && *row.score > at->second.score) at->second.score = *row.score;
+  }
+  for (const auto& [number, waiting] : waits) out.withheld += out.best.contains(number) ? 0 : 1;
+  return out;
+}
+
+std::string title_of(const std::vector<HistoryRow>& rows, const std::string& language) {
+  if (rows.empty()) return {};
+  const LocalText& title = rows.front().title;
+  for (const std::string& wanted : {language, std::string("en")}) {
+    if (const auto found = title.find(wanted); found != title.end()) return found->second;
+  }
+  return title.empty() ? std::string() : title.begin()->second;
+}
+
+std::string for_moodle(const Results& results, const std::string& title) {
+  std::string out = "ID number," + csv_text(title) + "\r\n";
+  for (const auto& [number, r] : results.best) out += csv_text(number) + ',' + csv_number(r.score) + "\r\n";
+  return out;
+}
+
+std::string for_canvas(const Results& results, const std::string& title) {
+  std::string out = "Student,ID,SIS User ID,SIS Login ID,Section," + csv_text(title) + "\r\n";
+  out += "Points Possible,,,,," + csv_number(results.most) + "\r\n";
+  for (const auto& [number, r] : results.best) {
+    out += csv_text(r.name) + ",," + csv_text(number) + ',' + csv_text(number) + ",," + csv_number(r.score) + "\r\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
+                                       const CsvOptions& options) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
+  if (const auto found = Assignments(context).find(assignment); !found) return std::unexpected(found.error());
+  const auto rows = History(context).of_assignment(actor, assignment);
+  if (!rows) return std::unexpected(rows.error());
+  const Results results = results_of(*rows);
+  const std::string title = title_of(*rows, options.language);
+  GradebookFile out{options.byte_order_mark ? "\xEF\xBB\xBF" : "", results.best.size(), results.withheld};
+  out.text += system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title);
+  if (context.db.read_only()) return out;
+  const auto noted = AuditLog(context).add(
+      {.actor = actor.id, .action = "gradebook_exported", .subject = assignment.uuid, .detail = std::to_string(out.students)});
+  if (!noted) return std::unexpected(noted.error());
+  return out;
+}
+
+}  // namespace cusp::storage

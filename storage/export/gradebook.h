@@ -1,0 +1,30 @@
+/// Results of one assignment as a column for another system's gradebook. Student numbers identify the students there.
+///
+///   Moodle   ID number,TITLE               mapped to "ID number" and the grade item while importing
+///   Canvas   Student,ID,SIS User ID,SIS Login ID,Section,TITLE, then a row "Points Possible"
+///
+/// Sources: Moodle's documentation, "Grade import"; Canvas's gradebook importer, which reads these headers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "storage/export/csv.h"
+
+namespace cusp::storage {
+
+enum class Gradebook : std::uint8_t { moodle, canvas };
+
+struct GradebookFile {
+  std::string text;
+  std::size_t students = 0;  // with a result in the file
+  std::size_t withheld = 0;  // whose only results wait for their release, and are left out
+};
+
+/// The best released result of each student. Who has none has no line: an empty cell would clear a grade there. Needs
+/// export_results; adds an entry to the audit log.
+Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
+                                       const CsvOptions& options = {});
+
+}  // namespace cusp::storage

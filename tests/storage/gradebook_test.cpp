@@ -1,0 +1,75 @@
+/// A column of results for another system's gradebook: who is in it, with which result, and how each system reads it.
+#include <gtest/gtest.h>
+
+#include "storage/export/gradebook.h"
+#include "tests/storage/sample.h"
+
+namespace cusp::test {
+namespace {
+
+struct GradebookTest : ::testing::Test {
+  Folder folder;
+  std::unique_ptr<Store> store = open(folder / "a.db");
+  Actor administrator = make_administrator(*store).actor();
+  Actor instructor = make_instructor(*store).actor();
+  Account lena = make_student(*store), omar = make_student(*store, "20260002", "Haddad, Omar"), ida = make_student(*store, "20260003", "Ida Berg");
+  ScenarioVersion version = keep(*store);
+  Assignment exam{};
+
+  void SetUp() override {
+    const CohortId cohort = must(store->cohorts.create(instructor, "Year 2")).id;
+    for (const Account& student : {lena, omar, ida}) must(store->cohorts.add(instructor, cohort, student.id));
+    exam = must(store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
+  }
+  SessionId sit(const Account& student, double score, bool released = true) {
+    NewSession wanted = new_session(student, version);
+    wanted.assignment = exam.id;
+    wanted.start_code = "4711";
+    const SessionId id = must(store->sessions.start(student.actor(), wanted)).id;
+    must(store->traces.append(id, second_from(1)));
+    must(store->sessions.finish(id, volume_after(12), "student"));
+    must(store->grades.save(id, small_grade(score, true), {}));
+    if (released) must(store->statements.release(instructor, id));
+    return id;
+  }
+  GradebookFile file(Gradebook system) { return must(export_gradebook(store->context(), administrator, exam.id, system)); }
+};
+
+TEST_F(GradebookTest, holds_the_best_released_result_of_each_student_and_nobody_without_one) {
+  sit(lena, 62);
+  sit(lena, 81.5);
+  sit(lena, 99, false);
+  sit(omar, 70, false);
+  const GradebookFile moodle = file(Gradebook::moodle);
+  EXPECT_EQ(moodle.students, 1u);
+  EXPECT_EQ(moodle.withheld, 1u) << "Omar; one of Lena's is released";
+  EXPECT_EQ(moodle.text.substr(0, 10), "ID number,");
+  EXPECT_NE(moodle.text.find("\r\n20267314,81.5\r\n"), std::string::npos) << moodle.text;
+  EXPECT_EQ(moodle.text.find("20260002"), std::string::npos);
+  EXPECT_EQ(moodle.text.find("20260003"), std::string::npos);
+}
+
+TEST_F(GradebookTest, counts_what_examiners_changed) {
+  const SessionId id = sit(lena, 68, false);
+  must(store->statements.override_points(instructor, id, "target_removed", 20, "The block was worn."));
+  must(store->statements.release(instructor, id));
+  EXPECT_NE(file(Gradebook::moodle).text.find("20267314,70\r\n"), std::string::npos) << file(Gradebook::moodle).text;
+}
+
+TEST_F(GradebookTest, has_the_columns_that_canvas_asks_for_and_quotes_names) {
+  sit(omar, 75);
+  const std::string text = file(Gradebook::canvas).text;
+  EXPECT_EQ(text.find("Student,ID,SIS User ID,SIS Login ID,Section,"), 0u) << text;
+  EXPECT_NE(text.find("\r\nPoints Possible,,,,,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\r\n\"Haddad, Omar\",,20260002,20260002,,75\r\n"), std::string::npos) << text;
+}
+
+TEST_F(GradebookTest, needs_the_right_and_stands_in_the_log) {
+  EXPECT_EQ(code_of(export_gradebook(store->context(), lena.actor(), exam.id, Gradebook::moodle)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(export_gradebook(store->context(), administrator, AssignmentId::make(), Gradebook::moodle)), StorageError::not_found);
+  EXPECT_EQ(file(Gradebook::canvas).students, 0u);
+  EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).action, "gradebook_exported");
+}
+
+}  // namespace
+}  // namespace cusp::test

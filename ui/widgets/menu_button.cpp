@@ -1,0 +1,26 @@
+#include "ui/widgets/menu_button.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+
+#include "ui/widgets/icon.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+
+QPushButton* put_menu(QPushButton* button, QMenu* menu) {
+  button->setMenu(menu);
+  auto* chevron = new QLabel;
+  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, button->devicePixelRatioF()));
+  chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* inside = new QHBoxLayout(button);
+  inside->setContentsMargins(0, 0, px(8), 0);
+  inside->addStretch();
+  inside->addWidget(chevron);
+  button->setMinimumWidth(button->sizeHint().width() + px(24));
+  return button;
+}
+
+}  // namespace cusp::ui
