@@ -184,6 +184,40 @@
         <source>%1 has no extra time.</source>
         <translation>%1 hat keine Zeitzugabe.</translation>
     </message>
+    <message>
+        <source>Gradebook</source>
+        <translation>Notenbuch</translation>
+    </message>
+    <message>
+        <source>Save the released results as a column for another system</source>
+        <translation>Die freigegebenen Ergebnisse als Spalte für ein anderes System speichern</translation>
+    </message>
+    <message>
+        <source>For Moodle</source>
+        <translation>Für Moodle</translation>
+    </message>
+    <message>
+        <source>For Canvas</source>
+        <translation>Für Canvas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) exported.</source>
+        <translation>
+            <numerusform>%n Ergebnis exportiert.</numerusform>
+            <numerusform>%n Ergebnisse exportiert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wait(s) for release.</source>
+        <translation>
+            <numerusform>%n wartet auf die Freigabe.</numerusform>
+            <numerusform>%n warten auf die Freigabe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save for the gradebook</source>
+        <translation>Für das Notenbuch speichern</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentStart</name>
@@ -2875,6 +2909,17 @@
         <source>The records can only be read now, so nothing can be added to the library.</source>
         <translation>Die Aufzeichnungen können jetzt nur gelesen werden, deshalb kann nichts in die Bibliothek kommen.</translation>
     </message>
+    <message numerus="yes">
+        <source>You were signed out after %n minute(s) without input.</source>
+        <translation>
+            <numerusform>Sie wurden nach %n Minute ohne Eingabe abgemeldet.</numerusform>
+            <numerusform>Sie wurden nach %n Minuten ohne Eingabe abgemeldet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What you did is kept.</source>
+        <translation>Was Sie getan haben, bleibt erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -5219,24 +5264,12 @@
         <source>The entries before it hold.</source>
         <translation>Die Einträge davor halten.</translation>
     </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
     <message numerus="yes">
         <source>%n entry(ies) exported.</source>
         <translation>
             <numerusform>%n Eintrag exportiert.</numerusform>
             <numerusform>%n Einträge exportiert.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The file was not written.</source>
-        <translation>Die Datei wurde nicht geschrieben.</translation>
-    </message>
-    <message>
-        <source>%1: %2. What was there before is unchanged.</source>
-        <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -6352,18 +6385,6 @@
         <translation>Mittlere Hälfte</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>The file was not written.</source>
-        <translation>Die Datei wurde nicht geschrieben.</translation>
-    </message>
-    <message>
-        <source>%1: %2. What was there before is unchanged.</source>
-        <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
-    </message>
-    <message>
         <source>attempts, five points a bar</source>
         <translation>Versuche, fünf Punkte je Balken</translation>
     </message>
@@ -6973,6 +6994,21 @@
     <message>
         <source>Copied</source>
         <translation>Kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::SaveCsv</name>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>The file was not written.</source>
+        <translation>Die Datei wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1: %2. What was there before is unchanged.</source>
+        <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +7901,26 @@ Ihr bester davor</translation>
     <message>
         <source>Signs this station’s records and appeal packs</source>
         <translation>Signiert die Aufzeichnungen und Einspruchsakten dieser Station</translation>
+    </message>
+    <message>
+        <source>Signing out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>After so many minutes without input</source>
+        <translation>Nach so vielen Minuten ohne Eingabe</translation>
+    </message>
+    <message>
+        <source>Nobody is signed out while drilling. It holds from the next sign-in.</source>
+        <translation>Niemand wird beim Bohren abgemeldet. Es gilt ab der nächsten Anmeldung.</translation>
     </message>
 </context>
 <context>
@@ -9945,6 +10001,10 @@ Ihr bester davor</translation>
     <message>
         <source>Novice operator</source>
         <translation>Unerfahrener Bediener</translation>
+    </message>
+    <message>
+        <source>Results exported for a gradebook</source>
+        <translation>Ergebnisse für ein Notenbuch exportiert</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,20 @@
             <numerusform>%n failed results wait for confirmation.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n result(s) exported.</source>
+        <translation>
+            <numerusform>%n result exported.</numerusform>
+            <numerusform>%n results exported.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wait(s) for release.</source>
+        <translation>
+            <numerusform>%n waits for release.</numerusform>
+            <numerusform>%n wait for release.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AuditPage</name>
@@ -125,6 +139,16 @@
         <translation>
             <numerusform>%n student added.</numerusform>
             <numerusform>%n students added.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::Desktop</name>
+    <message numerus="yes">
+        <source>You were signed out after %n minute(s) without input.</source>
+        <translation>
+            <numerusform>You were signed out after %n minute without input.</numerusform>
+            <numerusform>You were signed out after %n minutes without input.</numerusform>
         </translation>
     </message>
 </context>
