@@ -55,7 +55,7 @@ TEST_F(DesktopTest, who_leaves_the_desktop_is_signed_out_and_reads_why) {
   desktop->sign_in(lena);
   desktop->lock_idle();
   EXPECT_FALSE(desktop->account());
-  const auto* page = desktop->findChild<SignIn*>();
+  const auto* page = qobject_cast<SignIn*>(desktop->page());
   ASSERT_NE(page, nullptr);
   EXPECT_TRUE(page->message().contains(QStringLiteral("20 minute"))) << page->message().toStdString();
   desktop->lock_idle();

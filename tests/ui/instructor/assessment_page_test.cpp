@@ -102,6 +102,7 @@ TEST_F(Candidates, ReceiveExtraTimeThatShowsBesideTheirNumber) {
 TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("out.csv"));
+  ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(9, 0)); };
   ports.pick_file = [&](QWidget*, const FileWish& wish, const std::function<void(const QString&)>& then) {
     EXPECT_TRUE(wish.name.startsWith(QStringLiteral("canvas-"))) << wish.name.toStdString();
     then(path);
