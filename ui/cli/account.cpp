@@ -33,14 +33,15 @@ Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path
 
 namespace {
 
-/// Prints what opening met, or why the counter lags, once on stderr; the verb continues.
+/// Prints what opening met, or why the counter lags, once on stderr; the verb continues. A full disk is named by the write that it
+/// fails: a verb that fails prints one line.
 void warn_of(const StorageContext& context) {
   for (const FindingCode code : {FindingCode::rolled_back, FindingCode::counter_missing, FindingCode::counter_broken,
                                  FindingCode::log_damaged}) {
     if (context.incident != key_of(code)) continue;
     warn(finding_text(ChainFinding{code, "audit_log"}) + u' ' + CliText::tr("Look at: history DB verify."));
   }
-  if (context.counter_failure) {
+  if (context.counter_failure && !out_of_space(context.counter_failure->code)) {
     warn(CliText::tr("The counter beside the station’s key lags behind: %1. What was recorded is kept; the counter catches up later.")
              .arg(QString::fromStdString(context.counter_failure->where)));
   }
