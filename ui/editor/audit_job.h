@@ -2,11 +2,11 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <memory>
 #include <string>
 
 #include "scenarios/audit/audit.h"
+#include "ui/editor/pool_job.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -15,14 +15,13 @@ class AuditJob : public QObject {
   Q_OBJECT
 
  public:
-  explicit AuditJob(QObject* parent = nullptr);
-  ~AuditJob() override;
+  explicit AuditJob(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Cancels the running audit first. The pool calls `runner`.
   void start(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner);
   /// No more signals come. The audit ends within a fraction of a second, or when its specimen is grown.
-  void cancel();
-  bool running() const { return job_ != nullptr; }
+  void cancel() { job_.cancel(); }
+  bool running() const { return job_.running(); }
 
  Q_SIGNALS:
   void progressed(double share);
@@ -30,10 +29,7 @@ class AuditJob : public QObject {
   void failed(const AuditFailure& failure);
 
  private:
-  struct Job {
-    std::atomic<bool> cancel{false};
-  };
-  std::shared_ptr<Job> job_;
+  PoolJob<AuditJob> job_;
 };
 
 }  // namespace cusp::ui

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "ui/editor/pool_job.h"
 #include "ui/modules.h"
 #include "ui/session/operator_cut.h"
 
@@ -17,14 +17,13 @@ class OperatorJob : public QObject {
   Q_OBJECT
 
  public:
-  explicit OperatorJob(QObject* parent = nullptr);
-  ~OperatorJob() override;
+  explicit OperatorJob(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Cancels the running job first. `names` as in cut_by_operator().
   void start(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen, const std::vector<std::string>& names);
   /// No more signals come. The pool ends the operator that cuts now.
-  void cancel();
-  bool running() const { return job_ != nullptr; }
+  void cancel() { job_.cancel(); }
+  bool running() const { return job_.running(); }
 
  Q_SIGNALS:
   void cut(const std::shared_ptr<const SessionResult>& result);
@@ -33,10 +32,7 @@ class OperatorJob : public QObject {
   void done();
 
  private:
-  struct Job {
-    std::atomic<bool> cancel{false};
-  };
-  std::shared_ptr<Job> job_;
+  PoolJob<OperatorJob> job_;
 };
 
 }  // namespace cusp::ui
