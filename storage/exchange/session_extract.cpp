@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "storage/export/csv.h"
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/sessions.h"
 
@@ -105,15 +104,6 @@ Stored<std::vector<AuditEntry>> log_about(StorageContext& context, const Actor& 
         return AuditEntry{row.integer(0), row.integer(1), row.integer(2), row.id<UserId>(3), row.text(4), row.uuid(5), row.text(6)};
       },
       session);
-}
-
-std::string log_csv(const std::vector<AuditEntry>& entries) {
-  std::string out = "number,at,actor,action,subject,detail\r\n";
-  for (const AuditEntry& e : entries) {
-    out += std::to_string(e.number) + ',' + iso_utc(e.at_utc_us) + ',' + (e.actor.is_nil() ? std::string() : e.actor.text()) + ',' +
-           csv_text(e.action) + ',' + e.subject.text() + ',' + csv_text(e.detail) + "\r\n";
-  }
-  return out;
 }
 
 }  // namespace cusp::storage

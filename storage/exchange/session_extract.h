@@ -26,7 +26,4 @@ Stored<void> extract_session(StorageContext& context, const Actor& actor, Sessio
 /// export_results.
 Stored<std::vector<AuditEntry>> log_about(StorageContext& context, const Actor& actor, SessionId session);
 
-/// RFC 4180; one line an entry. Columns: number, at, actor, action, subject, detail.
-std::string log_csv(const std::vector<AuditEntry>& entries);
-
 }  // namespace cusp::storage

@@ -33,13 +33,6 @@ class Line {
   bool first_ = true;
 };
 
-std::string title_in(const LocalText& title, const std::string& language) {
-  for (const std::string& wanted : {language, std::string("en")}) {
-    if (const auto found = title.find(wanted); found != title.end()) return found->second;
-  }
-  return title.empty() ? std::string{} : title.begin()->second;
-}
-
 std::string joined(const std::vector<std::string>& keys) {
   std::string out;
   for (const std::string& key : keys) out += (out.empty() ? "" : " ") + key;
@@ -78,6 +71,30 @@ std::string csv_number(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value);
   return {text, end.ptr};
+}
+
+std::string title_in(const LocalText& title, const std::string& language) {
+  for (const std::string& wanted : {language, std::string("en")}) {
+    if (const auto found = title.find(wanted); found != title.end()) return found->second;
+  }
+  return title.empty() ? std::string{} : title.begin()->second;
+}
+
+std::string audit_csv_head() { return "number,at,actor,actor_name,action,subject,subject_name,detail\r\n"; }
+
+std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of) {
+  std::string out;
+  const auto id = [](const Uuid& uuid) { return uuid.is_nil() ? std::string() : uuid.text(); };
+  Line(out)
+      .integer(entry.number)
+      .text(iso_utc(entry.at_utc_us))
+      .text(id(entry.actor.uuid))
+      .text(name_of(entry.actor.uuid))
+      .text(entry.action)
+      .text(id(entry.subject))
+      .text(name_of(entry.subject))
+      .text(entry.detail);
+  return out;
 }
 
 std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "storage/records/audit_writer.h"
 #include "storage/summary/history.h"
 
 namespace cusp::storage {
@@ -20,6 +22,15 @@ struct CsvOptions {
 std::string csv_text(std::string_view text);
 /// Shortest decimal that reads back exactly; empty for NaN and infinities.
 std::string csv_number(double value);
+
+/// In the language, else in English, else in any that there is.
+std::string title_in(const LocalText& title, const std::string& language);
+
+/// Of a user, cohort or exercise; empty if it has none.
+using NameOf = std::function<std::string(const Uuid&)>;
+/// Entries of the audit log: codes and ids as stored, names beside them.
+std::string audit_csv_head();
+std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of);
 
 /// One line per session.
 std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options = {});

@@ -36,15 +36,6 @@ Results results_of(const std::vector<HistoryRow>& rows) {
   return out;
 }
 
-std::string title_of(const std::vector<HistoryRow>& rows, const std::string& language) {
-  if (rows.empty()) return {};
-  const LocalText& title = rows.front().title;
-  for (const std::string& wanted : {language, std::string("en")}) {
-    if (const auto found = title.find(wanted); found != title.end()) return found->second;
-  }
-  return title.empty() ? std::string() : title.begin()->second;
-}
-
 std::string for_moodle(const Results& results, const std::string& title) {
   std::string out = "ID number," + csv_text(title) + "\r\n";
   for (const auto& [number, r] : results.best) out += csv_text(number) + ',' + csv_number(r.score) + "\r\n";
@@ -69,7 +60,7 @@ Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& act
   const auto rows = History(context).of_assignment(actor, assignment);
   if (!rows) return std::unexpected(rows.error());
   const Results results = results_of(*rows);
-  const std::string title = title_of(*rows, options.language);
+  const std::string title = rows->empty() ? std::string() : title_in(rows->front().title, options.language);
   GradebookFile out{options.byte_order_mark ? "\xEF\xBB\xBF" : "", results.best.size(), results.withheld};
   out.text += system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title);
   if (context.db.read_only()) return out;

@@ -3,8 +3,6 @@
 #include <QLocale>
 #include <iterator>
 
-#include "storage/base/clock.h"
-#include "storage/export/csv.h"
 #include "ui/text/audit_log_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
@@ -53,15 +51,6 @@ QString about_text(const AuditEntry& entry, const LogNames& names) {
   const auto second = Uuid::parse(entry.detail);
   const QString cohort = second ? name_in(names, *second) : QString();
   return cohort.isEmpty() ? about : LogModel::tr("%1, %2").arg(about, cohort);
-}
-
-std::string log_csv_head() { return "number,at,actor,actor_name,action,subject,subject_name,detail\r\n"; }
-
-std::string log_csv_line(const AuditEntry& entry, const LogNames& names) {
-  const auto id = [](const Uuid& uuid) { return uuid == Uuid{} ? std::string() : uuid.text(); };
-  const auto name = [&names](const Uuid& uuid) { return csv_text(name_in(names, uuid).toStdString()); };
-  return std::to_string(entry.number) + ',' + iso_utc(entry.at_utc_us) + ',' + id(entry.actor.uuid) + ',' + name(entry.actor.uuid) +
-         ',' + csv_text(entry.action) + ',' + id(entry.subject) + ',' + name(entry.subject) + ',' + csv_text(entry.detail) + "\r\n";
 }
 
 void LogModel::begin(Fetch fetch) {

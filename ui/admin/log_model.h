@@ -54,8 +54,5 @@ class LogModel : public QAbstractTableModel {
 QString actor_text(const AuditEntry& entry, const LogNames& names);
 /// Whom or what it concerns; an id's last digits where there is no name.
 QString about_text(const AuditEntry& entry, const LogNames& names);
-/// RFC 4180 with stable keys as heads: codes and ids as stored, names beside them.
-std::string log_csv_head();
-std::string log_csv_line(const AuditEntry& entry, const LogNames& names);
 
 }  // namespace cusp::ui

@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QTimer>
 
+#include "storage/export/csv.h"
 #include "ui/text/audit_log_text.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
@@ -242,14 +243,18 @@ void LogPage::show_failure(const StorageFailure& failure) {
 }
 
 std::optional<std::string> LogPage::whole_csv(std::size_t& entries) {
-  std::string out = log_csv_head();
+  std::string out = audit_csv_head();
+  const NameOf name_of = [this](const Uuid& id) {
+    const auto found = names_.find(id);
+    return found == names_.end() ? std::string() : found->second.toStdString();
+  };
   const AuditFilter shown = filter();
   std::int64_t before = INT64_MAX;
   while (true) {
     const auto some = page(shown, kExportedAtOnce, before);
     if (!some) return std::nullopt;
     if (some->empty()) return out;
-    for (const AuditEntry& entry : *some) out += log_csv_line(entry, names_);
+    for (const AuditEntry& entry : *some) out += audit_csv_line(entry, name_of);
     entries += some->size();
     before = some->back().number;
   }

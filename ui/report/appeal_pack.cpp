@@ -10,6 +10,7 @@
 
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/tar.h"
+#include "storage/export/csv.h"
 #include "storage/records/statement_rows.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_text.h"
@@ -66,11 +67,19 @@ Stored<std::unique_ptr<Store>> open_extract(const fs::path& file) {
   return Store::open(file, options);
 }
 
+/// Names as the extract has them: it does not hold that of a candidate.
+std::string text_of(const std::vector<AuditEntry>& log, Store& extract) {
+  const NameOf name_of = [&](const Uuid& id) {
+    const auto account = extract.accounts.find(UserId{id});
+    return account ? account->name : std::string();
+  };
+  std::string out = audit_csv_head();
+  for (const AuditEntry& entry : log) out += audit_csv_line(entry, name_of);
+  return out;
+}
+
 /// The report's files, from the extract that goes out with them. A tooth that cannot be drawn leaves its picture out.
-Result<void, Message> write_report(const fs::path& folder, SessionId id) {
-  auto extract = open_extract(folder / kRecords);
-  if (!extract) return std::unexpected(describe(extract.error()));
-  Store& store = **extract;
+Result<void, Message> write_report(const fs::path& folder, Store& store, SessionId id) {
   auto result = open_result(store, id);
   if (!result) return std::unexpected(describe(result.error()));
   const auto session = store.sessions.find(id);
@@ -80,7 +89,7 @@ Result<void, Message> write_report(const fs::path& folder, SessionId id) {
   const ReportData data = gather_report(*result, &store, &kReader);
   const DrawnTooth tooth = draw_report_tooth(*result, order_for_paper(data, kPictureSidePx));
   if (!write_report_pdf(folder / "report.pdf", data, tooth)) return std::unexpected(no_room());
-  if (!write_bytes(folder / "report.json", report_text(*result, store, *student))) return std::unexpected(no_room());
+  if (!write_bytes(folder / "report.json", report_text(data.result, store, *student))) return std::unexpected(no_room());
   if (tooth) {
     QByteArray png;
     QBuffer buffer(&png);
@@ -99,10 +108,12 @@ Result<void, Message> fill(Store& store, const Actor& actor, SessionId id, const
   const auto session = store.sessions.find(id);
   if (!session) return std::unexpected(describe(session.error()));
   if (auto done = extract_session(store.context(), actor, id, naming(*session), folder / kRecords); !done) return std::unexpected(describe(done.error()));
+  auto extract = open_extract(folder / kRecords);
+  if (!extract) return std::unexpected(describe(extract.error()));
   const auto log = log_about(store.context(), actor, id);
   if (!log) return std::unexpected(describe(log.error()));
-  if (!write_bytes(folder / "log.csv", log_csv(*log))) return std::unexpected(no_room());
-  return write_report(folder, id);
+  if (!write_bytes(folder / "log.csv", text_of(*log, **extract))) return std::unexpected(no_room());
+  return write_report(folder, **extract, id);
 }
 
 std::vector<PackFile> hashes_of(const std::vector<Content>& contents) {
