@@ -81,7 +81,7 @@ void Desktop::open_pack(const QString& path) {
 
 void Desktop::show_pack(const std::shared_ptr<const OpenedPack>& pack) {
   auto* report = new ReportPage(pack->report, ports_, ReportPage::TryAgain::hidden, tr("Back"));
-  report->set_marking(new PackCard(pack));
+  report->set_card(new PackCard(pack));
   connect(report, &ReportPage::back_wanted, this, &Desktop::back);
   push(report);
 }

@@ -107,7 +107,7 @@ void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::opti
 
 void Desktop::add_marking(ReportPage& report, const std::shared_ptr<const SessionResult>& result) {
   auto* marking = new MarkingCard(*store_, account_->actor(), report.data(), ports_);
-  report.set_marking(marking);
+  report.set_card(marking);
   const auto choose = [&report, marking] { marking->set_criterion(report.chosen_criterion()); };
   choose();
   connect(&report, &ReportPage::criterion_chosen, marking, choose);

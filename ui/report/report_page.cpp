@@ -83,7 +83,7 @@ void ReportPage::fill() {
   put(old_main, main_);
 }
 
-void ReportPage::set_marking(QWidget* card) { body_->insertWidget(body_->indexOf(main_), card); }
+void ReportPage::set_card(QWidget* card) { body_->insertWidget(body_->indexOf(main_), card); }
 
 void ReportPage::offer_pack() { pack_->show(); }
 void ReportPage::show_message(Band::Kind kind, const QString& what, const QString& more) { band_->show_message(kind, what, more); }

@@ -35,7 +35,7 @@ class ReportPage : public QWidget {
   /// The same attempt after somebody stated something about it. The tooth stays.
   void show_data(ReportData data);
   /// A card above the criteria: for who marks, or about an opened pack. Once.
-  void set_marking(QWidget* card);
+  void set_card(QWidget* card);
   /// Shows the button of the appeal pack.
   void offer_pack();
   void show_message(Band::Kind kind, const QString& what, const QString& more);

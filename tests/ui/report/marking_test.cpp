@@ -112,7 +112,7 @@ TEST_F(Marking, IsOneLineInALowWindowUntilItIsOpened) {
   for (const int height : {800, 1000}) {
     ReportPage page(gathered(examiner), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
     auto* card = new MarkingCard(records.store(), examiner.actor(), page.data(), ports);
-    page.set_marking(card);
+    page.set_card(card);
     page.resize(1280, height);
     page.show();
     QCoreApplication::processEvents();
