@@ -54,6 +54,7 @@ DrillScreen::DrillScreen(Ports ports, QWidget* parent) : QWidget(parent), inner_
   in.stage->set_centre(in.busy);
   in.stage->view()->set_stats(&in.stats);
   in.stage->view()->installEventFilter(this);
+  connect(in.stage->view(), &ToothView::feed_shown, this, &DrillScreen::tooth_shown);
 
   in.homing = new HomingCard(in.stage);
   in.opening_timer.setInterval(kLookMs);
@@ -167,13 +168,13 @@ void DrillScreen::begin(SessionPlan plan, const DrillText& text, std::unique_ptr
 
 void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optional<SessionFailure>& failure) {
   Inner& in = *inner_;
-  in.working = false;
-  in.busy->finish();
   in.opening_timer.stop();
   in.homing->hide();
   const bool called_off = in.opening && in.opening->called_off();
   in.opening.reset();
   if (failure) {
+    in.working = false;
+    in.busy->finish();
     in.over = true;
     if (called_off) {
       Q_EMIT left();
@@ -199,7 +200,6 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
                           .is_tooth = is_tooth,
                           .pulp_depth_mm = attempt.pulp_depth_mm});
   ToothView* view = in.stage->view();
-  view->set_feed(attempt.patches);
   view->set_scenery(attempt.scenery);
   view->set_lines(attempt.lines);
   view->set_bur_source([this, view]() -> std::optional<BurPose> {
@@ -222,6 +222,14 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
     connect(in.input.get(), &PointerInput::depth_held, in.stage, &DrillStage::show_depth_held);
     connect(in.stage, &DrillStage::depth_hold_wanted, in.input.get(), &PointerInput::hold_depth);
   }
+  view->set_feed(attempt.patches);  // feed_shown() goes on
+}
+
+/// Before the tooth is seen, a press would meet nothing and put the bur elsewhere.
+void DrillScreen::tooth_shown() {
+  Inner& in = *inner_;
+  in.working = false;
+  in.busy->finish();
   enable_controls(true);
   in.look_timer.start();
   setFocus();

@@ -23,6 +23,7 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
   connect(&view_, &ToothView::pressed, this, [this](QPointF at) {
     if (!enabled_) return;
     slide(at);
+    if (!plane_at_) return;  // no tooth was under the mouse yet
     button_ = true;
     hand_over();
     Q_EMIT drilled();
@@ -64,7 +65,7 @@ void PointerInput::slide(QPointF at) {
   if (button_ || space_) {
     const double down = glm::dot(ray.along, axis_);
     if (std::abs(down) > 0.05) {
-      const double t = glm::dot(plane_at_ - ray.from_mm, axis_) / down;
+      const double t = glm::dot(*plane_at_ - ray.from_mm, axis_) / down;
       if (t > 0) hand_.move_to(ray.from_mm + t * ray.along);
     }
     return;

@@ -69,7 +69,7 @@ class PointerInput : public QObject {
   bool button_ = false, space_ = false, enabled_ = true;
   bool held_ = false;
   std::optional<Vec3> drilled_mm_;  // pivot of the bur, as it was last seen drilling: a press of a button lifts it
-  Vec3 plane_at_{0.0};      // the place that was pressed: while drilling the mouse slides over the plane through it
+  std::optional<Vec3> plane_at_;    // the place that was pressed: while drilling the mouse slides over the plane through it
   QSet<int> arrows_;
   QTimer timer_;
   QElapsedTimer since_;

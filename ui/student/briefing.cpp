@@ -35,11 +35,13 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
   const qreal ratio = label->devicePixelRatioF();
   const QSize size = label->size() * ratio;
   if (size.isEmpty()) return;
-  QImage scaled = image.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  if (scaled.isNull()) {
+  QImage scaled;
+  if (image.isNull()) {
     // The picture is not drawn yet: the colour behind the tooth.
     scaled = QImage(size, QImage::Format_RGB32);
     scaled.fill(tokens().view_middle);
+  } else {
+    scaled = image.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   }
   QPixmap out(size);
   out.fill(Qt::transparent);

@@ -107,7 +107,7 @@ void ToothView::take(FinishedFrame frame) {
     painter_.reset();
     show_placeholder(tr("The tooth could not be drawn: %1").arg(frame.why));
     take_feed();
-    return;
+    return note_shown(mesh_);
   }
   if (frame.mesh == mesh_) {
     for (BakedPatch& patch : frame.fed) store_.put(std::move(patch));
@@ -120,6 +120,13 @@ void ToothView::take(FinishedFrame frame) {
   fresh_ = true;
   update();
   if (frame.more) wanted_ = true;
+  note_shown(frame.mesh);
+}
+
+void ToothView::note_shown(int mesh) {
+  if (awaited_ != mesh) return;
+  awaited_.reset();
+  Q_EMIT feed_shown();
 }
 
 void ToothView::paintEvent(QPaintEvent*) {
@@ -170,7 +177,11 @@ void ToothView::set_feed(std::shared_ptr<PatchFeed> feed) {
   store_.clear();
   ++mesh_;
   changed_.mesh = true;
-  if (!painter_) take_feed();
+  awaited_ = mesh_;
+  if (!painter_) {
+    take_feed();
+    note_shown(mesh_);
+  }
   repaint_soon();
 }
 

@@ -76,6 +76,8 @@ class ToothView : public QWidget {
 
  Q_SIGNALS:
   void camera_changed();
+  /// The tooth of the newest set_feed() stands in a frame and can be picked; once each.
+  void feed_shown();
   /// Left button and movement, widget positions; only while left_turns is off.
   void pressed(QPointF at, Qt::KeyboardModifiers modifiers);
   void moved(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
@@ -105,6 +107,7 @@ class ToothView : public QWidget {
   QSize full_size_px() const;
   void take(FinishedFrame frame);
   void take_feed();
+  void note_shown(int mesh);
   void show_placeholder(const QString& text);
   bool moved_visibly(const std::optional<BurPose>& bur) const;
   void read_theme();
@@ -130,6 +133,7 @@ class ToothView : public QWidget {
   std::optional<MouthMirror> ordered_mirror_;
   QPointF last_;
   int mesh_ = 0;  // rises with each volume and feed
+  std::optional<int> awaited_;  // mesh_ of a feed that no frame has shown
   bool left_turns_ = false, wheel_taken_ = false;
   bool framed_ = false;   // the camera was set or found
   bool wanted_ = false;   // a frame is wanted

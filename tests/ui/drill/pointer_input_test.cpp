@@ -52,6 +52,15 @@ TEST_F(Input, beside_the_tooth_the_bur_stays_where_it_was) {
   EXPECT_EQ(hand.wish().target_mm, before);
 }
 
+TEST_F(Input, a_press_where_no_tooth_was_under_the_mouse_yet_does_not_drill) {
+  Q_EMIT view.pressed({1, 1}, Qt::NoModifier);
+  EXPECT_FALSE(hand.wish().cut);
+  EXPECT_EQ(hand.wish().push_n, 0);
+  Q_EMIT view.released({1, 1});
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  EXPECT_TRUE(hand.wish().cut);
+}
+
 TEST_F(Input, the_left_button_drills_with_the_push_that_the_wheel_set_and_releasing_lifts) {
   Q_EMIT view.wheel_turned(240);
   EXPECT_NEAR(input->push_n(), 1.0, 1e-9);
