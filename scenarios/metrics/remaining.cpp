@@ -82,6 +82,15 @@ bool opened_by_target(const Reference& reference, int direction) {
   return std::ranges::any_of(held, [greatest](double mm) { return mm > greatest - kRidgeMm; });
 }
 
+/// Whether the cut that left this place of a wall is higher than a scratch: removed tissue stands above or below it.
+bool is_of_cavity(const Volume& volume, Vec3 wall_at, int direction) noexcept {
+  const auto removed = [&](double up_mm) {
+    const IVec3 v = nearest_voxel(volume.grid(), wall_at + Vec3(-direction * kLeastWallMm, 0.0, up_mm));
+    return volume.specimen().s(v) >= kHalf && !volume.occupied(v);
+  };
+  return removed(kLeastWallMm) || removed(-kLeastWallMm);
+}
+
 }  // namespace
 
 std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference, const Volume& volume,
@@ -94,6 +103,7 @@ std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Refer
   const double strip = 0.5 * volume.grid().voxel_mm;
   double low = faces.of(wall).front().middle_mm.z;
   for (const CutFace& face : faces.of(wall)) {
+    if (!is_of_cavity(volume, face.middle_mm, direction)) continue;
     const int key = static_cast<int>(std::floor(face.middle_mm.y / strip));
     const auto [it, first] = outermost.try_emplace(key, face.middle_mm);
     if (!first && direction * (face.middle_mm.x - it->second.x) > 0.0) it->second = face.middle_mm;

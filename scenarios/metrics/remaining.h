@@ -1,7 +1,7 @@
 /// What is left of the tooth beside a preparation. Source: dental.md 2.2, row set A and class I ("marginal ridge").
 ///
 /// ridge_mesial, ridge_distal (mm): least mesiodistal distance from the wall to the tooth's greatest proximal contour at
-/// the same buccolingual place, as a calliper held across the marginal ridge measures it.
+/// the same buccolingual place, as a calliper held across the marginal ridge measures it. A scratch on the ridge is no wall.
 /// Needs: a tooth whose sides are known, a banded volume, the wall of that side, a target that leaves that ridge.
 #pragma once
 
@@ -13,6 +13,8 @@ namespace cusp::scenarios {
 
 /// Thinner than any marginal ridge that is to stay, mm [M].
 inline constexpr double kRidgeMm = 1.0;
+/// No wall is lower, mm: a bur that grazes the slope beside a cavity leaves about 0.05 [M].
+inline constexpr double kLeastWallMm = 0.2;
 
 struct RidgeThickness {
   double mm = 0;

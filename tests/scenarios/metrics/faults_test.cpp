@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -36,6 +37,10 @@ double points_of(const Grade& grade, std::string_view metric) {
   for (const CriterionGrade& c : grade.criteria)
     if (c.id == metric) return c.measure.measured ? c.points : -1.0;
   return -1.0;
+}
+
+const Measure& measure_of(const Grade& grade, std::string_view metric) {
+  return std::ranges::find(grade.criteria, metric, &CriterionGrade::id)->measure;
 }
 
 /// The exercise and its block, made once for all faults.
@@ -132,6 +137,18 @@ TEST_F(Faults, AThinMesialRidgeLowersItsThickness) {
     });
   };
   lowers("ridge_mesial", {longer(0.25), longer(0.45), longer(0.7)});
+}
+
+TEST_F(Faults, AScratchOnARidgeIsNoWallOfTheCavity) {
+  const Shape cavity = of([](Outline&) {});
+  const Grade scratched = grade_of([&](Vec3 p) {
+    const double mesial = box_distance(p, Vec3(1.85, 0, 0), Vec3(0.15, 0.3, 0.1)), distal = box_distance(p, Vec3(-1.85, 0, 0), Vec3(0.15, 0.3, 0.1));
+    return std::min({cavity(p), mesial, distal});
+  });
+  for (const char* metric : {"ridge_mesial", "ridge_distal"}) {
+    const auto& before = measure_of(exercise().ideal, metric);
+    EXPECT_NEAR(measure_of(scratched, metric).value, before.value, before.uncertainty) << metric;
+  }
 }
 
 TEST_F(Faults, AnUntouchedToothHasNoPoints) {
