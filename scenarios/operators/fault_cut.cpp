@@ -156,30 +156,14 @@ std::optional<Region> caries_left(const Exercise& on, double mm) {
   return access ? either(std::move(*access), std::move(rest)) : std::move(rest);
 }
 
-/// Height of the pulp's roof under a rectangle; far below the tooth without any.
-double pulp_roof(const Exercise& on, Vec3 low, Vec3 high) {
-  const Grid& grid = on.specimen.grid();
-  const IVec3 first = glm::max(on.voxel(low), IVec3(0)), last = glm::min(on.voxel(high), grid.size - 1);
-  IVec3 v;
-  for (v.z = grid.size.z - 1; v.z >= 0; --v.z)
-    for (v.y = first.y; v.y <= last.y; ++v.y)
-      for (v.x = first.x; v.x <= last.x; ++v.x)
-        if (on.specimen.tissue(v) == Tissue::pulp && on.specimen.s(v) >= kHalf) return grid.centre_mm(v).z;
-  return -kEndlessMm;
-}
-
 std::optional<Region> over_excavated(const Exercise& on, double mm) {
   const Region lesion = lesion_of(on.scenario.target);
   if (!on.tooth()) return std::nullopt;
   const TissueShape shape(on.borrowed, tissues_of(lesion));
   if (shape.empty()) return std::nullopt;
-  Region above;
-  above.kind = RegionKind::half_space;
-  above.from_mm = Vec3(0.0, 0.0, pulp_roof(on, shape.low() - mm, shape.high() + mm) + kOverPulpMm);
-  above.z_axis = Vec3(0.0, 0.0, -1.0);
-  Region more;
-  more.kind = RegionKind::common;
-  more.parts = {grown(lesion, mm), std::move(above)};
+  Region more = grown(lesion, mm);
+  const Region pulp = region_of(Tissue::pulp);
+  if (on.has(pulp)) more = without(std::move(more), grown(pulp, kOverPulpMm));
   return either(on.scenario.target, std::move(more));
 }
 
