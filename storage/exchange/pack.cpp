@@ -61,7 +61,7 @@ Stored<CheckedPack> check_pack(const SignedPack& pack) {
 }
 
 Stored<PackSigner> signer_of(StorageContext& context, const CheckedPack& pack) {
-  const auto known = context.db.first("SELECT 1 FROM station_keys WHERE id = ?1", [](Row) { return true; }, pack.key);
+  const auto known = context.db.first(kSelectOwnKey, [](Row) { return true; }, pack.key);
   if (!known) return std::unexpected(known.error());
   return *known && pack.description.station == context.station ? PackSigner::this_station : PackSigner::other_station;
 }
