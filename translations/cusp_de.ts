@@ -2433,6 +2433,121 @@
         <source>Also compute the attempt anew, and compare tooth and grade bit for bit</source>
         <translation>Den Versuch auch neu berechnen und Zahn und Bewertung Bit für Bit vergleichen</translation>
     </message>
+    <message>
+        <source>Key %1. The other station’s administrator compares it before trusting %2.</source>
+        <translation>Schlüssel %1. Wer die andere Station verwaltet, vergleicht ihn, bevor %2 vertraut wird.</translation>
+    </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 ist nicht da.</translation>
+    </message>
+    <message>
+        <source>%1 is no station’s key.</source>
+        <translation>%1 ist kein Schlüssel einer Station.</translation>
+    </message>
+    <message>
+        <source>Files under key %1 are no longer read.</source>
+        <translation>Dateien unter dem Schlüssel %1 werden nicht mehr eingelesen.</translation>
+    </message>
+    <message>
+        <source>Files under key %1 are read from now on.</source>
+        <translation>Dateien unter dem Schlüssel %1 werden ab jetzt eingelesen.</translation>
+    </message>
+    <message>
+        <source>attempts %1, statements %2, accounts %3, exercises %4, assignments %5</source>
+        <translation>Versuche %1, Erklärungen %2, Konten %3, Übungen %4, Zuweisungen %5</translation>
+    </message>
+    <message>
+        <source>Either --office or --results says what the file carries.</source>
+        <translation>Entweder --office oder --results sagt, was die Datei enthält.</translation>
+    </message>
+    <message>
+        <source>File %1 under key %2: %3.</source>
+        <translation>Datei %1 unter dem Schlüssel %2: %3.</translation>
+    </message>
+    <message>
+        <source>The file is read.</source>
+        <translation>Die Datei ist eingelesen.</translation>
+    </message>
+    <message>
+        <source>The file was read before.</source>
+        <translation>Die Datei war schon eingelesen.</translation>
+    </message>
+    <message>
+        <source>The file was made before one that was already read: it adds what is new and changes nothing.</source>
+        <translation>Die Datei ist älter als eine schon eingelesene: Sie ergänzt Neues und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>New here: %1.</source>
+        <translation>Neu hier: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) wait for their attempt; read the file again after that of the other station.</source>
+        <translation>
+            <numerusform>%n Erklärung wartet auf ihren Versuch; lesen Sie die Datei nach der der anderen Station noch einmal ein.</numerusform>
+            <numerusform>%n Erklärungen warten auf ihre Versuche; lesen Sie die Datei nach der der anderen Station noch einmal ein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was changed here too; the office’s account counts.</source>
+        <translation>%1 wurde auch hier geändert; das Konto der Zentrale gilt.</translation>
+    </message>
+    <message>
+        <source>Files from station to station, without a server; for administrators</source>
+        <translation>Dateien von Station zu Station, ohne Server; für die Verwaltung</translation>
+    </message>
+    <message>
+        <source>Writes this station’s public key, for others to trust</source>
+        <translation>Schreibt den öffentlichen Schlüssel dieser Station, damit andere ihm vertrauen</translation>
+    </message>
+    <message>
+        <source>Where the key is written</source>
+        <translation>Wohin der Schlüssel geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Lists the other stations’ keys that are known here</source>
+        <translation>Listet die hier bekannten Schlüssel anderer Stationen</translation>
+    </message>
+    <message>
+        <source>Makes a station’s key known here, after its fingerprint was compared</source>
+        <translation>Macht den Schlüssel einer Station hier bekannt, nachdem sein Fingerabdruck verglichen wurde</translation>
+    </message>
+    <message>
+        <source>A key that “exchange key” wrote</source>
+        <translation>Ein Schlüssel, den „exchange key“ geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Its files may also bring accounts, cohorts, assignments and exercises</source>
+        <translation>Ihre Dateien dürfen auch Konten, Kohorten, Zuweisungen und Übungen bringen</translation>
+    </message>
+    <message>
+        <source>No longer read files under this key</source>
+        <translation>Dateien unter diesem Schlüssel nicht mehr einlesen</translation>
+    </message>
+    <message>
+        <source>Writes a signed file for other stations</source>
+        <translation>Schreibt eine signierte Datei für andere Stationen</translation>
+    </message>
+    <message>
+        <source>A new file</source>
+        <translation>Eine neue Datei</translation>
+    </message>
+    <message>
+        <source>Accounts, cohorts, assignments, exercises and statements of this station</source>
+        <translation>Konten, Kohorten, Zuweisungen, Übungen und Erklärungen dieser Station</translation>
+    </message>
+    <message>
+        <source>Attempts and statements of this station</source>
+        <translation>Versuche und Erklärungen dieser Station</translation>
+    </message>
+    <message>
+        <source>Reads another station’s file whole, or changes nothing</source>
+        <translation>Liest die Datei einer anderen Station ganz ein, oder ändert nichts</translation>
+    </message>
+    <message>
+        <source>A file that “exchange out” wrote</source>
+        <translation>Eine Datei, die „exchange out“ geschrieben hat</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -10005,6 +10120,118 @@ Ihr bester davor</translation>
     <message>
         <source>Results exported for a gradebook</source>
         <translation>Ergebnisse für ein Notenbuch exportiert</translation>
+    </message>
+    <message>
+        <source>File for other stations given out</source>
+        <translation>Datei für andere Stationen ausgegeben</translation>
+    </message>
+    <message>
+        <source>File of another station read in</source>
+        <translation>Datei einer anderen Station eingelesen</translation>
+    </message>
+    <message>
+        <source>File of another station named by its station</source>
+        <translation>Datei einer anderen Station von ihrer Station genannt</translation>
+    </message>
+    <message>
+        <source>Key of another station trusted</source>
+        <translation>Schlüssel einer anderen Station vertraut</translation>
+    </message>
+    <message>
+        <source>Trust in another station’s key changed</source>
+        <translation>Vertrauen in den Schlüssel einer anderen Station geändert</translation>
+    </message>
+    <message>
+        <source>Key of another station revoked</source>
+        <translation>Schlüssel einer anderen Station widerrufen</translation>
+    </message>
+    <message>
+        <source>Former key of another station kept</source>
+        <translation>Früherer Schlüssel einer anderen Station behalten</translation>
+    </message>
+    <message>
+        <source>Key of another station sealed as it was found</source>
+        <translation>Schlüssel einer anderen Station versiegelt, wie er vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Named by another station’s records</source>
+        <translation>Von Aufzeichnungen einer anderen Station genannt</translation>
+    </message>
+    <message>
+        <source>Arrived from the office after others named it</source>
+        <translation>Von der Zentrale eingetroffen, nachdem andere es genannt hatten</translation>
+    </message>
+    <message>
+        <source>Name from another station sealed as it was found</source>
+        <translation>Name von einer anderen Station versiegelt, wie er vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Attempt read in from another station</source>
+        <translation>Versuch von einer anderen Station eingelesen</translation>
+    </message>
+    <message>
+        <source>This is this station’s own.</source>
+        <translation>Das gehört dieser Station selbst.</translation>
+    </message>
+    <message>
+        <source>Only the office’s files bring accounts and assignments.</source>
+        <translation>Nur Dateien der Zentrale bringen Konten und Zuweisungen.</translation>
+    </message>
+    <message>
+        <source>This station is not trusted as the office here. Nothing was changed.</source>
+        <translation>Dieser Station wird hier nicht als Zentrale vertraut. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This attempt belongs to another station.</source>
+        <translation>Dieser Versuch gehört zu einer anderen Station.</translation>
+    </message>
+    <message>
+        <source>This is no file of a station, or not as its station signed it.</source>
+        <translation>Das ist keine Datei einer Station, oder nicht so, wie ihre Station sie signiert hat.</translation>
+    </message>
+    <message>
+        <source>%1 was not read. Ask for it once more; nothing was changed.</source>
+        <translation>%1 wurde nicht eingelesen. Fordern Sie die Datei noch einmal an; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>An older version of Cusp made this file.</source>
+        <translation>Eine ältere Version von Cusp hat diese Datei erzeugt.</translation>
+    </message>
+    <message>
+        <source>Update Cusp on the station that made %1, and ask for a new file. Nothing was changed.</source>
+        <translation>Aktualisieren Sie Cusp auf der Station, die %1 erzeugt hat, und fordern Sie eine neue Datei an. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Nobody has made this station’s key known here.</source>
+        <translation>Der Schlüssel dieser Station ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Compare key %1 with that on the other station’s page, then trust it: cusp exchange trust. Station %2; nothing was changed.</source>
+        <translation>Vergleichen Sie den Schlüssel %1 mit dem auf der Seite der anderen Station, dann vertrauen Sie ihm: cusp exchange trust. Station %2; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This station’s key was revoked here.</source>
+        <translation>Der Schlüssel dieser Station wurde hier widerrufen.</translation>
+    </message>
+    <message>
+        <source>Key %1, station %2. Nothing was changed.</source>
+        <translation>Schlüssel %1, Station %2. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This station was put back to an old copy.</source>
+        <translation>Diese Station wurde auf eine alte Kopie zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>Station %1 has given out another file under number %2 before. Give it a new key and trust that; nothing was changed.</source>
+        <translation>Station %1 hat unter der Nummer %2 schon eine andere Datei ausgegeben. Geben Sie ihr einen neuen Schlüssel und vertrauen Sie diesem; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The file says otherwise of something that is here already.</source>
+        <translation>Die Datei sagt anderes über etwas, das schon hier ist.</translation>
+    </message>
+    <message>
+        <source>Look at %1, %2. Nothing was changed.</source>
+        <translation>Sehen Sie %1, %2 an. Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>

@@ -117,6 +117,13 @@
             <numerusform>%n sessions are restored as of %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n statement(s) wait for their attempt; read the file again after that of the other station.</source>
+        <translation>
+            <numerusform>%n statement waits for its attempt; read the file again after that of the other station.</numerusform>
+            <numerusform>%n statements wait for their attempts; read the file again after that of the other station.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>

@@ -37,6 +37,13 @@ enum class StorageError : std::uint8_t {
   bad_value,    // outside the range that the table admits
   wrong_state,  // the session is not in a state that allows this (finished twice, a gap in ticks)
   bad_trace,    // bytes that are not a trace, key state or volume
+  // Files of other stations (storage/exchange). Nothing of the file is read.
+  not_exchange,  // no such file, or not as it was signed
+  older_schema,  // an older version of the program made it; detail: its schema
+  unknown_key,   // nobody has made the key known here; where = station, detail = the key's id
+  revoked_key,   // where = station, detail = the key's id
+  put_back,      // the station stands on an old copy: it has given out another file under this number; where = station, detail = number
+  differs,       // the same id stands here with other content; where = table, detail = id
 };
 
 /// True if freeing space, or quota, lets the same write succeed.

@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "storage/base/rights.h"
+#include "storage/exchange/signed_text.h"
 #include "storage/records/chain.h"
 #include "storage/records/context.h"
 
 namespace cusp::storage {
-
-struct PackFile {
-  std::string name;
-  Hash256 hash{};  // blake2b_256 of its bytes
-};
 
 struct PackDescription {
   Uuid station{};
@@ -24,13 +20,10 @@ struct PackDescription {
   UserId maker{};
   std::int64_t made_utc_us = 0;
   ChainHead log{};  // of the station's audit log
-  std::vector<PackFile> files{};
+  std::vector<PackFile> files{};  // blake2b_256 of their bytes
 };
 
-/// Two small texts: the description as JSON, and the public key with its signature over that text.
-struct SignedPack {
-  std::string description, signature;
-};
+using SignedPack = SignedText;
 
 /// Signs, and adds the entry "packed" to the audit log. Needs export_results. read_only without the station's key.
 Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, SessionId session, std::vector<PackFile> files);

@@ -9,7 +9,7 @@ bool holds(StorageContext& context, Transaction& transaction, const SignedHead& 
   std::optional<Hash256> key = context.key->public_key;
   if (context.key->id() != head.key) {
     key = transaction.first(
-        "SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); }, head.key);
+        kSelectOwnKey, [](Row row) { return row.hash(0); }, head.key);
   }
   return key && key_id(*key) == head.key && head_signature_holds(*key, context.station, head.head, head.signature);
 }

@@ -16,8 +16,9 @@ bool ChainFollower::follows(const StoredLink& entry) {
 
 void check_head(Database& db, const Uuid& owner, const SignedHead& head, std::string_view table,
                 std::vector<ChainFinding>& findings) {
-  const auto key = db.first(
-      "SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); }, head.key);
+  const bool own = table == "audit_head";
+  const auto key = db.first(own ? kSelectOwnKey : "SELECT public_key FROM station_keys WHERE id = ?1",
+                            [](Row row) { return row.hash(0); }, head.key);
   if (!key) return findings.push_back({FindingCode::unreadable, "station_keys"});
   if (!*key || key_id(**key) != head.key) {
     // Either the head's key id was changed, or the key. If the signature holds under another key, it was the id.

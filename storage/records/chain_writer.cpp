@@ -5,6 +5,9 @@ namespace cusp::storage {
 ChainWriter::ChainWriter(StorageContext& context, Transaction& transaction, SessionId session)
     : context_{context}, transaction_{transaction}, session_{session}, head_{0, chain_start(session.uuid)} {
   if (!context.key) transaction.refuse({StorageError::read_only, context.db.file().string()});
+  const auto elsewhere = transaction.first("SELECT station <> ?2 FROM sessions WHERE id = ?1",
+                                           [](Row row) { return row.flag(0); }, session, context.station);
+  if (elsewhere.value_or(false)) transaction.refuse({StorageError::wrong_state, "other_station", session.text()});
   const auto head = transaction.first(
       "SELECT links, link FROM session_heads WHERE session = ?1",
       [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; }, session);

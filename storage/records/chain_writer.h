@@ -10,7 +10,7 @@ namespace cusp::storage {
 
 class ChainWriter {
  public:
-  /// Continues the session's chain from its head, or begins one.
+  /// Continues the session's chain from its head, or begins one. Refuses the session of another station: its chain would fork.
   ChainWriter(StorageContext& context, Transaction& transaction, SessionId session);
   /// Reads the row back and links its hash. Pre: this transaction wrote the row.
   void add(SessionTable table, std::uint64_t row, std::int64_t second);

@@ -41,7 +41,7 @@ std::string hex_half(const Signature& signature, std::size_t from) {
 bool holds(StorageContext& context, const RollbackCounter& counter) {
   if (counter.station != context.station) return false;
   const auto key = context.db.first(
-      "SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); }, counter.key);
+      kSelectOwnKey, [](Row row) { return row.hash(0); }, counter.key);
   return key && *key && key_id(**key) == counter.key &&
          signature_holds(**key, message_of(counter.station, counter.log), counter.signature);
 }

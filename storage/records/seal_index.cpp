@@ -21,6 +21,7 @@ void SealIndex::add(const AuditEntry& e) {
   if (e.action == "account_created") accounts_created.insert(e.subject);
   if (e.action == "statement_erased") statements_erased.insert(e.subject);
   if (e.action == "station_key_added") keys[e.detail].push_back(e.at_utc_us);
+  if (e.action == "key_trusted" || e.action == "key_kept") keys[e.detail.substr(0, e.detail.find(' '))].push_back(e.at_utc_us);
   for (const FindingCode code : {FindingCode::rolled_back, FindingCode::counter_missing, FindingCode::counter_broken,
                                  FindingCode::log_damaged}) {
     if (e.action == key_of(code)) {
@@ -109,6 +110,8 @@ void SealIndex::add_row(const AuditEntry& e) {
   keep(SealedTable::assessments, {"assessment_set", "assessment_sealed"});
   keep(SealedTable::version_withdrawals, {"version_withdrawn", "withdrawal_sealed"});
   keep(SealedTable::adjustments, {"adjusted", "adjustment_sealed"});
+  keep(SealedTable::other_keys, {"key_trusted", "key_kept", "key_role_changed", "key_revoked", "other_key_sealed"});
+  keep(SealedTable::referred, {"referred", "arrived", "referred_sealed"});
 }
 
 }  // namespace cusp::storage

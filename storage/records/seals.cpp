@@ -33,17 +33,20 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
       return "version, author, at, sequence";
     case SealedTable::adjustments:
       return "id, assignment, student, extra_time_percent, author, at, sequence";
+    case SealedTable::other_keys:
+      return "id, station, key, role, changed_at";
+    case SealedTable::referred:
+      return "id, here";
   }
   return {};
 }
 
-/// What names one row.
-constexpr std::string_view key_column(SealedTable table) noexcept {
+}  // namespace
+
+std::string_view key_column(SealedTable table) noexcept {
   if (table == SealedTable::assessments) return "assignment";
   return table == SealedTable::version_withdrawals ? "version" : "id";
 }
-
-}  // namespace
 
 AccountSeal account_seal(Row row) {
   const Uuid id = row.uuid(0);
@@ -74,8 +77,9 @@ std::optional<AccountSeal> account_seal_from(std::string_view detail) {
 }
 
 std::string_view name_of(SealedTable table) noexcept {
-  constexpr std::array<std::string_view, 8> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
-                                                     "statements", "assessments", "version_withdrawals", "adjustments"};
+  constexpr std::array<std::string_view, 10> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
+                                                      "statements", "assessments", "version_withdrawals", "adjustments",
+                                                      "other_keys", "referred"};
   return names[static_cast<std::size_t>(table)];
 }
 

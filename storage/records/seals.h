@@ -36,12 +36,17 @@ enum class SealedTable : std::uint8_t {
   assessments,
   version_withdrawals,
   adjustments,
+  other_keys,
+  referred,
 };
 inline constexpr std::array kSealedTables = {SealedTable::comments,    SealedTable::cohorts,
                                              SealedTable::assignments, SealedTable::scenario_versions,
                                              SealedTable::statements,  SealedTable::assessments,
-                                             SealedTable::version_withdrawals, SealedTable::adjustments};
+                                             SealedTable::version_withdrawals, SealedTable::adjustments,
+                                             SealedTable::other_keys,  SealedTable::referred};
 std::string_view name_of(SealedTable table) noexcept;
+/// The column that names one row.
+std::string_view key_column(SealedTable table) noexcept;
 struct RowSeal {
   Uuid subject;  // of the row's entries in the audit log
   Hash256 seal;

@@ -11,6 +11,10 @@
 
 namespace cusp::storage {
 
+/// SQL for one of this station's own keys by its id: station_keys holds those of other stations too.
+inline constexpr const char* kSelectOwnKey =
+    "SELECT public_key FROM station_keys WHERE id = ?1 AND id NOT IN (SELECT key FROM other_keys)";
+
 using Signature = std::array<std::uint8_t, 64>;
 /// Zeros unless `bytes` holds exactly 64 bytes.
 Signature signature_of(std::span<const std::byte> bytes);

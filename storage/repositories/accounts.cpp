@@ -225,6 +225,11 @@ void leave_cohorts(StorageContext& context, Transaction& transaction, const Acto
 
 }  // namespace
 
+void erase_texts_about(StorageContext& context, Transaction& transaction, const Actor& actor, UserId student) {
+  erase_statement_texts(context, transaction, actor, student);
+  erase_old_comments(context, transaction, actor, student);
+}
+
 Stored<void> Accounts::erase(const Actor& actor, UserId user) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   if (actor.id == user) return fail(StorageError::not_allowed, "own_account");
@@ -243,8 +248,7 @@ Stored<void> Accounts::erase(const Actor& actor, UserId user) {
   keep_an_administrator(transaction);
   log_account(c_, transaction, actor.id, "person_erased", user);
   leave_cohorts(c_, transaction, actor, user);
-  erase_statement_texts(c_, transaction, actor, user);
-  erase_old_comments(c_, transaction, actor, user);
+  erase_texts_about(c_, transaction, actor, user);
   if (auto done = commit_sealed(c_, transaction); !done) return done;
   // The log holds the old pages until then. Another connection may hold it open: the next checkpoint takes it.
   static_cast<void>(c_.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));

@@ -81,4 +81,7 @@ class Accounts {
   StorageContext& c_;
 };
 
+/// Within a transaction: what comments and statements say about a student goes; the rows stay, and the log names each.
+void erase_texts_about(StorageContext& context, Transaction& transaction, const Actor& actor, UserId student);
+
 }  // namespace cusp::storage

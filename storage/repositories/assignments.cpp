@@ -123,7 +123,7 @@ Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {
   return c_.db.all(
       "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at "
       "FROM assignments a JOIN cohort_students c ON c.cohort = a.cohort WHERE c.student = ?1 "
-      "ORDER BY a.due_at IS NULL, a.due_at, a.sequence",
+      "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0) ORDER BY a.due_at IS NULL, a.due_at, a.sequence",
       assignment_of, student);
 }
 

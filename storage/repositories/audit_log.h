@@ -26,8 +26,8 @@ class AuditLog {
   explicit AuditLog(StorageContext& context) : c_{context} {}
   /// One entry in a transaction of its own.
   Stored<void> add(const AuditEvent& event);
-  /// Newest first, at most `limit`, those below `before_number`: the last number of a page begins the next. Needs
-  /// see_audit_log.
+  /// Newest first, at most `limit`, those below `before_number`: the last number of a page begins the next. By number; with
+  /// a filter by time, then by number. Needs see_audit_log.
   Stored<std::vector<AuditEntry>> list(const Actor& actor, int limit, std::int64_t before_number = INT64_MAX,
                                        const AuditFilter& filter = {});
   /// verify_audit_log(); `each` gets the number of each entry that holds, in order. Needs see_audit_log.

@@ -45,13 +45,23 @@ Stored<std::vector<ScenarioVersion>> with_files(Database& db, Stored<std::vector
   return versions;
 }
 
+/// The same on every station, so that sessions of several stations name one version. UUIDv8 (RFC 9562, 5.8).
+VersionId id_of_kept(ScenarioId scenario, const Hash256& content) {
+  const Hash256 hash = Blake2b{}.add_text("cusp version 1").add_uuid(scenario.uuid).add_hash(content).finish();
+  VersionId id;
+  std::copy_n(hash.begin(), id.uuid.bytes.size(), id.uuid.bytes.begin());
+  id.uuid.bytes[6] = static_cast<std::uint8_t>((id.uuid.bytes[6] & 0x0F) | 0x80);
+  id.uuid.bytes[8] = static_cast<std::uint8_t>((id.uuid.bytes[8] & 0x3F) | 0x80);
+  return id;
+}
+
 }  // namespace
 
 Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenario, const std::string& json,
                                           const Hash256& content_hash, const std::map<std::string, Hash256>& files,
                                           const std::optional<std::string>& draft) {
   const bool published = !author.is_nil();
-  const VersionId id = VersionId::make();
+  const VersionId id = published ? VersionId::make() : id_of_kept(scenario.id, content_hash);
   Transaction transaction(c_.db);
   const auto newest = transaction.first(
       "SELECT number, content_hash FROM scenario_versions WHERE scenario = ?1 ORDER BY number DESC LIMIT 1",
@@ -117,7 +127,8 @@ Stored<std::vector<ScenarioVersion>> Scenarios::library() {
   return with_files(c_.db,
                     c_.db.all(std::string(kVersionColumns) + "AS v WHERE number = (SELECT max(number) FROM scenario_versions o "
                                                       "WHERE o.scenario = v.scenario AND NOT EXISTS (SELECT 1 FROM "
-                                                      "version_withdrawals w WHERE w.version = o.id)) ORDER BY scenario",
+                                                      "version_withdrawals w WHERE w.version = o.id) AND NOT EXISTS (SELECT 1 FROM "
+                                                      "referred r WHERE r.id = o.id AND r.here = 0)) ORDER BY scenario",
                               version_of));
 }
 

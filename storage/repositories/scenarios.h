@@ -47,7 +47,7 @@ class Scenarios {
   explicit Scenarios(StorageContext& context) : c_{context} {}
 
   /// The version with this content; published without an author if it does not exist yet. Its number is
-  /// scenario.version, or the next free one.
+  /// scenario.version, or the next free one; its id follows from scenario and content.
   Stored<ScenarioVersion> ensure(const Scenario& scenario, const std::string& json, const Hash256& content_hash,
                                  const std::map<std::string, Hash256>& files = {});
   /// Needs edit_scenarios. Publishes the next version; duplicate if the newest one has the same content. Deletes the

@@ -28,7 +28,8 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
       "coalesce((SELECT extra_time_percent FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
       "AND student = ?2 ORDER BY sequence DESC LIMIT 1), 0) "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
-      "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1",
+      "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1 "
+      "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0)",
       [](Row row) {
         return AssignedRules{session_kind_from_key(row.text(0)).value_or(SessionKind::practice),
                              row.id<VersionId>(1),

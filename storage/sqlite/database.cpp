@@ -2,6 +2,8 @@
 
 #include <sqlite3.h>
 
+#include <array>
+
 namespace cusp::storage {
 Database::~Database() { sqlite3_close_v2(handle_); }
 Database::Database(Database&& other) noexcept
@@ -58,6 +60,24 @@ bool Transaction::ok() {
   if (open_ && !failure_ && !database_.in_transaction()) refuse({StorageError::io, database_.file().string(), "rolled back"});
   return !failure_;
 }
+
+Stored<void> Database::attach_source(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(file, ignored).string()) {
+    constexpr std::string_view special = "%?#";
+    constexpr std::array<const char*, 3> escaped = {"%25", "%3f", "%23"};
+    const auto at = special.find(c);
+    if (at == std::string_view::npos) {
+      uri += c;
+    } else {
+      uri += escaped[at];
+    }
+  }
+  return run("ATTACH ?1 AS source", uri + "?mode=ro");
+}
+
+void Database::detach_source() { static_cast<void>(run("DETACH source")); }
 
 Stored<void> Transaction::commit() {
   if (ok()) {

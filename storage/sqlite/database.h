@@ -91,6 +91,9 @@ class Database {
     if (!*more) return std::optional<std::invoke_result_t<Read, Row>>{};
     return std::optional<std::invoke_result_t<Read, Row>>{read(s.row())};
   }
+  /// Another file of the same schema, as `source`, to read from: a transaction takes no lock to write in it.
+  Stored<void> attach_source(const std::filesystem::path& file);
+  void detach_source();
   /// Several statements without parameters: migrations only.
   Stored<void> script(const std::string& sql);
   /// Rows that the last statement changed.

@@ -127,10 +127,10 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
 Stored<Database> Database::connect(const fs::path& file, int flags, const DatabaseOptions& options) {
   sqlite3* handle = nullptr;
   const char* vfs = options.vfs.empty() ? nullptr : options.vfs.c_str();
-  // An absolute path: SQLite would take the name ":memory:" for a database in memory.
+  // An absolute path: SQLite would take the name ":memory:" for a database in memory, and one that begins with "file:" for a URI.
   std::error_code ignored;
   const fs::path whole = fs::absolute(file, ignored);
-  const int status = sqlite3_open_v2(whole.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, vfs);
+  const int status = sqlite3_open_v2(whole.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_URI, vfs);
   Database database{handle, file, (flags & SQLITE_OPEN_READONLY) != 0 ? Access::read_only : Access::existing};
   if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, file.string()));
   sqlite3_extended_result_codes(handle, 1);

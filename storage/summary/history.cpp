@@ -240,8 +240,9 @@ Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId 
   if (auto allowed = require_reading(actor, student); !allowed) return std::unexpected(allowed.error());
   const auto sessions = c_.db.all(
       "SELECT session FROM session_summaries INDEXED BY interrupted_summaries WHERE student = ?1 "
-      "AND state = 'interrupted' AND listed = 1 AND engine_version = ?2 ORDER BY started_at DESC, sequence DESC",
-      session_of, student, kEngineVersion);
+      "AND state = 'interrupted' AND listed = 1 AND engine_version = ?2 "
+      "AND (SELECT station FROM sessions WHERE id = session) = ?3 ORDER BY started_at DESC, sequence DESC",
+      session_of, student, kEngineVersion, c_.station);
   if (!sessions) return std::unexpected(sessions.error());
   return readable_rows(c_.db, actor, *sessions);
 }

@@ -144,7 +144,7 @@ class History {
   Stored<void> may_read_result(const Actor& actor, SessionId session);
   /// The attempts of an assignment, by student, oldest first; without see_all_results the actor's own.
   Stored<std::vector<HistoryRow>> of_assignment(const Actor& actor, AssignmentId assignment);
-  /// Interrupted sessions of this student, newest first, without a grade and recorded by this engine version. Each can be
+  /// Interrupted sessions of this student on this station, newest first, without a grade and recorded by this engine version. Each can be
   /// resumed on a device of the row's class, or graded as it stands.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);

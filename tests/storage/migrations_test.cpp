@@ -39,6 +39,8 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "26f3b4caca55e8ba31c22c1e2f2a339d175cd8bbe99228d1bc5efccacfa4080a",
       "365e375f6daed67f12b7338078080b6448a808a7160286fc235b34565a7c0aba",
       "0fe5e8b5e27d3c189cbbc105fa3a8e79bb954068e72afc91322f97693a64e864",
+      "83320ef7b617fa98e1de76ba1feb572597ec9cb3ad3016235fee61f88070e722",
+      "9411cc300440b281a92c077793ee99451894cae72f32d8f279b5316c18c71ed9",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)

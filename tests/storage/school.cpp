@@ -1,5 +1,8 @@
 #include "tests/storage/school.h"
 
+#include "storage/exchange/exchange.h"
+#include "storage/exchange/trust.h"
+
 namespace cusp::test {
 
 namespace fs = std::filesystem;
@@ -62,9 +65,20 @@ void School::second_half(Store& store, CohortId cohort, const ScenarioVersion& v
   must(store.sessions.interrupt(stopped, "recorder_full"));
   const SessionId running = must(store.sessions.start(lena.actor(), new_session(lena, version))).id;
   must(store.traces.append(running, second_from(1)));
+  if (tables_ == SchoolTables::all) read_other_station(store);
   keep_as("now.db", store);
   sessions.insert(sessions.end(), {first, second, third, stopped, running});
   in_old = {first, second};
+}
+
+/// One attempt of another station, whose student this one knows by name alone.
+void School::read_other_station(Store& store) {
+  const auto other = open(folder_ / "other.db");
+  const Actor keeper = make_administrator(*other).actor();
+  complete_session(*other, make_student(*other, "4", "Nour"), keep(*other));
+  must(give_out(other->context(), keeper, ExchangeKind::results, folder_ / "results"));
+  must(trust(store.context(), admin.actor(), must(public_key_from(must(own_key(other->context())))), KeyRole::station));
+  must(read_in(store.context(), admin.actor(), folder_ / "results"));
 }
 
 /// Overridden, confirmed and released, with a comment that was taken back; the version withdrawn afterwards.

@@ -29,6 +29,7 @@ class School {
   void second_half(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& lena,
                    const Account& omar, SessionId first, SessionId second);
   SessionId sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student);
+  void read_other_station(Store& store);
   void keep_as(const std::string& name, Store& store);
   Folder folder_;
   SchoolTables tables_;

@@ -142,7 +142,8 @@ std::optional<Tampering> Tamperer::insert(Database& db, const std::string& table
   const auto keys = key_columns(db, table);
   std::string values;
   for (const std::string& column : columns) {
-    const bool fresh = column == keys.back() || column == "number" || (table == "cohorts" && column == "name");
+    const bool fresh = column == keys.back() || column == "number" || (table == "cohorts" && column == "name") ||
+                       (table == "other_keys" && column == "key");
     const auto type = must(
         db.first("SELECT typeof(" + column + ") FROM " + table + " WHERE " + row, [](Row r) { return r.text(0); }));
     std::string value = column;

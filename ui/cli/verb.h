@@ -32,6 +32,7 @@ void add_template(CLI::App& program, Job& job);
 void add_erase(CLI::App& program, Job& job);
 /// appeal and verify.
 void add_appeal(CLI::App& program, Job& job);
+void add_exchange(CLI::App& program, Job& job);
 /// backup and restore.
 void add_backup(CLI::App& program, Job& job);
 

@@ -18,8 +18,8 @@ namespace cusp::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
-                                                     "specimen", "history", "template", "backup", "restore", "erase", "appeal", "verify", "import-child"};
+constexpr std::array<std::string_view, 16> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
+                                                     "specimen", "history", "template", "backup", "restore", "erase", "appeal", "verify", "exchange", "import-child"};
 
 int run(int argc, char** argv) {
   CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   add_backup(program, job);
   add_erase(program, job);
   add_appeal(program, job);
+  add_exchange(program, job);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version

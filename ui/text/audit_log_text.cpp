@@ -55,6 +55,17 @@ constexpr Entry kEntries[] = {
     {"criteria_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Criteria exported as a list")},
     {"gradebook_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Results exported for a gradebook")},
     {"log_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Audit log exported as a list")},
+    {"exchange_given_out", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "File for other stations given out")},
+    {"exchange_read_in", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "File of another station read in")},
+    {"exchange_file_known", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "File of another station named by its station")},
+    {"key_trusted", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Key of another station trusted")},
+    {"key_role_changed", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Trust in another station’s key changed")},
+    {"key_revoked", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Key of another station revoked")},
+    {"key_kept", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Former key of another station kept")},
+    {"other_key_sealed", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Key of another station sealed as it was found")},
+    {"referred", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Named by another station’s records")},
+    {"arrived", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Arrived from the office after others named it")},
+    {"referred_sealed", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Name from another station sealed as it was found")},
     {"summaries_rebuilt", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Lists made anew from the records")},
     {"station_key_added", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Key of this station added")},
     {"sealing_began", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Sealing of the records began")},
@@ -72,6 +83,7 @@ constexpr Entry kSessionEvents[] = {
     {"finished", LogKind::attempts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempt finished")},
     {"graded", LogKind::attempts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempt graded")},
     {"closed", LogKind::attempts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempt closed")},
+    {"read_in", LogKind::attempts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempt read in from another station")},
 };
 
 /// The count in a detail that is one number.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/text/failure_text.h"
+#include "ui/text/incident_text.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
@@ -114,6 +115,11 @@ Message describe_not_allowed(const StorageFailure& f) {
   if (f.where == "assignment") {
     return {Text::tr("This exercise is not assigned to you."), Text::tr("Ask your instructor. Nothing was changed.")};
   }
+  if (f.where == "own_key" || f.where == "own_file") return {Text::tr("This is this station’s own."), nothing_changed()};
+  if (f.where == "office_file") {
+    return {Text::tr("Only the office’s files bring accounts and assignments."),
+            Text::tr("This station is not trusted as the office here. Nothing was changed.")};
+  }
   if (f.where == "own_account") {
     return {Text::tr("This is your own account."), Text::tr("Another administrator erases it. Nothing was changed.")};
   }
@@ -127,6 +133,7 @@ Message describe_wrong_state(const StorageFailure& f) {
   if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
   if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
   if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};
+  if (f.where == "other_station") return {Text::tr("This attempt belongs to another station."), nothing_changed()};
   if (f.where == "running") return {Text::tr("An attempt of this person still runs."), nothing_changed()};
   if (f.where == "grade") return {Text::tr("This attempt has no grade yet."), nothing_changed()};
   if (f.where == "released") return {Text::tr("This result is released already."), nothing_changed()};
@@ -136,6 +143,36 @@ Message describe_wrong_state(const StorageFailure& f) {
   return {Text::tr("This attempt is not in a state that allows it."), nothing_changed()};
 }
 
+/// The fingerprint of a key that a failure names.
+QString key_in(const StorageFailure& f) {
+  const auto key = storage::hash_from_hex(f.detail);
+  return key ? fingerprint(*key) : QString();
+}
+
+/// A file of another station, or its key.
+std::optional<Message> describe_exchange(const StorageFailure& f) {
+  const QString where = quoted_place(f.where), which = isolate(text(f.detail));
+  switch (f.code) {
+    case StorageError::not_exchange:
+      return Message{Text::tr("This is no file of a station, or not as its station signed it."),
+                     Text::tr("%1 was not read. Ask for it once more; nothing was changed.").arg(where)};
+    case StorageError::older_schema:
+      return Message{Text::tr("An older version of Cusp made this file."),
+                     Text::tr("Update Cusp on the station that made %1, and ask for a new file. Nothing was changed.").arg(where)};
+    case StorageError::unknown_key:
+      return Message{Text::tr("Nobody has made this station’s key known here."),
+                     Text::tr("Compare key %1 with that on the other station’s page, then trust it: cusp exchange trust. Station %2; nothing was changed.").arg(key_in(f), where)};
+    case StorageError::revoked_key:
+      return Message{Text::tr("This station’s key was revoked here."), Text::tr("Key %1, station %2. Nothing was changed.").arg(key_in(f), where)};
+    case StorageError::put_back:
+      return Message{Text::tr("This station was put back to an old copy."),
+                     Text::tr("Station %1 has given out another file under number %2 before. Give it a new key and trust that; nothing was changed.").arg(where, which)};
+    case StorageError::differs:
+      return Message{Text::tr("The file says otherwise of something that is here already."), Text::tr("Look at %1, %2. Nothing was changed.").arg(where, which)};
+    default: return std::nullopt;
+  }
+}
+
 /// A path, as SQLite names what it refused: it does not name the account or exercise that was meant.
 bool names_file(const StorageFailure& f) { return f.where.find('/') != std::string::npos; }
 
@@ -143,6 +180,7 @@ bool names_file(const StorageFailure& f) { return f.where.find('/') != std::stri
 
 Message describe(const StorageFailure& f) {
   if (auto message = describe_file(f)) return *message;
+  if (auto message = describe_exchange(f)) return *message;
   const QString where = quoted_place(f.where);
   switch (f.code) {
     case StorageError::not_found: return describe_missing(f);

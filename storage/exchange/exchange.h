@@ -1,0 +1,52 @@
+/// Files from station to station: README.md beside this says what each carries and how it is read. Thread: the context's own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "storage/base/rights.h"
+#include "storage/exchange/exchange_file.h"
+#include "storage/records/context.h"
+
+namespace cusp::storage {
+
+/// Rows that a file carries, or that reading it added or changed.
+struct ExchangeCounts {
+  std::uint64_t sessions = 0, statements = 0, accounts = 0, versions = 0, assignments = 0;
+  bool none() const noexcept { return sessions + statements + accounts + versions + assignments == 0; }
+};
+
+struct GivenOut {
+  ExchangeDescription description{};
+  Hash256 key{};  // id of this station's key
+  ExchangeCounts counts{};
+};
+
+/// Writes a new file, and the entry "exchange_given_out". Needs manage_station. duplicate if the file exists; a failure
+/// leaves no file. read_only without the station's key.
+Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file);
+
+enum class ReadOutcome : std::uint8_t {
+  read,
+  again,  // it was read before
+  late,   // made before one that was already read: adds what is new, and changes nothing that is here
+};
+std::string_view key_of(ReadOutcome outcome) noexcept;
+
+struct ReadIn {
+  ExchangeDescription description{};
+  Hash256 key{};
+  ReadOutcome outcome = ReadOutcome::read;
+  ExchangeCounts counts{};
+  std::uint64_t waiting = 0;             // statements about sessions that are not here yet
+  std::vector<std::string> conflicts{};  // numbers of accounts changed both here and in the office, which won
+};
+
+/// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema,
+/// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: the key is not the office's);
+/// duplicate (where = number or name that somebody else has here); last_administrator.
+Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
+
+}  // namespace cusp::storage

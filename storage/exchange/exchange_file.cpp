@@ -1,0 +1,120 @@
+#include "storage/exchange/exchange_file.h"
+
+#include <algorithm>
+
+#include "storage/exchange/json_read.h"
+
+namespace cusp::storage {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::string_view kExchangeLabel = "cusp exchange 1";
+constexpr int kExchangeFormat = 1;
+/// 67 bytes for each earlier file: a file a day for forty years.
+constexpr std::size_t kMostExchangeText = 1024 * 1024;
+constexpr std::array<std::string_view, 2> kExchangeKinds = {"results", "office"};
+
+std::string exchange_text(const ExchangeDescription& d) {
+  ordered_json earlier = ordered_json::array();
+  for (const Hash256& hash : d.earlier) earlier.push_back(hex(hash));
+  ordered_json out;
+  out["cusp_exchange"] = kExchangeFormat;
+  out["station"] = d.station.text();
+  out["kind"] = key_of(d.kind);
+  out["made_by"] = d.maker.text();
+  out["made_at"] = d.made_utc_us;
+  out["log"] = json_of(d.log);
+  out["earlier"] = earlier;
+  out["tables"] = json_of(d.tables);
+  return out.dump();
+}
+
+std::optional<std::vector<Hash256>> earlier_from(const json& read) {
+  const auto list = read.find("earlier");
+  if (list == read.end() || !list->is_array()) return std::nullopt;
+  std::vector<Hash256> out;
+  for (const json& item : *list) {
+    const auto hash = item.is_string() ? hash_from_hex(item.get<std::string>()) : std::nullopt;
+    if (!hash) return std::nullopt;
+    out.push_back(*hash);
+  }
+  return out;
+}
+
+std::optional<ExchangeDescription> exchange_from(std::string_view text) {
+  if (text.size() > kMostExchangeText) return std::nullopt;
+  const json read = json::parse(text, nullptr, false);
+  const auto station = uuid_at(read, "station"), maker = uuid_at(read, "made_by");
+  const auto made = number_at(read, "made_at");
+  const auto kind = std::ranges::find(kExchangeKinds, text_at(read, "kind").value_or(""));
+  const auto log = head_at(read, "log");
+  auto tables = files_at(read, "tables");
+  if (number_at(read, "cusp_exchange") != kExchangeFormat || !station || !maker || !made || kind == kExchangeKinds.end() || !log || !tables) return std::nullopt;
+  auto earlier = earlier_from(read);
+  if (!earlier) return std::nullopt;
+  return ExchangeDescription{*station, static_cast<ExchangeKind>(kind - kExchangeKinds.begin()), UserId{*maker}, *made, *log, std::move(*earlier), std::move(*tables)};
+}
+
+Stored<Hash256> content_of(Database& file, const std::string& table) {
+  const auto keys = file.all("SELECT name FROM pragma_table_info(?1) WHERE pk > 0 ORDER BY pk", [](Row row) { return row.text(0); }, table);
+  if (!keys) return std::unexpected(keys.error());
+  std::string order;
+  for (const std::string& key : *keys) order += (order.empty() ? " ORDER BY " : ", ") + key;
+  Blake2b hash;
+  hash.add_text(table);
+  const auto rows = file.all("SELECT * FROM " + table + order, [&](Row row) {
+    hash.add_hash(row.content_hash());
+    return true;
+  });
+  if (!rows) return std::unexpected(rows.error());
+  return hash.finish();
+}
+
+StorageFailure no_exchange(const Database& file) { return {StorageError::not_exchange, file.file().string()}; }
+
+}  // namespace
+
+std::string_view key_of(ExchangeKind kind) noexcept { return kExchangeKinds[static_cast<std::size_t>(kind)]; }
+
+Hash256 description_hash(const SignedText& text) { return blake2b_256(std::string_view(text.description)); }
+
+SignedText sign_exchange(const StationKey& key, const ExchangeDescription& description) {
+  return sign_text(key, kExchangeLabel, exchange_text(description));
+}
+
+Stored<void> add_description(Database& file, const SignedText& text) {
+  Transaction transaction(file);
+  transaction.run("CREATE TABLE exchange_description (description TEXT NOT NULL, signature TEXT NOT NULL) STRICT");
+  transaction.run("INSERT INTO exchange_description VALUES (?1, ?2)", text.description, text.signature);
+  return transaction.commit();
+}
+
+Stored<CheckedExchange> read_description(Database& file) {
+  const auto there = file.first("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'exchange_description'", [](Row row) { return row.flag(0); });
+  if (!there) return std::unexpected(there.error());
+  if (!there->value_or(false)) return std::unexpected(no_exchange(file));
+  const auto text = file.first("SELECT description, signature FROM exchange_description", [](Row row) { return SignedText{row.text(0), row.text(1)}; });
+  if (!text) return std::unexpected(text.error());
+  const auto description = *text ? exchange_from((*text)->description) : std::nullopt;
+  const auto by = *text ? check_text(**text, kExchangeLabel) : std::nullopt;
+  if (!description || !by || !by->holds) return std::unexpected(no_exchange(file));
+  return CheckedExchange{*description, description_hash(**text), by->public_key};
+}
+
+Stored<std::vector<PackFile>> table_hashes(Database& file) {
+  const auto schema = file.all("SELECT type, name FROM sqlite_schema WHERE type <> 'index' ORDER BY name", [](Row row) { return std::pair{row.text(0), row.text(1)}; });
+  if (!schema) return std::unexpected(schema.error());
+  std::vector<PackFile> out;
+  for (const auto& [type, name] : *schema) {
+    if (type != "table") return std::unexpected(no_exchange(file));
+    if (name == "exchange_description" || name.starts_with("sqlite_")) continue;
+    const auto content = content_of(file, name);
+    if (!content) return std::unexpected(content.error());
+    out.push_back({name, *content});
+  }
+  return out;
+}
+
+}  // namespace cusp::storage

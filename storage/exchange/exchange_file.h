@@ -1,0 +1,50 @@
+/// A file from station to station: a database of the same schema, with a signed description of what its tables hold.
+/// Within storage only; exchange.h is what others call.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/exchange/signed_text.h"
+#include "storage/sqlite/database.h"
+
+namespace cusp::storage {
+
+enum class ExchangeKind : std::uint8_t {
+  results,  // sessions and statements of the station that gives it out
+  office,   // accounts, cohorts, assignments, versions, and statements of the office
+};
+std::string_view key_of(ExchangeKind kind) noexcept;
+
+struct ExchangeDescription {
+  Uuid station{};
+  ExchangeKind kind = ExchangeKind::results;
+  UserId maker{};
+  std::int64_t made_utc_us = 0;
+  ChainHead log{};                 // of the station's audit log
+  std::vector<Hash256> earlier{};  // of the descriptions of all files given out under this key before, oldest first
+  std::vector<PackFile> tables{};  // content of each table
+  std::size_t number() const noexcept { return earlier.size() + 1; }
+};
+
+/// Of a description's text: what later files name this one by.
+Hash256 description_hash(const SignedText& text);
+SignedText sign_exchange(const StationKey& key, const ExchangeDescription& description);
+/// Writes the signed description into the file, as the last thing.
+Stored<void> add_description(Database& file, const SignedText& text);
+
+struct CheckedExchange {
+  ExchangeDescription description{};
+  Hash256 hash{};  // description_hash
+  std::array<std::uint8_t, 32> public_key{};
+};
+/// not_exchange if the database holds no description or its signature does not hold.
+Stored<CheckedExchange> read_description(Database& file);
+
+/// Name and content of each table but the description's, by name. not_exchange for a file with views or triggers.
+Stored<std::vector<PackFile>> table_hashes(Database& file);
+
+}  // namespace cusp::storage

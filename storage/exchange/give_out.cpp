@@ -1,0 +1,140 @@
+#include <array>
+
+#include "storage/exchange/exchange.h"
+#include "storage/exchange/session_copies.h"
+#include "storage/records/sealing.h"
+#include "storage/records/audit_writer.h"
+
+namespace cusp::storage {
+namespace {
+
+/// Statements of this station, with keys and authors. ?1: the station. Authors go by name alone (`referred`).
+constexpr std::array kStatementCopies = {
+    "INSERT OR IGNORE INTO station_keys SELECT * FROM source.station_keys WHERE id IN (SELECT key FROM source.statements WHERE station = ?1)",
+    "INSERT OR IGNORE INTO people SELECT id, number, name, role, '', '', 1, guest, 0, 0, created_at FROM source.people "
+    "WHERE id IN (SELECT author FROM source.statements WHERE station = ?1)",
+    "INSERT OR IGNORE INTO statements SELECT * FROM source.statements WHERE station = ?1 ORDER BY sequence",
+    "INSERT OR IGNORE INTO statement_texts SELECT * FROM source.statement_texts WHERE statement IN (SELECT id FROM source.statements WHERE station = ?1)",
+};
+
+constexpr std::array kOfficeCopies = {
+    "INSERT INTO people SELECT id, number, name, role, password, pin, disabled, guest, 0, 0, created_at FROM source.people "
+    "WHERE guest = 0 AND number <> 'demo' AND id NOT IN (SELECT id FROM source.referred WHERE here = 0)",
+    "INSERT INTO cohorts SELECT * FROM source.cohorts",
+    "INSERT INTO cohort_students SELECT * FROM source.cohort_students",
+    "INSERT INTO scenario_versions SELECT * FROM source.scenario_versions WHERE id NOT IN (SELECT id FROM source.referred WHERE here = 0) "
+    "OR id IN (SELECT version FROM source.assignments)",
+    "INSERT INTO blobs SELECT * FROM source.blobs WHERE hash IN (SELECT f.blob FROM source.version_files f JOIN scenario_versions v ON v.id = f.version)",
+    "INSERT INTO version_files SELECT * FROM source.version_files WHERE version IN (SELECT id FROM scenario_versions)",
+    "INSERT INTO version_withdrawals SELECT * FROM source.version_withdrawals WHERE version IN (SELECT id FROM scenario_versions)",
+    "INSERT INTO assignments SELECT * FROM source.assignments WHERE id NOT IN (SELECT id FROM source.referred WHERE here = 0)",
+    "INSERT INTO assessments SELECT * FROM source.assessments WHERE assignment IN (SELECT id FROM assignments)",
+    "INSERT INTO adjustments SELECT * FROM source.adjustments WHERE assignment IN (SELECT id FROM assignments)",
+    // Whom these name and the office knows by name alone.
+    "INSERT OR IGNORE INTO people SELECT id, number, name, role, '', '', 1, guest, 0, 0, created_at FROM source.people WHERE id IN ("
+    "SELECT student FROM cohort_students UNION SELECT author FROM assignments UNION SELECT author FROM adjustments UNION SELECT student FROM adjustments)",
+};
+
+Stored<std::vector<SessionId>> ended_sessions(StorageContext& context) {
+  return context.db.all(
+      "SELECT m.session FROM session_summaries m JOIN sessions s ON s.id = m.session "
+      "WHERE m.listed = 1 AND m.state <> 'running' AND s.station = ?1 ORDER BY m.session",
+      [](Row row) { return row.id<SessionId>(0); }, context.station);
+}
+
+/// Marks the accounts, and of results the versions and assignments, that the file's records refer to without bringing them.
+void mark_referred(Transaction& transaction, ExchangeKind kind) {
+  if (kind == ExchangeKind::results) {
+    transaction.run("INSERT INTO referred SELECT id, 0 FROM people UNION SELECT id, 0 FROM scenario_versions "
+                    "UNION SELECT id, 0 FROM assignments");
+  } else {
+    transaction.run("INSERT INTO referred SELECT id, 0 FROM people WHERE id IN (SELECT id FROM source.referred WHERE here = 0) "
+                    "OR number = 'demo'");
+  }
+}
+
+/// A session is copied in a transaction of its own: each holds the station's records for a moment.
+Stored<void> fill_exchange(StorageContext& context, Database& to, ExchangeKind kind) {
+  // A statement goes out without the session that it speaks of.
+  if (auto done = to.run("PRAGMA foreign_keys = OFF"); !done) return done;
+  if (kind == ExchangeKind::results) {
+    const auto sessions = ended_sessions(context);
+    if (!sessions) return std::unexpected(sessions.error());
+    for (const SessionId session : *sessions) {
+      Transaction transaction(to);
+      copy_session(transaction, session);
+      if (auto done = transaction.commit(); !done) return done;
+    }
+  }
+  Transaction transaction(to);
+  transaction.run("INSERT INTO station SELECT * FROM source.station");
+  if (kind == ExchangeKind::office) {
+    for (const char* copy : kOfficeCopies) transaction.run(copy);
+  }
+  for (const char* copy : kStatementCopies) transaction.run(copy, context.station);
+  mark_referred(transaction, kind);
+  return transaction.commit();
+}
+
+Stored<ExchangeCounts> counts_of(Database& file) {
+  const auto counts = file.first(
+      "SELECT (SELECT count(*) FROM sessions), (SELECT count(*) FROM statements), "
+      "(SELECT count(*) FROM people WHERE id NOT IN (SELECT id FROM referred)), "
+      "(SELECT count(*) FROM scenario_versions WHERE id NOT IN (SELECT id FROM referred)), (SELECT count(*) FROM assignments)",
+      [](Row row) { return ExchangeCounts{row.u64(0), row.u64(1), row.u64(2), row.u64(3), row.u64(4)}; });
+  if (!counts) return std::unexpected(counts.error());
+  return counts->value_or(ExchangeCounts{});
+}
+
+/// Descriptions of the files that this key has signed so far, from the log.
+std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transaction) {
+  std::vector<Hash256> out;
+  if (!transaction.ok()) return out;
+  const std::string key = hex(context.key->id());
+  const auto details = context.db.all("SELECT detail FROM audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND action = 'exchange_given_out' ORDER BY number",
+                                      [](Row row) { return row.text(0); }, context.station);
+  if (!details) transaction.refuse(details.error());
+  for (const std::string& detail : details ? *details : std::vector<std::string>{}) {
+    const auto hash = hash_from_hex(std::string_view(detail).substr(detail.rfind(' ') + 1));
+    if (detail.starts_with(key) && hash) out.push_back(*hash);
+  }
+  return out;
+}
+
+/// Number, description and entry in the log, in one transaction: no two files have one number.
+Stored<SignedText> sign_given_out(StorageContext& context, const Actor& actor, ExchangeDescription& description) {
+  Transaction transaction(context.db);
+  description.earlier = earlier_files(context, transaction);
+  description.log = transaction.first("SELECT entries, link FROM audit_head", [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; }).value_or(ChainHead{});
+  const SignedText text = sign_exchange(*context.key, description);
+  log_event(context, transaction,
+            {.actor = actor.id, .action = "exchange_given_out", .subject = context.station,
+             .detail = hex(context.key->id()) + ' ' + std::string(key_of(description.kind)) + ' ' + hex(description_hash(text))});
+  if (auto done = commit_sealed(context, transaction); !done) return std::unexpected(done.error());
+  return text;
+}
+
+}  // namespace
+
+Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file) {
+  if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
+  if (!context.key) return fail(StorageError::read_only, context.db.file().string());
+  GivenOut out{.description = {.station = context.station, .kind = kind, .maker = actor.id, .made_utc_us = context.clock()},
+               .key = context.key->id()};
+  const auto made = make_copy(file, context.db.file(), [&](Database& to) -> Stored<void> {
+    if (auto done = fill_exchange(context, to, kind); !done) return done;
+    const auto counts = counts_of(to);
+    if (!counts) return std::unexpected(counts.error());
+    out.counts = *counts;
+    auto tables = table_hashes(to);
+    if (!tables) return std::unexpected(tables.error());
+    out.description.tables = std::move(*tables);
+    const auto text = sign_given_out(context, actor, out.description);
+    if (!text) return std::unexpected(text.error());
+    return add_description(to, *text);
+  });
+  if (!made) return std::unexpected(made.error());
+  return out;
+}
+
+}  // namespace cusp::storage

@@ -1,0 +1,157 @@
+"""Three stations by files: an office and two others, each a database with a key of its own. Accounts go out, attempts come
+back; twice, late, changed, from an unknown key and from a station that was put back, each is named.
+
+  stations.py CUSP
+"""
+import argparse
+import contextlib
+import json
+import os
+import shutil
+import sqlite3
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import Desk, check, one_sentence  # noqa: E402
+from records import PIN, STUDENT, make_school  # noqa: E402
+
+SECRET = {"CUSP_PASSWORD": "correct horse"}
+
+
+class Station:
+    def __init__(self, desk, name, admin):
+        self.desk, self.name, self.admin = desk, name, admin
+        self.database = desk.path(name + ".db")
+
+    def exchange(self, *arguments):
+        """Exit status, the JSON, stderr."""
+        status, out, err = self.desk.run("exchange", *arguments, "--db", self.database, "--as", self.admin, "--json", "-", **SECRET)
+        return status, json.loads(out) if out else {}, err
+
+    def done(self, *arguments):
+        status, seen, err = self.exchange(*arguments)
+        check(status == 0, f"{self.name}: exchange {arguments}: exit {status}: {err}")
+        return seen
+
+    def refused(self, *arguments):
+        status, seen, err = self.exchange(*arguments)
+        check(status == 1 and not seen, f"{self.name}: exchange {arguments}: exit {status}: {seen}")
+        one_sentence(err, f"{self.name}: exchange {arguments}")
+        return err
+
+    def out(self, kind):
+        file = self.desk.path(f"{self.name}-{len(os.listdir(self.desk.folder))}.cuspexchange")
+        return file, self.done("out", kind, file)
+
+    def findings(self):
+        status, out, err = self.desk.run("history", self.database, "verify", "--as", self.admin, "--json", "-", **SECRET)
+        check(out, f"{self.name}: verify: exit {status}: {err}")
+        return status, json.loads(out)
+
+    def sessions(self):
+        with contextlib.closing(sqlite3.connect(self.database)) as db:
+            return sorted(bytes(row[0]).hex() for row in db.execute("SELECT id FROM sessions"))
+
+
+def make_station(desk, name, secret_of):
+    """A new database with an administrator of its own, by SQL: its account is what verification then names, and no more."""
+    station = Station(desk, name, "keeper-" + name)
+    status, _, err = desk.run("play", desk.small_exercise(), "--script", desk.small_script(1), "--db", station.database,
+                              "--out", desk.path("out-" + name))
+    check(status == 0, f"play: {err}")
+    with contextlib.closing(sqlite3.connect(secret_of)) as db:
+        secret = db.execute("SELECT password FROM people WHERE number = 'admin'").fetchone()[0]
+    with contextlib.closing(sqlite3.connect(station.database)) as db:
+        db.execute("INSERT INTO people (id, number, name, role, password, created_at) VALUES (?, ?, 'Keeper', 'administrator', ?, 1)",
+                   (os.urandom(16), station.admin, secret))
+        db.commit()
+    return station
+
+
+def check_whole(station):
+    status, seen = station.findings()
+    tables = {f["table"] for f in seen.get("findings", [])}
+    check(tables <= {"people"}, f"{station.name}: {seen}")
+
+
+def trust_each_other(desk, stations):
+    for station in stations:
+        station.done("key", desk.path(station.name + ".key-text"))
+    for here in stations:
+        for there in stations:
+            if here is not there:
+                role = ["--office"] if there.name == "office" else []
+                here.done("trust", desk.path(there.name + ".key-text"), *role)
+        check(len(here.done("keys")["keys"]) == 2, f"{here.name}: keys")
+
+
+def drill(desk, station):
+    status, out, err = desk.run("play", desk.small_exercise(), "--script", desk.small_script(2), "--db", station.database,
+                                "--as", STUDENT, "--out", desk.path("out"), CUSP_PASSWORD=PIN)
+    check(status == 0, f"{station.name}: the office's student drills: {err}")
+    return out.strip()
+
+
+def copy_station(desk, name, to):
+    for end in ("", ".key", ".key-counter"):
+        shutil.copy(desk.path(name + ".db") + end, desk.path(to + ".db") + end)
+
+
+def changed(desk, file):
+    other = desk.path("changed.cuspexchange")
+    shutil.copy(file, other)
+    with contextlib.closing(sqlite3.connect(other)) as db:
+        db.execute("UPDATE grades SET score = 100")
+        db.commit()
+    return other
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("cusp")
+    with Desk(parser.parse_args().cusp) as desk:
+        make_school(desk.path("office.db"))
+        office = Station(desk, "office", "admin")
+        office.done("keys")
+        b, c = make_station(desk, "b", office.database), make_station(desk, "c", office.database)
+
+        file, _ = office.out("--office")
+        check("key" in b.refused("in", file), "an unknown key is not named")
+        trust_each_other(desk, (office, b, c))
+        status, _, err = desk.run("exchange", "in", file, "--db", office.database, "--as", STUDENT, CUSP_PASSWORD=PIN)
+        one_sentence(err, "a student reads a file")
+        check(status == 1, "a student reads a file")
+        check(b.done("in", file)["accounts"] >= 2 and c.done("in", file)["accounts"] >= 2, "accounts")
+
+        session = drill(desk, b)
+        early, _ = b.out("--results")
+        later = drill(desk, b)
+        results, made = b.out("--results")
+        check(made["number"] == 2, f"{made}")
+        check("signed" in office.refused("in", changed(desk, results)), "a changed file is not named")
+        check(office.done("in", results)["outcome"] == "read", "results")
+        check(office.done("in", results)["outcome"] == "again", "the same file again")
+        check(office.done("in", early)["outcome"] == "late", "an older file")
+        own, _ = office.out("--results")
+        for there, files in ((b, (own,)), (c, (early, results, own, own))):
+            for one in files:
+                there.done("in", one)
+        for sent in (session, later):
+            check(sent.replace("-", "") in c.sessions(), f"{sent} is not at c")
+        check(office.sessions() == sorted(set(office.sessions()) | {session.replace("-", ""), later.replace("-", "")}), "office")
+        for station in (office, b, c):
+            check_whole(station)
+
+        copy_station(desk, "b", "old")
+        office.done("in", b.out("--results")[0])
+        copy_station(desk, "old", "b")
+        drill(desk, b)
+        check("put back" in office.refused("in", b.out("--results")[0]), "a station put back to an old copy is not named")
+        office.done("trust", desk.path("b.key-text"), "--revoke")
+        check("revoked" in office.refused("in", results), "a revoked key is not named")
+        check_whole(office)
+        print(f"three stations: {len(office.sessions())} attempts at the office, {os.path.getsize(results) / 1e6:.1f} MB in the last file")
+
+
+if __name__ == "__main__":
+    main()

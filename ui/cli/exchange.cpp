@@ -1,0 +1,191 @@
+// cusp exchange key|trust|keys|out|in
+
+#include "storage/exchange/exchange.h"
+
+#include <nlohmann/json.hpp>
+
+#include "storage/base/clock.h"
+#include "storage/base/files.h"
+#include "storage/exchange/trust.h"
+#include "ui/cli/account.h"
+#include "ui/cli/outputs.h"
+#include "ui/cli/text.h"
+#include "ui/cli/verb.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ExchangeOptions {
+  std::string db, file;
+  bool office = false, results = false, revoke = false;
+  AccountOption account;
+  JsonOption json;
+};
+
+/// The records, and who acts on them.
+struct Signed {
+  std::unique_ptr<Store> store;
+  Actor actor;
+};
+
+Result<Signed, Message> sign_in_to(const ExchangeOptions& o) {
+  auto store = open_records(o.db);
+  if (!store) return std::unexpected(store.error());
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
+  if (!account) return std::unexpected(account.error());
+  return Signed{std::move(*store), account->actor()};
+}
+
+QString named(const std::string& file) { return QString::fromStdString(file); }
+
+/// The text that another station trusts: two lines.
+int write_key(const ExchangeOptions& o) {
+  if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
+  const auto in = sign_in_to(o);
+  if (!in) return failed(in.error());
+  const auto key = own_key(in->store->context());
+  if (!key) return failed(describe(key.error()));
+  if (!write_whole(o.file, key->description + '\n' + key->signature)) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
+  const Hash256 id = in->store->context().key->id();
+  if (!o.json.write({{"station", in->store->context().station.text()}, {"key", storage::hex(id)}, {"file", o.file}})) return kFailed;
+  if (!o.json.on_stdout()) print_line(plain(CliText::tr("Key %1. The other station’s administrator compares it before trusting %2.").arg(fingerprint(id), named(o.file))));
+  return kDone;
+}
+
+Result<PublicKey, Message> key_in(const std::string& file) {
+  const auto text = storage::read_private_file(file);
+  if (!text) return std::unexpected(describe(text.error()));
+  if (!*text) return std::unexpected(Message{CliText::tr("%1 is not there.").arg(named(file)), {}});
+  const std::size_t end = (*text)->find('\n');
+  const auto key = public_key_from(end == std::string::npos ? SignedText{} : SignedText{(*text)->substr(0, end), (*text)->substr(end + 1)});
+  if (!key) return std::unexpected(Message{CliText::tr("%1 is no station’s key.").arg(named(file)), {}});
+  return *key;
+}
+
+int trust_key(const ExchangeOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  const auto in = sign_in_to(o);
+  if (!in) return failed(in.error());
+  const auto key = key_in(o.file);
+  if (!key) return failed(key.error());
+  const Hash256 id = key_id(key->bytes);
+  StorageContext& context = in->store->context();
+  const auto done = o.revoke ? revoke(context, in->actor, id) : trust(context, in->actor, *key, o.office ? KeyRole::office : KeyRole::station);
+  if (!done) return failed(describe(done.error()));
+  const KeyRole role = o.revoke ? KeyRole::revoked : o.office ? KeyRole::office : KeyRole::station;
+  if (!o.json.write({{"station", key->station.text()}, {"key", storage::hex(id)}, {"role", std::string(key_of(role))}})) return kFailed;
+  if (o.json.on_stdout()) return kDone;
+  print_line(plain((o.revoke ? CliText::tr("Files under key %1 are no longer read.") : CliText::tr("Files under key %1 are read from now on.")).arg(fingerprint(id))));
+  return kDone;
+}
+
+int list_keys(const ExchangeOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  const auto in = sign_in_to(o);
+  if (!in) return failed(in.error());
+  const auto keys = other_keys(in->store->context(), in->actor);
+  if (!keys) return failed(describe(keys.error()));
+  ordered_json list = ordered_json::array();
+  for (const OtherKey& key : *keys) {
+    const std::string role(key_of(key.role)), since = iso_utc(key.changed_utc_us);
+    list.push_back({{"station", key.station.text()}, {"key", storage::hex(key.key)}, {"role", role}, {"since", since}});
+    if (!o.json.on_stdout()) print_line(plain(fingerprint(key.key)) + "  " + role + "  " + since + "  " + key.station.text());
+  }
+  return o.json.write({{"keys", list}}) ? kDone : kFailed;
+}
+
+ordered_json json_of(const ExchangeDescription& d, const Hash256& key, const ExchangeCounts& counts) {
+  ordered_json json;
+  json["station"] = d.station.text();
+  json["key"] = storage::hex(key);
+  json["kind"] = std::string(key_of(d.kind));
+  json["number"] = d.number();
+  json["made"] = iso_utc(d.made_utc_us);
+  json["sessions"] = counts.sessions;
+  json["statements"] = counts.statements;
+  json["accounts"] = counts.accounts;
+  json["versions"] = counts.versions;
+  json["assignments"] = counts.assignments;
+  return json;
+}
+
+QString text_of(const ExchangeCounts& counts) {
+  return CliText::tr("attempts %1, statements %2, accounts %3, exercises %4, assignments %5")
+      .arg(counts.sessions).arg(counts.statements).arg(counts.accounts).arg(counts.versions).arg(counts.assignments);
+}
+
+int write_file(const ExchangeOptions& o) {
+  if (o.office == o.results) return wrong_usage(CliText::tr("Either --office or --results says what the file carries."));
+  if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
+  const auto in = sign_in_to(o);
+  if (!in) return failed(in.error());
+  const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file);
+  if (!made) return failed(describe(made.error()));
+  if (!o.json.write(json_of(made->description, made->key, made->counts))) return kFailed;
+  if (!o.json.on_stdout()) print_line(plain(CliText::tr("File %1 under key %2: %3.").arg(made->description.number()).arg(fingerprint(made->key), text_of(made->counts))));
+  return kDone;
+}
+
+QString text_of(ReadOutcome outcome) {
+  switch (outcome) {
+    case ReadOutcome::read: return CliText::tr("The file is read.");
+    case ReadOutcome::again: return CliText::tr("The file was read before.");
+    case ReadOutcome::late: return CliText::tr("The file was made before one that was already read: it adds what is new and changes nothing.");
+  }
+  return {};
+}
+
+int read_file(const ExchangeOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  const auto in = sign_in_to(o);
+  if (!in) return failed(in.error());
+  const auto read = read_in(in->store->context(), in->actor, o.file);
+  if (!read) return failed(describe(read.error()));
+  auto json = json_of(read->description, read->key, read->counts);
+  json["outcome"] = std::string(key_of(read->outcome));
+  json["waiting"] = read->waiting;
+  json["conflicts"] = read->conflicts;
+  if (!o.json.write(json)) return kFailed;
+  if (o.json.on_stdout()) return kDone;
+  print_line(plain(text_of(read->outcome) + u' ' + CliText::tr("New here: %1.").arg(text_of(read->counts))));
+  if (read->waiting > 0) {
+    print_line(plain(CliText::tr("%n statement(s) wait for their attempt; read the file again after that of the other station.", nullptr, static_cast<int>(read->waiting))));
+  }
+  for (const std::string& number : read->conflicts) print_line(plain(CliText::tr("%1 was changed here too; the office’s account counts.").arg(named(number))));
+  return kDone;
+}
+
+void add_shared(CLI::App& part, ExchangeOptions& o) {
+  part.add_option("--db", o.db, help(CliText::tr("Database")))->required()->type_name("DB");
+  o.account.add_to(part);
+  o.json.add_to(part);
+}
+
+}  // namespace
+
+void add_exchange(CLI::App& program, Job& job) {
+  CLI::App* verb = program.add_subcommand("exchange", help(CliText::tr("Files from station to station, without a server; for administrators")));
+  verb->require_subcommand(1);
+  const auto part = [&](const char* name, const QString& does, const QString& file, int (*run)(const ExchangeOptions&)) {
+    auto o = std::make_shared<ExchangeOptions>();
+    CLI::App* made = verb->add_subcommand(name, help(does));
+    add_shared(*made, *o);
+    if (!file.isEmpty()) made->add_option("FILE", o->file, help(file))->required();
+    made->callback([&job, o, run] { job = [o, run] { return run(*o); }; });
+    return std::pair{made, o};
+  };
+  part("key", CliText::tr("Writes this station’s public key, for others to trust"), CliText::tr("Where the key is written"), write_key);
+  part("keys", CliText::tr("Lists the other stations’ keys that are known here"), {}, list_keys);
+  const auto [trusts, t] = part("trust", CliText::tr("Makes a station’s key known here, after its fingerprint was compared"), CliText::tr("A key that “exchange key” wrote"), trust_key);
+  trusts->add_flag("--office", t->office, help(CliText::tr("Its files may also bring accounts, cohorts, assignments and exercises")));
+  trusts->add_flag("--revoke", t->revoke, help(CliText::tr("No longer read files under this key")));
+  const auto [out, o] = part("out", CliText::tr("Writes a signed file for other stations"), CliText::tr("A new file"), write_file);
+  out->add_flag("--office", o->office, help(CliText::tr("Accounts, cohorts, assignments, exercises and statements of this station")));
+  out->add_flag("--results", o->results, help(CliText::tr("Attempts and statements of this station")));
+  part("in", CliText::tr("Reads another station’s file whole, or changes nothing"), CliText::tr("A file that “exchange out” wrote"), read_file);
+}
+
+}  // namespace cusp::ui
