@@ -33,6 +33,7 @@
 #include "ui/student/thumbnail_cache.h"
 #include "ui/student/start_page.h"
 #include "ui/text/language.h"
+#include "ui/view/tooth_cache.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
@@ -57,6 +58,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
       database_(std::move(database)),
       open_(std::move(open)),
       pictures_(std::make_unique<ThumbnailCache>(cache_folder() / "pictures")),
+      teeth_(std::make_shared<ToothCache>(cache_folder() / "teeth")),
       stack_(new QStackedWidget) {
   setWindowTitle(QStringLiteral("Cusp"));
   setWindowIcon(icon(u"tooth"_qs, Ink::accent));
@@ -300,7 +302,7 @@ void Desktop::show_briefing(const Exercise& exercise) {
     show_failure(describe(folder.error()));
     return;
   }
-  auto* briefing = new Briefing(exercise, *pictures_, *folder);
+  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_);
   connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
   connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
   push(briefing);

@@ -34,6 +34,7 @@ struct EditorStart;
 class ReportPage;
 struct OpenedPack;
 class ThumbnailCache;
+class ToothCache;
 class Shell;
 class SignIn;
 struct NavEntry;
@@ -145,6 +146,7 @@ class Desktop : public QMainWindow {
   std::optional<StorageFailure> reading_only_;  // why nothing can be written
   std::optional<Account> account_;
   std::unique_ptr<ThumbnailCache> pictures_;
+  std::shared_ptr<ToothCache> teeth_;
   QStackedWidget* stack_;
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;

@@ -40,6 +40,7 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   screen->keep_sound_in(&settings_);
   const DeviceChoice device = DeviceSettings(settings_.file()).choice();
   screen->use_device(device);
+  screen->use_teeth(teeth_);
   connect(screen, &DrillScreen::left, this, &Desktop::back);
   connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const SessionFailure& failure) {
     back();

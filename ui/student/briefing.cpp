@@ -56,8 +56,13 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
   label->setPixmap(out);
 }
 
-Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder, QWidget* parent)
-    : QWidget(parent), exercise_(exercise), pictures_(pictures), folder_(folder) {
+Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
+                   std::shared_ptr<ToothCache> teeth, QWidget* parent)
+    : QWidget(parent),
+      exercise_(exercise),
+      pictures_(pictures),
+      folder_(folder) {
+  if (teeth) ahead_.emplace(std::move(teeth), ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(this);
