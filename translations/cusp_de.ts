@@ -3035,6 +3035,26 @@
         <source>What you did is kept.</source>
         <translation>Was Sie getan haben, bleibt erhalten.</translation>
     </message>
+    <message>
+        <source>The next start tries them again.</source>
+        <translation>Der nächste Start versucht sie wieder.</translation>
+    </message>
+    <message>
+        <source>Nothing can be drilled now.</source>
+        <translation>Jetzt kann nicht präpariert werden.</translation>
+    </message>
+    <message>
+        <source>Cusp ended unexpectedly last time. Start without 3D pictures?</source>
+        <translation>Cusp wurde beim letzten Mal unerwartet beendet. Ohne 3D-Bilder starten?</translation>
+    </message>
+    <message>
+        <source>Without them this station can grade, replay and administer, and nobody can drill. Cancel starts as usual.</source>
+        <translation>Ohne sie kann diese Station bewerten, wiedergeben und verwalten; präparieren kann niemand. Abbrechen startet wie gewohnt.</translation>
+    </message>
+    <message>
+        <source>Start without 3D pictures</source>
+        <translation>Ohne 3D-Bilder starten</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -3222,6 +3242,26 @@
     <message>
         <source>Hand in</source>
         <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>Starting the attempt</source>
+        <translation>Versuch wird gestartet</translation>
+    </message>
+    <message>
+        <source>Fetching the tooth</source>
+        <translation>Zahn wird geladen</translation>
+    </message>
+    <message>
+        <source>Growing the tooth: %1</source>
+        <translation>Zahn wächst: %1</translation>
+    </message>
+    <message>
+        <source>Shaping the tooth’s surface</source>
+        <translation>Oberfläche des Zahns wird geformt</translation>
+    </message>
+    <message>
+        <source>Growing the other teeth of the jaw</source>
+        <translation>Die übrigen Zähne des Kiefers wachsen</translation>
     </message>
 </context>
 <context>
@@ -10484,6 +10524,10 @@ Ihr bester davor</translation>
     <message>
         <source>The tooth could not be drawn: %1</source>
         <translation>Der Zahn konnte nicht gezeichnet werden: %1</translation>
+    </message>
+    <message>
+        <source>3D pictures are off: this station can grade, replay and administer.</source>
+        <translation>3D-Bilder sind aus: Diese Station kann bewerten, wiedergeben und verwalten.</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,7 @@ class Program:
         arguments = {"play": ["play", crowd.desk.path("small.json"), "--script", crowd.desk.path("script.csv"), "--db",
                               crowd.database, "--out", crowd.desk.path(f"{Program.count}")],
                      "list": ["history", crowd.database, "list"], "verify": ["history", crowd.database, "verify"],
-                     "window": ["--db", crowd.database]}[kind]
+                     "window": ["--db", crowd.database, "--safe"]}[kind]
         with open(self.out, "w", encoding="utf-8") as out, open(self.out + ".err", "w", encoding="utf-8") as err:
             self.process = subprocess.Popen([crowd.desk.cusp, *arguments], stdout=out, stderr=err, stdin=subprocess.DEVNULL,
                                             env=crowd.environment)

@@ -25,6 +25,7 @@
 #include "ui/instructor/cohorts_page.h"
 #include "ui/instructor/library_page.h"
 #include "ui/modules.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/settings/device_settings.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
@@ -33,6 +34,7 @@
 #include "ui/student/thumbnail_cache.h"
 #include "ui/student/start_page.h"
 #include "ui/text/language.h"
+#include "ui/view/tooth_cache.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
@@ -57,6 +59,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
       database_(std::move(database)),
       open_(std::move(open)),
       pictures_(std::make_unique<ThumbnailCache>(cache_folder() / "pictures")),
+      teeth_(std::make_shared<ToothCache>(cache_folder() / "teeth")),
       stack_(new QStackedWidget) {
   setWindowTitle(QStringLiteral("Cusp"));
   setWindowIcon(icon(u"tooth"_qs, Ink::accent));
@@ -65,9 +68,6 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   const QSize most = screen()->availableSize() - QSize(0, kFrame);
   setMinimumSize(kLeast.boundedTo(most));
   resize(kUsual.boundedTo(most));
-  // Qt makes a window anew when it gets its first OpenGL view later: it would flicker and lose its place.
-  (new ToothView(this))->hide();
-  winId();  // and forget that it is to fill the screen
   if (!restoreGeometry(settings_.window())) setWindowState(Qt::WindowMaximized);  // the first start
   connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::quick_open);
   connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {
@@ -84,6 +84,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
 
 Desktop::~Desktop() = default;
 
+QString Desktop::marker_folder() { return QString::fromStdString((cache_folder() / "running").string()); }
 std::filesystem::path Desktop::volume_folder() { return cache_folder() / "volumes"; }
 
 void Desktop::replace_root(QWidget* root) {
@@ -101,6 +102,7 @@ void Desktop::replace_root(QWidget* root) {
 void Desktop::show_sign_in(SignIn* page) {
   if (const auto message = incident()) page->show_incident(*message);
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
+  if (!opengl_allowed()) page->show_note({ToothView::pictures_off(), tr("The next start tries them again.")});
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
@@ -257,6 +259,8 @@ void Desktop::show_shell(const QString& page_key) {
     shell->show_notice(*message);
   } else if (backup_failure_ && account_->role == Role::administrator) {
     shell->show_notice({tr("The daily backup failed."), backup_failure_->what + u' ' + backup_failure_->more});
+  } else if (!opengl_allowed()) {
+    shell->show_notice({ToothView::pictures_off(), tr("The next start tries them again.")});
   }
   replace_root(shell);
   shell_ = shell;
@@ -300,7 +304,7 @@ void Desktop::show_briefing(const Exercise& exercise) {
     show_failure(describe(folder.error()));
     return;
   }
-  auto* briefing = new Briefing(exercise, *pictures_, *folder);
+  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_);
   connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
   connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
   push(briefing);

@@ -34,6 +34,7 @@ struct EditorStart;
 class ReportPage;
 struct OpenedPack;
 class ThumbnailCache;
+class ToothCache;
 class Shell;
 class SignIn;
 struct NavEntry;
@@ -55,9 +56,15 @@ class Desktop : public QMainWindow {
   void use_hid(hid::HidStation& station) { hid_ = &station; }
   hid::HidStation* hid() const { return hid_; }
 
+  /// Of the files that RunMarker sets.
+  static QString marker_folder();
+
   /// Opens the records and shows sign-in, or shows why they cannot be opened. Where nothing can be written they are opened
   /// for reading: then there are results and reports, and neither drilling nor the library.
   void start();
+
+  /// Asks whether to start without 3D pictures, because a crash came before this start, and start()s. The window is shown.
+  void offer_safe_start();
 
   /// An exercise file that the library opens as soon as somebody with the right signs in; others read who may open it.
   /// The path is absolute. Before start().
@@ -133,6 +140,8 @@ class Desktop : public QMainWindow {
   void open_waiting_file();
   void show_handed_in(const SessionId& session);
   void show_failure(const Message& message);
+  /// True, with a page that gives the reason, where nothing can be drilled because no picture can be drawn.
+  bool refuse_drilling();
   void quick_open();
 
   void lead_views(QWidget* page);
@@ -145,6 +154,7 @@ class Desktop : public QMainWindow {
   std::optional<StorageFailure> reading_only_;  // why nothing can be written
   std::optional<Account> account_;
   std::unique_ptr<ThumbnailCache> pictures_;
+  std::shared_ptr<ToothCache> teeth_;
   QStackedWidget* stack_;
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;

@@ -10,8 +10,10 @@
 #include "ui/device/space_mouse_turner.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/modules.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/text/names.h"
 #include "ui/settings/device_settings.h"
+#include "ui/view/tooth_view.h"
 
 namespace cusp::ui {
 
@@ -40,6 +42,7 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   screen->keep_sound_in(&settings_);
   const DeviceChoice device = DeviceSettings(settings_.file()).choice();
   screen->use_device(device);
+  screen->use_teeth(teeth_);
   connect(screen, &DrillScreen::left, this, &Desktop::back);
   connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const SessionFailure& failure) {
     back();
@@ -59,7 +62,14 @@ DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& te
   return screen;
 }
 
+bool Desktop::refuse_drilling() {
+  if (opengl_allowed()) return false;
+  show_failure({tr("Nothing can be drilled now."), ToothView::pictures_off() + u' ' + tr("The next start tries them again.")});
+  return true;
+}
+
 void Desktop::drill(const Exercise& exercise) {
+  if (refuse_drilling()) return;
   SessionPlan plan;
   QString aside = tr("Try it: nothing is kept");
   if (account_) {
@@ -75,6 +85,7 @@ void Desktop::drill(const Exercise& exercise) {
 }
 
 void Desktop::sit(const AssignedAssessment& assessment) {
+  if (refuse_drilling()) return;
   auto* question = new AssessmentStart(*store_, account_->actor(), assessment, this);
   connect(question, &AssessmentStart::admitted, this, [this, assessment](const QString& code) {
     SessionPlan plan;
@@ -91,6 +102,7 @@ void Desktop::sit(const AssignedAssessment& assessment) {
 }
 
 void Desktop::resume_attempt(const SessionId& session) {
+  if (refuse_drilling()) return;
   const auto details = store_->history.details(account_->actor(), session);
   if (!details) return show_failure(describe(details.error()));
   // The exercise as it was then: a newer version may have another target.

@@ -63,6 +63,7 @@ void Desktop::import_people() {
 }
 
 void Desktop::try_out(const SessionPlan& plan, const QString& title) {
+  if (refuse_drilling()) return;
   const QPointer<EditorPage> editor = qobject_cast<EditorPage*>(page());
   DrillScreen* screen = open_drilling(plan, {title, tr("Try-out: nothing is kept")});
   connect(screen, &DrillScreen::finished, this, [this, editor](std::shared_ptr<const SessionResult> result) {

@@ -8,8 +8,10 @@
 #include "device/hid/transport_hidapi.h"
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
+#include "ui/app/run_marker.h"
 #include "ui/cli/verbs.h"
 #include "ui/device/hid_settings.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/settings/settings.h"
 #include "ui/text/language.h"
 #include "ui/widgets/theme.h"
@@ -24,8 +26,13 @@ int main(int argc, char** argv) {
   QCommandLineParser line;
   const QCommandLineOption database(QStringLiteral("db"), QStringLiteral("Database file."), QStringLiteral("FILE"));
   line.addOption(database);
+  const QCommandLineOption safe(QStringLiteral("safe"), QStringLiteral("Start without 3D pictures: grade, replay and administer."));
+  line.addOption(safe);
   line.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Exercise file."), QStringLiteral("[FILE]"));
   line.process(app);
+
+  if (line.isSet(safe)) cusp::ui::forbid_opengl();
+  const cusp::ui::RunMarker marker(cusp::ui::Desktop::marker_folder());
 
   cusp::ui::Settings settings;
   cusp::ui::install_language(app, settings.language());
@@ -38,7 +45,12 @@ int main(int argc, char** argv) {
   if (const QStringList files = line.positionalArguments(); !files.isEmpty()) {
     desktop.open_after_sign_in(QFileInfo(files.first()).absoluteFilePath());
   }
-  desktop.start();
-  desktop.show();
+  if (marker.found_crash() && cusp::ui::opengl_allowed()) {
+    desktop.show();
+    desktop.offer_safe_start();
+  } else {
+    desktop.start();
+    desktop.show();
+  }
   return QApplication::exec();
 }

@@ -6,6 +6,7 @@
 #include "storage/base/clock.h"
 #include "ui/admin/backup_work.h"
 #include "ui/app/desktop.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/signin/sign_in.h"
 #include "ui/text/incident_text.h"
 #include "ui/view/tooth_view.h"
@@ -50,6 +51,17 @@ void Desktop::start() {
   store_ = std::move(*store);
   if (!reading_only_) backup_timer_.start(kBackupLookMs);
   show_sign_in(new SignIn(*store_));
+}
+
+void Desktop::offer_safe_start() {
+  const Question question{tr("Cusp ended unexpectedly last time. Start without 3D pictures?"),
+                          tr("Without them this station can grade, replay and administer, and nobody can drill. Cancel starts as usual."),
+                          tr("Start without 3D pictures")};
+  ports_.ask(this, question, [self = QPointer(this)](bool without) {
+    if (!self) return;
+    if (without) forbid_opengl();
+    self->start();
+  });
 }
 
 void Desktop::keep_daily_backup() {

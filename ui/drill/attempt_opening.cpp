@@ -4,9 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "ui/render/scenery_look.h"
 #include "ui/session/background_task.h"
-#include "ui/session/scene_builder.h"
 
 namespace cusp::ui {
 namespace {
@@ -81,19 +79,38 @@ AttemptOpening::~AttemptOpening() {
 
 void AttemptOpening::call_off() noexcept {
   called_off_ = true;
+  stop_ = true;
   if (FalconPort* falcon = falcon_.load(std::memory_order_acquire)) falcon->cancel();
   if (InversePort* inverse = inverse_.load(std::memory_order_acquire)) inverse->cancel();
+}
+
+AttemptOpening::Progress AttemptOpening::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+Outcome<std::shared_ptr<const ReadyTooth>> AttemptOpening::tooth(Order& order) {
+  const SessionPlan& plan = order.plan;
+  if (!order.teeth) order.teeth = std::make_shared<ToothCache>(std::filesystem::path());
+  return order.teeth->tooth({plan.scenario, plan.scenario_folder, plan.guidance, plan.specimen}, &stop_, [this](ToothPart part, double share) {
+    const std::lock_guard lock(mutex_);
+    progress_ = {part, part == ToothPart::specimen ? share : -1};
+  });
 }
 
 void AttemptOpening::open(Order order, const Answer& answer) {
   SessionPlan& plan = order.plan;
   auto attempt = std::make_shared<OpenedAttempt>();
-  // Beside the specimen: a jaw's other teeth take as long as its own.
-  std::jthread beside([&attempt = *attempt, source = plan.scenario.specimen] { attempt.scenery = scenery_of(source); });
-  auto specimen = plan.specimen ? Outcome<std::shared_ptr<const Specimen>>(plan.specimen)
-                                : build_specimen(plan.scenario, plan.scenario_folder);
-  if (!specimen) return answer(nullptr, specimen.error());
-  plan.specimen = *specimen;
+  const auto ready = tooth(order);
+  if (!ready) return answer(nullptr, ready.error());
+  {
+    const std::lock_guard lock(mutex_);
+    progress_ = {};
+  }
+  const std::shared_ptr<const Specimen>& specimen = (*ready)->specimen;
+  plan.specimen = specimen;
+  plan.reference = (*ready)->reference;
+  attempt->scenery = (*ready)->scenery;
   const auto target = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
   const bool guided = plan.guidance == Guidance::full;
   attempt->look = guided ? target : std::make_shared<TargetLook>(Region{}, plan.scenario.leeway);
@@ -101,27 +118,27 @@ void AttemptOpening::open(Order order, const Answer& answer) {
   if (!guided) feed.deviation = {};
   attempt->patches = std::make_shared<PatchFeed>(std::move(feed));
   {
-    const Volume whole(*specimen);
-    attempt->patches->build_all(whole);
+    const Volume whole(specimen);
+    attempt->patches->begin(whole, (*ready)->mesh);
     if (guided || has_printed_target(plan.scenario)) attempt->lines = target->lines(whole);
   }
-  const Grid& grid = (*specimen)->grid();
+  const Grid& grid = specimen->grid();
   attempt->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
   attempt->start_view = start_view(attempt->bounds, *target);
   for (const ScenarioTissue& t : plan.scenario.tissues) attempt->has_pulp = attempt->has_pulp || t.tissue == Tissue::pulp;
-  if (attempt->has_pulp) attempt->pulp_depth_mm = pulp_under(**specimen, *attempt->look);
-  beside.join();
+  if (attempt->has_pulp) attempt->pulp_depth_mm = pulp_under(*specimen, *attempt->look);
   attempt->feed = std::make_shared<DrillFeed>(attempt->patches, *attempt->look, attempt->bounds, std::move(order.frame_wanted), attempt->scenery);
   plan.observers.push_back(attempt->feed.get());
   if (order.port) {
     attempt->device.port = std::move(order.port);
   } else {
     const Vec3 start =
-        start_place(**specimen, *target, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
+        start_place(*specimen, *target, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
     auto device = make_session_device(order.choice, start, plan.scenario.instruments.size());
     if (!device) return answer(nullptr, std::move(session_fail(SessionError::device, device.error()).error()));
     attempt->device = std::move(*device);
   }
+  if (stop_) return answer(nullptr, session_fail(SessionError::specimen, ImportFailure{ImportError::cancelled, "attempt", {}}).error());
   wait_for_dropped_tasks();  // a page may still be closing the device
   falcon_.store(attempt->device.falcon, std::memory_order_release);
   inverse_.store(attempt->device.inverse, std::memory_order_release);

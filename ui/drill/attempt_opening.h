@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "ui/drill/drill_feed.h"
 #include "ui/session/exercise_session.h"
 #include "ui/session/session_device.h"
+#include "ui/view/tooth_cache.h"
 
 namespace cusp::ui {
 
@@ -42,6 +44,7 @@ class AttemptOpening {
     SessionPlan plan;
     DeviceChoice choice;
     std::unique_ptr<HapticPort> port;    // instead of the device that was chosen
+    std::shared_ptr<ToothCache> teeth;   // null: the tooth is made for this attempt alone
     std::function<void()> frame_wanted;  // called on the mirror's thread, as long as the attempt lives
   };
   /// On the opening's thread, once. Without a failure the session has started; with one, the attempt may be there or not.
@@ -55,19 +58,29 @@ class AttemptOpening {
   AttemptOpening& operator=(const AttemptOpening&) = delete;
 
   // The window's thread.
+  /// What is done now, and its share in [0, 1]; negative: it cannot be counted.
+  struct Progress {
+    std::optional<ToothPart> part;  // nullopt: device and session
+    double share = -1;
+  };
+  Progress progress() const;
   /// A Falcon that is being opened; nullptr before and after, and for other devices.
   FalconPort* falcon() const noexcept { return falcon_.load(std::memory_order_acquire); }
-  /// The device is waited for no longer. Comes as a failure.
+  /// Tooth and device are waited for no longer. Comes as a failure.
   void call_off() noexcept;
   bool called_off() const noexcept { return called_off_; }
 
  private:
   void open(Order order, const Answer& answer);
+  Outcome<std::shared_ptr<const ReadyTooth>> tooth(Order& order);
 
   // The port lives in the OpenedAttempt, which comes to the window whole, or the pointer is taken back first.
   std::atomic<FalconPort*> falcon_{nullptr};
   std::atomic<InversePort*> inverse_{nullptr};
   std::atomic<bool> over_{false};  // nothing more is done with the device
+  std::atomic<bool> stop_{false};
+  mutable std::mutex mutex_;  // guards progress_; held for a copy
+  Progress progress_;
   bool called_off_ = false;
   std::thread thread_;
 };

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPointer>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -21,6 +22,7 @@ constexpr int kTextEvery = 3;         // looks between two of texts and gauges, 
 constexpr std::chrono::milliseconds kFollow{30};
 constexpr double kUsualShare = 0.53;  // of full force: 0.8 N where that is 1.5, about what a handpiece is led with
 constexpr double kLeastUsualN = 0.4;
+constexpr double kSpecimenShare = 0.8, kSceneryShare = 0.9, kDeviceShare = 0.95;  // of the way to the attempt
 
 /// Of the bur's head above the target's floor under it; nullopt: no target there.
 std::optional<double> above_floor_mm(const LiveView& live, const OpenedAttempt& attempt) {
@@ -50,6 +52,7 @@ DrillScreen::DrillScreen(Ports ports, QWidget* parent) : QWidget(parent), inner_
   make_main(*column);
 
   in.busy = new Busy(in.stage);
+  connect(in.busy, &Busy::cancelled, this, &DrillScreen::ask_leave);
   in.busy->hide();
   in.stage->set_centre(in.busy);
   in.stage->view()->set_stats(&in.stats);
@@ -111,11 +114,32 @@ void DrillScreen::make_keys() {
 }
 
 void DrillScreen::use_device(DeviceChoice choice) { inner_->choice = std::move(choice); }
+void DrillScreen::use_teeth(std::shared_ptr<ToothCache> teeth) { inner_->teeth = std::move(teeth); }
+
+void DrillScreen::show_progress() {
+  const AttemptOpening::Progress now = inner_->opening->progress();
+  // A tooth that is read from the cache has no share: its parts follow at once.
+  const QString percent = now.share > 0 ? QLocale().toString(qRound(100 * now.share)) + QChar(0x00A0) + u'%' : QString();
+  QString part = tr("Starting the attempt");
+  double share = kDeviceShare;
+  if (now.part == ToothPart::specimen) {
+    part = percent.isEmpty() ? tr("Fetching the tooth") : tr("Growing the tooth: %1").arg(percent);
+    share = std::max(now.share, 0.0) * kSpecimenShare;
+  } else if (now.part == ToothPart::mesh) {
+    part = tr("Shaping the tooth’s surface");
+    share = kSpecimenShare;  // the specimen is there
+  } else if (now.part == ToothPart::scenery) {
+    part = tr("Growing the other teeth of the jaw");
+    share = kSceneryShare;
+  }
+  inner_->busy->set_progress(share, part);
+}
 
 void DrillScreen::show_opening() {
   Inner& in = *inner_;
   if (!in.opening) return;
   if (in.opening->called_off()) in.opening->call_off();
+  show_progress();
   FalconPort* falcon = in.opening->falcon();
   if (falcon == nullptr) return;
   in.busy->finish();
@@ -151,12 +175,12 @@ void DrillScreen::begin(SessionPlan plan, const DrillText& text, std::unique_ptr
   in.guidance = plan.guidance;
   in.tray->set_burs(plan.scenario.instruments);
   in.working = true;
-  in.busy->start(tr("Getting the tooth ready"), Busy::Cancel::none);
+  in.busy->start(tr("Getting the tooth ready"), Busy::Cancel::offered);
   in.opening = std::make_unique<AttemptOpening>(
-      AttemptOpening::Order{std::move(plan), in.choice, std::move(port),
-                       [view = QPointer<ToothView>(in.stage->view())] {
-                         if (view) view->feed_changed();
-                       }},
+      AttemptOpening::Order{std::move(plan), in.choice, std::move(port), in.teeth,
+                            [view = QPointer<ToothView>(in.stage->view())] {
+                              if (view) view->feed_changed();
+                            }},
       // The opening is over before this screen goes, and what it has posted by then is taken back.
       [this](std::shared_ptr<OpenedAttempt> attempt, std::optional<SessionFailure> failure) {
         QMetaObject::invokeMethod(
@@ -181,6 +205,15 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
     } else {
       Q_EMIT failed(*failure);
     }
+    return;
+  }
+  if (called_off) {
+    in.working = false;
+    in.busy->finish();
+    in.over = true;
+    opened->session->abandon();
+    opened->session.reset();
+    Q_EMIT left();
     return;
   }
   in.attempt = std::move(opened);

@@ -29,7 +29,9 @@ class DrillScreen : public QWidget {
 
   /// What the next attempt is drilled with; mouse and keys unless it is called. Before begin().
   void use_device(DeviceChoice choice);
-  /// Builds the specimen and starts the attempt in the background; a Falcon's starts once it is homed. `port`: instead of the
+  /// Where the tooth comes from; made for each attempt anew unless it is called. Before begin().
+  void use_teeth(std::shared_ptr<class ToothCache> teeth);
+  /// Makes the tooth ready and starts the attempt in the background; a Falcon's starts once it is homed. `port`: instead of the
   /// device that was chosen. Pre: no attempt is running.
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
@@ -69,6 +71,7 @@ class DrillScreen : public QWidget {
   void graded(const std::shared_ptr<Outcome<SessionResult>>& result);
   void enable_controls(bool on);
   void show_opening();
+  void show_progress();
 
   struct Inner;
   std::unique_ptr<Inner> inner_;

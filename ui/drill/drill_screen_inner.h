@@ -35,6 +35,7 @@ struct DrillScreen::Inner {
 
   // The attempt.
   DeviceChoice choice;
+  std::shared_ptr<ToothCache> teeth;
   Guidance guidance = Guidance::full;
   std::unique_ptr<AttemptOpening> opening;  // until the attempt has started
   QTimer opening_timer;

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "ui/render/gl_context_egl.h"
+#include "ui/render/opengl_allowed.h"
 
 namespace cusp::ui {
 namespace {
@@ -55,6 +56,10 @@ std::string with_code(const char* call, unsigned code) {
 }  // namespace
 
 std::unique_ptr<EglContext> EglContext::create(int width_px, int height_px, std::string* why) {
+  if (!opengl_allowed()) {
+    if (why != nullptr) *why = "opengl_allowed";
+    return nullptr;
+  }
   const auto give_up = [why](const char* call) {
     if (why != nullptr) *why = with_code(call, static_cast<unsigned>(eglGetError()));
     return nullptr;

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "scenarios/teeth/two_threads.h"
+
 namespace cusp::ui {
 namespace {
 
@@ -37,24 +39,41 @@ struct Extent {
   }
 };
 
-}  // namespace
-
-bool PatchFeed::near_region(const Volume& volume, int brick, double margin_mm) const {
-  if (settings_.region.low == settings_.region.high) return true;
+bool near_region(const Box& region, const Volume& volume, int brick, double margin_mm) {
+  if (region.low == region.high) return true;
   const Grid& grid = volume.grid();
   const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
   const Vec3 low = grid.centre_mm(corner), high = grid.centre_mm(corner + kBrickEdge);
   for (int i = 0; i < 3; ++i) {
-    if (high[i] < settings_.region.low[i] - margin_mm || low[i] > settings_.region.high[i] + margin_mm) return false;
+    if (high[i] < region.low[i] - margin_mm || low[i] > region.high[i] + margin_mm) return false;
   }
   return true;
 }
 
-BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) const {
+/// The patch of a brick, whose level it chooses; without triangles where the brick shows nothing.
+Patch first_patch(const Volume& volume, const Box& region, int brick, std::uint8_t& level) {
+  const bool fine = volume.has_cut(brick) || near_region(region, volume, brick, 0.0);
+  level = fine ? kFinePatch : kCoarsePatch;
+  if (!may_have_surface(volume, brick)) return {};
+  Patch patch = build_patch(volume, brick, level);
+  if (!patch.indices.empty() && !fine && near_region(region, volume, brick, kRoughMm) && rough(patch)) {
+    level = kFinePatch;
+    patch = build_patch(volume, brick, level);
+  }
+  return patch;
+}
+
+BakedPatch bake_at(const Volume& volume, const PatchSurroundings& around, const Patch& patch, const std::vector<std::uint8_t>& level,
+                   const DeviationAt& deviation) {
   std::function<bool(int)> is_fine;
-  if (patch.level == kCoarsePatch)
-    is_fine = [this](int b) { return level_[static_cast<std::size_t>(b)] == kFinePatch; };
-  BakedPatch out = bake_patch(volume, around_, patch, is_fine, settings_.deviation);
+  if (patch.level == kCoarsePatch) is_fine = [&level](int b) { return level[static_cast<std::size_t>(b)] == kFinePatch; };
+  return bake_patch(volume, around, patch, is_fine, deviation);
+}
+
+}  // namespace
+
+BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) const {
+  BakedPatch out = bake_at(volume, around_, patch, level_, settings_.deviation);
   out.brick = brick;
   return out;
 }
@@ -66,31 +85,40 @@ void PatchFeed::put(BakedPatch patch, Origin origin) {
   place.patch = std::move(patch);
 }
 
-void PatchFeed::build_all(const Volume& volume, std::uint64_t tick) {
+void PatchFeed::build_all(const Volume& volume, std::uint64_t tick) { begin(volume, build_mesh(volume, settings_), tick); }
+
+WholeMesh PatchFeed::build_mesh(const Volume& volume, const FeedSettings& settings) {
   const IVec3 n = volume.specimen().brick_count();
-  const auto bricks = static_cast<std::size_t>(n.x * n.y * n.z);
-  seen_.assign(bricks, {});
-  level_.assign(bricks, kCoarsePatch);
-  around_ = {SolidShares(volume), JunctionDepth(volume.specimen())};
-  std::vector<Patch> patches;
-  for (int b = 0; b < static_cast<int>(bricks); ++b) {
+  const int bricks = n.x * n.y * n.z;
+  const auto count = static_cast<std::size_t>(bricks);
+  WholeMesh out{std::vector<std::uint8_t>(count, kCoarsePatch), {}};
+  std::vector<Patch> patches(count);
+  in_two_threads(bricks, [&](int b) {
     const auto at = static_cast<std::size_t>(b);
-    if (const std::uint16_t* cut = volume.cut_of(b)) seen_[at].assign(cut, cut + kBrickVoxels);
-    const bool fine = volume.has_cut(b) || near_region(volume, b, 0.0);
-    if (fine) level_[at] = kFinePatch;
-    if (!may_have_surface(volume, b)) continue;
-    Patch patch = build_patch(volume, b, level_[at]);
-    if (patch.indices.empty()) continue;
-    if (!fine && near_region(volume, b, kRoughMm) && rough(patch)) {
-      level_[at] = kFinePatch;
-      patch = build_patch(volume, b, kFinePatch);
-    }
-    patches.push_back(std::move(patch));
-  }
-  for (const Patch& patch : patches) {
-    BakedPatch baked = bake(volume, patch.brick, patch);
-    baked.tick = tick;
-    if (!baked.indices.empty()) put(std::move(baked), Origin::build_all);
+    patches[at] = first_patch(volume, settings.region, b, out.level[at]);
+  });
+  const PatchSurroundings around{SolidShares(volume), JunctionDepth(volume.specimen())};
+  std::vector<BakedPatch> baked(count);
+  in_two_threads(bricks, [&](int b) {
+    const auto at = static_cast<std::size_t>(b);
+    if (patches[at].indices.empty()) return;
+    baked[at] = bake_at(volume, around, patches[at], out.level, settings.deviation);
+    baked[at].brick = b;
+  });
+  for (BakedPatch& patch : baked)
+    if (!patch.indices.empty()) out.patches.push_back(std::move(patch));
+  return out;
+}
+
+void PatchFeed::begin(const Volume& volume, WholeMesh mesh, std::uint64_t tick) {
+  level_ = std::move(mesh.level);
+  seen_.assign(level_.size(), {});
+  for (std::size_t b = 0; b < seen_.size(); ++b)
+    if (const std::uint16_t* cut = volume.cut_of(static_cast<int>(b))) seen_[b].assign(cut, cut + kBrickVoxels);
+  around_ = {SolidShares(volume), JunctionDepth(volume.specimen())};
+  for (BakedPatch& patch : mesh.patches) {
+    patch.tick = tick;
+    put(std::move(patch), Origin::build_all);
   }
 }
 

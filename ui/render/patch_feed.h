@@ -36,12 +36,22 @@ struct FedPatches {
   bool more = false;        // the limit was reached; further patches wait
 };
 
+/// The mesh of a volume as a whole.
+struct WholeMesh {
+  std::vector<std::uint8_t> level;  // [brick] kFinePatch or kCoarsePatch
+  std::vector<BakedPatch> patches;  // by rising brick; none of them is empty
+};
+
 class PatchFeed {
  public:
   explicit PatchFeed(FeedSettings settings) : settings_(std::move(settings)) {}
 
   /// Owner of the volume: every patch anew. Before update().
   void build_all(const Volume& volume, std::uint64_t tick = 0);
+  /// The same in two steps: another thread may build the mesh. build_mesh() uses two threads.
+  static WholeMesh build_mesh(const Volume& volume, const FeedSettings& settings);
+  /// Pre: build_mesh()'s, of this volume and these settings.
+  void begin(const Volume& volume, WholeMesh mesh, std::uint64_t tick = 0);
   /// Owner of the volume: what depends on these bricks. `changes`: when they were made, for measuring; any of them.
   void update(const Volume& volume, std::span<const std::int32_t> changed_bricks, std::uint64_t tick,
               const TickTimes& changes = {});
@@ -56,7 +66,6 @@ class PatchFeed {
     BakedPatch patch;
     Origin origin = Origin::build_all;  // changes go out before the first picture's patches
   };
-  bool near_region(const Volume& volume, int brick, double margin_mm) const;
   BakedPatch bake(const Volume& volume, int brick, const Patch& patch) const;
   void put(BakedPatch patch, Origin origin);
 

@@ -129,14 +129,14 @@ std::size_t SceneryLook::bytes() const noexcept {
   return out;
 }
 
-std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, ToothCancel cancel) {
+std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, ToothCancel cancel, const GrowScenery& grow) {
   static std::mutex mutex;  // held while growing: a second asker of the same waits for it
   static SpecimenSource last;
   static std::shared_ptr<const SceneryLook> kept;
   if (std::ranges::find(source.around, "jaw") == source.around.end()) return nullptr;
   const std::lock_guard lock(mutex);
   if (kept && last == source) return kept;
-  auto standing = make_scenery(source, cancel);
+  auto standing = grow ? grow() : make_scenery(source, cancel);
   if (!standing || standing->empty()) return nullptr;
   std::vector<SceneryMesh> meshes;
   for (JawSurface& one : *standing) meshes.push_back(std::move(one.mesh));

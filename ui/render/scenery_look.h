@@ -2,10 +2,12 @@
 /// beside the specimen's own mesh, and cut in sections. Plain values; any thread.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "scenarios/format/scenario.h"
+#include "scenarios/import/import_error.h"
 #include "scenarios/teeth/scenery.h"
 #include "scenarios/teeth/tooth.h"
 #include "ui/modules.h"
@@ -34,6 +36,8 @@ class SceneryLook {
 
 /// The scenery that a specimen asks for; null where it asks for none, or where none can be grown. Seconds the first time;
 /// the last one asked for is kept, so that drilling, report and picture share it. Null, too, once *cancel is true before it has grown.
-std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, ToothCancel cancel = nullptr);
+/// `grow`: instead of make_scenery().
+using GrowScenery = std::function<Result<std::vector<JawSurface>, ImportFailure>()>;
+std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, ToothCancel cancel = nullptr, const GrowScenery& grow = {});
 
 }  // namespace cusp::ui

@@ -91,9 +91,7 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
   card_->setAutoFillBackground(true);
   card_->hide();
   if (volume_) {
-    const TargetLook look(scenario.target, scenario.leeway);
-    view_->show_volume(*volume_, look.feed());
-    turn_back();
+    build_mesh(scenario);
     // Growing the rest of a jaw takes seconds; the tooth is shown meanwhile.
     QThreadPool::globalInstance()->start([self = QPointer(this), source = scenario.specimen] {
       auto scenery = scenery_of(source);
@@ -104,6 +102,19 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
     });
   }
   connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
+}
+
+void PinnedTooth::build_mesh(const Scenario& scenario) {
+  QThreadPool::globalInstance()->start([self = QPointer(this), volume = volume_, target = scenario.target, leeway = scenario.leeway] {
+    auto mesh = std::make_shared<WholeMesh>(PatchFeed::build_mesh(*volume, TargetLook(target, leeway).feed()));
+    QMetaObject::invokeMethod(qApp, [self, mesh] {
+      if (!self) return;
+      self->view_->show_mesh(std::move(*mesh));
+      self->tooth_shown_ = true;
+      self->turn_back();
+      self->face_place();
+    }, Qt::QueuedConnection);
+  });
 }
 
 void PinnedTooth::set_colouring(Colouring colouring) { view_->set_colouring(colouring); }
@@ -138,7 +149,11 @@ void PinnedTooth::turn_back() {
 void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more) {
   place_ = place_mm;
   text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped());
-  if (place_) {
+  face_place();
+}
+
+void PinnedTooth::face_place() {
+  if (place_ && tooth_shown_) {
     const Camera to = look_at_place(view_->camera(), meshes(), *place_);
     inside_ = !seen_from(to, meshes(), *place_);
     view_->set_camera(to);
@@ -147,12 +162,12 @@ void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, 
 }
 
 void PinnedTooth::place_pin() {
-  const auto at = place_ ? view_->project(*place_) : std::nullopt;
+  const auto at = place_ && tooth_shown_ ? view_->project(*place_) : std::nullopt;
   const bool seen = at && seen_from(view_->camera(), meshes(), *place_);
   ring_->setVisible(seen);
   leader_->setVisible(seen);
-  card_->setVisible(place_.has_value());
-  if (!place_) return;
+  card_->setVisible(place_ && tooth_shown_);
+  if (!place_ || !tooth_shown_) return;
   const QString hidden = inside_ ? tr("This place lies below the surface.")
                                  : tr("The tooth hides this place. Turn it, or choose the row again.");
   card_->setText(seen ? text_ : text_ + u"<br><i>%1</i>"_qs.arg(hidden.toHtmlEscaped()));

@@ -36,11 +36,15 @@ class PinnedTooth : public QWidget {
   /// Line from ring to card; nullopt without a ring.
   std::optional<QLineF> leader() const;
   ToothView* view() const { return view_; }
+  /// The mesh of a tooth takes a second or more: it is built in the background, and a place that is pinned meanwhile is shown then.
+  bool tooth_shown() const { return tooth_shown_; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void build_mesh(const Scenario& scenario);
+  void face_place();
   void place_pin();
   Meshes meshes() const;
   void set_scenery(std::shared_ptr<const SceneryLook> scenery);
@@ -51,6 +55,7 @@ class PinnedTooth : public QWidget {
   QWidget* ring_;
   QLabel* card_;
   std::optional<Vec3> place_;
+  bool tooth_shown_ = false;
   bool inside_ = false;  // no view shows the place
   QString text_;         // of the card, rich text
 };

@@ -43,6 +43,7 @@ struct SessionPlan {
   std::string operator_name{kUserOperator};  // else the name of a scripted operator or of a file
   SessionId resumes;                         // an interrupted session to resume; nil: a new one
   std::shared_ptr<const Specimen> specimen;  // build_specimen()'s, to save the time; may be null
+  std::shared_ptr<const Reference> reference;  // of that specimen, to save the time; may be null
   std::vector<Observer*> observers;          // outlive the session
   std::shared_ptr<const PedalSource> pedal;  // a foot pedal beside the device; may be null
 };

@@ -105,7 +105,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   if (!scene) return std::unexpected(scene.error());
   setup.scene = std::move(*scene);
   setup.stiffness_share = stiffness_cut(plan.scenario, plan.specimen->grid().voxel_mm, device).share;
-  setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
+  setup.reference = plan.reference ? plan.reference : std::make_shared<const Reference>(plan.scenario, plan.specimen);
   setup.time_limit_s = plan.scenario.time_limit_s;
   setup.loop_start.emplace(setup.scene);
   setup.mirror_start.emplace(setup.scene);

@@ -63,10 +63,16 @@ std::vector<std::byte> specimen_bytes(const VoxelVolume& volume) {
     w.u64(name.size());
     for (const char c : name) w.out.push_back(static_cast<std::byte>(c));
   }
-  for (const Tissue t : volume.tissue) w.out.push_back(static_cast<std::byte>(t));
+  const std::size_t head = w.out.size(), voxels = volume.s.size();
+  w.out.resize(head + 3 * voxels);
+  static_assert(sizeof(Tissue) == 1);
+  std::memcpy(w.out.data() + head, volume.tissue.data(), voxels);
   // Low bytes, then high bytes: runs of equal bytes compress.
-  for (const std::uint16_t s : volume.s) w.out.push_back(static_cast<std::byte>(s & 0xFF));
-  for (const std::uint16_t s : volume.s) w.out.push_back(static_cast<std::byte>(s >> 8));
+  std::byte *low = w.out.data() + head + voxels, *high = low + voxels;
+  for (std::size_t i = 0; i < voxels; ++i) {
+    low[i] = static_cast<std::byte>(volume.s[i] & 0xFF);
+    high[i] = static_cast<std::byte>(volume.s[i] >> 8);
+  }
   return std::move(w.out);
 }
 

@@ -9,9 +9,11 @@
 
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/text/bur_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/bar_top.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -56,8 +58,13 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
   label->setPixmap(out);
 }
 
-Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder, QWidget* parent)
-    : QWidget(parent), exercise_(exercise), pictures_(pictures), folder_(folder) {
+Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
+                   std::shared_ptr<ToothCache> teeth, QWidget* parent)
+    : QWidget(parent),
+      exercise_(exercise),
+      pictures_(pictures),
+      folder_(folder) {
+  if (teeth && opengl_allowed()) ahead_.emplace(std::move(teeth), ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(this);
@@ -106,8 +113,10 @@ void Briefing::fill_text(QVBoxLayout& text) {
   start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
   start_->setDefault(true);
   acts->addWidget(start_);
-  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, Weight::regular, "text3"));
-  acts->addStretch();
+  start_->setEnabled(opengl_allowed());
+  QLabel* hint = make_label(opengl_allowed() ? tr("Enter starts") : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
+  hint->setWordWrap(true);
+  acts->addWidget(hint, 1);
   text.addLayout(acts);
   text.addStretch();
   connect(start_, &QPushButton::clicked, this, [this] { Q_EMIT start_wanted(exercise_); });

@@ -5,6 +5,7 @@
 
 #include "ui/student/course.h"
 #include "ui/student/thumbnail_cache.h"
+#include "ui/view/tooth_ahead.h"
 
 class QLabel;
 class QPushButton;
@@ -16,8 +17,9 @@ class Briefing : public QWidget {
   Q_OBJECT
 
  public:
+  /// While it stands, the tooth is made ahead for Start. `teeth` null: it is not.
   Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-           QWidget* parent = nullptr);
+           std::shared_ptr<ToothCache> teeth, QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
 
  Q_SIGNALS:
@@ -34,6 +36,7 @@ class Briefing : public QWidget {
   Exercise exercise_;
   ThumbnailCache& pictures_;
   std::filesystem::path folder_;
+  std::optional<ToothAhead> ahead_;
   QLabel* picture_;
   QPushButton* start_;
 };

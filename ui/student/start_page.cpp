@@ -8,6 +8,7 @@
 
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/student/briefing.h"
 #include "ui/student/history_charts.h"
 #include "ui/student/interrupted_card.h"
@@ -15,6 +16,7 @@
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
@@ -191,7 +193,10 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   acts->addWidget(start_);
   acts->addWidget(briefing);
   // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
-  QLabel* hint = make_label(interrupted_ == nullptr && !assessed ? tr("Enter starts") : QString(), TextRole::caption, Weight::regular, "text3");
+  start_->setEnabled(opengl_allowed());
+  const QString enter = interrupted_ == nullptr && !assessed ? tr("Enter starts") : QString();
+  QLabel* hint = make_label(opengl_allowed() ? enter : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
+  hint->setWordWrap(true);
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   hint->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   acts->addWidget(hint, 1);

@@ -8,6 +8,7 @@
 #include "scenarios/format/content_hash.h"
 #include "ui/modules.h"
 #include "ui/render/gl_context_egl.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/patch_store.h"
 #include "ui/render/target_look.h"
@@ -99,7 +100,7 @@ QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::
                        (use == Use::card ? u"-card"_qs : u"-cover"_qs) + (dark ? u"-dark.png"_qs : u"-light.png"_qs);
   const QString file = QString::fromStdString((cache_ / name.toStdString()).string());
   QImage kept(file);
-  if (!kept.isNull() || asked_.contains(name)) return kept;
+  if (!kept.isNull() || asked_.contains(name) || !opengl_allowed()) return kept;
   asked_.insert(name);
   pool_.start([this, scenario = exercise.scenario, folder, use, dark, file, stopped = stopped_]() mutable {
     if (use == Use::card) scenario.specimen.voxel_mm = std::max(scenario.specimen.voxel_mm, kCardVoxelMm);

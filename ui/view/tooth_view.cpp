@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/render/opengl_allowed.h"
 #include "ui/view/frame_stats.h"
 #include "ui/view/view_painter.h"
 #include "ui/widgets/theme.h"
@@ -37,7 +38,7 @@ ToothView::ToothView(QWidget* parent) : QWidget(parent), scale_(kBudgetMs) {
     auto shared = std::make_shared<FinishedFrame>(std::move(frame));
     QMetaObject::invokeMethod(this, [this, shared] { take(std::move(*shared)); }, Qt::QueuedConnection);
   });
-  if (!painter_) show_placeholder(tr("The tooth is drawn where the screen has OpenGL."));
+  if (!painter_) show_placeholder(opengl_allowed() ? tr("The tooth is drawn where the screen has OpenGL.") : pictures_off());
   setAccessibleName(tr("Tooth"));
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, &ToothView::sharpen);
@@ -45,6 +46,8 @@ ToothView::ToothView(QWidget* parent) : QWidget(parent), scale_(kBudgetMs) {
 }
 
 ToothView::~ToothView() { painter_.reset(); }
+
+QString ToothView::pictures_off() { return tr("3D pictures are off: this station can grade, replay and administer."); }
 
 void ToothView::show_placeholder(const QString& text) {
   auto* lay = new QVBoxLayout(this);
@@ -105,6 +108,7 @@ void ToothView::order_frame() {
 void ToothView::take(FinishedFrame frame) {
   if (frame.image.isNull()) {
     painter_.reset();
+    forbid_opengl();  // no other picture can be drawn either, and the pages show why
     show_placeholder(tr("The tooth could not be drawn: %1").arg(frame.why));
     take_feed();
     return note_shown(mesh_);
@@ -155,12 +159,12 @@ void ToothView::read_theme() {
   repaint_soon();
 }
 
-void ToothView::show_volume(const Volume& volume, const FeedSettings& settings) {
+void ToothView::show_volume(const Volume& volume, const FeedSettings& settings) { show_mesh(PatchFeed::build_mesh(volume, settings)); }
+
+void ToothView::show_mesh(WholeMesh mesh) {
   feed_.reset();
   store_.clear();
-  PatchFeed feed(settings);
-  feed.build_all(volume);
-  for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) store_.put(std::move(patch));
+  for (BakedPatch& patch : mesh.patches) store_.put(std::move(patch));
   if (!framed_) {
     if (const std::optional<Box> box = store_.bounds()) {
       scene_.camera = Camera::about(0.5 * (box->low + box->high), 0.5 * glm::length(box->high - box->low));

@@ -27,11 +27,15 @@ class ToothView : public QWidget {
 
  public:
   explicit ToothView(QWidget* parent = nullptr);
+  /// Why nothing can be drilled after forbid_opengl(), and what can be done.
+  static QString pictures_off();
   ~ToothView() override;
 
   /// Builds the whole mesh of a volume as it stands, here and now (about 0.4 s for a molar), and looks at it when
   /// nothing was shown before.
   void show_volume(const Volume& volume, const FeedSettings& settings = {});
+  /// The same with a mesh that another thread has built.
+  void show_mesh(WholeMesh mesh);
   /// Patches come from this feed from now on, a bounded number of bytes a frame. Call feed_changed() when it has news.
   void set_feed(std::shared_ptr<PatchFeed> feed);
   /// Any thread: asks for a frame. Several askings before it make one.

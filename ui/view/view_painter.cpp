@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/render/framebuffer.h"
+#include "ui/render/opengl_allowed.h"
 #include "ui/view/low_priority.h"
 
 namespace cusp::ui {
@@ -85,7 +86,7 @@ ViewPainter::ViewPainter(Drawn drawn) : drawn_(std::move(drawn)) {}
 
 std::unique_ptr<ViewPainter> ViewPainter::create(Drawn drawn) {
   const QString platform = QGuiApplication::platformName();
-  if (platform == u"offscreen" || platform == u"minimal" || platform == u"vnc") return nullptr;
+  if (!opengl_allowed() || platform == u"offscreen" || platform == u"minimal" || platform == u"vnc") return nullptr;
   std::unique_ptr<ViewPainter> out(new ViewPainter(std::move(drawn)));
   out->surface_ = std::make_unique<QOffscreenSurface>();
   out->surface_->setFormat(wanted_format());

@@ -48,7 +48,7 @@ class ViewPainter {
  public:
   using Drawn = std::function<void(FinishedFrame frame)>;  // on the painter's thread
 
-  /// nullptr where the platform has no OpenGL.
+  /// nullptr where the platform has no OpenGL, or forbid_opengl() was called.
   static std::unique_ptr<ViewPainter> create(Drawn drawn);
   /// Waits for the frame in work.
   ~ViewPainter();

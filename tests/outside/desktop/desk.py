@@ -176,7 +176,7 @@ class Program:
                 self.root = until("the program's window", self._find_root, 20 if attempt < 2 else None)
                 break
             except Missing:
-                self.process.kill()
+                self.process.terminate()  # a kill would be a crash to the next start
                 self.process.wait()
                 if attempt == 2:
                     raise

@@ -37,6 +37,14 @@ def add_person(program, name, number, secret, role, secret_label):
     program.find("table cell", name, within=program.find("table", "People"))
 
 
+def after_crash(program, answer):
+    """Reads the offer that follows a crash and gives the answer: "Start without 3D pictures", or "Cancel" for a usual start."""
+    question = program.find("alert")
+    program.find("label", re.compile("Cusp ended unexpectedly last time"), within=question)
+    program.press(answer, within=question)
+    program.find("label", "Sign in")
+
+
 def sign_in_student(program, number=STUDENT[1], pin=STUDENT[2]):
     program.press("Student", "page tab")
     program.find("text", "Student number").type(number)

@@ -47,9 +47,12 @@ def broken_off(own, program):
     own.screen.x("mouseup", 1)
 
     program = own.start()
+    school.after_crash(program, "Start without 3D pictures")
     school.sign_in_student(program)
     program.find("label", "Interrupted attempt")
     program.find("push button", "Continue")
+    program.find("label", re.compile("^3D pictures are off"))
+    desk.check(not program.find("push button", "Start").has("ENABLED"), "without pictures an exercise can be started")
     school.page(program, "My results")
     row = [cell.name for cell in school.row_of(program, "My results", EXERCISE)]
     desk.check(any("nterrupted" in name for name in row), f"an attempt that broke off is shown as {row}")
@@ -59,7 +62,14 @@ def broken_off(own, program):
     school.home(program)
     program.find(None, "Next exercise")
     desk.check(program.here("label", "Interrupted attempt") is None, "the card stays though the attempt is graded")
+    school.sign_out(program)
+    report_without_pictures(program)
     program.close()
+    own.start().find("label", "Sign in")  # a normal end came before: nothing is asked
+    own.program.process.terminate()
+    desk.check(own.program.process.wait(desk.LIMIT_S) == 0, "SIGTERM did not end the program well")
+    own.start().find("label", "Sign in")
+    own.program.close()
 
     def verb(*arguments):
         done = subprocess.run([own.binary, *arguments], capture_output=True, text=True, timeout=desk.LIMIT_S,
@@ -70,7 +80,20 @@ def broken_off(own, program):
     rows = attempts if isinstance(attempts, list) else next(v for v in attempts.values() if isinstance(v, list))
     session = rows[0].get("session", rows[0].get("id"))
     graded = verb("grade", own.database, session, "--as", school.INSTRUCTOR[1], "--json", "-")
+    verb("replay", "--verify", own.database, session, "--as", school.INSTRUCTOR[1], "--json", "-")
     return f"shown as {row}, graded with {graded.get('score')} points"
+
+
+def report_without_pictures(program):
+    """An instructor opens the report of the attempt that the crash broke off."""
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Performance")
+    school.row_of(program, "Attempts", school.STUDENT[0], EXERCISE)[0].click()
+    program.keys("Return")
+    school.points_on_report(program)
+    program.find("label", re.compile("^3D pictures are off"), within=program.find(None, "Report"))
+    school.home(program)
+    school.sign_out(program)
 
 
 def clock_s(program):

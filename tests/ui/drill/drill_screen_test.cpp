@@ -106,6 +106,24 @@ TEST_F(Screen, without_guidance_neither_depth_nor_progress_nor_coach_nor_target_
   EXPECT_EQ(asked, QStringList{QStringLiteral("Hand in")});
 }
 
+TEST_F(Screen, leaving_while_the_tooth_grows_leaves_at_once_and_until_then_the_part_in_work_is_named) {
+  SessionPlan plan;
+  plan.scenario = load_builtin("class-1-36").value();
+  plan.scenario.specimen.voxel_mm = 0.08;  // grown in some ten seconds
+  plan.kind = SessionKind::try_it;
+  QSignalSpy left(screen.get(), &DrillScreen::left);
+  screen->begin(std::move(plan), {});
+  const auto shown = [this](const QString& start) {
+    for (const QLabel* label : screen->findChildren<QLabel*>())
+      if (label->isVisible() && label->text().startsWith(start) && label->text().endsWith(u'%')) return true;
+    return false;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown(QStringLiteral("Growing the tooth: ")); }, kPatienceMs));
+  screen->ask_leave();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return left.count() == 1; }, kPatienceMs));
+  EXPECT_FALSE(screen->running());
+}
+
 TEST_F(Screen, without_phenomena_nothing_of_a_handpiece_is_shown) {
   begin("channel-1");
   EXPECT_FALSE(panel()->isVisible());

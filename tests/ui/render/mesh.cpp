@@ -6,6 +6,7 @@
 
 #include "tests/modules.h"
 #include "tests/ui/render/ball.h"
+#include "ui/render/mesh_blob.h"
 #include "ui/render/overlay_line.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/patch_store.h"
@@ -89,6 +90,32 @@ TEST(PatchFeed, following_cuts_gives_the_mesh_of_building_anew) {
   }
   EXPECT_GT(compared, 10u);
   EXPECT_EQ(anew.patches().size(), followed.patches().size());
+}
+
+TEST(MeshBlob, reads_back_what_it_wrote_and_refuses_anything_else) {
+  const Volume volume = sphere(1.0);
+  const FeedSettings settings{{Vec3(-0.5, -0.5, 0.5), Vec3(0.5, 0.5, 3.0)}, {}};
+  const WholeMesh mesh = PatchFeed::build_mesh(volume, settings);
+  const auto bytes = mesh_bytes(mesh);
+  const std::size_t bricks = mesh.level.size();
+  auto back = mesh_from_bytes(bytes, bricks);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(mesh_bytes(*back), bytes);
+  PatchFeed read(settings), built(settings);
+  read.begin(volume, std::move(*back));
+  built.build_all(volume);
+  const PatchStore a = store_of(read), b = store_of(built);
+  ASSERT_EQ(a.patches().size(), b.patches().size());
+  for (const auto& [brick, patch] : b.patches()) EXPECT_TRUE(same_mesh(patch, a.patches().at(brick))) << brick;
+  EXPECT_FALSE(mesh_from_bytes(bytes, bricks + 1));
+  EXPECT_FALSE(mesh_from_bytes(std::span(bytes).first(bytes.size() - 1), bricks));
+  EXPECT_FALSE(mesh_from_bytes(std::span(bytes).first(bricks - 1), bricks));
+  WholeMesh stray = mesh;
+  stray.patches.front().indices.front() = static_cast<std::uint16_t>(stray.patches.front().vertices.size());
+  EXPECT_FALSE(mesh_from_bytes(mesh_bytes(stray), bricks)) << "no such vertex";
+  stray = mesh;
+  stray.patches.back().brick = static_cast<int>(bricks);
+  EXPECT_FALSE(mesh_from_bytes(mesh_bytes(stray), bricks)) << "no such brick";
 }
 
 TEST(PatchFeed, what_was_cut_is_fine_wherever_it_lies) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QTest>
 #include <cmath>
 
 #include "scenarios/library/library.h"
@@ -85,6 +86,7 @@ TEST(PinnedTooth, shows_its_ring_where_the_place_is_seen_and_takes_it_away_where
   PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
   tooth.resize(600, 600);
   tooth.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.tooth_shown(); }, 60'000));
   tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), {});
   EXPECT_TRUE(tooth.ring_shown());
   Camera from_below = tooth.view()->camera();
@@ -100,11 +102,22 @@ TEST(PinnedTooth, shows_its_ring_where_the_place_is_seen_and_takes_it_away_where
   EXPECT_FALSE(tooth.ring_shown());
 }
 
+TEST(PinnedTooth, a_place_that_is_pinned_before_the_tooth_stands_is_shown_with_it) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
+  tooth.resize(600, 600);
+  tooth.show();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), {});
+  EXPECT_FALSE(tooth.ring_shown());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.ring_shown(); }, 60'000));
+}
+
 TEST(PinnedTooth, its_card_stands_clear_of_the_place_and_a_line_leads_to_it) {
   const Pit pit;
   PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
   tooth.resize(600, 600);
   tooth.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.tooth_shown(); }, 60'000));
   tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), QStringLiteral("0.3 mm too deep"));
   const auto* card = tooth.findChild<QLabel*>();
   const auto at = tooth.view()->project({0, 0, 0});
@@ -127,6 +140,7 @@ TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {
   PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
   tooth.resize(600, 600);
   tooth.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.tooth_shown(); }, 60'000));
   tooth.pin(Vec3(2.0, 2.0, 1.0), QStringLiteral("Dentine over pulp"), {});
   EXPECT_FALSE(tooth.ring_shown());
   QString all;

@@ -140,7 +140,7 @@ TEST_F(Pages, an_opened_pulp_comes_first_in_what_to_do_next_time) {
 TEST_F(Pages, the_points_of_every_briefing_sum_to_a_hundred) {
   const auto list = load_exercises(records.store());
   for (const Exercise& exercise : list->exercises) {
-    Briefing page(exercise, pictures, {});
+    Briefing page(exercise, pictures, {}, nullptr);
     const auto* model = page.findChild<Table*>()->model();
     double sum = 0;
     for (int row = 0; row < model->rowCount(); ++row) sum += model->index(row, 2).data().toString().toDouble();
@@ -282,7 +282,7 @@ TEST_F(Pages, the_start_page_fits_a_window_of_1280) {
 
 TEST_F(Pages, the_briefing_shows_what_earns_points_and_starts) {
   const auto list = load_exercises(records.store());
-  Briefing page(list->exercises.front(), pictures, {});
+  Briefing page(list->exercises.front(), pictures, {}, nullptr);
   page.show();
   const Scenario& s = list->exercises.front().scenario;
   const QString all = texts(page);

@@ -1,0 +1,78 @@
+// In a process of its own: forbid_opengl() is for good.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/drill/drill_screen.h"
+#include "ui/render/gl_context_egl.h"
+#include "ui/render/opengl_allowed.h"
+#include "ui/signin/sign_in.h"
+#include "ui/student/start_page.h"
+#include "ui/view/tooth_view.h"
+
+namespace cusp::test {
+namespace {
+
+struct SafeStart : ::testing::Test {
+  SafeStart() {
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked << question.what;
+      answer = std::move(then);
+    };
+    desktop = std::make_unique<Desktop>(settings, ports, records.file());
+    desktop->show();
+  }
+  bool shows(const QString& text) const {
+    for (const QLabel* label : desktop->findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(text)) return true;
+    return false;
+  }
+  test::DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
+  QStringList asked;
+  std::function<void(bool)> answer;
+  std::unique_ptr<Desktop> desktop;
+};
+
+TEST_F(SafeStart, asks_and_starts_as_usual_when_that_is_declined) {
+  desktop->offer_safe_start();
+  ASSERT_EQ(asked.size(), 1);
+  EXPECT_TRUE(asked[0].contains(QStringLiteral("ended unexpectedly"))) << asked[0].toStdString();
+  EXPECT_EQ(desktop->page(), nullptr) << "nothing is drawn before the answer";
+  answer(false);
+  EXPECT_NE(qobject_cast<SignIn*>(desktop->page()), nullptr);
+  EXPECT_TRUE(opengl_allowed());
+  EXPECT_FALSE(shows(QStringLiteral("3D pictures are off")));
+}
+
+TEST_F(SafeStart, without_pictures_results_are_open_and_start_gives_the_reason) {
+  desktop->offer_safe_start();
+  answer(true);
+  EXPECT_FALSE(opengl_allowed());
+  EXPECT_EQ(EglContext::create(64, 64), nullptr);
+  EXPECT_TRUE(shows(QStringLiteral("3D pictures are off")));
+  desktop->sign_in(records.student("1", "Lena Brandt"));
+  EXPECT_TRUE(shows(QStringLiteral("3D pictures are off")));
+  const auto* page = desktop->findChild<StartPage*>();
+  ASSERT_NE(page, nullptr);
+  ASSERT_NE(page->start_button(), nullptr);
+  EXPECT_FALSE(page->start_button()->isEnabled());
+  desktop->shell()->show_page(QStringLiteral("results"));
+  EXPECT_EQ(desktop->shell()->page_key(), QStringLiteral("results"));
+  desktop->drill({load_builtin("channel-1").value(), {}, {}, {}});
+  EXPECT_EQ(desktop->findChild<DrillScreen*>(), nullptr);
+  EXPECT_TRUE(shows(QStringLiteral("Nothing can be drilled now.")));
+}
+
+}  // namespace
+}  // namespace cusp::test
