@@ -1,6 +1,7 @@
 #include "storage/exchange/session_copies.h"
 
 #include <array>
+#include <fstream>
 
 namespace cusp::storage {
 namespace {
@@ -58,6 +59,8 @@ Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::fun
 Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
   std::error_code error;
   if (fs::exists(file, error)) return fail(StorageError::duplicate, file.string());
+  std::ofstream(file).close();  // it will hold names, and hashed secrets: nobody else reads it
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, error);
   auto done = fill_new(file, from, fill);
   if (!done) {
     for (const char* beside : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + beside, error);

@@ -9,7 +9,7 @@
 namespace cusp::storage {
 
 /// Makes `file`; while `fill` writes to it, `from` is attached as `source`. One file, without a log beside it; a failure
-/// leaves none. duplicate if the file exists.
+/// leaves none. Its owner alone may read it. duplicate if the file exists.
 Stored<void> make_copy(const std::filesystem::path& file, const std::filesystem::path& from,
                        const std::function<Stored<void>(Database&)>& fill);
 

@@ -86,7 +86,9 @@ TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments
   Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment};
   exam = must(office->assignments.create(instructor, exam, "4711"));
   must(office->assignments.give_extra_time(instructor, exam.id, lena.id, 25));
-  at_station(office_file());
+  const fs::path file = office_file();
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write) << "it has hashed secrets";
+  at_station(file);
   EXPECT_EQ(must(station->accounts.sign_in_with_pin(lena.number, "314159")).id, lena.id);
   NewSession wanted = new_session(lena, version);
   wanted.assignment = exam.id;
