@@ -255,12 +255,15 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
     connect(in.input.get(), &PointerInput::depth_held, in.stage, &DrillStage::show_depth_held);
     connect(in.stage, &DrillStage::depth_hold_wanted, in.input.get(), &PointerInput::hold_depth);
   }
+  in.unseen = true;
   view->set_feed(attempt.patches);  // feed_shown() goes on
 }
 
 /// Before the tooth is seen, a press would meet nothing and put the bur elsewhere.
 void DrillScreen::tooth_shown() {
   Inner& in = *inner_;
+  in.unseen = false;
+  if (in.over) return;
   in.working = false;
   in.busy->finish();
   enable_controls(true);

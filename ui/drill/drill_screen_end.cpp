@@ -71,7 +71,7 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
 void DrillScreen::ask_leave() {
   Inner& in = *inner_;
   if (in.opening) in.opening->call_off();
-  if (in.working) return;
+  if (in.working && !in.unseen) return;
   if (!running()) {
     Q_EMIT left();
     return;

@@ -46,6 +46,7 @@ struct DrillScreen::Inner {
   LiveView live;
   int looks = 0;
   bool working = false, over = false;
+  bool unseen = false;  // the attempt runs, its tooth stands in no frame yet
 };
 
 }  // namespace cusp::ui
