@@ -1,7 +1,6 @@
 #include "storage/exchange/session_copies.h"
 
 #include <array>
-#include <fstream>
 
 namespace cusp::storage {
 namespace {
@@ -48,6 +47,9 @@ constexpr std::array kCopies = {
 Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
   auto to = Database::open(file);
   if (!to) return std::unexpected(to.error());
+  // Before it holds names and hashed secrets. What SQLite makes beside it has the same permissions.
+  std::error_code error;
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, error);
   if (auto done = to->attach_source(from); !done) return done;
   if (auto done = fill(*to); !done) return done;
   to->detach_source();
@@ -59,8 +61,6 @@ Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::fun
 Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
   std::error_code error;
   if (fs::exists(file, error)) return fail(StorageError::duplicate, file.string());
-  std::ofstream(file).close();  // it will hold names, and hashed secrets: nobody else reads it
-  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, error);
   auto done = fill_new(file, from, fill);
   if (!done) {
     for (const char* beside : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + beside, error);
