@@ -196,24 +196,19 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   in.homing->hide();
   const bool called_off = in.opening && in.opening->called_off();
   in.opening.reset();
-  if (failure) {
+  if (failure || called_off) {
     in.working = false;
     in.busy->finish();
     in.over = true;
+    if (!failure) {
+      opened->session->abandon();
+      opened->session.reset();
+    }
     if (called_off) {
       Q_EMIT left();
     } else {
       Q_EMIT failed(*failure);
     }
-    return;
-  }
-  if (called_off) {
-    in.working = false;
-    in.busy->finish();
-    in.over = true;
-    opened->session->abandon();
-    opened->session.reset();
-    Q_EMIT left();
     return;
   }
   in.attempt = std::move(opened);
