@@ -3048,12 +3048,16 @@
         <translation>Cusp wurde beim letzten Mal unerwartet beendet. Ohne 3D-Bilder starten?</translation>
     </message>
     <message>
-        <source>Without them this station can grade, replay and administer, and nobody can drill. Cancel starts as usual.</source>
-        <translation>Ohne sie kann diese Station bewerten, wiedergeben und verwalten; präparieren kann niemand. Abbrechen startet wie gewohnt.</translation>
-    </message>
-    <message>
         <source>Start without 3D pictures</source>
         <translation>Ohne 3D-Bilder starten</translation>
+    </message>
+    <message>
+        <source>Without them this station can grade, replay and administer, and nobody can drill.</source>
+        <translation>Ohne sie kann diese Station bewerten, wiedergeben und verwalten; präparieren kann niemand.</translation>
+    </message>
+    <message>
+        <source>Start as usual</source>
+        <translation>Wie gewohnt starten</translation>
     </message>
 </context>
 <context>

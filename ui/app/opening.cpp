@@ -54,9 +54,10 @@ void Desktop::start() {
 }
 
 void Desktop::offer_safe_start() {
-  const Question question{tr("Cusp ended unexpectedly last time. Start without 3D pictures?"),
-                          tr("Without them this station can grade, replay and administer, and nobody can drill. Cancel starts as usual."),
-                          tr("Start without 3D pictures")};
+  const Question question{.what = tr("Cusp ended unexpectedly last time. Start without 3D pictures?"),
+                          .more = tr("Without them this station can grade, replay and administer, and nobody can drill."),
+                          .act = tr("Start without 3D pictures"),
+                          .stay = tr("Start as usual")};
   ports_.ask(this, question, [self = QPointer(this)](bool without) {
     if (!self) return;
     if (without) forbid_opengl();

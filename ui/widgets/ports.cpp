@@ -18,11 +18,13 @@ Ports Ports::of_the_system() {
     box->setWindowTitle(QStringLiteral("Cusp"));
     box->setText(QStringLiteral("<b>%1</b>").arg(question.what.toHtmlEscaped()));
     box->setInformativeText(question.more);
+    const bool stays = !question.stay.isEmpty();
     QPushButton* act = box->addButton(question.act, QMessageBox::AcceptRole);
-    set_kind(act, question.erases ? "erase" : "primary");
-    QPushButton* stay = box->addButton(QMessageBox::Cancel);
+    QPushButton* stay = stays ? box->addButton(question.stay, QMessageBox::RejectRole) : box->addButton(QMessageBox::Cancel);
     stay->setIcon({});  // the style's own sign is of another family
-    box->setDefaultButton(question.erases ? stay : act);
+    if (question.erases || !stays) set_kind(act, question.erases ? "erase" : "primary");
+    if (stays) set_kind(stay, "primary");
+    box->setDefaultButton(question.erases || stays ? stay : act);
     box->setEscapeButton(stay);
     QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
     box->open();

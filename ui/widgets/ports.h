@@ -16,6 +16,7 @@ struct Question {
   QString more;            // what follows from it
   QString act;             // the verb on the button
   bool erases = false;     // red outline
+  QString stay{};          // on the other button, which is then the default; empty: Cancel
 };
 
 struct FileWish {

@@ -109,7 +109,7 @@ def continue_after_kill(own, program):
     program.kill()
     own.screen.x("mouseup", 1)
     program = own.start()
-    school.after_crash(program, "Cancel")
+    school.after_crash(program, "Start as usual")
     school.sign_in_student(program, *OTHER[1:])
     program.find(None, "Interrupted: continue it below")
     begun = time.monotonic()

@@ -38,7 +38,7 @@ def add_person(program, name, number, secret, role, secret_label):
 
 
 def after_crash(program, answer):
-    """Reads the offer that follows a crash and gives the answer: "Start without 3D pictures", or "Cancel" for a usual start."""
+    """Reads the offer that follows a crash and gives the answer: "Start without 3D pictures", or "Start as usual"."""
     question = program.find("alert")
     program.find("label", re.compile("Cusp ended unexpectedly last time"), within=question)
     program.press(answer, within=question)
