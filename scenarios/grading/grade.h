@@ -49,7 +49,8 @@ struct Grade {
                                           // 2: what is kept intact counts in proportion to what was drilled
                                           // 3: points are of 100, evidence lies on the cut surface
                                           // 4: so does every depth, width, form and push; walls of a tree by face name
-                                          // 5: isthmus at the cavosurface, axial wall below the pulpal floor, floor off rounded edges, contact by its gap. 6: no scratch is a wall of a ridge
+                                          // 5: isthmus at the cavosurface, axial wall below the pulpal floor, floor off rounded edges, contact by its gap
+                                          // 6: no scratch is a wall of a ridge
 };
 
 }  // namespace cusp::scenarios
