@@ -55,6 +55,11 @@ VersionId id_of_kept(ScenarioId scenario, const Hash256& content) {
   return id;
 }
 
+constexpr const char* kSelectByContent =
+    "SELECT id FROM scenario_versions WHERE scenario = ?1 AND content_hash = ?2 ORDER BY number LIMIT 1";
+
+VersionId version_id(Row row) { return row.id<VersionId>(0); }
+
 }  // namespace
 
 Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenario, const std::string& json,
@@ -63,6 +68,11 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
   const bool published = !author.is_nil();
   const VersionId id = published ? VersionId::make() : id_of_kept(scenario.id, content_hash);
   Transaction transaction(c_.db);
+  if (!published) {
+    // Another process may have kept it since ensure() looked.
+    const auto kept = transaction.first(kSelectByContent, version_id, scenario.id, content_hash);
+    if (kept) return version(*kept);
+  }
   const auto newest = transaction.first(
       "SELECT number, content_hash FROM scenario_versions WHERE scenario = ?1 ORDER BY number DESC LIMIT 1",
       [](Row row) {
@@ -95,9 +105,7 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
 
 Stored<ScenarioVersion> Scenarios::ensure(const Scenario& scenario, const std::string& json,
                                           const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
-  const auto there = c_.db.first(
-      "SELECT id FROM scenario_versions WHERE scenario = ?1 AND content_hash = ?2 ORDER BY number LIMIT 1",
-      [](Row row) { return row.id<VersionId>(0); }, scenario.id, content_hash);
+  const auto there = c_.db.first(kSelectByContent, version_id, scenario.id, content_hash);
   if (!there) return std::unexpected(there.error());
   if (*there) return version(**there);
   return insert(UserId{}, scenario, json, content_hash, files, std::nullopt);

@@ -1,11 +1,14 @@
 /// Several connections and programs on one file: nobody drops another's locks, deletes a log in use, or is turned away.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <barrier>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 #include "tests/storage/sample.h"
 
@@ -160,6 +163,34 @@ TEST(Verify, FindsNothingWhileAnotherProgramRecords) {
     finished = must(store->database().first("SELECT 1 FROM final_volumes", [](Row) { return true; })).has_value();
   }
   EXPECT_TRUE(recorder.succeeded());
+}
+
+TEST(Locks, what_many_make_at_once_is_made_once) {
+  for (int round = 0; round < 10; ++round) {
+    const Folder folder;
+    const fs::path file = folder / "a.db";
+    { open(file); }  // so that all find it made
+    constexpr int kMany = 4;
+    std::barrier ready(kMany);
+    std::vector<std::pair<UserId, VersionId>> found(kMany);
+    {
+      std::vector<std::jthread> threads;
+      for (auto& mine : found) {
+        threads.emplace_back([&] {
+          const auto store = open(file);
+          ready.arrive_and_wait();
+          mine.first = must(store->accounts.demo_student()).id;
+          ready.arrive_and_wait();
+          mine.second = keep(*store).id;
+        });
+      }
+    }
+    EXPECT_THAT(found, ::testing::Each(found.front())) << "round " << round;
+    const auto store = open(file);
+    EXPECT_EQ(must(store->database().first("SELECT count(*) FROM people", [](Row row) { return row.integer(0); })), 1);
+    EXPECT_EQ(must(store->scenarios.versions(small_scenario().id)).size(), 1u);
+    EXPECT_TRUE(must(verify_store(store->context())).findings.empty());
+  }
 }
 
 }  // namespace
