@@ -3,7 +3,7 @@
   processes.py CUSP [--crowd alone|two|five] [--kills N] [--seed N]
 
 alone: plays of a ten-second script, one after the other. two: a play, and another play, `history list` or `history
-verify`. five: a window, two plays, `history list` and `history verify`. Without --crowd: four kills among two, four among
+verify`. five: a window, two plays, `history list` and `history verify`. Without --crowd: three kills among two, two among
 five; CUSP_FULL=1 makes that 300 alone, 300 among two and 100 among five.
 
 What has to hold: a play that printed its session has its grade. Whoever was not killed did not fail. A program with the
@@ -239,7 +239,7 @@ def main():
     arguments.add_argument("--seed", type=int, default=int(time.time()))
     o = arguments.parse_args()
     print(f"seed {o.seed}", flush=True)
-    plan = {o.crowd: o.kills} if o.crowd else {"two": 4, "five": 4}
+    plan = {o.crowd: o.kills} if o.crowd else {"two": 3, "five": 2}
     if os.environ.get("CUSP_FULL") and not o.crowd:
         plan = {"alone": 300, "two": 300, "five": 100}
     problems = []

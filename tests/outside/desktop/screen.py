@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import time
 
-LIMIT_S = float(os.environ.get("CUSP_DESK_LIMIT_S", "60"))
+LIMIT_S = float(os.environ.get("CUSP_DESK_LIMIT_S", "180"))
 
 
 class Missing(Exception):
