@@ -29,10 +29,22 @@ def svg(figure):
     return "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"
 
 
+def write_tables(tables):
+    """[name]: text of every Markdown table. Raises Missing with the names of missing rows."""
+    t = tables
+    return {
+        "methods.md": markdown_tables.methods(t["accuracy"], t["rate"], t.get("cavity")),
+        "stability.md": markdown_tables.stability(t["stability"]),
+        "removal.md": markdown_tables.removal(t["removal"], t.get("removal-full")),
+        "figures.md": markdown_tables.figures(t),
+    }
+
+
 def draw_all(tables):
     """[name]: text of every file. Raises Missing with the names of missing rows."""
     t = tables
     out = {
+        **write_tables(t),
         "speed-accuracy-r025.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.25, t.get("cavity"))),
         "speed-accuracy-r050.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.5, t.get("cavity"))),
         "error-voxel.svg": svg(contact_charts.error_against_voxel(t["accuracy"])),
@@ -43,10 +55,6 @@ def draw_all(tables):
         "stability-damping.svg": svg(stability_charts.stiffness_against_damping(t["stability"])),
         "drilling-depth.svg": svg(removal_charts.depth_over_time(t["removal"])),
         "drilling-speed-error.svg": svg(removal_charts.speed_error(t["removal"])),
-        "methods.md": markdown_tables.methods(t["accuracy"], t["rate"], t.get("cavity")),
-        "stability.md": markdown_tables.stability(t["stability"]),
-        "removal.md": markdown_tables.removal(t["removal"], t.get("removal-full")),
-        "figures.md": markdown_tables.figures(t),
     }
     if "stability-full" in t:
         out["stability-cells.svg"] = svg(stability_charts.stiffness_by_cell(t["stability-full"]))
