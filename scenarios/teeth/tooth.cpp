@@ -271,7 +271,7 @@ Result<ToothLandmarks, ToothFailure> tooth_landmarks(const ToothRequest& request
   }
   const auto choice = table_for(request.fdi);
   if (!choice) return std::unexpected(choice.error());
-  ToothLandmarks landmarks = find_landmarks(ToothShape(*choice->table, request.seed, request.voxel_mm));
+  ToothLandmarks landmarks = find_landmarks(*shared_shape(*choice->table, request.seed, request.voxel_mm));
   return choice->mirrored ? mirrored(std::move(landmarks)) : landmarks;
 }
 
