@@ -1,29 +1,15 @@
 #include "storage/base/hash.h"
 
+#include "storage/base/hex.h"
 #include "storage/base/sodium.h"
 
 namespace cusp::storage {
 
-std::string hex(const Hash256& hash) {
-  static constexpr char digits[] = "0123456789abcdef";
-  std::string out;
-  out.reserve(64);
-  for (const std::uint8_t byte : hash) {
-    out += digits[byte >> 4];
-    out += digits[byte & 15];
-  }
-  return out;
-}
+std::string hex(const Hash256& hash) { return hex_of(hash); }
 
 std::optional<Hash256> hash_from_hex(std::string_view text) noexcept {
   Hash256 hash{};
-  if (text.size() != 2 * hash.size()) return std::nullopt;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool digit = c >= '0' && c <= '9';
-    if (!digit && !(c >= 'a' && c <= 'f')) return std::nullopt;
-    hash[i / 2] = static_cast<std::uint8_t>(hash[i / 2] << 4 | (digit ? c - '0' : c - 'a' + 10));
-  }
+  if (!bytes_from_hex(text, hash)) return std::nullopt;
   return hash;
 }
 
