@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ui/render/target_look.h"
-#include "ui/view/low_priority.h"
 
 namespace cusp::ui {
 namespace {
@@ -34,7 +33,6 @@ struct ReferencePlayer::Shared {
 
 ReferencePlayer::ReferencePlayer(std::shared_ptr<ToothCache> teeth, ToothWish wish)
     : shared_(std::make_shared<Shared>()), task_([shared = shared_, teeth = std::move(teeth), wish = std::move(wish)] {
-        lower_own_priority();
         work(*shared, *teeth, wish);
       }) {}
 

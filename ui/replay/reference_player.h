@@ -34,7 +34,7 @@ class ReferencePlayer {
     double share = 0;               // of the part, in [0, 1]
   };
 
-  /// Begins at once, at low priority.
+  /// Begins at once.
   ReferencePlayer(std::shared_ptr<ToothCache> teeth, ToothWish wish);
   /// Stops, and does not wait.
   ~ReferencePlayer();
