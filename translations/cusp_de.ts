@@ -631,6 +631,21 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::BeforeAfter</name>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>The tooth before this attempt</source>
+        <translation>Der Zahn vor diesem Versuch</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Briefing</name>
     <message>
         <source>Back</source>
@@ -724,6 +739,14 @@
     <message>
         <source>none; time earns no points</source>
         <translation>keine; Zeit bringt keine Punkte</translation>
+    </message>
+    <message>
+        <source>Watch the reference</source>
+        <translation>Referenz ansehen</translation>
+    </message>
+    <message>
+        <source>The reference operator cuts this exercise in half a minute</source>
+        <translation>Die Referenz präpariert diese Übung in einer halben Minute</translation>
     </message>
 </context>
 <context>
@@ -6652,6 +6675,39 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PlaybackBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <extracomment>Speed of what is watched; %1 is a number such as 0.5.</extracomment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>The name of a key stands in brackets.</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::PointsForm</name>
     <message>
         <source>Points</source>
@@ -6835,6 +6891,73 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::ReferencePage</name>
+    <message>
+        <source>Reference preparation</source>
+        <translation>Referenzpräparation</translation>
+    </message>
+    <message>
+        <source>Preparing the reference</source>
+        <translation>Die Referenz wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>Referenz: %1</translation>
+    </message>
+    <message>
+        <source>The tooth while the reference operator cuts it</source>
+        <translation>Der Zahn, während die Referenz ihn präpariert</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Turn back to the first view</source>
+        <translation>Zurück zur ersten Ansicht</translation>
+    </message>
+    <message>
+        <source>Planning the bur’s path</source>
+        <translation>Der Weg des Bohrers wird geplant</translation>
+    </message>
+    <message>
+        <source>Growing the tooth: %1</source>
+        <translation>Zahn wächst: %1</translation>
+    </message>
+    <message>
+        <source>Fetching the tooth</source>
+        <translation>Zahn wird geladen</translation>
+    </message>
+    <message>
+        <source>Shaping the tooth’s surface</source>
+        <translation>Oberfläche des Zahns wird geformt</translation>
+    </message>
+    <message>
+        <source>Growing the other teeth of the jaw</source>
+        <translation>Die übrigen Zähne des Kiefers wachsen</translation>
+    </message>
+    <message>
+        <source>The reference preparation plays.</source>
+        <translation>Die Referenzpräparation läuft.</translation>
+    </message>
+    <message>
+        <source>Bur %1</source>
+        <translation>Bohrer %1</translation>
+    </message>
+    <message>
+        <source>finished; turn the tooth to look at it</source>
+        <translation>fertig; zum Betrachten den Zahn drehen</translation>
+    </message>
+    <message>
+        <source>%1; by hand it takes about %2</source>
+        <translation>%1; von Hand dauert es etwa %2</translation>
     </message>
 </context>
 <context>
@@ -7134,6 +7257,10 @@
     <message>
         <source>Save records, report and tooth in one file that another station verifies</source>
         <translation>Aufzeichnungen, Bericht und Zahn in einer Datei speichern, die eine andere Station prüft</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
     </message>
 </context>
 <context>

@@ -44,7 +44,7 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
       "checks", "templates", "audit"}},
     {"storage", {"base", "sqlite", "records", "backup", "repositories", "cache", "summary", "export", "exchange", "."}},
     {"ui",
-     {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "student", "report", "editor",
+     {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "replay", "student", "report", "editor",
       "instructor", "admin", "signin", "cli", "app"}},
 };
 

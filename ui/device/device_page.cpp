@@ -29,6 +29,21 @@ namespace {
 constexpr int kPageRefreshMs = 200;      // what was found is there already: no wait
 constexpr int kShownDigits = 16;  // of the file's 64: enough to compare by eye
 
+/// Tab follows reading: the rows, though they are made last, then what stands below them.
+void rows_first(const QWidget& page, const QWidget& rows) {
+  QWidget* before = nullptr;
+  for (QRadioButton* pick : rows.findChildren<QRadioButton*>()) {
+    if (before) QWidget::setTabOrder(before, pick);
+    before = pick;
+  }
+  for (QWidget* below : page.findChildren<QWidget*>()) {
+    const bool stop = (below->focusPolicy() & Qt::TabFocus) && !below->focusProxy() && below->window() == page.window();
+    if (!stop || rows.isAncestorOf(below) || before == nullptr) continue;  // the list of a combo box has a window of its own
+    QWidget::setTabOrder(before, below);
+    before = below;
+  }
+}
+
 }  // namespace
 
 struct DevicePage::Inner {
@@ -127,6 +142,7 @@ QStringList DevicePage::listed() const {
 }
 
 void DevicePage::showEvent(QShowEvent* event) {
+  rows_first(*this, *inner_->rows);
   QWidget::showEvent(event);
   if (!inner_->watch) inner_->watch = inner_->make_watch();
   inner_->timer.start();
@@ -192,6 +208,7 @@ void DevicePage::fill() {
     column->addLayout(line);
   }
   in.list->addWidget(in.rows);
+  if (isVisible()) rows_first(*this, *in.rows);  // before, its parts stand in no window
   in.no_falcon->setText(in.known ? tr("No Falcon is plugged in. One that is plugged in appears here by itself.")
                                  : tr("Looking at what is plugged in."));
   in.no_falcon->setVisible(std::none_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "falcon"; }));

@@ -27,14 +27,6 @@ Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Bur& bu
 /// A practice block bears its task; a tooth does not.
 bool has_printed_target(const Scenario& scenario) { return scenario.specimen.generator.ends_with("block"); }
 
-StartView start_view(const Box& bounds, const TargetLook& look) {
-  if (look.empty()) return {0.5 * (bounds.low + bounds.high), 0.35 * glm::length(bounds.high - bounds.low)};
-  const TargetShape& shape = look.shape();
-  const Vec3 centre(0.5 * (shape.low() + shape.high()), shape.top_mm() - 0.4);
-  // The outline with about two millimetres round it; never closer than a hand can aim.
-  return {centre, std::max(0.5 * glm::length(shape.high() - shape.low()) + 1.6, 3.5)};
-}
-
 /// Of the highest pulp under the target and what stands about it, below the target's top; nullopt where there is none.
 std::optional<double> pulp_under(const Specimen& specimen, const TargetLook& look) {
   if (look.empty()) return std::nullopt;
@@ -124,7 +116,7 @@ void AttemptOpening::open(Order order, const Answer& answer) {
   }
   const Grid& grid = specimen->grid();
   attempt->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
-  attempt->start_view = start_view(attempt->bounds, *target);
+  attempt->start_view = start_view(grid, *target);
   for (const ScenarioTissue& t : plan.scenario.tissues) attempt->has_pulp = attempt->has_pulp || t.tissue == Tissue::pulp;
   if (attempt->has_pulp) attempt->pulp_depth_mm = pulp_under(*specimen, *attempt->look);
   attempt->feed = std::make_shared<DrillFeed>(attempt->patches, *attempt->look, attempt->bounds, std::move(order.frame_wanted), attempt->scenery);

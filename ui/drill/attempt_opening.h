@@ -13,15 +13,10 @@
 #include "ui/drill/drill_feed.h"
 #include "ui/session/exercise_session.h"
 #include "ui/session/session_device.h"
+#include "ui/view/start_view.h"
 #include "ui/view/tooth_cache.h"
 
 namespace cusp::ui {
-
-/// Where the camera begins: about the place of work.
-struct StartView {
-  Vec3 centre_mm{};
-  double radius_mm = 1;
-};
 
 /// What the window gets.
 struct OpenedAttempt {

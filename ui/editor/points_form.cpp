@@ -160,17 +160,25 @@ PointsForm::Row PointsForm::make_row(std::size_t index) {
   column->addLayout(line);
   column->addWidget(row.weight->note());
   connect(away, &QPushButton::clicked, this, [this, index] { model_.remove_criterion(index); });
-  row.bands = new BandsForm(model_, index);
-  row.bands->setVisible(open_ == metric);
+  row.column = column;
   row.open->setChecked(open_ == metric);
-  connect(row.open, &QPushButton::toggled, this, [this, metric, bands = row.bands](bool on) {
-    bands->setVisible(on);
+  connect(row.open, &QPushButton::toggled, this, [this, metric, index](bool on) {
+    if (on) make_bands(index);
+    if (rows_[index].bands) rows_[index].bands->setVisible(on);
     if (on) open_ = metric;
     if (!on && open_ == metric) open_.clear();
   });
-  column->addWidget(row.bands);
   list_->addWidget(box);
   return row;
+}
+
+/// Not before somebody opens them: those of ten criteria take half a second.
+void PointsForm::make_bands(std::size_t index) {
+  Row& row = rows_[index];
+  if (row.bands) return;
+  row.bands = new BandsForm(model_, index);
+  row.column->addWidget(row.bands);
+  row.bands->follow_model();
 }
 
 void PointsForm::build_rows() {
@@ -186,6 +194,7 @@ void PointsForm::build_rows() {
   for (std::size_t i = 0; i < model_.scenario().rubric.criteria.size(); ++i) {
     rows_.push_back(make_row(i));
     built_.push_back(model_.scenario().rubric.criteria[i].metric);
+    if (rows_[i].open->isChecked()) make_bands(i);
   }
 }
 
@@ -199,7 +208,7 @@ void PointsForm::follow_model() {
     const Criterion& c = s.rubric.criteria[i];
     sum += c.weight;
     rows_[i].weight->show_value(c.weight);
-    rows_[i].bands->follow_model();
+    if (rows_[i].bands) rows_[i].bands->follow_model();
     rows_[i].open->setAccessibleDescription(wanted_text(c));
     rows_[i].open->setToolTip(tr("Full points: %1").arg(wanted_text(c)));
   }

@@ -29,12 +29,14 @@ class PointsForm : public QWidget {
   struct Row {
     NumberBox* weight;
     QPushButton* open;
-    BandsForm* bands;
+    QVBoxLayout* column;
+    BandsForm* bands;  // null: not opened yet
   };
   void follow_model();
   void build_rows();
   QBoxLayout* make_measuring();
   Row make_row(std::size_t index);
+  void make_bands(std::size_t index);
 
   EditorModel& model_;
   QLabel* sum_;

@@ -121,8 +121,10 @@ void PinnedTooth::set_colouring(Colouring colouring) { view_->set_colouring(colo
 
 void PinnedTooth::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
   for (const BakedPatch& patch : scenery->patches()) beside_.put(patch);
+  scenery_ = scenery;
   view_->set_scenery(std::move(scenery));
   place_pin();
+  Q_EMIT scenery_came();
 }
 
 Meshes PinnedTooth::meshes() const { return {&view_->store(), &beside_}; }
@@ -152,6 +154,11 @@ void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, 
   face_place();
 }
 
+void PinnedTooth::show_pin(Pin pin) {
+  pin_ = pin;
+  place_pin();
+}
+
 void PinnedTooth::face_place() {
   if (place_ && tooth_shown_) {
     const Camera to = look_at_place(view_->camera(), meshes(), *place_);
@@ -162,12 +169,13 @@ void PinnedTooth::face_place() {
 }
 
 void PinnedTooth::place_pin() {
-  const auto at = place_ && tooth_shown_ ? view_->project(*place_) : std::nullopt;
+  const bool wanted = place_ && tooth_shown_ && pin_ == Pin::shown;
+  const auto at = wanted ? view_->project(*place_) : std::nullopt;
   const bool seen = at && seen_from(view_->camera(), meshes(), *place_);
   ring_->setVisible(seen);
   leader_->setVisible(seen);
-  card_->setVisible(place_ && tooth_shown_);
-  if (!place_ || !tooth_shown_) return;
+  card_->setVisible(wanted);
+  if (!wanted) return;
   const QString hidden = inside_ ? tr("This place lies below the surface.")
                                  : tr("The tooth hides this place. Turn it, or choose the row again.");
   card_->setText(seen ? text_ : text_ + u"<br><i>%1</i>"_qs.arg(hidden.toHtmlEscaped()));

@@ -30,6 +30,9 @@ class PinnedTooth : public QWidget {
   PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent = nullptr);
   void set_colouring(Colouring colouring);
   void pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more);
+  /// Of a pinned place: hidden, it turns the tooth all the same.
+  enum class Pin { shown, hidden };
+  void show_pin(Pin pin);
   void turn_back();
   /// False without a place, and while something hides it.
   bool ring_shown() const;
@@ -38,6 +41,11 @@ class PinnedTooth : public QWidget {
   ToothView* view() const { return view_; }
   /// The mesh of a tooth takes a second or more: it is built in the background, and a place that is pinned meanwhile is shown then.
   bool tooth_shown() const { return tooth_shown_; }
+  /// Neighbours and gums; null: none, or not yet.
+  std::shared_ptr<const SceneryLook> scenery() const { return scenery_; }
+
+ Q_SIGNALS:
+  void scenery_came();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -49,12 +57,14 @@ class PinnedTooth : public QWidget {
   Meshes meshes() const;
   void set_scenery(std::shared_ptr<const SceneryLook> scenery);
   std::shared_ptr<const Volume> volume_;
-  PatchStore beside_;  // the scenery: neighbours and gums
+  std::shared_ptr<const SceneryLook> scenery_;
+  PatchStore beside_;  // of the scenery
   ToothView* view_;
   PinLeader* leader_;
   QWidget* ring_;
   QLabel* card_;
   std::optional<Vec3> place_;
+  Pin pin_ = Pin::shown;
   bool tooth_shown_ = false;
   bool inside_ = false;  // no view shows the place
   QString text_;         // of the card, rich text

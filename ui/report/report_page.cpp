@@ -3,7 +3,6 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QToolButton>
 #include <algorithm>
 
 #include "ui/report/against_before.h"
@@ -19,7 +18,6 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
 constexpr int kReasonsShown = 3;
 constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
 constexpr int kLeastTextPercent = 55, kMostTextPercent = 64;  // of the page; the rest shows the tooth
@@ -180,46 +178,6 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
     row->addWidget(fresh);
   }
   return bar;
-}
-
-QWidget* ReportPage::make_tooth() {
-  auto* left = new QWidget;
-  left->setMinimumWidth(px(300));
-  left->setMaximumWidth(px(kToothWidth) * 2);
-  auto* column = new QVBoxLayout(left);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  tooth_ = new PinnedTooth(data_.result.volume, data_.result.scenario);
-  column->addWidget(tooth_, 1);
-
-  auto* tools = new QFrame(tooth_);
-  tools->setProperty("kind", u"card"_qs);
-  tools->setAutoFillBackground(true);
-  auto* row = new QHBoxLayout(tools);
-  row->setContentsMargins(px(4), px(4), px(4), px(4));
-  row->setSpacing(px(4));
-  QPushButton* difference = make_button(tr("Difference"), ButtonKind::quiet);
-  QPushButton* drilled = make_button(tr("As drilled"), ButtonKind::quiet);
-  for (QPushButton* b : {difference, drilled}) {
-    b->setCheckable(true);
-    b->setAutoExclusive(true);
-    row->addWidget(b);
-  }
-  difference->setChecked(true);
-  QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
-  row->addWidget(turn);
-  connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
-  connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
-  tools->move(px(12), px(12));
-  tools->adjustSize();
-
-  auto* legend_box = new QFrame;
-  legend_box->setProperty("kind", u"bar_bottom"_qs);
-  auto* legend_row = new QVBoxLayout(legend_box);
-  legend_row->setContentsMargins(px(12), px(10), px(12), px(8));
-  legend_row->addWidget(new DeviationLegend);
-  column->addWidget(legend_box);
-  return left;
 }
 
 QWidget* ReportPage::make_score() {

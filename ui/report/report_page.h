@@ -18,6 +18,7 @@ namespace cusp::ui {
 
 class CriteriaModel;
 class AgainstBefore;
+class BeforeAfter;
 class DeviationLegend;
 class PinnedTooth;
 class Segments;
@@ -54,6 +55,7 @@ class ReportPage : public QWidget {
  private:
   QWidget* make_bar(TryAgain again, const QString& back_name);
   QWidget* make_tooth();
+  QWidget* make_tools();
   void fill();
   void show_state();
   void choose_first();
@@ -73,6 +75,7 @@ class ReportPage : public QWidget {
   CriteriaModel* model_ = nullptr;
   Table* table_ = nullptr;
   PinnedTooth* tooth_ = nullptr;
+  BeforeAfter* teeth_ = nullptr;  // holds the tooth
   AgainstBefore* against_ = nullptr;  // if an attempt came before
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;

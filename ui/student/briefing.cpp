@@ -6,10 +6,13 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QStackedWidget>
+#include <QStandardItemModel>
 
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
 #include "ui/render/opengl_allowed.h"
+#include "ui/replay/reference_page.h"
 #include "ui/text/bur_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
@@ -18,8 +21,6 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
-
-#include <QStandardItemModel>
 
 namespace cusp::ui {
 
@@ -63,11 +64,24 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
     : QWidget(parent),
       exercise_(exercise),
       pictures_(pictures),
-      folder_(folder) {
-  if (teeth && opengl_allowed()) ahead_.emplace(std::move(teeth), ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
+      folder_(folder),
+      teeth_(opengl_allowed() ? std::move(teeth) : nullptr),
+      stack_(new QStackedWidget) {
+  if (teeth_) ahead_.emplace(teeth_, ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(stack_);
+  stack_->addWidget(make_briefing());
+  setFocusProxy(start_);
+  connect(&pictures_, &ThumbnailCache::ready, this, &Briefing::show_picture);
+  show_picture();
+}
+
+QWidget* Briefing::make_briefing() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(make_bar());
@@ -87,9 +101,19 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
   body->addWidget(make_points());
   body->addWidget(make_keys());
   body->addStretch();
-  setFocusProxy(start_);
-  connect(&pictures_, &ThumbnailCache::ready, this, &Briefing::show_picture);
-  show_picture();
+  return page;
+}
+
+void Briefing::watch_reference() {
+  auto* page = new ReferencePage(teeth_, ToothWish{exercise_.scenario, folder_, Guidance::full, nullptr}, local(exercise_.scenario.title));
+  stack_->setCurrentIndex(stack_->addWidget(page));
+  page->setFocus();
+  connect(page, &ReferencePage::back_wanted, this, [this, page] {
+    stack_->setCurrentIndex(0);
+    stack_->removeWidget(page);
+    page->deleteLater();
+    watch_->setFocus();
+  });
 }
 
 QWidget* Briefing::make_bar() {
@@ -116,6 +140,12 @@ void Briefing::fill_text(QVBoxLayout& text) {
   start_->setEnabled(opengl_allowed());
   QLabel* hint = make_label(opengl_allowed() ? tr("Enter starts") : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
   hint->setWordWrap(true);
+  if (teeth_ && ReferencePage::offered(s)) {
+    watch_ = make_large_button(tr("Watch the reference"), ButtonKind::standard, u"eye"_qs);
+    watch_->setToolTip(tr("The reference operator cuts this exercise in half a minute"));
+    connect(watch_, &QPushButton::clicked, this, &Briefing::watch_reference);
+    acts->addWidget(watch_);
+  }
   acts->addWidget(hint, 1);
   text.addLayout(acts);
   text.addStretch();

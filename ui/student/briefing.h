@@ -9,6 +9,7 @@
 
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QVBoxLayout;
 
 namespace cusp::ui {
@@ -21,13 +22,17 @@ class Briefing : public QWidget {
   Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
            std::shared_ptr<ToothCache> teeth, QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
+  /// nullptr where the reference cannot be shown: no path, no pictures, or no teeth made ahead.
+  QPushButton* watch_button() const { return watch_; }
 
  Q_SIGNALS:
   void start_wanted(const Exercise& exercise);
   void back_wanted();
 
  private:
+  QWidget* make_briefing();
   QWidget* make_bar();
+  void watch_reference();
   void fill_text(QVBoxLayout& text);
   void add_facts(QVBoxLayout& text);
   QWidget* make_points();
@@ -36,9 +41,12 @@ class Briefing : public QWidget {
   Exercise exercise_;
   ThumbnailCache& pictures_;
   std::filesystem::path folder_;
+  std::shared_ptr<ToothCache> teeth_;
   std::optional<ToothAhead> ahead_;
+  QStackedWidget* stack_;  // the briefing, and the reference over it
   QLabel* picture_;
   QPushButton* start_;
+  QPushButton* watch_ = nullptr;
 };
 
 /// "2 (1.0 mm), 330 (0.8 mm)": the burs of an exercise.

@@ -58,9 +58,9 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& p
     band->show_message(Band::Kind::look, tr("%n exercise(s) cannot be read.", nullptr, static_cast<int>(course->unreadable.size())),
                        tr("The others are below. Publish them again from the editor."));
   }
-  outer->addWidget(make_shown(*course), 1);
   make_search();
-  head->buttons()->addWidget(search_);
+  head->buttons()->addWidget(search_);  // before the cards: Tab follows
+  outer->addWidget(make_shown(*course), 1);
   connect(&pictures_, &ThumbnailCache::ready, this, [this] {
     for (const Section& section : sections_) section.cards->pictures_came();
   });

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "scenarios/format/content_hash.h"
+#include "scenarios/operators/fast_cut.h"
 #include "ui/render/mesh_blob.h"
 #include "ui/render/target_look.h"
+#include "ui/session/plan_blob.h"
 
 namespace cusp::ui {
 namespace {
@@ -32,6 +34,21 @@ Hash256 key_of(const ToothWish& wish) {
 }
 
 }  // namespace
+
+std::optional<Plan> ToothCache::reference_path(const ToothWish& wish, const Specimen& specimen) const {
+  const bool kept = may_be_kept(wish) && SpecimenFiles::keeps(wish.scenario.specimen);
+  // The burs count too.
+  const Hash256 key = SpecimenFiles::key("reference path " + content_hash(wish.scenario).hex(), wish.scenario);
+  if (kept) {
+    const auto bytes = files_.files().read(key);
+    auto plan = bytes ? plan_from_bytes(*bytes, wish.scenario.instruments.size()) : std::nullopt;
+    if (plan) return plan;
+  }
+  auto plan = plan_by_name("reference", wish.scenario, specimen);
+  if (!plan || plan->strokes.empty()) return std::nullopt;
+  if (kept) files_.files().keep(key, plan_bytes(*plan));
+  return plan;
+}
 
 WholeMesh ToothCache::mesh(const ToothWish& wish, const Specimen& specimen, const Volume& whole) const {
   const bool kept = may_be_kept(wish) && SpecimenFiles::keeps(wish.scenario.specimen);

@@ -183,12 +183,22 @@ void draw_radio_button(QPainter& painter, const QStyleOption& option) {
   painter.restore();
 }
 
+/// A page's focus proxy is where the focus begins, once. Qt sends every Tab that enters the page to the proxy, past all that
+/// stands before it.
+void begun(const QWidget& now) {
+  for (QWidget* page = now.parentWidget(); page != nullptr; page = page->parentWidget())
+    if (page->focusProxy() == &now && page->focusPolicy() == Qt::NoFocus) page->setFocusProxy(nullptr);
+}
+
 /// Moves one QFocusFrame to the widget with the focus.
 class FocusRing : public QObject {
  public:
   explicit FocusRing(QApplication* app) : QObject(app) {
     setObjectName(u"cusp_focus_ring"_qs);
-    connect(app, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
+    connect(app, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+      if (now) begun(*now);
+      follow(now);
+    });
   }
   void follow(QWidget* now) {
     // Pages and scroll areas answer no keys, so they get no ring.

@@ -18,6 +18,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/render/gl_context_egl.h"
+#include "ui/replay/reference_page.h"
 #include "ui/student/briefing.h"
 #include "ui/student/exercise_cards.h"
 #include "ui/student/exercises_page.h"
@@ -146,6 +147,30 @@ TEST_F(Pages, the_points_of_every_briefing_sum_to_a_hundred) {
     for (int row = 0; row < model->rowCount(); ++row) sum += model->index(row, 2).data().toString().toDouble();
     EXPECT_NEAR(sum, 100, 1e-6) << exercise.scenario.key;
   }
+}
+
+TEST_F(Pages, a_briefing_offers_the_reference_and_comes_back_from_it) {
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  exercise.scenario.specimen.voxel_mm = 0.4;  // so that it grows at once
+  Briefing page(exercise, pictures, {}, std::make_shared<ToothCache>(std::filesystem::path()));
+  page.show();
+  ASSERT_NE(page.watch_button(), nullptr);
+  page.watch_button()->click();
+  auto* reference = page.findChild<ReferencePage*>();
+  ASSERT_NE(reference, nullptr);
+  EXPECT_TRUE(reference->isVisible());
+  EXPECT_FALSE(page.start_button()->isVisible());
+  Q_EMIT reference->back_wanted();
+  EXPECT_TRUE(page.start_button()->isVisible());
+}
+
+TEST_F(Pages, a_briefing_offers_no_reference_where_nothing_can_be_shown_or_cut) {
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  EXPECT_EQ(Briefing(exercise, pictures, {}, nullptr).watch_button(), nullptr);
+  exercise.scenario.target = {};
+  EXPECT_EQ(Briefing(exercise, pictures, {}, std::make_shared<ToothCache>(std::filesystem::path())).watch_button(), nullptr);
 }
 
 TEST_F(Pages, a_file_of_an_exercise_that_cannot_be_written_is_not_called_a_full_disk) {

@@ -11,6 +11,7 @@
 #include "ui/render/mesh_blob.h"
 #include "ui/render/target_look.h"
 #include "ui/session/background_task.h"
+#include "ui/session/plan_blob.h"
 #include "ui/view/tooth_ahead.h"
 
 namespace cusp::test {
@@ -62,6 +63,23 @@ TEST_F(ToothCacheTest, keeps_a_mesh_of_its_own_for_another_target_and_for_silenc
   wish.scenario.target = {};
   EXPECT_NE(mesh_bytes(ask(wish)->mesh), first);
   EXPECT_FALSE(grew) << "the specimen is the same";
+}
+
+TEST_F(ToothCacheTest, reads_the_reference_path_as_it_was_planned_and_plans_anew_for_other_burs) {
+  ToothWish wish = class_2();
+  const auto specimen = ask(wish)->specimen;
+  const auto files = [this] { return std::distance(fs::directory_iterator(place), fs::directory_iterator()); };
+  const auto before = files();
+  const auto planned = ToothCache(place).reference_path(wish, *specimen);
+  ASSERT_TRUE(planned.has_value());
+  EXPECT_EQ(files(), before + 1);
+  const auto read = ToothCache(place).reference_path(wish, *specimen);
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(plan_bytes(*read), plan_bytes(*planned));
+  EXPECT_EQ(files(), before + 1);
+  wish.scenario.instruments.resize(1);
+  (void)ToothCache(place).reference_path(wish, *specimen);
+  EXPECT_EQ(files(), before + 2);
 }
 
 TEST_F(ToothCacheTest, makes_anew_what_lies_damaged_in_the_folder) {

@@ -1,0 +1,190 @@
+// Every page of the three roles by keyboard alone, and in a language whose texts are longer, from either side.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QAccessible>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <functional>
+
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "tests/ui/report/sample_report.h"
+#include "ui/app/accessible_parts.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/replay/reference_page.h"
+#include "ui/report/report_page.h"
+#include "ui/student/briefing.h"
+#include "ui/text/language.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr int kMostStops = 400;  // of the Tab key on one page
+
+std::string described(const QWidget& widget) {
+  QString text = widget.accessibleName();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget); text.isEmpty() && button) text = button->text();
+  if (const auto* label = qobject_cast<const QLabel*>(&widget); text.isEmpty() && label) text = label->text();
+  return (QString::fromLatin1(widget.metaObject()->className()) + u" \""_qs + text.left(60) + u'"').toStdString();
+}
+
+QString spoken_name(QWidget* widget) {
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(widget);
+  return face ? face->text(QAccessible::Name) : QString();
+}
+
+/// What the Tab key is to reach. Of a group of which one is chosen Tab reaches that one, and the arrow keys the rest.
+bool is_stop(const QWidget& widget) {
+  if (!widget.isVisible() || !widget.isEnabled() || !(widget.focusPolicy() & Qt::TabFocus) || widget.focusProxy()) return false;
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const bool in_group = button && button->isCheckable() && (button->autoExclusive() || button->group());
+  return !in_group || button->isChecked();
+}
+
+/// Places of the window that Tab reaches, from the first one on until it comes round.
+QList<QWidget*> stops(QWidget& window) {
+  QList<QWidget*> out;
+  QWidget* first = window.nextInFocusChain();
+  while (first != &window && !is_stop(*first)) first = first->nextInFocusChain();
+  first->setFocus(Qt::TabFocusReason);
+  for (int i = 0; i < kMostStops; ++i) {
+    QWidget* now = QApplication::focusWidget();
+    if (now == nullptr || (!out.isEmpty() && now == out.first())) break;
+    out += now;
+    QTest::keyClick(now, Qt::Key_Tab);
+    if (QApplication::focusWidget() == now) ADD_FAILURE() << "Tab does not leave " << described(*now);
+    if (QApplication::focusWidget() == now) break;
+  }
+  return out;
+}
+
+QRect on(const QWidget& window, const QWidget& widget) { return {widget.mapTo(&window, QPoint()), widget.size()}; }
+
+/// The second is read before the first: above it in the same column, or before it in the same line.
+bool against_reading(const QRect& first, const QRect& second) {
+  const bool same_column = first.left() < second.right() && second.left() < first.right();
+  const bool same_line = first.top() < second.bottom() && second.top() < first.bottom();
+  return same_column ? second.bottom() <= first.top() : same_line && second.right() <= first.left();
+}
+
+/// A text that its widget is too small for.
+bool clipped(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+    if (label->text().isEmpty()) return false;
+    return label->wordWrap() ? label->heightForWidth(label->width()) > label->height() + 1 : label->sizeHint().width() > label->width() + 1;
+  }
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  return button && !button->text().isEmpty() && button->sizeHint().width() > button->width() + 1;
+}
+
+/// Cut off by the widget that it stands in, which does not scroll.
+bool beyond_parent(const QWidget& widget) {
+  const QWidget* parent = widget.parentWidget();
+  if (parent == nullptr || widget.isWindow() || qobject_cast<const QAbstractScrollArea*>(parent->parentWidget())) return false;
+  return !parent->rect().adjusted(-1, -1, 1, 1).contains(widget.geometry());
+}
+
+struct Walk : ::testing::Test {
+  test::DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
+  QTemporaryDir cache;
+  ThumbnailCache pictures{cache.path().toStdString()};
+  Account lena = records.student("1", "Lena Brandt");
+  Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+
+  static void SetUpTestSuite() {
+    [[maybe_unused]] static const bool once = (install_accessible_parts(), true);
+  }
+  Walk() { records.attempt(lena, "channel-1", 78, 426); }
+  ~Walk() override {
+    qApp->setLayoutDirection(Qt::LeftToRight);
+    install_language(*qApp, QStringLiteral("en"));
+  }
+
+  using Visit = std::function<void(QWidget& window, const std::string& page)>;
+  void each_page(const Visit& visit) {
+    for (const Account& who : {lena, berg, records.administrator()}) {
+      Desktop desktop(settings, ports, records.file());
+      desktop.start();
+      desktop.showNormal();
+      desktop.resize(1280, 800);
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(&desktop));
+      if (who.id == lena.id) visit(desktop, "sign-in");
+      desktop.sign_in(who);
+      for (const NavEntry& entry : desktop.shell()->entries()) {
+        desktop.shell()->show_page(entry.key);
+        QTest::qWait(0);
+        visit(desktop, who.number + ", " + entry.key.toStdString());
+      }
+      if (who.id == lena.id) visit_pages_over_the_shell(desktop, visit);
+    }
+  }
+  void visit_pages_over_the_shell(Desktop& desktop, const Visit& visit) {
+    Exercise exercise;
+    exercise.scenario = *load_builtin("channel-1");
+    exercise.scenario.specimen.voxel_mm = 0.4;  // so that it grows at once
+    const auto teeth = std::make_shared<ToothCache>(std::filesystem::path());
+    desktop.push(new Briefing(exercise, pictures, {}, teeth));
+    visit(desktop, "briefing");
+    auto* reference = new ReferencePage(teeth, {exercise.scenario, {}, Guidance::full, nullptr}, QStringLiteral("Channel"));
+    desktop.push(reference);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return reference->ready(); }, 60'000));
+    visit(desktop, "reference");
+    desktop.back();
+    desktop.back();
+    desktop.push(new ReportPage(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back")));
+    visit(desktop, "report");
+    desktop.back();
+  }
+};
+
+TEST_F(Walk, tab_reaches_everything_in_the_order_of_reading_and_everything_has_a_name) {
+  each_page([](QWidget& window, const std::string& page) {
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window)) << page;
+    ASSERT_EQ(window.size(), QSize(1280, 800));
+    const QList<QWidget*> met = stops(window);
+    for (QWidget* widget : met) EXPECT_FALSE(spoken_name(widget).isEmpty()) << page << ": no name, " << described(*widget);
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
+      EXPECT_TRUE(!is_stop(*widget) || met.contains(widget)) << page << ": Tab does not reach " << described(*widget);
+    }
+    for (qsizetype i = 1; i < met.size(); ++i) {
+      EXPECT_FALSE(against_reading(on(window, *met[i - 1]), on(window, *met[i])))
+          << page << ": after " << described(*met[i - 1]) << " comes " << described(*met[i]);
+    }
+  });
+}
+
+void expect_nothing_clipped(QWidget& window, const std::string& page) {
+  QTest::qWait(0);
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || !(qobject_cast<const QLabel*>(widget) || qobject_cast<const QAbstractButton*>(widget))) continue;
+    EXPECT_FALSE(clipped(*widget)) << page << ": too small for its text, " << described(*widget) << ", " << widget->width() << " of "
+                                   << widget->sizeHint().width();
+    EXPECT_FALSE(beyond_parent(*widget)) << page << ": cut off, " << described(*widget);
+  }
+}
+
+TEST_F(Walk, longer_texts_are_clipped_on_no_page) {
+  install_language(*qApp, QStringLiteral("pseudo"));
+  each_page(expect_nothing_clipped);
+}
+
+TEST_F(Walk, longer_texts_are_clipped_on_no_mirrored_page) {
+  install_language(*qApp, QStringLiteral("pseudo"));
+  qApp->setLayoutDirection(Qt::RightToLeft);
+  each_page(expect_nothing_clipped);
+}
+
+}  // namespace
+}  // namespace cusp::test

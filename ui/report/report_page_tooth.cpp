@@ -1,0 +1,69 @@
+// The report's left half: the tooth, what is shown of it, and the legend.
+
+#include <QBoxLayout>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/report/before_after.h"
+#include "ui/report/pinned_tooth.h"
+#include "ui/report/report_page.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kToothWidth = 600;  // px at 100 %, of a window of 1280
+
+}  // namespace
+
+QWidget* ReportPage::make_tooth() {
+  auto* left = new QWidget;
+  left->setMinimumWidth(px(300));
+  left->setMaximumWidth(px(kToothWidth) * 2);
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  tooth_ = new PinnedTooth(data_.result.volume, data_.result.scenario);
+  teeth_ = new BeforeAfter(tooth_, data_.result.volume, data_.result.scenario);
+  column->addWidget(teeth_, 1);
+  make_tools()->move(px(12), px(12));
+
+  auto* legend_box = new QFrame;
+  legend_box->setProperty("kind", u"bar_bottom"_qs);
+  auto* legend_row = new QVBoxLayout(legend_box);
+  legend_row->setContentsMargins(px(12), px(10), px(12), px(8));
+  legend_row->addWidget(new DeviationLegend);
+  column->addWidget(legend_box);
+  return left;
+}
+
+/// What the view shows: one button each, and the way back to the first view.
+QWidget* ReportPage::make_tools() {
+  auto* tools = new QFrame(teeth_);
+  tools->setProperty("kind", u"card"_qs);
+  tools->setAutoFillBackground(true);
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(px(4), px(4), px(4), px(4));
+  row->setSpacing(px(4));
+  QPushButton* difference = make_button(tr("Difference"), ButtonKind::quiet);
+  QPushButton* drilled = make_button(tr("As drilled"), ButtonKind::quiet);
+  QPushButton* both = make_button(tr("Before and after"), ButtonKind::quiet);
+  for (QPushButton* b : {difference, drilled, both}) {
+    b->setCheckable(true);
+    b->setAutoExclusive(true);
+    row->addWidget(b);
+  }
+  difference->setChecked(true);
+  QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
+  row->addWidget(turn);
+  connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
+  connect(both, &QPushButton::toggled, teeth_,
+          [this](bool on) { teeth_->show_teeth(on ? BeforeAfter::Shown::both : BeforeAfter::Shown::after); });
+  connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
+  tools->adjustSize();
+  tools->raise();
+  return tools;
+}
+
+}  // namespace cusp::ui
