@@ -55,7 +55,7 @@ class ReportPage : public QWidget {
  private:
   QWidget* make_bar(TryAgain again, const QString& back_name);
   QWidget* make_tooth();
-  QWidget* make_tools();
+  QWidget* make_tools(QWidget& legend);
   void fill();
   void show_state();
   void choose_first();

@@ -27,19 +27,23 @@ QWidget* ReportPage::make_tooth() {
   tooth_ = new PinnedTooth(data_.result.volume, data_.result.scenario);
   teeth_ = new BeforeAfter(tooth_, data_.result.volume, data_.result.scenario);
   column->addWidget(teeth_, 1);
-  make_tools()->move(px(12), px(12));
+  auto* legend = new DeviationLegend;
+  make_tools(*legend)->move(px(12), px(12));
 
   auto* legend_box = new QFrame;
   legend_box->setProperty("kind", u"bar_bottom"_qs);
   auto* legend_row = new QVBoxLayout(legend_box);
   legend_row->setContentsMargins(px(12), px(10), px(12), px(8));
-  legend_row->addWidget(new DeviationLegend);
+  legend_row->addWidget(legend);
   column->addWidget(legend_box);
   return left;
 }
 
-/// What the view shows: one button each, and the way back to the first view.
-QWidget* ReportPage::make_tools() {
+/// What the view shows: one button each, and the way back to the first view. `legend`: of the colours of the difference alone.
+QWidget* ReportPage::make_tools(QWidget& legend) {
+  QSizePolicy stays = legend.sizePolicy();
+  stays.setRetainSizeWhenHidden(true);  // the tooth keeps its size
+  legend.setSizePolicy(stays);
   auto* tools = new QFrame(teeth_);
   tools->setProperty("kind", u"card"_qs);
   tools->setAutoFillBackground(true);
@@ -58,6 +62,7 @@ QWidget* ReportPage::make_tools() {
   QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
   row->addWidget(turn);
   connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
+  connect(difference, &QPushButton::toggled, &legend, &QWidget::setVisible);
   connect(both, &QPushButton::toggled, teeth_,
           [this](bool on) { teeth_->show_teeth(on ? BeforeAfter::Shown::both : BeforeAfter::Shown::after); });
   connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
