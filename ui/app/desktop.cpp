@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "device/hid/hid_station.h"
+#include "ui/admin/exchange_page.h"
 #include "ui/admin/log_page.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
@@ -187,6 +188,8 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   if (!reading_only_ && may(role, Action::manage_station)) {
     list += {u"station"_qs, tr("Station"), u"save"_qs,
              [this]() -> QWidget* { return new StationPage(*store_, account_->actor(), settings_, ports_); }};
+    list += {u"exchange"_qs, tr("Other stations"), u"monitor"_qs,
+             [this]() -> QWidget* { return new ExchangePage(*store_, account_->actor(), settings_, ports_); }};
   }
   if (may(role, Action::see_audit_log)) {
     list += {u"audit"_qs, tr("Audit log"), u"shield"_qs, [this]() -> QWidget* { return new LogPage(*store_, account_->actor(), ports_); }};
