@@ -106,9 +106,9 @@ def of_audit_log(album, program):
 
 def of_administrator(album, program):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
-    for page in ("People", "Performance", "Station"):
+    for page in ("People", "Performance", "Station", "Other stations"):
         school.page(program, page)
-        album.take(program, page.lower())
+        album.take(program, page.lower().replace(" ", "-"))
     of_audit_log(album, program)
     school.page(program, "People")
     program.press("Import a list")
