@@ -106,6 +106,7 @@ void Desktop::show_sign_in(SignIn* page) {
   if (!opengl_allowed()) page->show_note({ToothView::pictures_off(), tr("The next start tries them again.")});
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
+  connect(page, &SignIn::administrator_made, this, &Desktop::show_quick_start);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
   connect(page, &SignIn::theme_toggled, this,
           [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
@@ -243,7 +244,11 @@ QVector<NavEntry> Desktop::entries() {
              connect(page, &DevicePage::chosen, this, &Desktop::show_device);
              return page;
            }};
-  list += {u"help"_qs, tr("Help"), u"book"_qs, []() -> QWidget* { return new HelpPage; }};
+  list += {u"help"_qs, tr("Help"), u"book"_qs, [this, role]() -> QWidget* {
+             auto* page = new HelpPage(role);
+             connect(page, &HelpPage::quick_start_wanted, this, &Desktop::show_quick_start);
+             return page;
+           }};
   return list;
 }
 
