@@ -2461,14 +2461,6 @@
         <translation>Schlüssel %1. Wer die andere Station verwaltet, vergleicht ihn, bevor %2 vertraut wird.</translation>
     </message>
     <message>
-        <source>%1 is not there.</source>
-        <translation>%1 ist nicht da.</translation>
-    </message>
-    <message>
-        <source>%1 is no station’s key.</source>
-        <translation>%1 ist kein Schlüssel einer Station.</translation>
-    </message>
-    <message>
         <source>Files under key %1 are no longer read.</source>
         <translation>Dateien unter dem Schlüssel %1 werden nicht mehr eingelesen.</translation>
     </message>
@@ -2477,43 +2469,12 @@
         <translation>Dateien unter dem Schlüssel %1 werden ab jetzt eingelesen.</translation>
     </message>
     <message>
-        <source>attempts %1, statements %2, accounts %3, exercises %4, assignments %5</source>
-        <translation>Versuche %1, Erklärungen %2, Konten %3, Übungen %4, Zuweisungen %5</translation>
-    </message>
-    <message>
         <source>Either --office or --results says what the file carries.</source>
         <translation>Entweder --office oder --results sagt, was die Datei enthält.</translation>
     </message>
     <message>
         <source>File %1 under key %2: %3.</source>
         <translation>Datei %1 unter dem Schlüssel %2: %3.</translation>
-    </message>
-    <message>
-        <source>The file is read.</source>
-        <translation>Die Datei ist eingelesen.</translation>
-    </message>
-    <message>
-        <source>The file was read before.</source>
-        <translation>Die Datei war schon eingelesen.</translation>
-    </message>
-    <message>
-        <source>The file was made before one that was already read: it adds what is new and changes nothing.</source>
-        <translation>Die Datei ist älter als eine schon eingelesene: Sie ergänzt Neues und ändert nichts.</translation>
-    </message>
-    <message>
-        <source>New here: %1.</source>
-        <translation>Neu hier: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n statement(s) wait for their attempt; read the file again after that of the other station.</source>
-        <translation>
-            <numerusform>%n Erklärung wartet auf ihren Versuch; lesen Sie die Datei nach der der anderen Station noch einmal ein.</numerusform>
-            <numerusform>%n Erklärungen warten auf ihre Versuche; lesen Sie die Datei nach der der anderen Station noch einmal ein.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 was changed here too; the office’s account counts.</source>
-        <translation>%1 wurde auch hier geändert; das Konto der Zentrale gilt.</translation>
     </message>
     <message>
         <source>Files from station to station, without a server; for administrators</source>
@@ -3081,6 +3042,10 @@
     <message>
         <source>Start as usual</source>
         <translation>Wie gewohnt starten</translation>
+    </message>
+    <message>
+        <source>Other stations</source>
+        <translation>Andere Stationen</translation>
     </message>
 </context>
 <context>
@@ -3812,6 +3777,229 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::ExchangePage</name>
+    <message>
+        <source>Other stations</source>
+        <translation>Andere Stationen</translation>
+    </message>
+    <message>
+        <source>Read a file in</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source>Whose files are read here</source>
+        <translation>Wessen Dateien hier eingelesen werden</translation>
+    </message>
+    <message>
+        <source>Known stations</source>
+        <translation>Bekannte Stationen</translation>
+    </message>
+    <message>
+        <source>No other station is known yet</source>
+        <translation>Noch ist keine andere Station bekannt</translation>
+    </message>
+    <message>
+        <source>Records go from station to station as files, without a server. A station reads the files of those alone whose keys an administrator has compared and made known.</source>
+        <translation>Aufzeichnungen gehen als Dateien von Station zu Station, ohne Server. Eine Station liest nur Dateien von Stationen ein, deren Schlüssel die Verwaltung verglichen und bekannt gemacht hat.</translation>
+    </message>
+    <message>
+        <source>Choose a station’s key</source>
+        <translation>Schlüssel einer Station wählen</translation>
+    </message>
+    <message>
+        <source>Make a station known</source>
+        <translation>Station bekannt machen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Revoke the key</source>
+        <translation>Schlüssel widerrufen</translation>
+    </message>
+    <message>
+        <source>This station</source>
+        <translation>Diese Station</translation>
+    </message>
+    <message>
+        <source>Clinic, room 1</source>
+        <translation>Klinik, Raum 1</translation>
+    </message>
+    <message>
+        <source>What you call it; files are named after it</source>
+        <translation>Ihr Name für sie; Dateien heißen danach</translation>
+    </message>
+    <message>
+        <source>The records were opened for reading: their key is not there.</source>
+        <translation>Die Aufzeichnungen wurden nur zum Lesen geöffnet: Ihr Schlüssel ist nicht da.</translation>
+    </message>
+    <message>
+        <source>Fingerprint of its key, to be read aloud and compared at the other station</source>
+        <translation>Fingerabdruck ihres Schlüssels, zum Vorlesen und Vergleichen an der anderen Station</translation>
+    </message>
+    <message>
+        <source>Fingerprint %1</source>
+        <translation>Fingerabdruck %1</translation>
+    </message>
+    <message>
+        <source>Save the key as a file</source>
+        <translation>Schlüssel speichern</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the fingerprint</source>
+        <translation>Fingerabdruck kopieren</translation>
+    </message>
+    <message>
+        <source>Give out a file</source>
+        <translation>Datei herausgeben</translation>
+    </message>
+    <message>
+        <source>Results for the office</source>
+        <translation>Ergebnisse für die Zentrale</translation>
+    </message>
+    <message>
+        <source>People and assignments</source>
+        <translation>Personen und Zuweisungen</translation>
+    </message>
+    <message>
+        <source>Every ended attempt of this station, its grades and what examiners said.</source>
+        <translation>Jeder beendete Versuch dieser Station mit Bewertungen und Erklärungen der Prüfenden.</translation>
+    </message>
+    <message>
+        <source>From the office to the stations: people, cohorts, assignments and exercises. It holds passwords and PINs in scrambled form: keep it as safe as the records.</source>
+        <translation>Von der Zentrale an die Stationen: Personen, Kohorten, Zuweisungen und Übungen. Die Datei enthält Passwörter und PINs in unkenntlicher Form: Verwahren Sie sie so sicher wie die Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>The other stations cannot be listed.</source>
+        <translation>Die anderen Stationen lassen sich nicht auflisten.</translation>
+    </message>
+    <message>
+        <source>Save this station’s key</source>
+        <translation>Schlüssel dieser Station speichern</translation>
+    </message>
+    <message>
+        <source>Key of a station (*.cuspkey)</source>
+        <translation>Schlüssel einer Station (*.cuspkey)</translation>
+    </message>
+    <message>
+        <source>The key is saved.</source>
+        <translation>Der Schlüssel ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Take %1 to the other station, and tell its administrator the fingerprint.</source>
+        <translation>Bringen Sie %1 zur anderen Station und nennen Sie deren Verwaltung den Fingerabdruck.</translation>
+    </message>
+    <message>
+        <source>The key was not saved.</source>
+        <translation>Der Schlüssel wurde nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>The fingerprint is copied.</source>
+        <translation>Der Fingerabdruck ist kopiert.</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is known: its files are read from now on.</source>
+        <translation>%1 ist bekannt: Dateien von dort werden ab jetzt eingelesen.</translation>
+    </message>
+    <message>
+        <source>Revoke the key of %1?</source>
+        <translation>Schlüssel von %1 widerrufen?</translation>
+    </message>
+    <message>
+        <source>Files under key %1 are no longer read. All that was read before stays.</source>
+        <translation>Dateien unter dem Schlüssel %1 werden nicht mehr eingelesen. Was schon eingelesen ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>The key of %1 is revoked.</source>
+        <translation>Der Schlüssel von %1 ist widerrufen.</translation>
+    </message>
+    <message>
+        <source>All that was read before stays.</source>
+        <translation>Was schon eingelesen ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>Give out people and assignments</source>
+        <translation>Personen und Zuweisungen herausgeben</translation>
+    </message>
+    <message>
+        <source>Give out results</source>
+        <translation>Ergebnisse herausgeben</translation>
+    </message>
+    <message>
+        <source>File of a station (*.cuspexchange)</source>
+        <translation>Datei einer Station (*.cuspexchange)</translation>
+    </message>
+    <message>
+        <source>Writing the file</source>
+        <translation>Die Datei wird geschrieben</translation>
+    </message>
+    <message>
+        <source>No file was given out.</source>
+        <translation>Es wurde keine Datei herausgegeben.</translation>
+    </message>
+    <message>
+        <source>File %1 of this station is written: %2.</source>
+        <translation>Datei %1 dieser Station ist geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>%1. Read it in at each station.</source>
+        <translation>%1. Lesen Sie sie an jeder Station ein.</translation>
+    </message>
+    <message>
+        <source>%1. Read it in at the office.</source>
+        <translation>%1. Lesen Sie sie in der Zentrale ein.</translation>
+    </message>
+    <message>
+        <source>Choose a file of another station</source>
+        <translation>Datei einer anderen Station wählen</translation>
+    </message>
+    <message>
+        <source>Checking the file</source>
+        <translation>Die Datei wird geprüft</translation>
+    </message>
+    <message>
+        <source>This station is not known as the office here.</source>
+        <translation>Diese Station ist hier nicht als Zentrale bekannt.</translation>
+    </message>
+    <message>
+        <source>Only the office’s files bring people and assignments. Make it known as the office, or go back. Nothing was changed.</source>
+        <translation>Nur Dateien der Zentrale bringen Personen und Zuweisungen. Machen Sie sie als Zentrale bekannt oder gehen Sie zurück. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The file is of a station that is not known here.</source>
+        <translation>Die Datei stammt von einer hier unbekannten Station.</translation>
+    </message>
+    <message>
+        <source>Compare the fingerprint before you make it known. Nothing was changed.</source>
+        <translation>Vergleichen Sie den Fingerabdruck, bevor Sie sie bekannt machen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Reading the file in</source>
+        <translation>Die Datei wird eingelesen</translation>
+    </message>
+    <message>
+        <source>For what has changed since, ask that station for a new file.</source>
+        <translation>Für spätere Änderungen bitten Sie jene Station um eine neue Datei.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ExercisesPage</name>
     <message>
         <source>Exercises</source>
@@ -4211,6 +4399,61 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::FileCard</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>What is in the file</source>
+        <translation>Inhalt der Datei</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>%1, key %2</source>
+        <translation>%1, Schlüssel %2</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>%1, file %2 of this station</source>
+        <translation>%1, Datei %2 dieser Station</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Carries</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Read it in</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source>File %1 of this station was read in already, and this one is older: it adds what is new and changes nothing. For what has changed since, ask for a new file.</source>
+        <translation>Datei %1 dieser Station ist schon eingelesen, und diese ist älter: Sie ergänzt Neues und ändert nichts. Für spätere Änderungen bitten Sie um eine neue Datei.</translation>
+    </message>
+    <message>
+        <source>This file was read in already. Read again, it adds only what still waited for another file.</source>
+        <translation>Diese Datei ist schon eingelesen. Erneut eingelesen ergänzt sie nur, was noch auf eine andere Datei wartete.</translation>
+    </message>
+    <message>
+        <source>Accounts that the office has changed take the place of those here. Nothing is changed until you read it in; it is read whole or not at all.</source>
+        <translation>Konten, die die Zentrale geändert hat, ersetzen die hiesigen. Bis Sie die Datei einlesen, ändert sich nichts; sie wird ganz eingelesen oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>It adds what is not here yet. Nothing is changed until you read it in; it is read whole or not at all.</source>
+        <translation>Sie ergänzt, was hier noch fehlt. Bis Sie die Datei einlesen, ändert sich nichts; sie wird ganz eingelesen oder gar nicht.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::HandedIn</name>
     <message>
         <source>Handed in</source>
@@ -4458,6 +4701,10 @@
     <message>
         <source>move the mirror; with Shift: tilt it; U, O: nearer, away</source>
         <translation>Spiegel bewegen; mit Umschalt: neigen; U, O: näher, weiter weg</translation>
+    </message>
+    <message>
+        <source>Quick start in five pictures</source>
+        <translation>Schnellstart in fünf Bildern</translation>
     </message>
 </context>
 <context>
@@ -6894,6 +7141,65 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::QuickStart</name>
+    <message>
+        <source>To the program</source>
+        <translation>Zum Programm</translation>
+    </message>
+    <message>
+        <source>Quick start</source>
+        <translation>Schnellstart</translation>
+    </message>
+    <message>
+        <source>Five steps to the first report</source>
+        <translation>Fünf Schritte zum ersten Bericht</translation>
+    </message>
+    <message>
+        <source>You find this page again under Help</source>
+        <translation>Sie finden diese Seite unter Hilfe wieder</translation>
+    </message>
+    <message>
+        <source>1. Make people</source>
+        <translation>1. Personen anlegen</translation>
+    </message>
+    <message>
+        <source>Under People, add students and instructors one by one, or import a list.</source>
+        <translation>Legen Sie unter Personen Studierende und Lehrkräfte einzeln an, oder importieren Sie eine Liste.</translation>
+    </message>
+    <message>
+        <source>2. Assign an exercise</source>
+        <translation>2. Übung zuweisen</translation>
+    </message>
+    <message>
+        <source>An instructor puts students together under Cohorts and assigns them an exercise.</source>
+        <translation>Eine Lehrkraft fasst unter Kohorten Studierende zusammen und weist ihnen eine Übung zu.</translation>
+    </message>
+    <message>
+        <source>3. Drill</source>
+        <translation>3. Bohren</translation>
+    </message>
+    <message>
+        <source>A student signs in with number and PIN, starts the exercise and cuts with mouse or device.</source>
+        <translation>Studierende melden sich mit Nummer und PIN an, starten die Übung und tragen mit Maus oder Gerät ab.</translation>
+    </message>
+    <message>
+        <source>4. Read the report</source>
+        <translation>4. Bericht lesen</translation>
+    </message>
+    <message>
+        <source>Finish ends the attempt; the report shows the points and where each was lost.</source>
+        <translation>„Beenden“ schließt den Versuch ab; der Bericht zeigt die Punkte und wo sie verloren gingen.</translation>
+    </message>
+    <message>
+        <source>5. Back up</source>
+        <translation>5. Sichern</translation>
+    </message>
+    <message>
+        <source>Under Station, choose a folder on another disk: a backup a day goes there by itself.</source>
+        <translation>Wählen Sie unter Station einen Ordner auf einem anderen Datenträger: Dorthin geht von selbst täglich eine Sicherung.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ReferencePage</name>
     <message>
         <source>Reference preparation</source>
@@ -8207,6 +8513,41 @@ Ihr bester davor</translation>
     <message>
         <source>Nobody is signed out while drilling. It holds from the next sign-in.</source>
         <translation>Niemand wird beim Bohren abgemeldet. Es gilt ab der nächsten Anmeldung.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::StationsModel</name>
+    <message>
+        <source>Station %1</source>
+        <translation>Station %1</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>file %1, %2</source>
+        <translation>Datei %1, %2</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>Known as</source>
+        <translation>Bekannt als</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Last file read in</source>
+        <translation>Zuletzt eingelesen</translation>
     </message>
 </context>
 <context>
@@ -10377,10 +10718,6 @@ Ihr bester davor</translation>
         <translation>Der Schlüssel dieser Station ist hier nicht bekannt.</translation>
     </message>
     <message>
-        <source>Compare key %1 with that on the other station’s page, then trust it: cusp exchange trust. Station %2; nothing was changed.</source>
-        <translation>Vergleichen Sie den Schlüssel %1 mit dem auf der Seite der anderen Station, dann vertrauen Sie ihm: cusp exchange trust. Station %2; nichts wurde geändert.</translation>
-    </message>
-    <message>
         <source>This station’s key was revoked here.</source>
         <translation>Der Schlüssel dieser Station wurde hier widerrufen.</translation>
     </message>
@@ -10403,6 +10740,148 @@ Ihr bester davor</translation>
     <message>
         <source>Look at %1, %2. Nothing was changed.</source>
         <translation>Sehen Sie %1, %2 an. Nichts wurde geändert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) of examiners</source>
+        <translation>
+            <numerusform>%n Erklärung von Prüfenden</numerusform>
+            <numerusform>%n Erklärungen von Prüfenden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercise(s)</source>
+        <translation>
+            <numerusform>%n Übung</numerusform>
+            <numerusform>%n Übungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n assignment(s)</source>
+        <translation>
+            <numerusform>%n Zuweisung</numerusform>
+            <numerusform>%n Zuweisungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>People, cohorts, assignments and exercises</source>
+        <translation>Personen, Kohorten, Zuweisungen und Übungen</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>office</source>
+        <translation>Zentrale</translation>
+    </message>
+    <message>
+        <source>former key</source>
+        <translation>früherer Schlüssel</translation>
+    </message>
+    <message>
+        <source>revoked</source>
+        <translation>widerrufen</translation>
+    </message>
+    <message>
+        <source>The file is read.</source>
+        <translation>Die Datei ist eingelesen.</translation>
+    </message>
+    <message>
+        <source>The file was read before.</source>
+        <translation>Die Datei war schon eingelesen.</translation>
+    </message>
+    <message>
+        <source>The file was made before one that was already read: it adds what is new and changes nothing.</source>
+        <translation>Die Datei ist älter als eine schon eingelesene: Sie ergänzt Neues und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>New here: %1.</source>
+        <translation>Neu hier: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) wait for their attempt; read the file again after that of the other station.</source>
+        <translation>
+            <numerusform>%n Erklärung wartet auf ihren Versuch; lesen Sie die Datei nach der der anderen Station noch einmal ein.</numerusform>
+            <numerusform>%n Erklärungen warten auf ihren Versuch; lesen Sie die Datei nach der der anderen Station noch einmal ein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was changed here too; the office’s account counts.</source>
+        <translation>%1 wurde auch hier geändert; das Konto der Zentrale gilt.</translation>
+    </message>
+    <message>
+        <source>A newer version of Cusp made this file.</source>
+        <translation>Eine neuere Version von Cusp hat diese Datei erstellt.</translation>
+    </message>
+    <message>
+        <source>Update Cusp on this station, then read %1 again. Nothing was changed.</source>
+        <translation>Aktualisieren Sie Cusp auf dieser Station und lesen Sie %1 dann erneut ein. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This file is not there.</source>
+        <translation>Diese Datei ist nicht da.</translation>
+    </message>
+    <message>
+        <source>After this file nobody could administer this station.</source>
+        <translation>Nach dieser Datei könnte niemand mehr diese Station verwalten.</translation>
+    </message>
+    <message>
+        <source>It switches off the last administrator here. Make another one first; nothing was changed.</source>
+        <translation>Sie schaltet das letzte Verwaltungskonto hier ab. Legen Sie zuerst ein anderes an; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>A file of this name is there already.</source>
+        <translation>Eine Datei dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>%1 stayed as it was. Choose another name.</source>
+        <translation>%1 blieb, wie sie war. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to somebody else here.</source>
+        <translation>%1 gehört hier jemand anderem.</translation>
+    </message>
+    <message>
+        <source>Change it here or in the office, and ask the office for a new file. Nothing was changed.</source>
+        <translation>Ändern Sie das hier oder in der Zentrale, und bitten Sie die Zentrale um eine neue Datei. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 ist nicht da.</translation>
+    </message>
+    <message>
+        <source>%1 is no station’s key.</source>
+        <translation>%1 ist kein Schlüssel einer Station.</translation>
+    </message>
+    <message>
+        <source>Ask for the key once more. Nothing was changed.</source>
+        <translation>Bitten Sie noch einmal um den Schlüssel. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Compare key %1 with that on the other station’s page, then make it known here. Station %2; nothing was changed.</source>
+        <translation>Vergleichen Sie den Schlüssel %1 mit dem auf der Seite der anderen Station und machen Sie ihn dann hier bekannt. Station %2; nichts wurde geändert.</translation>
     </message>
 </context>
 <context>
@@ -10735,6 +11214,77 @@ Ihr bester davor</translation>
     <message>
         <source>Where the grip stands when an attempt begins, from the middle of its travel:</source>
         <translation>Wo der Griff zu Beginn eines Versuchs steht, von der Mitte seines Weges aus:</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::TrustCard</name>
+    <message>
+        <source>A known station</source>
+        <translation>Eine bekannte Station</translation>
+    </message>
+    <message>
+        <source>Make a station known</source>
+        <translation>Station bekannt machen</translation>
+    </message>
+    <message>
+        <source>Fingerprint of its key</source>
+        <translation>Fingerabdruck ihres Schlüssels</translation>
+    </message>
+    <message>
+        <source>Fingerprint of the key in this file</source>
+        <translation>Fingerabdruck des Schlüssels in dieser Datei</translation>
+    </message>
+    <message>
+        <source>Fingerprint %1</source>
+        <translation>Fingerabdruck %1</translation>
+    </message>
+    <message>
+        <source>Call the other station’s administrator, who sees its fingerprint on the page Other stations and reads it to you. Only if every sign is the same, the file is truly from there.</source>
+        <translation>Rufen Sie die Verwaltung der anderen Station an; sie sieht ihren Fingerabdruck auf der Seite Andere Stationen und liest ihn vor. Nur wenn jedes Zeichen gleich ist, kommt die Datei wirklich von dort.</translation>
+    </message>
+    <message>
+        <source>This key was revoked: none of its files is read. Made known again, they are.</source>
+        <translation>Dieser Schlüssel wurde widerrufen: Keine seiner Dateien wird eingelesen. Wieder bekannt gemacht, werden sie es.</translation>
+    </message>
+    <message>
+        <source>A former key: it signed older records of this station. Made known again, its files are read too.</source>
+        <translation>Ein früherer Schlüssel: Er signierte ältere Aufzeichnungen dieser Station. Wieder bekannt gemacht, werden auch seine Dateien eingelesen.</translation>
+    </message>
+    <message>
+        <source>Clinic, room 2</source>
+        <translation>Klinik, Raum 2</translation>
+    </message>
+    <message>
+        <source>What you call it here</source>
+        <translation>Ihr Name für sie</translation>
+    </message>
+    <message>
+        <source>A station</source>
+        <translation>Eine Station</translation>
+    </message>
+    <message>
+        <source>The office</source>
+        <translation>Die Zentrale</translation>
+    </message>
+    <message>
+        <source>It is</source>
+        <translation>Sie ist</translation>
+    </message>
+    <message>
+        <source>Its files bring people, cohorts, assignments and exercises, and its results.</source>
+        <translation>Ihre Dateien bringen Personen, Kohorten, Zuweisungen und Übungen sowie ihre Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>Its files bring its results alone.</source>
+        <translation>Ihre Dateien bringen nur ihre Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>It is the same: make it known</source>
+        <translation>Er ist gleich: bekannt machen</translation>
     </message>
 </context>
 <context>

@@ -117,13 +117,6 @@
             <numerusform>%n sessions are restored as of %1.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n statement(s) wait for their attempt; read the file again after that of the other station.</source>
-        <translation>
-            <numerusform>%n statement waits for its attempt; read the file again after that of the other station.</numerusform>
-            <numerusform>%n statements wait for their attempts; read the file again after that of the other station.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>
@@ -481,6 +474,48 @@
         <translation>
             <numerusform>Audit log exported, %n entry</numerusform>
             <numerusform>Audit log exported, %n entries</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) of examiners</source>
+        <translation>
+            <numerusform>%n statement of an examiner</numerusform>
+            <numerusform>%n statements of examiners</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercise(s)</source>
+        <translation>
+            <numerusform>%n exercise</numerusform>
+            <numerusform>%n exercises</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n assignment(s)</source>
+        <translation>
+            <numerusform>%n assignment</numerusform>
+            <numerusform>%n assignments</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) wait for their attempt; read the file again after that of the other station.</source>
+        <translation>
+            <numerusform>%n statement waits for its attempt; read the file again after that of the other station.</numerusform>
+            <numerusform>%n statements wait for their attempt; read the file again after that of the other station.</numerusform>
         </translation>
     </message>
 </context>

@@ -3,20 +3,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "storage/base/rights.h"
 #include "storage/exchange/exchange_file.h"
+#include "storage/exchange/trust.h"
 #include "storage/records/context.h"
 
 namespace cusp::storage {
-
-/// Rows that a file carries, or that reading it added or changed.
-struct ExchangeCounts {
-  std::uint64_t sessions = 0, statements = 0, accounts = 0, versions = 0, assignments = 0;
-  bool none() const noexcept { return sessions + statements + accounts + versions + assignments == 0; }
-};
 
 struct GivenOut {
   ExchangeDescription description{};
@@ -48,5 +44,27 @@ struct ReadIn {
 /// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: the key is not the office's);
 /// duplicate (where = number or name that somebody else has here); last_administrator.
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
+
+/// What a file is, before it is read.
+struct ExchangeLook {
+  ExchangeDescription description{};
+  PublicKey signer{};
+  std::optional<KeyRole> role{};  // of the signer's key here; nullopt: unknown
+  ExchangeCounts counts{};        // what the file carries
+  std::size_t newest_read = 0;    // number of the newest file under this key that was read in; 0: none
+};
+
+/// Changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema, differs, and not_allowed
+/// (where = own_file).
+Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
+
+/// A file that was read in: whose, its number, and when.
+struct FileReadIn {
+  Hash256 key{};
+  std::size_t number = 0;
+  std::int64_t at_utc_us = 0;
+};
+/// Of all trusted stations, oldest first. Needs manage_station.
+Stored<std::vector<FileReadIn>> files_read_in(StorageContext& context, const Actor& actor);
 
 }  // namespace cusp::storage

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "storage/exchange/json_read.h"
+#include "storage/records/statement_rows.h"
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 namespace {
@@ -78,6 +80,16 @@ StorageFailure no_exchange(const Database& file) { return {StorageError::not_exc
 
 std::string_view key_of(ExchangeKind kind) noexcept { return kExchangeKinds[static_cast<std::size_t>(kind)]; }
 
+Stored<ExchangeCounts> counts_of(Database& file) {
+  const auto counts = file.first(
+      "SELECT (SELECT count(*) FROM sessions), (SELECT count(*) FROM statements), "
+      "(SELECT count(*) FROM people WHERE id NOT IN (SELECT id FROM referred)), "
+      "(SELECT count(*) FROM scenario_versions WHERE id NOT IN (SELECT id FROM referred)), (SELECT count(*) FROM assignments)",
+      [](Row row) { return ExchangeCounts{row.u64(0), row.u64(1), row.u64(2), row.u64(3), row.u64(4)}; });
+  if (!counts) return std::unexpected(counts.error());
+  return counts->value_or(ExchangeCounts{});
+}
+
 Hash256 description_hash(const SignedText& text) { return blake2b_256(std::string_view(text.description)); }
 
 SignedText sign_exchange(const StationKey& key, const ExchangeDescription& description) {
@@ -115,6 +127,29 @@ Stored<std::vector<PackFile>> table_hashes(Database& file) {
     out.push_back({name, *content});
   }
   return out;
+}
+
+Stored<void> check_content(Database& file, const ExchangeDescription& description) {
+  const auto damage = file.integrity_check();
+  if (!damage) return std::unexpected(damage.error());
+  const auto tables = table_hashes(file);
+  if (!tables) return std::unexpected(tables.error());
+  const auto same = [](const PackFile& a, const PackFile& b) { return a.name == b.name && a.hash == b.hash; };
+  if (!damage->empty() || !std::ranges::equal(*tables, description.tables, same)) return std::unexpected(no_exchange(file));
+  const auto blobs = file.all("SELECT hash, packed FROM blobs", [](Row row) {
+    const auto bytes = unpack(row.bytes(1));
+    return bytes && blake2b_256(*bytes) == row.hash(0);
+  });
+  if (!blobs) return std::unexpected(blobs.error());
+  if (std::ranges::count(*blobs, false) > 0) return std::unexpected(no_exchange(file));
+  const auto findings = check_statements(file);
+  if (!findings) return std::unexpected(findings.error());
+  for (const ChainFinding& finding : *findings) {
+    // A text that its station has erased is missing there too.
+    const bool erased = finding.code == FindingCode::row_missing && finding.table == "statement_texts";
+    if (!erased) return fail(StorageError::differs, finding.table, finding.what);
+  }
+  return {};
 }
 
 }  // namespace cusp::storage

@@ -30,6 +30,14 @@ struct ExchangeDescription {
   std::size_t number() const noexcept { return earlier.size() + 1; }
 };
 
+/// Rows that a file carries, or that reading it added or changed.
+struct ExchangeCounts {
+  std::uint64_t sessions = 0, statements = 0, accounts = 0, versions = 0, assignments = 0;
+  bool none() const noexcept { return sessions + statements + accounts + versions + assignments == 0; }
+};
+/// What the file carries; rows that it only refers to do not count.
+Stored<ExchangeCounts> counts_of(Database& file);
+
 /// Of a description's text: what later files name this one by.
 Hash256 description_hash(const SignedText& text);
 SignedText sign_exchange(const StationKey& key, const ExchangeDescription& description);
@@ -46,5 +54,7 @@ Stored<CheckedExchange> read_description(Database& file);
 
 /// Name and content of each table but the description's, by name. not_exchange for a file with views or triggers.
 Stored<std::vector<PackFile>> table_hashes(Database& file);
+/// Structure, every table against the signed list, every blob, every statement. Failures: not_exchange, differs.
+Stored<void> check_content(Database& file, const ExchangeDescription& description);
 
 }  // namespace cusp::storage

@@ -76,16 +76,6 @@ Stored<void> fill_exchange(StorageContext& context, Database& to, ExchangeKind k
   return transaction.commit();
 }
 
-Stored<ExchangeCounts> counts_of(Database& file) {
-  const auto counts = file.first(
-      "SELECT (SELECT count(*) FROM sessions), (SELECT count(*) FROM statements), "
-      "(SELECT count(*) FROM people WHERE id NOT IN (SELECT id FROM referred)), "
-      "(SELECT count(*) FROM scenario_versions WHERE id NOT IN (SELECT id FROM referred)), (SELECT count(*) FROM assignments)",
-      [](Row row) { return ExchangeCounts{row.u64(0), row.u64(1), row.u64(2), row.u64(3), row.u64(4)}; });
-  if (!counts) return std::unexpected(counts.error());
-  return counts->value_or(ExchangeCounts{});
-}
-
 /// Descriptions of the files that this key has signed so far, from the log.
 std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transaction) {
   std::vector<Hash256> out;

@@ -8,37 +8,9 @@
 #include "storage/exchange/trust.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
-#include "storage/records/statement_rows.h"
-#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 namespace {
-
-StorageFailure not_as_signed(const Database& file) { return {StorageError::not_exchange, file.file().string()}; }
-
-/// The file's structure, every table against the signed list, every blob and every statement of its own.
-Stored<void> check_content(Database& file, const ExchangeDescription& description) {
-  const auto damage = file.integrity_check();
-  if (!damage) return std::unexpected(damage.error());
-  const auto tables = table_hashes(file);
-  if (!tables) return std::unexpected(tables.error());
-  const auto same = [](const PackFile& a, const PackFile& b) { return a.name == b.name && a.hash == b.hash; };
-  if (!damage->empty() || !std::ranges::equal(*tables, description.tables, same)) return std::unexpected(not_as_signed(file));
-  const auto blobs = file.all("SELECT hash, packed FROM blobs", [](Row row) {
-    const auto bytes = unpack(row.bytes(1));
-    return bytes && blake2b_256(*bytes) == row.hash(0);
-  });
-  if (!blobs) return std::unexpected(blobs.error());
-  if (std::ranges::count(*blobs, false) > 0) return std::unexpected(not_as_signed(file));
-  const auto findings = check_statements(file);
-  if (!findings) return std::unexpected(findings.error());
-  for (const ChainFinding& finding : *findings) {
-    // A text that its station has erased is missing there too.
-    const bool erased = finding.code == FindingCode::row_missing && finding.table == "statement_texts";
-    if (!erased) return fail(StorageError::differs, finding.table, finding.what);
-  }
-  return {};
-}
 
 /// The station's key among those that the file's rows name; every other one is kept for verification alone.
 void merge_keys(Merge& merge, const Hash256& signer) {

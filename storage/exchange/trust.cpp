@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "storage/base/files.h"
 #include "storage/exchange/json_read.h"
 #include "storage/records/sealing.h"
 
@@ -21,7 +22,7 @@ KeyRole role_from(std::string_view key) noexcept {
   return found == kRoles.end() ? KeyRole::revoked : static_cast<KeyRole>(found - kRoles.begin());
 }
 
-OtherKey other_key_of(Row row) { return {row.uuid(0), row.hash(1), role_from(row.text(2)), row.integer(3)}; }
+OtherKey other_key_of(Row row) { return {row.uuid(0), row.hash(1), role_from(row.text(2)), row.integer(3), row.hash(4)}; }
 
 /// The entry names the key, then the row's seal.
 void log_key(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action, const Hash256& key) {
@@ -64,8 +65,20 @@ Stored<PublicKey> public_key_from(const SignedText& text) {
   return PublicKey{*station, by->public_key};
 }
 
+std::string key_file_of(const SignedText& text) { return text.description + '\n' + text.signature; }
+
+Stored<PublicKey> public_key_in(const std::filesystem::path& file) {
+  const auto content = read_private_file(file);
+  if (!content) return std::unexpected(content.error());
+  if (!*content) return fail(StorageError::not_found, file.string());
+  const std::string_view text = **content;
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos) return fail(StorageError::bad_value, "description");
+  return public_key_from({std::string(text.substr(0, end)), std::string(text.substr(end + 1))});
+}
+
 std::optional<OtherKey> other_key(Transaction& transaction, const Hash256& key) {
-  return transaction.first("SELECT station, key, role, changed_at FROM other_keys WHERE key = ?1", other_key_of, key);
+  return transaction.first("SELECT o.station, o.key, o.role, o.changed_at, k.public_key FROM other_keys o JOIN station_keys k ON k.id = o.key WHERE o.key = ?1", other_key_of, key);
 }
 
 Stored<void> trust(StorageContext& context, const Actor& actor, const PublicKey& key, KeyRole role) {
@@ -96,7 +109,7 @@ Stored<void> revoke(StorageContext& context, const Actor& actor, const Hash256& 
 
 Stored<std::vector<OtherKey>> other_keys(StorageContext& context, const Actor& actor) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
-  return context.db.all("SELECT station, key, role, changed_at FROM other_keys ORDER BY id", other_key_of);
+  return context.db.all("SELECT o.station, o.key, o.role, o.changed_at, k.public_key FROM other_keys o JOIN station_keys k ON k.id = o.key ORDER BY o.id", other_key_of);
 }
 
 void keep_former_key(StorageContext& context, Transaction& transaction, UserId actor, const PublicKey& key) {

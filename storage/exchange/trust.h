@@ -2,7 +2,9 @@
 /// fingerprint. Thread: the context's own.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +30,7 @@ struct OtherKey {
   Hash256 key{};  // its id, whose beginning is the fingerprint
   KeyRole role = KeyRole::station;
   std::int64_t changed_utc_us = 0;
+  std::array<std::uint8_t, 32> public_key{};
 };
 
 /// This station's id and public key, signed by it: what `exchange key` writes. read_only without the station's key.
@@ -38,6 +41,9 @@ struct PublicKey {
   std::array<std::uint8_t, 32> bytes{};
 };
 Stored<PublicKey> public_key_from(const SignedText& text);
+/// The same as a file of two lines, read by public_key_in(). not_found if the file is not there.
+std::string key_file_of(const SignedText& text);
+Stored<PublicKey> public_key_in(const std::filesystem::path& file);
 
 /// These need manage_station. trust(): not_allowed (where = own_key) for a key of this station itself.
 Stored<void> trust(StorageContext& context, const Actor& actor, const PublicKey& key, KeyRole role);

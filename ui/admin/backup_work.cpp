@@ -1,17 +1,10 @@
 #include "ui/admin/backup_work.h"
 
 #include "storage/store.h"
+#include "ui/admin/store_beside.h"
 
 namespace cusp::ui {
 namespace {
-
-Stored<std::unique_ptr<Store>> open_beside(const std::filesystem::path& database,
-                                           DatabaseOptions::Access access = DatabaseOptions::Access::existing) {
-  StoreOptions options;
-  options.database.access = access;
-  options.mark_interrupted = false;
-  return Store::open(database, options);
-}
 
 Stored<Backup> back_up_and_thin(const std::filesystem::path& database, const std::filesystem::path& into,
                                 const std::optional<Actor>& actor) {

@@ -4,10 +4,10 @@
 #include <QDateTime>
 #include <QLabel>
 #include <QLocale>
-#include <QPointer>
 #include <QPushButton>
 #include <QStandardItemModel>
 
+#include "ui/admin/store_beside.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
 #include "ui/widgets/busy.h"
@@ -28,20 +28,6 @@ QLabel* wrapped(const QString& text) {
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
-}
-
-/// Calls `show` on the window's thread, if the page still stands.
-template <class Result>
-std::function<void(Result)> on_window(StationPage* page, void (StationPage::*show)(const Result&)) {
-  return [self = QPointer(page), show](Result result) {
-    auto shared = std::make_shared<Result>(std::move(result));
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, show, shared] {
-          if (self) (self->*show)(*shared);
-        },
-        Qt::QueuedConnection);
-  };
 }
 
 }  // namespace

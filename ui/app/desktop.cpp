@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "device/hid/hid_station.h"
+#include "ui/admin/exchange_page.h"
 #include "ui/admin/log_page.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
@@ -105,6 +106,7 @@ void Desktop::show_sign_in(SignIn* page) {
   if (!opengl_allowed()) page->show_note({ToothView::pictures_off(), tr("The next start tries them again.")});
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
+  connect(page, &SignIn::administrator_made, this, &Desktop::show_quick_start);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
   connect(page, &SignIn::theme_toggled, this,
           [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
@@ -187,6 +189,8 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   if (!reading_only_ && may(role, Action::manage_station)) {
     list += {u"station"_qs, tr("Station"), u"save"_qs,
              [this]() -> QWidget* { return new StationPage(*store_, account_->actor(), settings_, ports_); }};
+    list += {u"exchange"_qs, tr("Other stations"), u"monitor"_qs,
+             [this]() -> QWidget* { return new ExchangePage(*store_, account_->actor(), settings_, ports_); }};
   }
   if (may(role, Action::see_audit_log)) {
     list += {u"audit"_qs, tr("Audit log"), u"shield"_qs, [this]() -> QWidget* { return new LogPage(*store_, account_->actor(), ports_); }};
@@ -240,7 +244,11 @@ QVector<NavEntry> Desktop::entries() {
              connect(page, &DevicePage::chosen, this, &Desktop::show_device);
              return page;
            }};
-  list += {u"help"_qs, tr("Help"), u"book"_qs, []() -> QWidget* { return new HelpPage; }};
+  list += {u"help"_qs, tr("Help"), u"book"_qs, [this, role]() -> QWidget* {
+             auto* page = new HelpPage(role);
+             connect(page, &HelpPage::quick_start_wanted, this, &Desktop::show_quick_start);
+             return page;
+           }};
   return list;
 }
 

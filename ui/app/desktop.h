@@ -139,6 +139,7 @@ class Desktop : public QMainWindow {
   void show_assignment(AssignmentId assignment);
   void open_waiting_file();
   void show_handed_in(const SessionId& session);
+  void show_quick_start();
   void show_failure(const Message& message);
   /// True, with a page that gives the reason, where nothing can be drilled because no picture can be drawn.
   bool refuse_drilling();

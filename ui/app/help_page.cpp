@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 
 #include "ui/widgets/parts.h"
 
@@ -36,12 +37,18 @@ void add_line(Card* card, QLabel* line) {
 
 }  // namespace
 
-HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
+HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
-  body->addWidget(new PageHead(tr("Help")));
+  auto* head = new PageHead(tr("Help"));
+  body->addWidget(head);
+  if (role != Role::student) {
+    QPushButton* quick = make_button(tr("Quick start in five pictures"), ButtonKind::standard, u"play"_qs);
+    head->buttons()->addWidget(quick);
+    connect(quick, &QPushButton::clicked, this, &HelpPage::quick_start_wanted);
+  }
 
   auto* attempt = new Card(tr("An attempt, from start to report"));
   for (const QString& line :

@@ -3,13 +3,20 @@
 
 #include <QWidget>
 
+#include "storage/base/rights.h"
+#include "ui/modules.h"
+
 namespace cusp::ui {
 
 class HelpPage : public QWidget {
   Q_OBJECT
 
  public:
-  explicit HelpPage(QWidget* parent = nullptr);
+  /// Staff are offered the quick start.
+  explicit HelpPage(Role role, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void quick_start_wanted();
 };
 
 }  // namespace cusp::ui

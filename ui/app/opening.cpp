@@ -6,6 +6,7 @@
 #include "storage/base/clock.h"
 #include "ui/admin/backup_work.h"
 #include "ui/app/desktop.h"
+#include "ui/app/quick_start.h"
 #include "ui/render/opengl_allowed.h"
 #include "ui/signin/sign_in.h"
 #include "ui/text/incident_text.h"
@@ -94,6 +95,12 @@ std::optional<Message> Desktop::incident() {
 
 std::optional<Message> Desktop::why_reading_only() const {
   return reading_only_ ? std::optional(describe_reading_only(*reading_only_, database_)) : std::nullopt;
+}
+
+void Desktop::show_quick_start() {
+  auto* page = new QuickStart;
+  connect(page, &QuickStart::back_wanted, this, &Desktop::back);
+  push(page);
 }
 
 }  // namespace cusp::ui

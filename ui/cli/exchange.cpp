@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "storage/base/clock.h"
-#include "storage/base/files.h"
 #include "storage/exchange/trust.h"
 #include "ui/cli/account.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
 #include "ui/modules.h"
+#include "ui/text/exchange_text.h"
 
 namespace cusp::ui {
 namespace {
@@ -48,7 +48,7 @@ int write_key(const ExchangeOptions& o) {
   if (!in) return failed(in.error());
   const auto key = own_key(in->store->context());
   if (!key) return failed(describe(key.error()));
-  if (!write_whole(o.file, key->description + '\n' + key->signature)) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
+  if (!write_whole(o.file, key_file_of(*key))) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
   const Hash256 id = in->store->context().key->id();
   if (!o.json.write({{"station", in->store->context().station.text()}, {"key", storage::hex(id)}, {"file", o.file}})) return kFailed;
   if (!o.json.on_stdout()) print_line(plain(CliText::tr("Key %1. The other station’s administrator compares it before trusting %2.").arg(fingerprint(id), named(o.file))));
@@ -56,12 +56,8 @@ int write_key(const ExchangeOptions& o) {
 }
 
 Result<PublicKey, Message> key_in(const std::string& file) {
-  const auto text = storage::read_private_file(file);
-  if (!text) return std::unexpected(describe(text.error()));
-  if (!*text) return std::unexpected(Message{CliText::tr("%1 is not there.").arg(named(file)), {}});
-  const std::size_t end = (*text)->find('\n');
-  const auto key = public_key_from(end == std::string::npos ? SignedText{} : SignedText{(*text)->substr(0, end), (*text)->substr(end + 1)});
-  if (!key) return std::unexpected(Message{CliText::tr("%1 is no station’s key.").arg(named(file)), {}});
+  auto key = public_key_in(file);
+  if (!key) return std::unexpected(describe_key_failure(key.error(), named(file)));
   return *key;
 }
 
@@ -112,30 +108,16 @@ ordered_json json_of(const ExchangeDescription& d, const Hash256& key, const Exc
   return json;
 }
 
-QString text_of(const ExchangeCounts& counts) {
-  return CliText::tr("attempts %1, statements %2, accounts %3, exercises %4, assignments %5")
-      .arg(counts.sessions).arg(counts.statements).arg(counts.accounts).arg(counts.versions).arg(counts.assignments);
-}
-
 int write_file(const ExchangeOptions& o) {
   if (o.office == o.results) return wrong_usage(CliText::tr("Either --office or --results says what the file carries."));
   if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file);
-  if (!made) return failed(describe(made.error()));
+  if (!made) return failed(describe_exchange_failure(made.error(), named(o.file)));
   if (!o.json.write(json_of(made->description, made->key, made->counts))) return kFailed;
-  if (!o.json.on_stdout()) print_line(plain(CliText::tr("File %1 under key %2: %3.").arg(made->description.number()).arg(fingerprint(made->key), text_of(made->counts))));
+  if (!o.json.on_stdout()) print_line(plain(CliText::tr("File %1 under key %2: %3.").arg(made->description.number()).arg(fingerprint(made->key), counts_text(made->counts))));
   return kDone;
-}
-
-QString text_of(ReadOutcome outcome) {
-  switch (outcome) {
-    case ReadOutcome::read: return CliText::tr("The file is read.");
-    case ReadOutcome::again: return CliText::tr("The file was read before.");
-    case ReadOutcome::late: return CliText::tr("The file was made before one that was already read: it adds what is new and changes nothing.");
-  }
-  return {};
 }
 
 int read_file(const ExchangeOptions& o) {
@@ -143,18 +125,15 @@ int read_file(const ExchangeOptions& o) {
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto read = read_in(in->store->context(), in->actor, o.file);
-  if (!read) return failed(describe(read.error()));
+  if (!read) return failed(describe_exchange_failure(read.error(), named(o.file)));
   auto json = json_of(read->description, read->key, read->counts);
   json["outcome"] = std::string(key_of(read->outcome));
   json["waiting"] = read->waiting;
   json["conflicts"] = read->conflicts;
   if (!o.json.write(json)) return kFailed;
   if (o.json.on_stdout()) return kDone;
-  print_line(plain(text_of(read->outcome) + u' ' + CliText::tr("New here: %1.").arg(text_of(read->counts))));
-  if (read->waiting > 0) {
-    print_line(plain(CliText::tr("%n statement(s) wait for their attempt; read the file again after that of the other station.", nullptr, static_cast<int>(read->waiting))));
-  }
-  for (const std::string& number : read->conflicts) print_line(plain(CliText::tr("%1 was changed here too; the office’s account counts.").arg(named(number))));
+  print_line(plain(outcome_text(read->outcome)));
+  for (const QString& line : read_in_text(*read)) print_line(plain(line));
   return kDone;
 }
 

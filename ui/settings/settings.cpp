@@ -40,6 +40,8 @@ std::filesystem::path Settings::backup_folder(const std::filesystem::path& datab
   return chosen.isEmpty() ? database.parent_path() / "backups" : std::filesystem::path(chosen.toStdString());
 }
 void Settings::set_backup_folder(const QString& folder) { store_.setValue("records/backup_folder", folder); }
+QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
+void Settings::set_station_name(const QString& station, const QString& name) { store_.setValue("stations/" + station, name.trimmed()); }
 QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }
 void Settings::set_window(const QByteArray& geometry) { store_.setValue("window/geometry", geometry); }
 

@@ -39,6 +39,9 @@ class Settings {
   /// Where the daily backups of a database go; "backups" beside it unless another folder was chosen.
   std::filesystem::path backup_folder(const std::filesystem::path& database) const;
   void set_backup_folder(const QString& folder);
+  /// What people here call a station, this one too. Empty: nothing yet. `station`: its id.
+  QString station_name(const QString& station) const;
+  void set_station_name(const QString& station, const QString& name);
   QByteArray window() const;
   void set_window(const QByteArray& geometry);
 

@@ -162,6 +162,7 @@ void SignIn::create_administrator() {
     return;
   }
   Q_EMIT signed_in(*account);
+  Q_EMIT administrator_made();
 }
 
 void SignIn::refuse(const Message& message) { band_->show_message(Band::Kind::bad, message.what, message.more); }

@@ -44,6 +44,8 @@ class SignIn : public QWidget {
 
  Q_SIGNALS:
   void signed_in(const Account& account);
+  /// After signed_in() of the first administrator, who was made here.
+  void administrator_made();
   void try_it();
   void try_again();
   void language_chosen(const QString& code);

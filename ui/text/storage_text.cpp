@@ -161,7 +161,7 @@ std::optional<Message> describe_exchange(const StorageFailure& f) {
                      Text::tr("Update Cusp on the station that made %1, and ask for a new file. Nothing was changed.").arg(where)};
     case StorageError::unknown_key:
       return Message{Text::tr("Nobody has made this station’s key known here."),
-                     Text::tr("Compare key %1 with that on the other station’s page, then trust it: cusp exchange trust. Station %2; nothing was changed.").arg(key_in(f), where)};
+                     Text::tr("Compare key %1 with that on the other station’s page, then make it known here. Station %2; nothing was changed.").arg(key_in(f), where)};
     case StorageError::revoked_key:
       return Message{Text::tr("This station’s key was revoked here."), Text::tr("Key %1, station %2. Nothing was changed.").arg(key_in(f), where)};
     case StorageError::put_back:

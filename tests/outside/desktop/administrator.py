@@ -1,4 +1,4 @@
-"""An administrator sees the student's result among everybody's, and exports it as CSV.
+"""An administrator sees the student's result among everybody's, exports it as CSV, and gives it out to other stations.
 
     /usr/bin/python3 tests/outside/desktop/administrator.py build/release/cusp
 """
@@ -6,6 +6,7 @@ import csv
 import os
 import sys
 
+import cohort
 import desk
 import school
 import student
@@ -20,9 +21,7 @@ def visit(program, points):
 
     program.press("Export CSV")
     path = os.path.join(program.folder, "results.csv")
-    picker = program.find(desk.re.compile("dialog|file chooser"), "Export CSV")
-    program.find("text", desk.re.compile("^File name"), within=picker).type(path)
-    program.keys("Return")
+    cohort.pick(program, "Export CSV", path)
     program.find("label", desk.re.compile("exported"))
     with open(path, encoding="utf-8-sig", newline="") as f:
         text = f.read()
@@ -31,8 +30,23 @@ def visit(program, points):
     desk.check(rows[0]["student_number"] == number, f"not {number} stands in {rows[0]}")
     # The screen rounds to a tenth.
     desk.check(abs(float(rows[0]["score"]) - float(points)) <= 0.05, f"not {points} points stand in {rows[0]}")
+    give_out(program)
     school.sign_out(program)
     return rows[0]
+
+
+def give_out(program):
+    """The attempt goes out as a file for the office; this station refuses it as its own."""
+    school.page(program, "Other stations")
+    program.find("label", "No other station is known yet")
+    path = os.path.join(program.folder, "results.cuspexchange")
+    program.press("Results for the office")
+    cohort.pick(program, "Give out results", path)
+    program.find("label", desk.re.compile("File 1 of this station is written: 1 attempt"))
+    desk.check(os.path.getsize(path) > 0, f"{path} is empty")
+    program.press("Read a file in")
+    cohort.pick(program, "Choose a file of another station", path)
+    program.find("label", desk.re.compile("This is this station.s own"))
 
 
 def main():

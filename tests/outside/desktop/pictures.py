@@ -106,9 +106,9 @@ def of_audit_log(album, program):
 
 def of_administrator(album, program):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
-    for page in ("People", "Performance", "Station"):
+    for page in ("People", "Performance", "Station", "Other stations"):
         school.page(program, page)
-        album.take(program, page.lower())
+        album.take(program, page.lower().replace(" ", "-"))
     of_audit_log(album, program)
     school.page(program, "People")
     program.press("Import a list")
@@ -123,6 +123,13 @@ def of_administrator(album, program):
     school.sign_out(program)
 
 
+def use_look(own, theme, percent):
+    look = os.path.join(own.folder, "config", "Cusp")
+    os.makedirs(look, exist_ok=True)
+    with open(os.path.join(look, "Cusp.ini"), "w", encoding="utf-8") as f:
+        f.write(f"[look]\ntheme={theme}\nlanguage=en\nscale={percent}\n")
+
+
 def main():
     desk.on_own_bus()
     folder = os.path.abspath(sys.argv[2])
@@ -130,10 +137,7 @@ def main():
     percent = sys.argv[4] if len(sys.argv) > 4 else "100"
     os.makedirs(folder, exist_ok=True)
     with desk.Desk(sys.argv[1], WIDTH, HEIGHT) as own:
-        look = os.path.join(own.folder, "config", "Cusp")
-        os.makedirs(look, exist_ok=True)
-        with open(os.path.join(look, "Cusp.ini"), "w", encoding="utf-8") as f:
-            f.write(f"[look]\ntheme={theme}\nlanguage=en\nscale={percent}\n")
+        use_look(own, theme, percent)
         album = Album(own, folder)
         program = own.start()
         album.take(program, "first-start", 2)

@@ -12,7 +12,7 @@ CHOICE = re.compile("^(check box|radio button)$")  # a button that stays down
 
 
 def first_start(program):
-    """The first start makes the administrator, who adds an instructor and a student, and signs out."""
+    """The first start makes the administrator, who leaves the quick start, adds an instructor and a student, and signs out."""
     name, number, password = ADMINISTRATOR
     program.find("label", "First start")
     program.find("text", "Your name").type(name)
@@ -20,6 +20,8 @@ def first_start(program):
     program.find("password text", re.compile("^Password, at least")).type(password)
     program.find("password text", "Password again").type(password)
     program.press("Make the administrator")
+    program.find("label", "Five steps to the first report")
+    program.press("To the program")
     program.find("table", "People")
     add_person(program, *STUDENT, "Student", "PIN, six digits")
     add_person(program, *INSTRUCTOR, "Instructor", "Password, at least 8 characters")

@@ -16,6 +16,8 @@
 #include "scenarios/library/exercise_file.h"
 #include "scenarios/library/library.h"
 #include "ui/app/desktop.h"
+#include "ui/app/help_page.h"
+#include "ui/app/quick_start.h"
 #include "ui/editor/editor_page.h"
 #include "ui/text/language.h"
 #include "ui/app/shell.h"
@@ -89,6 +91,25 @@ TEST_F(DesktopTest, each_role_has_its_pages) {
   EXPECT_TRUE(pages().contains(QStringLiteral("people")));
   EXPECT_TRUE(pages().contains(QStringLiteral("performance")));
   EXPECT_FALSE(pages().contains(QStringLiteral("results")));
+}
+
+TEST_F(DesktopTest, who_makes_the_first_administrator_sees_five_pictures_and_finds_them_again_under_help) {
+  open(folder.filePath(QStringLiteral("new.db")).toStdString());
+  const QList<QLineEdit*> fields = desktop->page()->findChildren<QLineEdit*>();
+  ASSERT_EQ(fields.size(), 4);
+  const char* const typed[] = {"Anna Weber", "anna", "correct horse", "correct horse"};
+  for (int i = 0; i < 4; ++i) fields[i]->setText(QLatin1String(typed[i]));
+  QTest::keyClick(fields[3], Qt::Key_Return);
+  const auto* quick = qobject_cast<QuickStart*>(desktop->page());
+  ASSERT_NE(quick, nullptr);
+  int pictures = 0;
+  for (const QLabel* label : quick->findChildren<QLabel*>()) pictures += !label->pixmap().isNull();
+  EXPECT_EQ(pictures, 5);
+  desktop->back();
+  EXPECT_EQ(desktop->shell()->page_key().toStdString(), "people");
+  desktop->shell()->show_page(QStringLiteral("help"));
+  Q_EMIT desktop->shell()->findChild<HelpPage*>()->quick_start_wanted();
+  EXPECT_NE(qobject_cast<QuickStart*>(desktop->page()), nullptr);
 }
 
 TEST_F(DesktopTest, a_page_pushed_over_the_shell_is_left_by_going_back) {

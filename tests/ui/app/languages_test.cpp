@@ -13,6 +13,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
 #include "ui/text/grade_text.h"
+#include "ui/text/incident_text.h"
 #include "ui/text/language.h"
 #include "ui/app/shell.h"
 #include "ui/widgets/format.h"
@@ -136,7 +137,7 @@ TEST(Languages, no_text_on_any_page_was_forgotten) {
   records.attempt(lena, "channel-1", 78, 426);
   QStringList own = {QStringLiteral("Cusp"), QStringLiteral("Lena Brandt"), QStringLiteral("Anna Weber"), QSysInfo::machineHostName(),
                      QStringLiteral("English"), QStringLiteral("Deutsch"), QStringLiteral("Falcon"), QStringLiteral("Inverse3"), QStringLiteral("SpaceMouse"),
-                     QString::fromStdString(records.file().string())};
+                     QString::fromStdString(records.file().string()), fingerprint(records.store().context().key->id())};
   const auto exercises = load_exercises(records.store());
   ASSERT_TRUE(exercises.has_value());
   for (const Exercise& e : exercises->exercises) {

@@ -148,7 +148,9 @@ TEST_F(SignInTest, the_first_start_makes_the_administrator) {
   EXPECT_TRUE(page->message().startsWith(QStringLiteral("This password is too short.")));
   field(*page, "Password, at least 8 characters")->setText(QStringLiteral("correct horse"));
   field(*page, "Password again")->setText(QStringLiteral("correct horse"));
+  QSignalSpy made(page.get(), &SignIn::administrator_made);
   button(*page, "Make the administrator")->click();
+  EXPECT_EQ(made.count(), 1);
   ASSERT_TRUE(who.has_value());
   EXPECT_EQ(who->role, Role::administrator);
   EXPECT_TRUE(*records.store().accounts.has_administrator());

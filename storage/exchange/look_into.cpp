@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <sstream>
+
+#include "storage/exchange/exchange.h"
+
+namespace cusp::storage {
+namespace {
+
+Stored<void> check_schema(Database& file) {
+  const auto schema = file.first("PRAGMA user_version", [](Row row) { return row.integer(0); });
+  if (!schema) return std::unexpected(schema.error());
+  const std::int64_t version = schema->value_or(0);
+  if (version == static_cast<std::int64_t>(built_in_migrations().size())) return {};
+  return fail(StorageError::older_schema, file.file().string(), std::to_string(version));
+}
+
+Stored<std::optional<KeyRole>> role_of(StorageContext& context, const Actor& actor, const Hash256& key) {
+  const auto keys = other_keys(context, actor);
+  if (!keys) return std::unexpected(keys.error());
+  const auto known = std::ranges::find(*keys, key, &OtherKey::key);
+  return known == keys->end() ? std::nullopt : std::optional(known->role);
+}
+
+}  // namespace
+
+Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
+  if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
+  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only});
+  if (!opened) return std::unexpected(opened.error());
+  const Snapshot snapshot(*opened);
+  const auto checked = read_description(*opened);
+  if (!checked) return std::unexpected(checked.error());
+  if (checked->description.station == context.station) return fail(StorageError::not_allowed, "own_file");
+  if (auto same = check_schema(*opened); !same) return std::unexpected(same.error());
+  if (auto good = check_content(*opened, checked->description); !good) return std::unexpected(good.error());
+  const auto counts = counts_of(*opened);
+  if (!counts) return std::unexpected(counts.error());
+  const Hash256 key = key_id(checked->public_key);
+  const auto role = role_of(context, actor, key);
+  if (!role) return std::unexpected(role.error());
+  const auto read = files_read_in(context, actor);
+  if (!read) return std::unexpected(read.error());
+  ExchangeLook out{checked->description, {checked->description.station, checked->public_key}, *role, *counts};
+  for (const FileReadIn& one : *read) {
+    if (one.key == key) out.newest_read = std::max(out.newest_read, one.number);
+  }
+  return out;
+}
+
+Stored<std::vector<FileReadIn>> files_read_in(StorageContext& context, const Actor& actor) {
+  if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
+  const auto entries = context.db.all(
+      "SELECT detail, at FROM audit_log INDEXED BY audit_by_subject "
+      "WHERE subject IN (SELECT station FROM other_keys) AND action = 'exchange_read_in' ORDER BY number",
+      [](Row row) { return std::pair{row.text(0), row.integer(1)}; });
+  if (!entries) return std::unexpected(entries.error());
+  std::vector<FileReadIn> out;
+  for (const auto& [detail, at] : *entries) {
+    std::istringstream in(detail);
+    std::string key;
+    FileReadIn read{.at_utc_us = at};
+    in >> key >> read.number;
+    const auto hash = hash_from_hex(key);
+    if (!in || !hash) continue;
+    read.key = *hash;
+    out.push_back(read);
+  }
+  return out;
+}
+
+}  // namespace cusp::storage

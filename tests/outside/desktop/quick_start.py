@@ -1,0 +1,88 @@
+"""The five pictures of the quick start, from the real program: 640 x 400 px, few colours, into the folder that the window's
+resources are made of.
+
+    /usr/bin/python3 tests/outside/desktop/quick_start.py build/release/cusp ui/app/quick_start
+"""
+import os
+import socket
+import sys
+
+import cohort
+import desk
+import pictures
+import school
+from PIL import Image, ImageDraw
+
+SIZE = (640, 400)
+COLOURS = 128
+EXERCISE = "Class I, tooth 36"
+
+
+def hide(program, path, *texts):
+    """Labels that name this machine say nothing to others: the ground takes their place."""
+    picture = Image.open(path).convert("RGB")
+    draw = ImageDraw.Draw(picture)
+    left, top, _, _ = program.find("frame", "Cusp").box()
+    for label in program.all("label"):
+        if any(text in label.name for text in texts):
+            x, y, width, height = label.box()
+            draw.rectangle((x - left, y - top, x - left + width - 1, y - top + height - 1), picture.getpixel((x - left, y - top)))
+    picture.save(path)
+
+
+class Shown(pictures.Album):
+    def take(self, program, name, rests_s=1.0):
+        super().take(program, name, rests_s)
+        hide(program, os.path.join(self.folder, f"{self.number:02}-{name}.png"), self.own.folder, socket.gethostname())
+
+
+def small(folder, name, path):
+    picture = Image.open(path).convert("RGB").resize(SIZE, Image.Resampling.LANCZOS)
+    picture.quantize(COLOURS, dither=Image.Dither.NONE).save(os.path.join(folder, name + ".png"), optimize=True)
+
+
+def visit(album, program):
+    """The screens in the order of the page."""
+    cohort.import_list(program)
+    school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
+    school.page(program, "People")
+    album.take(program, "people")
+    school.sign_out(program)
+    cohort.assign(program)
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Cohorts")
+    album.take(program, "assign")
+    school.sign_out(program)
+    school.sign_in_student(program, *cohort.LENA)
+    school.begin(program, EXERCISE)
+    school.drill(program, 0.4)
+    album.take(program, "drill", 0.2)
+    school.finish(program)
+    album.take(program, "report", 4)
+    school.home(program)
+    school.sign_out(program)
+    school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
+    school.page(program, "Station")
+    program.press("Back up now")
+    program.find("label", desk.re.compile("The backup is made"))
+    album.take(program, "backup")
+
+
+def main():
+    desk.on_own_bus()
+    target = os.path.abspath(sys.argv[2])
+    with desk.Desk(sys.argv[1], pictures.WIDTH, pictures.HEIGHT) as own:
+        pictures.use_look(own, "light", "100")
+        large = os.path.join(own.folder, "large")
+        os.makedirs(large)
+        program = own.start()
+        school.first_start(program)
+        visit(Shown(own, large), program)
+        program.close()
+        os.makedirs(target, exist_ok=True)
+        for name in os.listdir(large):
+            small(target, name[3:-4], os.path.join(large, name))
+
+
+if __name__ == "__main__":
+    main()

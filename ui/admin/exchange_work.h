@@ -1,0 +1,26 @@
+/// Files between stations, each call on a thread of its own with a store of its own. `then` is called on the task's thread.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "storage/exchange/exchange.h"
+#include "ui/modules.h"
+#include "ui/session/background_task.h"
+
+namespace cusp::ui {
+
+/// The records of this station, the file, and who acts.
+struct ExchangeWork {
+  std::filesystem::path database, file;
+  Actor actor{};
+};
+
+/// give_out().
+BackgroundTask give_out_file(ExchangeWork work, ExchangeKind kind, std::function<void(Stored<GivenOut>)> then);
+/// look_into(): changes nothing.
+BackgroundTask look_into_file(ExchangeWork work, std::function<void(Stored<ExchangeLook>)> then);
+/// read_in().
+BackgroundTask read_file_in(ExchangeWork work, std::function<void(Stored<ReadIn>)> then);
+
+}  // namespace cusp::ui
