@@ -38,13 +38,13 @@ QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name
   return out;
 }
 
-QFrame* make_card(QWidget* parent) {
+}  // namespace
+
+QFrame* DrillStage::make_card(QWidget* parent) {
   auto* out = new QFrame(parent);
   set_kind(out, "card");
   return out;
 }
-
-}  // namespace
 
 DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   setMinimumSize(px(480), px(320));

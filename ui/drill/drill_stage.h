@@ -81,6 +81,7 @@ class DrillStage : public QWidget {
   void make_tools();
   void connect_tools();
   void make_gauges();
+  static QFrame* make_card(QWidget* parent);
   void make_coach();
   void make_legend();
   void place_all();
