@@ -27,23 +27,18 @@ QWidget* ReportPage::make_tooth() {
   tooth_ = new PinnedTooth(data_.result.volume, data_.result.scenario);
   teeth_ = new BeforeAfter(tooth_, data_.result.volume, data_.result.scenario);
   column->addWidget(teeth_, 1);
-  auto* legend = new DeviationLegend;
-  make_tools(*legend)->move(px(12), px(12));
-
   auto* legend_box = new QFrame;
   legend_box->setProperty("kind", u"bar_bottom"_qs);
   auto* legend_row = new QVBoxLayout(legend_box);
   legend_row->setContentsMargins(px(12), px(10), px(12), px(8));
-  legend_row->addWidget(legend);
+  legend_row->addWidget(new DeviationLegend);
   column->addWidget(legend_box);
+  make_tools(*legend_box)->move(px(12), px(12));
   return left;
 }
 
 /// What the view shows: one button each, and the way back to the first view. `legend`: of the colours of the difference alone.
 QWidget* ReportPage::make_tools(QWidget& legend) {
-  QSizePolicy stays = legend.sizePolicy();
-  stays.setRetainSizeWhenHidden(true);  // the tooth keeps its size
-  legend.setSizePolicy(stays);
   auto* tools = new QFrame(teeth_);
   tools->setProperty("kind", u"card"_qs);
   tools->setAutoFillBackground(true);
