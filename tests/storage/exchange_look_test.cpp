@@ -3,32 +3,14 @@
 
 #include <fstream>
 
-#include "storage/exchange/exchange.h"
-#include "storage/exchange/trust.h"
-#include "tests/storage/shared_records.h"
+#include "tests/storage/two_stations.h"
 
 namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct LookTest : ::testing::Test {
-  Folder folder;
-  std::unique_ptr<Store> office = open(folder / "office.db"), station = open(folder / "station.db");
-  Actor chief = make_administrator(*office, "admin").actor(), keeper = make_administrator(*station, "keeper").actor();
-  int files = 0;
-
-  static Account make_administrator(Store& store, const std::string& number) {
-    return must(store.accounts.create_first_administrator(
-        {.number = number, .name = "Maya Okafor", .role = Role::administrator, .password = "correct horse"}));
-  }
-  fs::path next_file() { return folder / ("file-" + std::to_string(++files)); }
-  fs::path results() {
-    const fs::path file = next_file();
-    must(give_out(station->context(), keeper, ExchangeKind::results, file));
-    return file;
-  }
-};
+using LookTest = TwoStations;
 
 TEST_F(LookTest, a_look_says_whose_a_file_is_and_what_it_carries_and_changes_nothing) {
   must(trust(office->context(), chief, must(public_key_from(must(own_key(station->context())))), KeyRole::station));

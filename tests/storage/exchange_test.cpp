@@ -5,39 +5,22 @@
 #include <iterator>
 #include <random>
 
-#include "storage/exchange/exchange.h"
-#include "storage/exchange/trust.h"
 #include "tests/storage/failing_vfs.h"
-#include "tests/storage/shared_records.h"
+#include "tests/storage/two_stations.h"
 
 namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct ExchangeTest : ::testing::Test {
-  Folder folder;
-  std::unique_ptr<Store> office = open(folder / "office.db"), station = open(folder / "station.db");
-  Actor chief = make_administrator(*office).actor(), keeper = make_administrator(*station, "keeper").actor();
+struct ExchangeTest : TwoStations {
   Actor instructor = make_instructor(*office).actor();
   Account lena = make_student(*office);
   ScenarioVersion version = keep(*office);
-  int files = 0;
 
-  static Account make_administrator(Store& store, const std::string& number = "admin") {
-    return must(store.accounts.create_first_administrator(
-        {.number = number, .name = "Maya Okafor", .role = Role::administrator, .password = "correct horse"}));
-  }
-  static PublicKey key_of_station(Store& store) { return must(public_key_from(must(own_key(store.context())))); }
   void SetUp() override {
     must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
     must(trust(station->context(), keeper, key_of_station(*office), KeyRole::office));
-  }
-  fs::path next_file() { return folder / ("file-" + std::to_string(++files)); }
-  fs::path results() {
-    const fs::path file = next_file();
-    must(give_out(station->context(), keeper, ExchangeKind::results, file));
-    return file;
   }
   fs::path office_file() {
     const fs::path file = next_file();

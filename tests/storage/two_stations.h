@@ -1,0 +1,31 @@
+/// An office and a station, each with an administrator, and the files that the station gives out.
+#pragma once
+
+#include <string>
+
+#include "storage/exchange/exchange.h"
+#include "storage/exchange/trust.h"
+#include "tests/storage/shared_records.h"
+
+namespace cusp::test {
+
+struct TwoStations : ::testing::Test {
+  Folder folder;
+  std::unique_ptr<Store> office = open(folder / "office.db"), station = open(folder / "station.db");
+  Actor chief = make_administrator(*office, "admin").actor(), keeper = make_administrator(*station, "keeper").actor();
+  int files = 0;
+
+  static Account make_administrator(Store& store, const std::string& number) {
+    return must(store.accounts.create_first_administrator(
+        {.number = number, .name = "Maya Okafor", .role = Role::administrator, .password = "correct horse"}));
+  }
+  static PublicKey key_of_station(Store& store) { return must(public_key_from(must(own_key(store.context())))); }
+  std::filesystem::path next_file() { return folder / ("file-" + std::to_string(++files)); }
+  std::filesystem::path results() {
+    const std::filesystem::path file = next_file();
+    must(give_out(station->context(), keeper, ExchangeKind::results, file));
+    return file;
+  }
+};
+
+}  // namespace cusp::test
