@@ -9,7 +9,7 @@
 
 namespace cusp::scenarios {
 
-inline constexpr std::size_t kKeptShapes = 4;  // some megabytes each
+inline constexpr std::size_t kKeptShapes = 4;  // a tooth, its two neighbours and the one before; 1 to 3 MB each
 
 /// ToothShape(table, seed, voxel_mm). `table` must be of table_for. Any thread; waits while another thread fits the same.
 std::shared_ptr<const ToothShape> shared_shape(const ToothTable& table, std::uint64_t seed, double voxel_mm);
