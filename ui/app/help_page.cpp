@@ -63,6 +63,22 @@ HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
   }
   body->addWidget(attempt);
 
+  body->addLayout(make_keys());
+
+  auto* marking = new Card(tr("How it is marked"));
+  for (const QString& line :
+       {tr("Target removed: how much of the required cavity is cut. Not removed: what remains of it."),
+        tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
+        tr("± shows how well a figure is known. If an edge of the marking is nearer than that, the report shows it."),
+        tr("Time earns no points.")}) {
+    add_line(marking, make_label(line, TextRole::body, Weight::regular, "text2"));
+  }
+  body->addWidget(marking);
+  body->addStretch();
+}
+
+/// Every key: anywhere, and while drilling.
+QHBoxLayout* HelpPage::make_keys() {
   auto* row = new QHBoxLayout;
   row->setSpacing(px(16));
   const QString ctrl = tr("Ctrl");
@@ -91,18 +107,7 @@ HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
                       {{ctrl, tr("Return")}, tr("finish (asks)")}});
   drilling->body()->addStretch();
   row->addWidget(drilling, 1);
-  body->addLayout(row);
-
-  auto* marking = new Card(tr("How it is marked"));
-  for (const QString& line :
-       {tr("Target removed: how much of the required cavity is cut. Not removed: what remains of it."),
-        tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
-        tr("± shows how well a figure is known. If an edge of the marking is nearer than that, the report shows it."),
-        tr("Time earns no points.")}) {
-    add_line(marking, make_label(line, TextRole::body, Weight::regular, "text2"));
-  }
-  body->addWidget(marking);
-  body->addStretch();
+  return row;
 }
 
 }  // namespace cusp::ui

@@ -6,6 +6,8 @@
 #include "storage/base/rights.h"
 #include "ui/modules.h"
 
+class QHBoxLayout;
+
 namespace cusp::ui {
 
 class HelpPage : public QWidget {
@@ -17,6 +19,9 @@ class HelpPage : public QWidget {
 
  Q_SIGNALS:
   void quick_start_wanted();
+
+ private:
+  static QHBoxLayout* make_keys();
 };
 
 }  // namespace cusp::ui
