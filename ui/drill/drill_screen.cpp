@@ -238,20 +238,26 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
     const Bur& bur = scene.burs[std::min<std::size_t>(out.bur, scene.burs.size() - 1)];
     return BurPose{bur, out.proxy_mm, out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
   });
-  if (attempt.device.hand) {
-    // An emulated Falcon has three axes: it cannot turn the handpiece.
-    attempt.device.hand->set_turn_limit(attempt.device.emulated == nullptr ? scenario.tool_turn_deg : 0.0);
-    in.input = std::make_unique<PointerInput>(*view, *attempt.device.hand, attempt.session->scene()->tool_axis,
-                                              std::clamp(kUsualShare * scenario.device.full_force_n, kLeastUsualN,
-                                                         PointerHand::kMaxPushN),
-                                              nullptr);
-    connect(in.input.get(), &PointerInput::push_changed, in.stage, &DrillStage::show_wanted_push);
-    in.stage->show_wanted_push(in.input->push_n());
-    connect(in.input.get(), &PointerInput::depth_held, in.stage, &DrillStage::show_depth_held);
-    connect(in.stage, &DrillStage::depth_hold_wanted, in.input.get(), &PointerInput::hold_depth);
-  }
+  if (attempt.device.hand) follow_pointer();
   in.unseen = true;
   view->set_feed(attempt.patches);  // feed_shown() goes on
+}
+
+/// Mouse and keys move the device's hand.
+void DrillScreen::follow_pointer() {
+  Inner& in = *inner_;
+  OpenedAttempt& attempt = *in.attempt;
+  const Scenario& scenario = attempt.session->scenario();
+  // An emulated Falcon has three axes: it cannot turn the handpiece.
+  attempt.device.hand->set_turn_limit(attempt.device.emulated == nullptr ? scenario.tool_turn_deg : 0.0);
+  in.input = std::make_unique<PointerInput>(*in.stage->view(), *attempt.device.hand, attempt.session->scene()->tool_axis,
+                                            std::clamp(kUsualShare * scenario.device.full_force_n, kLeastUsualN,
+                                                       PointerHand::kMaxPushN),
+                                            nullptr);
+  connect(in.input.get(), &PointerInput::push_changed, in.stage, &DrillStage::show_wanted_push);
+  in.stage->show_wanted_push(in.input->push_n());
+  connect(in.input.get(), &PointerInput::depth_held, in.stage, &DrillStage::show_depth_held);
+  connect(in.stage, &DrillStage::depth_hold_wanted, in.input.get(), &PointerInput::hold_depth);
 }
 
 /// Before the tooth is seen, a press would meet nothing and put the bur elsewhere.

@@ -66,6 +66,7 @@ class DrillScreen : public QWidget {
   void make_keys();
   void look();
   void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
+  void follow_pointer();
   void tooth_shown();
   void finish_now();
   void graded(const std::shared_ptr<Outcome<SessionResult>>& result);
