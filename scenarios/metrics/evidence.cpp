@@ -104,7 +104,7 @@ std::optional<Vec3> exposed_pulp(const Reference& reference, const Volume& volum
   std::vector<Vec3> faces;       // between a remaining pulp voxel and a removed place
   std::optional<Vec3> all_gone;  // a removed pulp voxel
   Vec3 sum(0.0);
-  for (const IVec3 v : reference.pulp().surface_voxels()) {
+  for (const IVec3 v : reference.pulp().voxels()) {
     if (gone(v)) {
       all_gone = grid.centre_mm(v);
       continue;

@@ -35,7 +35,7 @@ TissueSet only(Tissue tissue) noexcept {
 }  // namespace
 
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
-    : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), leeway_(scenario.leeway), pulp_(*specimen_, only(Tissue::pulp)),
+    : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), leeway_(scenario.leeway), pulp_(specimen_, only(Tissue::pulp)),
       fdi_(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0), seed_(scenario.specimen.seed),
       heat_(has_phenomenon(scenario.phenomena, "heat")),
       mesial_x_(scenarios::mesial_x(fdi_)) {

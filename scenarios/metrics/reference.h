@@ -14,6 +14,7 @@
 #include "scenarios/format/scenario.h"
 #include "scenarios/metrics/target_surface.h"
 #include "scenarios/modules.h"
+#include "scenarios/shapes/border_surface.h"
 #include "scenarios/shapes/place.h"
 #include "scenarios/shapes/tissue_shape.h"
 #include "scenarios/shapes/voxel_index.h"
@@ -42,7 +43,7 @@ class Reference {
   const Specimen& specimen() const noexcept { return *specimen_; }
   const TargetShape& shape() const noexcept { return shape_; }
   const Leeway& leeway() const noexcept { return leeway_; }
-  const VoxelIndex& pulp() const noexcept { return pulp_; }
+  const BorderSurface& pulp() const noexcept { return pulp_; }
   /// 1 if mesial lies along +x, -1 if along -x, 0 if the specimen is no tooth of a known number.
   int mesial_x() const noexcept { return mesial_x_; }
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
@@ -68,7 +69,7 @@ class Reference {
   std::shared_ptr<const Specimen> specimen_;
   TargetShape shape_;
   Leeway leeway_;
-  VoxelIndex pulp_;
+  BorderSurface pulp_;
   std::vector<Tissue> tissues_;
   std::vector<ProtectedPart> protected_parts_;
   std::array<bool, kTissueCodes> present_{};

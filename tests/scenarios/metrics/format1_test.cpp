@@ -1,6 +1,7 @@
 // Exercises of format 1 as their files stood (tests/scenarios/format/format1), measured and graded by this program. The
 // figures of format1.golden were written by the last program of format 1 (evaluator 3), as bits: equal means equal.
-// Evaluator 4 marks less of an attempt that leaves part of the target (scenarios/grading/grader.h).
+// Evaluator 4 marks less of an attempt that leaves part of the target (scenarios/grading/grader.h). Evaluator 5 has another
+// isthmus, evaluator 7 another distance to the pulp: those two are left out.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +75,7 @@ std::string bits(double value) {
 }
 
 /// Format 1 did not measure damage. It measured the isthmus at all heights of the walls, evaluator 5 at the cavosurface alone.
-bool as_in_format_1(std::string_view metric) { return !metric.starts_with("protected_") && metric != "isthmus_width"; }
+bool as_in_format_1(std::string_view metric) { return !metric.starts_with("protected_") && metric != "isthmus_width" && metric != "remaining_over_pulp"; }
 
 /// The name that format 1 has for a metric.
 std::string name_in_format_1(const std::string& metric) { return metric == "uncut_remainder" ? "undercut" : metric; }
@@ -114,7 +115,7 @@ std::vector<Attempt> attempts_of(const std::string& figures) {
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("  ")) out.push_back({line, {}, {}});
     else if (line.starts_with("  points")) out.back().points.push_back(line);
-    else if (!line.starts_with("  value isthmus_width ")) out.back().values.push_back(line);
+    else if (!line.starts_with("  value isthmus_width ") && !line.starts_with("  value remaining_over_pulp ")) out.back().values.push_back(line);
   }
   return out;
 }
