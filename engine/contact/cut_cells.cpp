@@ -52,8 +52,9 @@ Tissue tissue_under(const Volume& volume, IVec3 cell, Vec3 place) noexcept {
 }
 }  // namespace
 
-bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i, bool resolved) noexcept {
+bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i, Part part) noexcept {
   if (made_count_ == made_.size()) return true;
+  const bool resolved = part == Part::resolved;
   ++cells_made_;
   const int o = points.normal[i].cell();
   const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
@@ -178,8 +179,9 @@ void CutSurface::add_cut(const Volume& volume, const Cell& cell, const Creased& 
   if (other > -kBeside && length > 0.25) add_beside(point, other * cell.voxel_mm / length, Vec3f(gradient / length));
 }
 
-bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept {
+bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, Part part) noexcept {
   if (made_count_ + 3 > made_.size()) return true;  // room for an edge, a point and the mouth
+  const bool resolved = part == Part::resolved;
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
   const Cell cell{local, corner + local, offset, volume.grid().voxel_mm};
   const double* low = &samples_[local.x + kSide * (local.y + kSide * local.z)];

@@ -132,13 +132,13 @@ int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) c
   return found;
 }
 
-void CutMemory::load(const std::vector<Segment>& segments, bool open) noexcept {
+void CutMemory::load(const std::vector<Segment>& segments, Newest newest) noexcept {
   first_ = count_ = next_node_ = node_count_ = 0;
   std::fill(heads_.begin(), heads_.end(), -1);
   std::fill(nodes_of_.begin(), nodes_of_.end(), std::uint16_t{0});
   const std::size_t skip = segments.size() > kSegments ? segments.size() - kSegments : 0;
   for (std::size_t i = skip; i < segments.size(); ++i) append(segments[i]);
-  open_ = open;
+  open_ = newest == Newest::open;
 }
 
 }  // namespace cusp::engine

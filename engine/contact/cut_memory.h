@@ -46,7 +46,8 @@ class CutMemory {
   std::size_t size() const noexcept { return count_; }
   const Segment& segment(std::size_t i) const noexcept { return segments_[(first_ + i) % kSegments]; }
   bool open() const noexcept { return open_; }
-  void load(const std::vector<Segment>& segments, bool open) noexcept;
+  enum class Newest : std::uint8_t { closed, open };
+  void load(const std::vector<Segment>& segments, Newest newest) noexcept;
 
  private:
   /// Segments near a cell, newest first. The ring reuses its places in turn: `next` is valid while it is older than this node

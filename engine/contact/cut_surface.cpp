@@ -107,7 +107,8 @@ void CutSurface::changed_unresolved(const Volume& volume, IVec3 low, IVec3 high)
   changed(volume, low, high);
 }
 
-void CutSurface::resolve(const Volume& volume, bool on) noexcept {
+void CutSurface::resolve(const Volume& volume, Resolving resolving) noexcept {
+  const bool on = resolving == Resolving::on;
   if (on == on_) return;
   on_ = on;
   const std::size_t used = volume.cut_bricks().size();
@@ -261,19 +262,19 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
     const std::uint64_t resolved_cells = cells_of(resolved_parts, z);
     for (std::uint64_t left = slot.stale[z] & cells.slice[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);
-      const bool resolved = (resolved_cells >> (o & 63) & 1) != 0;
+      const Part part = (resolved_cells >> (o & 63) & 1) != 0 ? Part::resolved : Part::unresolved;
       slot.creased[z] &= ~(std::uint64_t{1} << (o & 63));
       while (next_point < points.count && points.normal[next_point].cell() < o) ++next_point;
       while (next_point < points.count && points.normal[next_point].cell() == o) {
         if (!decoded) decode_cut(volume, at);
         decoded = true;
-        if (make_base(volume, points, next_point, resolved)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
+        if (make_base(volume, points, next_point, part)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
         ++next_point;
       }
       if (values[o] < kLeast || values[o] > kMost) continue;
       if (!decoded) decode_cut(volume, at);
       decoded = true;
-      if (make_cell(volume, corner, o, resolved)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
+      if (make_cell(volume, corner, o, part)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
     }
   }
   mark_swept(volume, corner);

@@ -42,6 +42,10 @@ struct CutFeature {
 /// What the specimen's own surface has at place i of a brick's points.
 void base_feature(const BaseSurface& surface, const BasePoints& points, int i, double voxel_mm, CutFeature& out) noexcept;
 
+/// off: every part is unresolved from now on. on: bricks cut from now on are resolved, those cut before wait for
+/// CutSurface::resolve_parts().
+enum class Resolving : std::uint8_t { off, on };
+
 class CutSurface {
  public:
   static constexpr int kPage = 8;
@@ -60,9 +64,7 @@ class CutSurface {
   /// The same; their parts become unresolved: for changes too large to resolve at once.
   void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
-  /// on = false: every part is unresolved from now on. on = true: bricks cut from now on are resolved, those cut before
-  /// wait for resolve_parts().
-  void resolve(const Volume& volume, bool on) noexcept;
+  void resolve(const Volume& volume, Resolving resolving) noexcept;
   bool resolves() const noexcept { return on_; }
   /// Unresolved parts, while it resolves.
   std::size_t unresolved_parts() const noexcept { return unresolved_parts_; }
@@ -84,9 +86,9 @@ class CutSurface {
   Parts resolved(const Volume& volume, int brick) const noexcept { return static_cast<Parts>(~unresolved(volume, brick)); }
   /// Replaces the resolved parts of all volume.cut_bricks() by resolved_of(brick), and discards all features.
   template <class ResolvedOf>
-  void load_resolved(const Volume& volume, bool on, ResolvedOf&& resolved_of) noexcept {
-    on_ = on;
-    std::fill(slots_resolved_.begin(), slots_resolved_.end(), on ? kAllParts : Parts{0});
+  void load_resolved(const Volume& volume, Resolving resolving, ResolvedOf&& resolved_of) noexcept {
+    on_ = resolving == Resolving::on;
+    std::fill(slots_resolved_.begin(), slots_resolved_.end(), on_ ? kAllParts : Parts{0});
     for (const std::int32_t brick : volume.cut_bricks())
       slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))] = resolved_of(brick);
     count_unresolved();
@@ -150,8 +152,9 @@ class CutSurface {
   template <class Source>
   static void decode(const Specimen& specimen, IVec3 brick, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
+  enum class Part : std::uint8_t { unresolved, resolved };
   /// Adds the features of a cell of the cut. True if the cell is creased; an unresolved cell never is.
-  bool make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept;
+  bool make_cell(const Volume& volume, IVec3 corner, int offset, Part part) noexcept;
   struct Cell;
   struct BaseAbout;
   BaseAbout base_about(const Volume& volume, const Cell& cell, const double* corners) noexcept;
@@ -160,7 +163,7 @@ class CutSurface {
   bool load_beside(const Volume& volume, const Cell& cell, IVec3 o, CellField& to) noexcept;
   void add_cut(const Volume& volume, const Cell& cell, const Creased& crease, const CellField& cut, const CellField* base) noexcept;
   /// Adds the specimen's point i, if the cut has left it. True if the cell is creased; an unresolved cell never is.
-  bool make_base(const Volume& volume, const BasePoints& points, int i, bool resolved) noexcept;
+  bool make_base(const Volume& volume, const BasePoints& points, int i, Part part) noexcept;
 
   std::vector<Slot> slots_;
   std::size_t unresolved_parts_ = 0;      // of the bricks that are cut, while it resolves

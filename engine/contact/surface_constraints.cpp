@@ -16,12 +16,12 @@ constexpr double kMostShift = 0.06;  // mm: near candidates are reused within th
 
 }  // namespace
 
-inline void SurfaceContact::add_constraint(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept {
+inline void SurfaceContact::add_constraint(std::size_t i, const Constraint& constraint) noexcept {
   const std::size_t k = planes_.size();
-  origins_[k] = {static_cast<std::int32_t>(i), trusted, false};
+  origins_[k] = {static_cast<std::int32_t>(i), constraint.trusted, false};
   near_[k] = static_cast<std::int32_t>(i);
-  low_[k] = low_mm;
-  planes_.add(n, c);
+  low_[k] = constraint.low_mm;
+  planes_.add(constraint.normal, constraint.level);
 }
 
 /// Adds the constraint of one candidate.
@@ -39,7 +39,7 @@ inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, 
     else if (height > 0.0)
       low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
-  add_constraint(i, plane.n, plane.c, trusted, low);
+  add_constraint(i, {plane.n, plane.c, trusted, low});
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
 }
 
@@ -74,7 +74,7 @@ inline void SurfaceContact::add_face_constraints(Vec3 centre, double reach2, Vec
     for (std::size_t k = 0; k < 2 && j + k < broad_faces_.count; ++k) {
       if ((kept >> k & 1) == 0) continue;
       const std::size_t i = broad_faces_[j + k];
-      add_constraint(i, {px[k], py[k], pz[k]}, c[k], (trusted >> k & 1) != 0, low[k]);
+      add_constraint(i, {{px[k], py[k], pz[k]}, c[k], (trusted >> k & 1) != 0, low[k]});
       near_cut_ = near_cut_ || known_[i] == Known::cut_face;
     }
   }
@@ -174,7 +174,7 @@ inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, 
     const Pair c = nx * at.x + ny * at.y + nz * at.z - gap;
     for (std::size_t k = 0; k < 2; ++k) {
       if ((kept >> k & 1) == 0) continue;
-      add_constraint(broad_edges_[j + k], {nx[k], ny[k], nz[k]}, c[k], false, gap[k]);
+      add_constraint(broad_edges_[j + k], {{nx[k], ny[k], nz[k]}, c[k], false, gap[k]});
       near_cut_ = true;
     }
   }

@@ -88,16 +88,17 @@ class SurfaceContact {
   }
   bool spent() const noexcept { return passes_left_ <= 0 && candidates_left_ <= 0; }
 
-  /// Once a tick, before solve(). on: false while the bur cuts; all parts are unresolved then, for strokes are carved later
-  /// than they enter the memory. If on, resolves parts near the bur at `pose`, at most CutSurface::kResolvePerTick, and
-  /// none if `wait`.
-  void resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept;
+  /// off: while the bur cuts; all parts are unresolved then, for strokes are carved later than they enter the memory. now:
+  /// parts near the bur are resolved, at most CutSurface::kResolvePerTick. wait: none is in this tick.
+  enum class Resolve : std::uint8_t { off, wait, now };
+  /// Once a tick, before solve(), with the bur at `pose`.
+  void resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, Resolve when) noexcept;
   /// Its resolved parts are state (engine/step/state_fields.h).
   const CutSurface& cut_surface() const noexcept { return cut_; }
   template <class ResolvedOf>
-  void load_resolved(const Volume& volume, bool on, ResolvedOf&& resolved_of) noexcept {
-    cut_.load_resolved(volume, on, resolved_of);
-    all_resolved_ = on;
+  void load_resolved(const Volume& volume, Resolving resolving, ResolvedOf&& resolved_of) noexcept {
+    cut_.load_resolved(volume, resolving, resolved_of);
+    all_resolved_ = resolving == Resolving::on;
     forget();
   }
 
@@ -241,8 +242,9 @@ class SurfaceContact {
   void features(const Volume& volume, int brick, IVec3 at, Cells&& cells, Choose&& choose, Visit&& visit) noexcept;
   /// Brings the cells of the cut that two cylinders reach up to date while `budget` lasts; what is left of it.
   int prepare_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, int budget) noexcept;
+  enum class ToolPart : std::uint8_t { head, shank };
   template <class Cells, class Choose>
-  void gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank, Cells&& cells,
+  void gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, ToolPart part, Cells&& cells,
                    Choose&& near) noexcept;
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
@@ -258,7 +260,7 @@ class SurfaceContact {
   bool plane_of_head(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                  const CutSurface::Page* page, bool shank) noexcept;
+                  const CutSurface::Page* page, ToolPart part) noexcept;
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   void build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
@@ -270,7 +272,13 @@ class SurfaceContact {
   void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
-  void add_constraint(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept;
+  struct Constraint {
+    Vec3 normal;
+    double level;
+    bool trusted;
+    double low_mm;
+  };
+  void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   bool nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;

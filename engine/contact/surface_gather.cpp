@@ -41,7 +41,7 @@ void SurfaceContact::add(const Candidate& candidate, const CutFeature* own) noex
 
 /// A candidate that is only made when a search comes near it. x, y, z: voxels from where it is gathered.
 void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                                const CutSurface::Page* page, bool shank) noexcept {
+                                const CutSurface::Page* page, ToolPart part) noexcept {
   if (count_ == candidates_.size()) {
     overflow_ = true;
     return;
@@ -50,7 +50,7 @@ void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, I
   place_y_[count_] = y;
   place_z_[count_] = z;
   known_[count_] = Known::unmade;
-  sources_[count_++] = {page, brick, static_cast<std::uint16_t>(index), shank, static_cast<std::int16_t>(at.x),
+  sources_[count_++] = {page, brick, static_cast<std::uint16_t>(index), part == ToolPart::shank, static_cast<std::int16_t>(at.x),
                         static_cast<std::int16_t>(at.y), static_cast<std::int16_t>(at.z)};
 }
 
@@ -95,7 +95,7 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
 /// Candidates from a brick, not made yet. near(x, y, z, count, local, has_edges, pass): which places to take, in cells(local);
 /// local: the centre in voxels from the brick's corner; resolved: edges may be among them.
 template <class Cells, class Choose>
-void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank,
+void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, ToolPart part,
                                  Cells&& cells, Choose&& near) noexcept {
   const bool cut = volume.has_cut(brick);
   const bool has_edges = cut || boxes_[static_cast<std::size_t>(brick)].edges;
@@ -105,8 +105,8 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
     near(x, y, z, count, local, has_edges, [&](int i) {
       // Of these cells a ball has walls and ridges; its neck and shank have points.
-      if (tool.ball() && !shank && page != nullptr && page->feature[i].swept) return;
-      add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, shank);
+      if (tool.ball() && part == ToolPart::head && page != nullptr && page->feature[i].swept) return;
+      add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, part);
     });
   };
   if (!cut) {
@@ -141,7 +141,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
     const Reach reach = head_within(tool, margin_mm + std::max(edge_mm, kPlaneReach * voxel_mm_));
     TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
     bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
-      gather_from(volume, tool, centre, brick, at, false, [&](Vec3f local) { return cells_of(shape)(local) | shank_cells(local); },
+      gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return cells_of(shape)(local) | shank_cells(local); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                     shape.at = local;
                     for_inside(x, y, z, count, shape, pass);
@@ -152,7 +152,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double reach = tool.bur->radius_mm + margin_mm;
   const double edge_reach = reach + edge_mm;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
-    gather_from(volume, tool, centre, brick, at, false,
+    gather_from(volume, tool, centre, brick, at, ToolPart::head,
                 [&](Vec3f local) {
                   const CellsNear near = CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kFloatSlack));
                   return near.without(walls_.known(volume, brick).slice) | shank_cells(local);
@@ -185,7 +185,7 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
   TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
   const bool edges = edges_;  // an edge of theirs is a point
   bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
-    gather_from(volume, tool, centre, brick, at, true, cells_of(shape),
+    gather_from(volume, tool, centre, brick, at, ToolPart::shank, cells_of(shape),
                 [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                   shape.at = local;
                   for_inside(x, y, z, count, shape, pass);

@@ -14,9 +14,10 @@ constexpr double kUnresolvedMarginMm = 0.1;
 
 }  // namespace
 
-void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept {
+void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, Resolve when) noexcept {
+  const bool on = when != Resolve::off;
   if (on != cut_.resolves()) {
-    cut_.resolve(volume, on);
+    cut_.resolve(volume, on ? Resolving::on : Resolving::off);
     gathered_.valid = free_.valid = unresolved_far_.valid = false;
     all_resolved_ = on;
   }
@@ -43,7 +44,7 @@ void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Ve
     }
     return out;
   };
-  int budget = wait ? 0 : CutSurface::kResolvePerTick;
+  int budget = when == Resolve::wait ? 0 : CutSurface::kResolvePerTick;
   bool any = false, far = false;
   // The head first, then the shank.
   head_bricks(volume, tool, pose, kResolveWithinMm + kUnresolvedMarginMm, [&](int brick, IVec3 at) {

@@ -22,8 +22,8 @@ std::vector<ToolOverlap::Row> ToolOverlap::rows_of(const std::vector<IVec3>& vox
   return out;
 }
 
-ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume, bool pivot_only)
-    : occupancy_(volume), tissue_(volume.specimen()), pivot_only_(pivot_only) {
+ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume, Colliding colliding)
+    : occupancy_(volume), tissue_(volume.specimen()), pivot_only_(colliding == Colliding::pivot) {
   std::size_t most = 0;
   for (const Bur& bur : scene.burs) {
     Tool tool;

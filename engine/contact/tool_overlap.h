@@ -26,9 +26,12 @@ struct VoxelContact {
   Vec3 mean_offset_mm{0.0};  // of eq. (3): mean of centre minus collision point
 };
 
+/// Which of a tool's voxels collide.
+enum class Colliding : std::uint8_t { whole_tool, pivot };
+
 class ToolOverlap {
  public:
-  ToolOverlap(const Scene& scene, const Volume& volume, bool pivot_only);
+  ToolOverlap(const Scene& scene, const Volume& volume, Colliding colliding);
 
   /// The voxel that holds a place.
   static IVec3 voxel_at(const Grid& grid, Vec3 p) noexcept;

@@ -53,11 +53,13 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart p
 inline constexpr std::int32_t kMostAtOnce = 8;
 Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run, CarvePart part = {}) noexcept;
 
+enum class SweepStart : std::uint8_t { uncut, carved };
+
 /// The same for any head, its pivot swept from a to b (mm), axis unit and fixed. A ball gives the same bits as above. Other
 /// heads are exact to 4e-4 voxel (tests/engine/tool/carve_test.cpp). If the rim's angle is below 90 degrees, the field inside
 /// the head is deeper than the head: wall and floor beside the rim then keep their distance (flat_head.h).
-/// start_carved: the last carving ended at a, with this bur and axis. The volume is the same; the head's rear is skipped.
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, bool start_carved = false,
+/// carved: the last carving ended at a, with this bur and axis. The volume is the same; the head's rear is skipped.
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start = SweepStart::uncut,
                    CarvePart part = {}) noexcept;
 
 }  // namespace cusp::engine

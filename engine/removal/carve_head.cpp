@@ -27,8 +27,8 @@ enum class Nearest { at_start, at_end, either };
 
 class Carving {
  public:
-  Carving(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, bool start_carved) noexcept
-      : volume_{volume}, bur_{bur}, axis_{axis}, a_{a}, b_{b}, start_carved_{start_carved},
+  Carving(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start) noexcept
+      : volume_{volume}, bur_{bur}, axis_{axis}, a_{a}, b_{b}, start_carved_{start == SweepStart::carved},
         voxel_{volume.grid().voxel_mm}, head_{bur.head, voxel_} {
     start_ = (a - volume.grid().origin_mm) / voxel_;
     way_ = (b - a) / voxel_;
@@ -188,7 +188,8 @@ class Carving {
     Vec3 slope;          // of the distance at the middle
     double foot_d;       // the least distance of the first row, voxels
     unsigned meant;      // lanes within the carved box
-    bool behind, rim, either;
+    bool rim, either;
+    HeadMoves moves;
     Lanes foot_t, foot_p, foot_q, back_t, back_p;
     FourPlaces at;
   };
@@ -200,7 +201,7 @@ class Carving {
     // A row's least is this and its steps: the tangent at the middle lies below.
     const double down = slope.x < 0.0 ? 3.0 * slope.x : 0.0;
     e.foot_d = nearest - kHalfEighth * (slope.x + slope.y + slope.z) + down;
-    e.behind = glm::dot(slope, way_) < 0.0;
+    e.moves = glm::dot(slope, way_) < 0.0 ? HeadMoves::away : HeadMoves::towards;
     e.either = seen.where == Nearest::either;
     e.rim = seen.hand.rim && rim_way_.leaves;
     e.at.wt = all_lanes(static_cast<float>(frame_.way_t));
@@ -222,7 +223,7 @@ class Carving {
     e.at.p = e.foot_p + (fy * axis_y_[1] + fz * axis_z_[1]);
     const Lanes q = e.foot_q + (fy * axis_y_[2] + fz * axis_z_[2]);
     e.at.q2 = q * q;
-    Lanes d = e.either ? swept(seen.hand, e.first + IVec3(0, y, z), e.at, e.behind)
+    Lanes d = e.either ? swept(seen.hand, e.first + IVec3(0, y, z), e.at, e.moves)
                        : look_there(seen.hand, e.at.t, e.at.p, e.at.q2);
     const Lanes band = all_lanes(static_cast<float>(kBandVoxels));
     if (e.rim && bits_of((d < 0.0f) & (d > -band)) != 0) {
@@ -291,9 +292,9 @@ class Carving {
   }
 
   /// Distance to all that the head passes, in voxels, of four voxels from `first` on.
-  Lanes swept(const AtHand& hand, IVec3 first, const FourPlaces& at, bool behind) noexcept {
+  Lanes swept(const AtHand& hand, IVec3 first, const FourPlaces& at, HeadMoves which) noexcept {
     unsigned unsure = 0;
-    Lanes out = passing(hand, at, behind, unsure);
+    Lanes out = passing(hand, at, which, unsure);
     for (; unsure != 0; unsure &= unsure - 1) {
       const int i = __builtin_ctz(unsure);
       const Vec3 place = volume_.grid().origin_mm + Vec3(first + IVec3(i, 0, 0)) * voxel_;
@@ -346,10 +347,10 @@ class Carving {
 
 }  // namespace
 
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, bool start_carved,
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, SweepStart start,
                    CarvePart part) noexcept {
   if (bur.head.ball()) return carve_sweep(volume, a, b, bur.radius_mm, part);
-  return Carving(volume, a, b, bur, axis, start_carved).run(part);
+  return Carving(volume, a, b, bur, axis, start).run(part);
 }
 
 }  // namespace cusp::engine

@@ -191,15 +191,18 @@ inline Lanes look_there(const AtHand& hand, Lanes t, Lanes p, Lanes q2) noexcept
   return distance_of<false>(hand, t, sqrt_of(p * p + q2), gt, gr);
 }
 
-/// Distance of four places to all that the head passes on its way; `behind`: it mostly leaves them behind. Lanes that
+/// Whether the head mostly comes to the places or leaves them behind.
+enum class HeadMoves : std::uint8_t { towards, away };
+
+/// Distance of four places to all that the head passes on its way. Lanes that
 /// would take longer than a few looks are reported in `unsure`.
-inline Lanes passing(const AtHand& hand, const FourPlaces& at, bool behind, unsigned& unsure) noexcept {
+inline Lanes passing(const AtHand& hand, const FourPlaces& at, HeadMoves which, unsigned& unsure) noexcept {
   constexpr float kLevel = 2e-5f;  // voxels that an answer may be off
   const Lanes zero{}, one = all_lanes(1.0f);
   unsure = 0;
   // Convex along the way: where it still falls at the end, the end is nearest; where it rises from the start, the start.
   Looked low, high;
-  if (behind) {
+  if (which == HeadMoves::away) {
     low = look(hand, at, zero);
     if (bits_of(low.slope < 0.0f) == 0) return low.d;
     high = look(hand, at, one);

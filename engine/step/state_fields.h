@@ -127,7 +127,7 @@ void visit(Fields& f, T& memory) {
     std::vector<CutMemory::Segment> segments(count);
     for (std::size_t i = 0; i < count && i < memory.size(); ++i) segments[i] = memory.segment(i);
     for (CutMemory::Segment& segment : segments) visit(f, segment);
-    memory.load(segments, open);
+    memory.load(segments, open ? CutMemory::Newest::open : CutMemory::Newest::closed);
   }
 }
 
@@ -179,7 +179,7 @@ void visit(Fields& f, T& surface, const Volume& volume, int bricks) {
     f("surface.found.foot", found.foot[i]);
   if constexpr (kWrites) surface.set_found_in_cavity(found);
   if constexpr (kWrites)
-    surface.load_resolved(volume, resolves, [&](int brick) { return resolved[static_cast<std::size_t>(brick)]; });
+    surface.load_resolved(volume, resolves ? Resolving::on : Resolving::off, [&](int brick) { return resolved[static_cast<std::size_t>(brick)]; });
 }
 
 template <class Fields, MaybeConst<StepState::Inner> T>

@@ -64,7 +64,7 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
   const Bur& bur = state.scene->burs[sweep.bur];
   Carved carved;
   if (!bur.head.ball())
-    carved = carve_sweep(state.volume, sweep.from, sweep.to, bur, sweep.axis, sweep.start_carved, {sweep.next, bricks});
+    carved = carve_sweep(state.volume, sweep.from, sweep.to, bur, sweep.axis, sweep.start_carved ? SweepStart::carved : SweepStart::uncut, {sweep.next, bricks});
   else if (sweep.first >= 0)
     carved = carve_run(state.volume, state.sweeps, {sweep.first, sweep.last}, {sweep.next, bricks});
   else
@@ -159,8 +159,11 @@ Contact follow_device(StepState::Inner& state, const Tick& tick, const Motion& m
 
   surface.start_tick(cutting_of(state));
   // The tick that ends a stroke carves the rest of it; edges are resolved in later ticks.
-  surface.resolve(state.volume, state.scene->burs[out.bur], tick.axis, state.proxy, !tick.cut && !state.cut_valid,
-                  tick.fragment_leaves);
+  const bool cuts = tick.cut || state.cut_valid;
+  surface.resolve(state.volume, state.scene->burs[out.bur], tick.axis, state.proxy,
+                  cuts                   ? SurfaceContact::Resolve::off
+                  : tick.fragment_leaves ? SurfaceContact::Resolve::wait
+                                         : SurfaceContact::Resolve::now);
   Contact contact = surface.solve(state.volume, *state.scene, out.bur, tick.axis, state.proxy, tick.device, predicted, reach,
                                   led ? most : SurfaceContact::kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && !contact.in_steps && length_of(contact.pose_mm - state.proxy) > most)

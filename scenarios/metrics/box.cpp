@@ -45,9 +45,12 @@ double line_height(const std::vector<Vec3>& line, Vec3 p) noexcept {
 bool is_enamel(Tissue t) noexcept { return t == Tissue::enamel || t == Tissue::carious_enamel; }
 bool is_dentine(Tissue t) noexcept { return t == Tissue::dentine || t == Tissue::carious_dentine || t == kFirmCariousDentine; }
 
+enum class Starts : std::uint8_t { in_dentine, in_enamel };
+
 /// Length along a line until its tissue changes from dentine to enamel, or the other way; nullopt where another tissue or the
 /// air comes first.
-std::optional<double> to_change(const Specimen& specimen, const NearestVoxel& voxels, Vec3 from, Vec3 way, bool from_dentine) noexcept {
+std::optional<double> to_change(const Specimen& specimen, const NearestVoxel& voxels, Vec3 from, Vec3 way, Starts starts) noexcept {
+  const bool from_dentine = starts == Starts::in_dentine;
   const double step = 0.25 * specimen.grid().voxel_mm;
   IVec3 last(std::numeric_limits<int>::min());
   for (double mm = 0.0; mm <= kFurthestJunctionMm; mm += step) {
@@ -74,7 +77,7 @@ std::optional<double> depth_in_dentine(const Specimen& specimen, Vec3 at, Vec3 i
       const Vec3 from = at + 0.43 * voxel * (static_cast<double>(i) * u + static_cast<double>(j) * w);
       const bool dentine = is_dentine(specimen.tissue(voxels.of(from)));
       // In dentine the junction lies outwards, through what was removed; in enamel it lies inwards.
-      const std::optional<double> mm = to_change(specimen, voxels, from, dentine ? into_void : -into_void, dentine);
+      const std::optional<double> mm = to_change(specimen, voxels, from, dentine ? into_void : -into_void, dentine ? Starts::in_dentine : Starts::in_enamel);
       if (!mm) continue;
       sum += dentine ? *mm : -*mm;
       ++lines;

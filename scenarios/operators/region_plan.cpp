@@ -27,31 +27,32 @@ class Path {
   Path(Plan& plan, double above) : plan_(plan), above_(above) {}
   bool empty() const noexcept { return plan_.strokes.empty(); }
   Vec3 here() const noexcept { return plan_.strokes.back().to_mm; }
-  void cut(Vec3 to) { add(to, true); }
+  void cut(Vec3 to) { add({to, true}); }
   /// Up, over, and down to just above `to`; then on by cutting.
   void enter(Vec3 to, double free_mm) {
     lift();
     if (empty()) plan_.start_mm = Vec3(to.x, to.y, above_);
-    add({to.x, to.y, above_}, false);
-    add({to.x, to.y, std::min(above_, to.z + free_mm)}, false);
+    add({{to.x, to.y, above_}, false});
+    add({{to.x, to.y, std::min(above_, to.z + free_mm)}, false});
     cut(to);
   }
   void lift() {
-    if (!empty() && here().z < above_) add({here().x, here().y, above_}, false);
+    if (!empty() && here().z < above_) add({{here().x, here().y, above_}, false});
   }
 
  private:
-  void add(Vec3 to, bool cuts) {
+  void add(const Stroke& stroke) {
     std::vector<Stroke>& strokes = plan_.strokes;
+    const Vec3 to = stroke.to_mm;
     if (!strokes.empty() && glm::length(to - strokes.back().to_mm) < 1e-9) return;
-    if (strokes.size() > 1 && strokes.back().cut == cuts) {
+    if (strokes.size() > 1 && strokes.back().cut == stroke.cut) {
       const Vec3 a = strokes.back().to_mm - strokes[strokes.size() - 2].to_mm, b = to - strokes.back().to_mm;
       if (glm::dot(a, b) > 0.0 && glm::length(glm::cross(a, b)) < 1e-6 * glm::length(a) * glm::length(b)) {
         strokes.back().to_mm = to;
         return;
       }
     }
-    strokes.push_back({to, cuts});
+    strokes.push_back(stroke);
   }
   Plan& plan_;
   double above_;
@@ -79,7 +80,8 @@ class RegionPlanner {
   std::vector<char> worth_at(double z) const;
   void work_layers();
   void work_floors();
-  void work(const Layer& layer, bool rows);
+  enum class Pass : std::uint8_t { edge, rows_and_edge };
+  void work(const Layer& layer, Pass pass);
   void finish_row(int j);
   void follow(const Layer& layer, const PoseLine& line, double free_mm);
   void find_lowest(std::size_t node, double blocked_z, double free_z);
@@ -156,7 +158,7 @@ void RegionPlanner::work_layers() {
     const Layer layer(poses_, grid_, z, open_, worth_at(z));
     for (std::size_t node = 0; node < grid_.size(); ++node)
       if (before[node] && !open_[node]) find_lowest(node, z, z + height / edges);
-    if (!layer.idle()) work(layer, k % edges == 0);
+    if (!layer.idle()) work(layer, k % edges == 0 ? Pass::rows_and_edge : Pass::edge);
   }
 }
 
@@ -173,11 +175,11 @@ void RegionPlanner::find_lowest(std::size_t node, double blocked_z, double free_
   }
 }
 
-void RegionPlanner::work(const Layer& layer, bool rows) {
+void RegionPlanner::work(const Layer& layer, Pass pass) {
   area_ = layer.areas();
   const int every = std::max(1, static_cast<int>(style_.row_radii * poses_.radius_mm() / grid_.step_mm));
   std::vector<PoseLine> lines;
-  if (rows) lines = layer.rows(every);
+  if (pass == Pass::rows_and_edge) lines = layer.rows(every);
   const std::size_t first_edge = lines.size();
   for (PoseLine& edge : layer.edges()) lines.push_back(std::move(edge));
   std::vector<char> done(lines.size(), 0);
@@ -270,7 +272,7 @@ void RegionPlanner::work_floors() {
     std::vector<char> open(grid_.size(), 1), worth = worth_at(z);
     const Layer layer(poses_, grid_, z, open, std::move(worth));
     for (std::size_t node = 0; node < grid_.size(); ++node) open_[node] = lowest_[node] <= z + kLevelMm;
-    if (!layer.idle()) work(layer, false);
+    if (!layer.idle()) work(layer, Pass::edge);
   }
   path_.lift();
   at_ = grid_.size();

@@ -71,12 +71,12 @@ std::size_t RegionShape::faces_of(const Node& node, Vec3 p, std::array<LeafFace,
   }
 }
 
-void RegionShape::offer_faces(const Sought& sought, std::size_t index, double grown, bool inverted, Found& best) const noexcept {
+void RegionShape::offer_faces(const Sought& sought, std::size_t index, double grown, Sense sense, Found& best) const noexcept {
   const Node& node = nodes_[index];
   if (is_node(node.kind)) {
     const double by = node.kind == RegionKind::offset ? node.by : 0.0;
     for (std::size_t i = 0; i < node.parts.size(); ++i)
-      offer_faces(sought, node.parts[i], grown + by, inverted != (node.kind == RegionKind::difference && i > 0), best);
+      offer_faces(sought, node.parts[i], grown + by, node.kind == RegionKind::difference && i > 0 ? opposite(sense) : sense, best);
     return;
   }
   std::array<LeafFace, 6> faces;
@@ -85,18 +85,18 @@ void RegionShape::offer_faces(const Sought& sought, std::size_t index, double gr
   leaf.wall_mm = leaf.floor_mm = -kNoFaceMm;
   for (std::size_t i = 0; i < count; ++i) {
     faces[i].out_mm -= grown;
-    const double out = inverted ? -faces[i].out_mm : faces[i].out_mm;
+    const double out = sense == Sense::taken ? -faces[i].out_mm : faces[i].out_mm;
     double& kind = is_floor(faces[i].face) ? leaf.floor_mm : leaf.wall_mm;
     if (is_floor(faces[i].face) && out > kind) leaf.floor = faces[i].face;
     kind = std::max(kind, out);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 into_void = inverted ? faces[i].out : -faces[i].out;
+    const Vec3 into_void = sense == Sense::taken ? faces[i].out : -faces[i].out;
     if (glm::dot(into_void, sought.into_void) < kFacingCosine) continue;
     Facing one = leaf;
     one.face = faces[i].face;
     one.into_void = into_void;
-    one.beyond_mm = inverted ? -faces[i].out_mm : faces[i].out_mm;
+    one.beyond_mm = sense == Sense::taken ? -faces[i].out_mm : faces[i].out_mm;
     one.beside_mm = beside({faces.data(), count}, i);
     const double off = one.beyond_mm * one.beyond_mm + one.beside_mm * one.beside_mm;
     if (off < best.off) best = {off, one};
@@ -105,7 +105,7 @@ void RegionShape::offer_faces(const Sought& sought, std::size_t index, double gr
 
 std::optional<Facing> RegionShape::facing(Vec3 p, Vec3 into_void) const noexcept {
   Found best{std::numeric_limits<double>::max(), {}};
-  offer_faces({p, into_void}, 0, 0.0, false, best);
+  offer_faces({p, into_void}, 0, 0.0, Sense::added, best);
   return best.off < std::numeric_limits<double>::max() ? std::optional(best.facing) : std::nullopt;
 }
 

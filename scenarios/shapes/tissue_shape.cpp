@@ -50,7 +50,7 @@ TissueShape::TissueShape(std::shared_ptr<const Specimen> specimen, const TissueS
   high_ += 0.5 * grid.voxel_mm;
 }
 
-double TissueShape::beside(Vec3 p, IVec3 v, bool belongs) const noexcept {
+double TissueShape::beside(Vec3 p, IVec3 v, Side side) const noexcept {
   const Grid& grid = specimen_->grid();
   const Vec3 off = (p - grid.centre_mm(v)) / grid.voxel_mm;  // within half a voxel
   double nearest = kFarMm * kFarMm;
@@ -59,7 +59,7 @@ double TissueShape::beside(Vec3 p, IVec3 v, bool belongs) const noexcept {
       for (int x = -1; x <= 1; ++x) {
         const Vec3 gap = glm::max(glm::abs(Vec3(x, y, z) - off) - 0.5, Vec3(0.0));
         const double square = glm::dot(gap, gap) * grid.voxel_mm * grid.voxel_mm;
-        if (square < nearest && has(v + IVec3(x, y, z)) == belongs) nearest = square;
+        if (square < nearest && has(v + IVec3(x, y, z)) == (side == Side::within)) nearest = square;
       }
   return std::sqrt(nearest);
 }
@@ -70,7 +70,7 @@ double TissueShape::distance_mm(Vec3 p) const noexcept {
   const IVec3 v = voxel_of(p);
   const bool inside = has(v);
   // No voxel but the 26 lies nearer than a voxel; further off their distance bounds the search.
-  double mm = least_mm(p) > 2.0 * grid.voxel_mm ? kFarMm : beside(p, v, !inside);
+  double mm = least_mm(p) > 2.0 * grid.voxel_mm ? kFarMm : beside(p, v, inside ? Side::without : Side::within);
   if (mm > grid.voxel_mm) mm = (inside ? without_ : within_).distance_mm(p, mm);
   return inside ? -mm : mm;
 }

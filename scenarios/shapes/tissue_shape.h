@@ -38,8 +38,9 @@ class TissueShape {
     const Grid& grid = specimen_->grid();
     return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5));
   }
-  /// Distance to the nearest of the 26 voxels about v that belongs to it, or does not; kFarMm where there is none.
-  double beside(Vec3 p, IVec3 v, bool belongs) const noexcept;
+  /// Distance to the nearest of the 26 voxels about v on that side; kFarMm where there is none.
+  enum class Side : std::uint8_t { within, without };
+  double beside(Vec3 p, IVec3 v, Side side) const noexcept;
 
   std::shared_ptr<const Specimen> specimen_;
   TissueSet tissues_;

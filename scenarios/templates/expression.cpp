@@ -80,17 +80,18 @@ class Parser {
     }
     const std::string_view name = rest_.substr(0, length);
     rest_.remove_prefix(length);
-    if ((name == "min" || name == "max") && take('(')) return of_two(name == "max");
+    if ((name == "min" || name == "max") && take('(')) return of_two(name == "max" ? Pick::greatest : Pick::least);
     const auto known = scope_.find(name);
     if (known != scope_.end()) return known->second;
     refuse(ExpressionError::unknown_name, name);
     return 0.0;
   }
-  double of_two(bool greater) {
+  enum class Pick : std::uint8_t { least, greatest };
+  double of_two(Pick pick) {
     const double a = sum();
     if (!take(',')) refuse(ExpressionError::syntax, rest_);
     const double b = closed(sum());
-    return (a > b) == greater ? a : b;
+    return (a > b) == (pick == Pick::greatest) ? a : b;
   }
   double number() {
     double value = 0.0;

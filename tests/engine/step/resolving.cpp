@@ -127,7 +127,7 @@ TEST(Resolving, what_is_resolved_is_in_the_hash) {
   auto b = StepState::restore(a.inner().scene, a.save());
   ASSERT_TRUE(b);
   ASSERT_EQ(a.hash(), b->hash());
-  b->inner().surface->load_resolved(b->volume(), true, [](std::int32_t) { return CutSurface::kAllParts; });
+  b->inner().surface->load_resolved(b->volume(), Resolving::on, [](std::int32_t) { return CutSurface::kAllParts; });
   EXPECT_NE(a.hash(), b->hash());
 }
 

@@ -117,7 +117,7 @@ TEST(CarveHead, led_down_its_axis_leaves_a_wall_whose_field_is_a_distance_on_bot
       const Vec3 axis(0.48, 0.36, 0.8), from = axis * 0.4;
       const double deep = 1.0;
       for (double s = 0.0; s < deep - 1e-9; s += stroke)
-        carve_sweep(volume, from - axis * s, from - axis * (s + stroke), bur, axis, s > 0.0);
+        carve_sweep(volume, from - axis * s, from - axis * (s + stroke), bur, axis, s > 0.0 ? SweepStart::carved : SweepStart::uncut);
       double most = 0.0;
       int count = 0;
       IVec3 v;
@@ -148,7 +148,7 @@ TEST(CarveHead, led_any_way_with_a_leaning_axis_leaves_floor_and_wall_whose_fiel
       const double whole = 1.6, stroke = 0.04;
       const Vec3 from = -0.5 * whole * along - axis * (0.5 * (bur.head.high() + bur.head.low()));
       for (double s = 0.0; s < whole - 1e-9; s += stroke)
-        carve_sweep(volume, from + along * s, from + along * (s + stroke), bur, axis, s > 0.0);
+        carve_sweep(volume, from + along * s, from + along * (s + stroke), bur, axis, s > 0.0 ? SweepStart::carved : SweepStart::uncut);
       double most = 0.0, sum = 0.0;
       int count = 0;
       IVec3 v;
