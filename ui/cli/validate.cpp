@@ -56,12 +56,14 @@ Result<Input, Message> open_input(const std::string& path) {
   return Input{{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file.parent_path(), {}};
 }
 
+enum class Checked : std::uint8_t { form, form_and_specimen };
+
 /// Findings about form and values, then with the specimen unless only the form is asked for.
-Result<std::vector<Finding>, Message> findings_of(const Input& input, bool form_only) {
+Result<std::vector<Finding>, Message> findings_of(const Input& input, Checked checked) {
   if (!input.findings.empty()) return input.findings;
   std::vector<Finding> findings = validate_text(input.text);
   const auto scenario = read_scenario(input.text);
-  if (form_only || has_error(findings) || !scenario) return findings;
+  if (checked == Checked::form || has_error(findings) || !scenario) return findings;
   const bool packed = input.file && scenario->specimen.generator.empty();
   const auto volume = packed ? voxels_of(*input.file) : make_specimen(scenario->specimen, input.folder);
   if (!volume) return std::unexpected(describe(volume.error()));
@@ -77,7 +79,7 @@ int validate_verb(const ValidateOptions& o) {
   if (const auto no = refuse_outputs({o.json.file})) return failed(*no);
   const auto input = open_input(o.path);
   if (!input) return failed(input.error());
-  const auto found = findings_of(*input, o.form_only);
+  const auto found = findings_of(*input, o.form_only ? Checked::form : Checked::form_and_specimen);
   if (!found) return failed(found.error());
   const std::vector<Finding>& findings = *found;
 

@@ -95,7 +95,7 @@ BakedPatch bake_patch(const Volume& volume, const PatchSurroundings& around, con
     p.tissue = static_cast<std::uint8_t>(v.tissue);
     p.ambient = byte_of((1.0f - 0.4f * groove * (1.0f - look.cut)) * ambient_at(around.shares, drawn, look.normal, static_cast<float>(grid.voxel_mm)));
     if (deviation) {
-      const Deviation d = deviation(at, v.cut);
+      const Deviation d = deviation(at, v.cut ? SurfaceKind::cut : SurfaceKind::original);
       p.value = d.mm;
       p.beyond = d.beyond ? 255 : 0;
     }

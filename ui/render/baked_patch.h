@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/mirror/surface_patches.h"
+#include "scenarios/metrics/deviation.h"
 #include "ui/modules.h"
 #include "ui/render/solid_shares.h"
 #include "ui/render/vertex_look.h"
@@ -46,8 +47,7 @@ struct Deviation {
   float mm = 0.0f;      // above 0 over-cut, below 0 uncut remainder, 0 where nothing was to be done
   bool beyond = false;  // cut further than the leeway allows
 };
-/// `cut`: whether a bur left the surface there.
-using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
+using DeviationAt = std::function<Deviation(Vec3 mm, SurfaceKind kind)>;
 
 /// What a patch needs to know of more than its own voxels.
 struct PatchSurroundings {

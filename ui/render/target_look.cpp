@@ -18,12 +18,12 @@ TargetLook::TargetLook(const Region& target, const Leeway& leeway)
 
 DeviationAt TargetLook::deviation() const {
   if (empty()) return {};
-  return [shape = shape_, leeway = leeway_](Vec3 mm, bool cut) {
+  return [shape = shape_, leeway = leeway_](Vec3 mm, SurfaceKind kind) {
     Deviation out;
-    const std::optional<double> d = deviation_mm(*shape, mm, cut ? SurfaceKind::cut : SurfaceKind::original);
+    const std::optional<double> d = deviation_mm(*shape, mm, kind);
     if (!d) return out;
     out.mm = static_cast<float>(*d);
-    if (cut && *d > 0.0) {
+    if (kind == SurfaceKind::cut && *d > 0.0) {
       const Place place = place_of(*shape, leeway, mm);
       out.beyond = place == Place::beyond_floor || place == Place::beyond_side;
     }

@@ -180,7 +180,7 @@ QString advice_text(const CriterionGrade& g) {
   if (m == "floor_flatness" || m == "floor_tilt") return Text::tr("Go over the whole floor once more at one depth.");
   if (m == "isthmus_width") return Text::tr("Compare the width with the bur before you widen the outline.");
   if (m.starts_with("ridge_")) return Text::tr("Stop short of the marginal ridge; read its thickness from above.");
-  if (const QString advice = group_advice(m, g.reason_code == "too_little"); !advice.isEmpty()) return advice;
+  if (const QString advice = group_advice(m, g.reason_code == "too_little" ? OffBy::too_little : OffBy::too_much); !advice.isEmpty()) return advice;
   if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");
   if (m == "time") return Text::tr("Plan the way of the bur before the first cut.");
   if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");

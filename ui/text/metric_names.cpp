@@ -68,7 +68,8 @@ QString group_metric_name(const std::string& metric) {
   return {};
 }
 
-QString group_advice(const std::string& m, bool too_little) {
+QString group_advice(const std::string& m, OffBy off) {
+  const bool too_little = off == OffBy::too_little;
   if (m.starts_with("overcut_"))
     return m.ends_with("floor") ? Text::tr("Lift off and read the depth before you go deeper.")
                                 : Text::tr("Keep the bur’s edge inside the target line; push less near the walls.");

@@ -67,7 +67,7 @@ TEST(PatchFeed, following_cuts_gives_the_mesh_of_building_anew) {
   Volume volume = sphere(2.0);
   FeedSettings settings;
   settings.region = {Vec3(-0.5, -0.5, 1.0), Vec3(0.5, 0.5, 3.0)};
-  settings.deviation = [](Vec3 p, bool cut) { return Deviation{cut ? static_cast<float>(p.z) : 0.0f, false}; };
+  settings.deviation = [](Vec3 p, SurfaceKind kind) { return Deviation{kind == SurfaceKind::cut ? static_cast<float>(p.z) : 0.0f, false}; };
   PatchFeed feed(settings);
   feed.build_all(volume);
   PatchStore followed = store_of(feed);
@@ -284,14 +284,14 @@ TEST(TargetLook, deviation_counts_what_stands_and_what_went_too_far) {
   target.corner_radius_mm = 0.0;
   const TargetLook look(region_of(target), Leeway{0.3, 0.2});
   const DeviationAt at = look.deviation();
-  EXPECT_NEAR(at({0, 0.9, -0.5}, true).mm, 0.4, 1e-6);   // 0.4 mm beyond the wall at 0.5
-  EXPECT_TRUE(at({0, 0.9, -0.5}, true).beyond);
-  EXPECT_FALSE(at({0, 0.6, -0.5}, true).beyond);         // within the side's leeway of 0.2
-  EXPECT_FALSE(at({0, 0, -1.25}, true).beyond);          // within the floor's of 0.3
-  EXPECT_TRUE(at({0, 0, -1.35}, true).beyond);
-  EXPECT_NEAR(at({0, 0, -0.8}, true).mm, -0.2, 1e-6);    // 0.2 mm left over the floor
-  EXPECT_NEAR(at({0, 0.4, 0}, false).mm, -0.1, 1e-6);    // never touched, inside
-  EXPECT_EQ(at({0, 0.9, 0}, false).mm, 0.0f);            // never touched, outside: nothing was to be done
+  EXPECT_NEAR(at({0, 0.9, -0.5}, SurfaceKind::cut).mm, 0.4, 1e-6);   // 0.4 mm beyond the wall at 0.5
+  EXPECT_TRUE(at({0, 0.9, -0.5}, SurfaceKind::cut).beyond);
+  EXPECT_FALSE(at({0, 0.6, -0.5}, SurfaceKind::cut).beyond);         // within the side's leeway of 0.2
+  EXPECT_FALSE(at({0, 0, -1.25}, SurfaceKind::cut).beyond);          // within the floor's of 0.3
+  EXPECT_TRUE(at({0, 0, -1.35}, SurfaceKind::cut).beyond);
+  EXPECT_NEAR(at({0, 0, -0.8}, SurfaceKind::cut).mm, -0.2, 1e-6);    // 0.2 mm left over the floor
+  EXPECT_NEAR(at({0, 0.4, 0}, SurfaceKind::original).mm, -0.1, 1e-6);    // never touched, inside
+  EXPECT_EQ(at({0, 0.9, 0}, SurfaceKind::original).mm, 0.0f);            // never touched, outside: nothing was to be done
 }
 
 TEST(TargetLook, without_a_target_everything_is_fine_and_nothing_is_drawn) {

@@ -127,7 +127,7 @@ TEST_F(Drawn, over_cut_is_orange_and_the_uncut_remainder_is_violet_in_the_differ
   test::carve(volume, {0, 0, 1.5}, 0.5);
   PictureRequest request = small();
   request.colouring = Colouring::deviation;
-  request.deviation = [](Vec3, bool cut) { return Deviation{cut ? 0.6f : -0.6f, cut}; };
+  request.deviation = [](Vec3, SurfaceKind kind) { const bool cut = kind == SurfaceKind::cut; return Deviation{cut ? 0.6f : -0.6f, cut}; };
   const auto picture = draw_tooth(volume, request);
   ASSERT_TRUE(picture);
   const Rgb cut = at(*picture, 100, 100), standing = at(*picture, 60, 70);
