@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/operators/fast_cut.h"
 #include "scenarios/operators/faulty_path.h"
 #include "scenarios/operators/faulty_target.h"
 #include "scenarios/shapes/target.h"
@@ -18,6 +19,7 @@ constexpr double kContactMm = 0.1;     // teeth so near to each other touch
 constexpr double kOverPulpMm = 0.3;    // that over-excavation leaves
 constexpr double kThickestRidgeMm = 4.0, kThinnestRidgeMm = 0.8;
 constexpr double kMarchMm = 0.02;
+constexpr double kUndercuttingMm = 0.4, kThinnestNeckMm = 0.05;  // radii of a round bur's head and neck
 /// The loops of a lone outline leave the enamel beside it alone; poses touch it, and a touch leaves a scratch of 0.02 mm.
 constexpr double kScratchMm = 0.05;
 
@@ -53,11 +55,23 @@ std::optional<Region> tilted(const Exercise& on, double deg) {
   return tilt_walls(out, deg) ? std::optional(std::move(out)) : std::nullopt;
 }
 
-std::optional<Region> undermined(const Exercise& on, double mm) {
-  const Region enamel = region_of(Tissue::enamel);
+/// Of the outlines that the target is made of, the highest: a proximal box lies deeper.
+double pulpal_floor_mm(const Exercise& on) {
+  double out = on.target.floor_mm();
+  for (const Outline* outline : outlines_of(on.scenario.target)) out = std::max(out, outline->top_mm - outline->depth_mm);
+  return out;
+}
+
+/// The walls give way up to a head's height above the pulpal floor.
+std::optional<Region> undermined(const Exercise& on, double mm, double head_mm) {
   auto wide = moved(on, is_outer_wall, mm);
-  if (!on.tooth() || !wide || !on.has(enamel)) return std::nullopt;
-  return either(on.scenario.target, without(std::move(*wide), enamel));
+  if (!on.tooth() || !wide || !on.has(region_of(Tissue::enamel))) return std::nullopt;
+  Region low, lower;
+  low.kind = RegionKind::half_space;
+  low.from_mm = Vec3(0.0, 0.0, pulpal_floor_mm(on) + head_mm);
+  lower.kind = RegionKind::common;
+  lower.parts = {std::move(*wide), std::move(low)};
+  return either(on.scenario.target, std::move(lower));
 }
 
 /// Of the own tooth between an outline's end and the air beyond it; 0 where the target goes on.
@@ -175,7 +189,6 @@ std::optional<Region> faulty_target(SizedFault fault, const Exercise& on) {
     case SingleFault::too_shallow: return moved(on, is_pulpal, -amount);
     case SingleFault::too_wide: return moved(on, is_outer_wall, amount);
     case SingleFault::tilted_wall: return tilted(on, amount);
-    case SingleFault::undermined: return undermined(on, amount);
     case SingleFault::thin_ridge: return longer(on, amount);
     case SingleFault::contact_closed: return contact_closed(on, amount);
     case SingleFault::caries_left: return caries_left(on, amount);
@@ -184,10 +197,19 @@ std::optional<Region> faulty_target(SizedFault fault, const Exercise& on) {
   }
 }
 
-Plan plan_instead(Region target, const Exercise& on, std::uint16_t bur) {
+/// A ball no wider than the bur, on a neck that lets it reach `mm` beneath an edge.
+Bur undercutting(const Bur& bur, double mm) {
+  Bur out;
+  out.name = bur.name;
+  out.radius_mm = std::min(bur.radius_mm, kUndercuttingMm);
+  out.neck_radius_mm = std::max(kThinnestNeckMm, out.radius_mm - mm - kScratchMm);
+  return out;
+}
+
+Plan plan_instead(Region target, const Exercise& on, const Bur& cuts, std::uint16_t bur) {
   Scenario other = on.scenario;
   other.target = std::move(target);
-  other.instruments = {on.scenario.instruments[bur]};
+  other.instruments = {cuts};
   PlanErrors errors;
   if (on.target.upright() != nullptr) errors.clear_mm = kScratchMm;
   Plan plan = plan_target(other, on.specimen, errors);
@@ -199,34 +221,47 @@ Plan plan_instead(Region target, const Exercise& on, std::uint16_t bur) {
 
 std::optional<FaultCut> fault_cut(SizedFault fault, const Scenario& scenario, const Specimen& specimen, const Plan& reference) {
   const double amount = fault.amount();
-  FaultCut out{reference, scenario.instruments[reference.bur], 0.0};
+  FaultCut out;
+  out.passes.reserve(2);
+  out.passes.push_back({reference, scenario.instruments[reference.bur]});
+  auto& [plan, bur] = out.passes.front();
   switch (fault.fault) {
     case SingleFault::wrong_bur:
-      out.bur = wider(out.bur, amount);
-      raise(out.plan, out.bur.radius_mm - scenario.instruments[reference.bur].radius_mm);
+      bur = wider(bur, amount);
+      raise(plan, bur.radius_mm - scenario.instruments[reference.bur].radius_mm);
       return out;
-    case SingleFault::tremor: shake(out.plan, amount); return out;
+    case SingleFault::tremor: shake(plan, amount); return out;
     case SingleFault::dry_cutting:
       out.dry_s = amount;
       return phenomena_from_keys(scenario.phenomena).heat ? std::optional(std::move(out)) : std::nullopt;
     default: break;
   }
   const Exercise on(scenario, specimen);
-  const CutTools tools{specimen, on.target, out.bur};
+  const CutTools tools{specimen, on.target, bur};
   bool made = true;
   if (fault.fault == SingleFault::rough_floor) {
-    made = add_pits(out.plan, tools, amount);
+    made = add_pits(plan, tools, amount);
   } else if (fault.fault == SingleFault::exposed_pulp) {
-    made = add_way_into_pulp(out.plan, scenario, specimen, amount);
+    made = add_way_into_pulp(plan, scenario, specimen, amount);
   } else if (fault.fault == SingleFault::nicked_neighbour) {
-    made = on.tooth() && add_nick(out.plan, tools, amount);
+    made = on.tooth() && add_nick(plan, tools, amount);
+  } else if (fault.fault == SingleFault::undermined) {
+    const Bur round = undercutting(bur, amount);
+    auto target = undermined(on, amount, 2.0 * round.radius_mm);
+    if (!target) return std::nullopt;
+    out.passes.push_back({plan_instead(std::move(*target), on, round, reference.bur), round});
+    made = !out.passes.back().plan.strokes.empty();
   } else {
     auto target = faulty_target(fault, on);
     if (!target) return std::nullopt;
-    out.plan = plan_instead(std::move(*target), on, reference.bur);
-    made = !out.plan.strokes.empty();
+    plan = plan_instead(std::move(*target), on, bur, reference.bur);
+    made = !plan.strokes.empty();
   }
   return made ? std::optional(std::move(out)) : std::nullopt;
+}
+
+bool cut_along(const FaultCut& fault, Volume& volume) {
+  return std::ranges::all_of(fault.passes, [&](const FaultCut::Pass& pass) { return cut_along(pass.plan, pass.bur, volume); });
 }
 
 }  // namespace cusp::scenarios

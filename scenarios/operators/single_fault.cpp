@@ -10,7 +10,7 @@ constexpr std::array<SingleFaultRow, 15> kRows = {{
     {SingleFault::too_shallow, "too_shallow", "mm", {0.25, 0.45, 0.8}, "bands of depth end at 0.15, 0.3 and 0.6 above the target"},
     {SingleFault::too_wide, "too_wide", "mm", {0.15, 0.35, 0.6}, "half the tolerance zone, just past it, twice it"},
     {SingleFault::tilted_wall, "tilted_wall", "deg", {6.0, 10.0, 16.0}, "row set A: 3 degrees of divergence excellent, 8 fails"},
-    {SingleFault::undermined, "undermined", "mm", {0.05, 0.1, 0.2}, "a neck reaches no further in a slot of 1.2 mm"},
+    {SingleFault::undermined, "undermined", "mm", {0.1, 0.2, 0.3}, "a round bur on a thin neck reaches beneath the edge by less than its radius [M]"},
     {SingleFault::rough_floor, "rough_floor", "mm", {0.2, 0.4, 0.6}, "row set A: flat to 0.12 mm excellent, to 0.25 acceptable"},
     {SingleFault::thin_ridge, "thin_ridge", "mm", {0.3, 0.6, 1.0}, "ridges of 2.0, 1.6 and 1.2 mm on a molar [M]"},
     {SingleFault::exposed_pulp, "exposed_pulp", "mm", {0.1, 0.3, 0.6}, "a pinpoint, a bur's tip, half a bur [M]"},

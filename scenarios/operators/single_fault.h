@@ -16,7 +16,7 @@ enum class SingleFault : std::uint8_t {
   too_shallow,      // pulpal floor above it
   too_wide,         // walls of the outline further out
   tilted_wall,      // the wall towards +y opens upwards
-  undermined,       // dentine taken from beneath the enamel at the walls
+  undermined,       // at last a round bur hollows the walls, to its height above the pulpal floor
   rough_floor,      // pits in the floor, 1.3 mm apart
   thin_ridge,       // the outline longer towards the nearest marginal ridge
   exposed_pulp,     // at last down into the pulp's roof

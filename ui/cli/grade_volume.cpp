@@ -92,9 +92,9 @@ struct Cut {
   double dry_s = 0;
 };
 
-Result<Cut, Message> cut_of(const Plan& plan, const Bur& bur, double dry_s, std::shared_ptr<const Specimen> specimen) {
-  Cut out{Volume(std::move(specimen)), dry_s};
-  if (!cut_along(plan, bur, out.volume)) return std::unexpected(Message{CliText::tr("More is cut than a volume of this exercise can keep."), {}});
+Result<Cut, Message> cut_of(const FaultCut& cut, std::shared_ptr<const Specimen> specimen) {
+  Cut out{Volume(std::move(specimen)), cut.dry_s};
+  if (!cut_along(cut, out.volume)) return std::unexpected(Message{CliText::tr("More is cut than a volume of this exercise can keep."), {}});
   return out;
 }
 
@@ -102,11 +102,11 @@ Result<Cut, Message> cut_of_operator(const std::string& name, const Scenario& sc
   const auto fault = sized_fault_by_name(name);
   const auto plan = plan_by_name(fault ? "reference" : name, scenario, *specimen);
   if (!plan || plan->strokes.empty()) return std::unexpected(Message{no_plan_text(), {}});
-  if (!fault) return cut_of(*plan, scenario.instruments[plan->bur], 0.0, std::move(specimen));
+  if (!fault) return cut_of({{{*plan, scenario.instruments[plan->bur]}}, 0.0}, std::move(specimen));
   const auto faulty = fault_cut(*fault, scenario, *specimen, *plan);
   if (!faulty)
     return std::unexpected(Message{CliText::tr("This exercise cannot have the fault %1: it has nothing to make it on.").arg(QString::fromStdString(name)), {}});
-  return cut_of(faulty->plan, faulty->bur, faulty->dry_s, std::move(specimen));
+  return cut_of(*faulty, std::move(specimen));
 }
 
 Result<Cut, Message> cut_of_file(const std::string& file, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {

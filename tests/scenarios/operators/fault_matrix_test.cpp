@@ -83,6 +83,16 @@ TEST(SingleFaults, FindTheRimOfALesionThatIsLeft) {
   expect_single(*row, SingleFault::caries_left, "caries");
 }
 
+TEST(SingleFaults, FindWallsThatAreHollowed) {
+  Scenario coarse = *load_builtin("class-1-46");
+  coarse.specimen.voxel_mm = 0.2;
+  const FaultMatrix matrix = matrix_of(std::move(coarse));
+  const auto row = matrix.row(SingleFault::undermined);
+  ASSERT_TRUE(row);
+  expect_single(*row, SingleFault::undermined, "class-1-46");
+  EXPECT_TRUE(row->by_rubric);
+}
+
 // One of each class; fault_matrix.py covers all exercises.
 TEST(FaultMatrix, FindsEachFaultByItsOwnCriteria) {
   if (!full_run()) GTEST_SKIP() << "seven minutes; ./check --full sets CUSP_FULL";
