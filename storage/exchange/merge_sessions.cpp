@@ -55,6 +55,35 @@ void add_rows(Merge& merge, SessionId session) {
       session);
 }
 
+/// A whole recording stays, or comes back. Without it the file's row stands for what the session's station has thinned: what
+/// is here of the recording goes.
+void settle_recording(Merge& merge, SessionId session) {
+  const auto whole = merge.transaction.first(
+      "SELECT (SELECT count(*) FROM main.session_chain WHERE session = ?1 AND table_number IN (3, 4)) = "
+      "(SELECT count(*) FROM main.trace_chunks WHERE session = ?1) + (SELECT count(*) FROM main.key_states WHERE session = ?1)",
+      [](Row row) { return row.flag(0); }, session);
+  const auto thinned = merge.transaction.first("SELECT 1 FROM main.thinned_traces WHERE session = ?1", [](Row) { return true; }, session);
+  if (!merge.ok()) return;
+  if (*whole && thinned) {
+    merge.transaction.run("DELETE FROM main.thinned_traces WHERE session = ?1", session);
+    log_event(merge.context, merge.transaction, {.actor = merge.actor.id, .action = "trace_returned", .subject = session.uuid});
+  }
+  if (*whole) return;
+  merge.transaction.run("DELETE FROM main.trace_chunks WHERE session = ?1", session);
+  merge.transaction.run("DELETE FROM main.key_states WHERE session = ?1", session);
+  if (thinned) return;
+  merge.transaction.run("INSERT INTO main.thinned_traces SELECT * FROM source.thinned_traces WHERE session = ?1", session);
+  log_row(merge.context, merge.transaction, merge.actor.id, "thinning_sealed", SealedTable::thinned_traces, session.uuid);
+}
+
+/// Whether the file has a recording that is thinned here.
+bool returns_recording(Merge& merge, SessionId session) {
+  return merge.transaction
+      .first("SELECT EXISTS (SELECT 1 FROM main.thinned_traces WHERE session = ?1) AND NOT EXISTS (SELECT 1 FROM source.thinned_traces WHERE session = ?1)",
+             [](Row row) { return row.flag(0); }, session)
+      .value_or(false);
+}
+
 enum class SessionRows : std::uint8_t { all, further };
 
 void add_session(Merge& merge, SessionId session, SessionRows rows) {
@@ -62,13 +91,24 @@ void add_session(Merge& merge, SessionId session, SessionRows rows) {
   if (!proof) return merge.transaction.refuse(proof.error());
   if (!proof->intact()) return merge.refuse(StorageError::differs, "sessions", session.text());
   add_rows(merge, session);
+  settle_recording(merge, session);
   if (rows == SessionRows::all) add_summary(merge.transaction, session);
-  const auto elapsed = merge.transaction.first("SELECT elapsed_us FROM main.trace_chunks WHERE session = ?1 ORDER BY row DESC LIMIT 1",
+  const auto elapsed = merge.transaction.first("SELECT elapsed_us FROM main.metrics WHERE session = ?1 ORDER BY row DESC LIMIT 1",
                                                [](Row row) { return row.u64(0); }, session);
   follow_second(merge.transaction, session, elapsed.value_or(0));
   follow_event(merge.transaction, session);
   log_session(merge.context, merge.transaction, merge.actor.id, session, "read_in");
   ++merge.out.counts.sessions;
+}
+
+/// The rows of the recording, if the file has them all.
+void return_recording(Merge& merge, SessionId session) {
+  const auto proof = verify_session(merge.from, session);
+  if (!proof) return merge.transaction.refuse(proof.error());
+  if (!proof->intact()) return merge.refuse(StorageError::differs, "sessions", session.text());
+  merge.transaction.run("INSERT INTO main.trace_chunks SELECT * FROM source.trace_chunks WHERE session = ?1", session);
+  merge.transaction.run("INSERT INTO main.key_states SELECT * FROM source.key_states WHERE session = ?1", session);
+  settle_recording(merge, session);
 }
 
 void merge_session(Merge& merge, const HeadInFile& theirs) {
@@ -80,6 +120,7 @@ void merge_session(Merge& merge, const HeadInFile& theirs) {
   if (!here) return add_session(merge, theirs.session, SessionRows::all);
   if (here->links >= theirs.head.links) {
     if (!holds_head(merge, "main", theirs.session, theirs.head)) merge.refuse(StorageError::differs, "sessions", theirs.session.text());
+    if (merge.ok() && returns_recording(merge, theirs.session)) return_recording(merge, theirs.session);
     return;
   }
   if (!holds_head(merge, "source", theirs.session, *here)) return merge.refuse(StorageError::differs, "sessions", theirs.session.text());

@@ -15,7 +15,8 @@ namespace {
 /// The station's key among those that the file's rows name; every other one is kept for verification alone.
 void merge_keys(Merge& merge, const Hash256& signer) {
   const auto keys = merge.taken(merge.from.db.all(
-      "SELECT id, public_key FROM station_keys WHERE id IN (SELECT key FROM session_heads UNION SELECT key FROM statements WHERE station = ?1)",
+      "SELECT id, public_key FROM station_keys WHERE id IN (SELECT key FROM session_heads "
+      "UNION SELECT key FROM statements WHERE station = ?1 UNION SELECT key FROM thinned_traces)",
       [](Row row) { return std::pair{row.hash(0), row.hash(1)}; }, merge.out.description.station));
   for (const auto& [id, bytes] : keys) {
     if (key_id(bytes) != id) return merge.refuse(StorageError::differs, "station_keys", hex(id));

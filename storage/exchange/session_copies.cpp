@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 /// Of the attached database `source` to the new one, in an order that keeps every reference whole. ?1: the session.
 constexpr std::array kCopies = {
     "INSERT OR IGNORE INTO station_keys SELECT * FROM source.station_keys WHERE id IN (SELECT key FROM source.session_heads WHERE session = ?1 "
-    "UNION SELECT key FROM source.statements WHERE session = ?1)",
+    "UNION SELECT key FROM source.statements WHERE session = ?1 UNION SELECT key FROM source.thinned_traces WHERE session = ?1)",
     "INSERT OR IGNORE INTO people SELECT id, number, name, role, '', '', 1, guest, 0, 0, created_at FROM source.people WHERE id IN ("
     "SELECT student FROM source.sessions WHERE id = ?1 UNION SELECT grader FROM source.grades WHERE session = ?1 "
     "UNION SELECT d.author FROM source.adjustments d JOIN source.sessions s ON s.assignment = d.assignment AND s.student = d.student WHERE s.id = ?1 "
@@ -37,6 +37,7 @@ constexpr std::array kCopies = {
     "INSERT OR IGNORE INTO criteria SELECT * FROM source.criteria WHERE session = ?1",
     "INSERT OR IGNORE INTO session_chain SELECT * FROM source.session_chain WHERE session = ?1",
     "INSERT OR IGNORE INTO session_heads SELECT * FROM source.session_heads WHERE session = ?1",
+    "INSERT OR IGNORE INTO thinned_traces SELECT * FROM source.thinned_traces WHERE session = ?1",
     "INSERT OR IGNORE INTO comments SELECT * FROM source.comments WHERE session = ?1",
     "INSERT OR IGNORE INTO statements SELECT * FROM source.statements WHERE session = ?1 ORDER BY sequence",
     "INSERT OR IGNORE INTO statement_texts SELECT t.* FROM source.statement_texts t JOIN source.statements s ON s.id = t.statement WHERE s.session = ?1",

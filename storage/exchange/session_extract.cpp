@@ -1,6 +1,7 @@
 #include "storage/exchange/session_extract.h"
 
 #include "storage/exchange/session_copies.h"
+#include "storage/records/thinned_traces.h"
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/sessions.h"
 
@@ -30,6 +31,9 @@ Stored<Session> exportable(StorageContext& context, const Actor& actor, SessionI
   const auto state = sessions.state(id);
   if (!state) return std::unexpected(state.error());
   if (*state == SessionState::running) return fail(StorageError::wrong_state, "session");
+  const auto thinned = thinned_at(context.db, id);
+  if (!thinned) return std::unexpected(thinned.error());
+  if (*thinned) return std::unexpected(thinned_failure(**thinned));
   return session;
 }
 

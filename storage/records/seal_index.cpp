@@ -86,6 +86,7 @@ void SealIndex::add_session(const AuditEntry& e) {
 }
 
 void SealIndex::add_row(const AuditEntry& e) {
+  if (e.action == "trace_returned") rows[static_cast<std::size_t>(SealedTable::thinned_traces)].erase(e.subject);
   const auto hash = hash_from_hex(last_field_of(e.detail));
   if (!hash) return;
   if (e.action == "commented" || e.action == "comment_sealed") {
@@ -112,6 +113,7 @@ void SealIndex::add_row(const AuditEntry& e) {
   keep(SealedTable::adjustments, {"adjusted", "adjustment_sealed"});
   keep(SealedTable::other_keys, {"key_trusted", "key_kept", "key_role_changed", "key_revoked", "other_key_sealed"});
   keep(SealedTable::referred, {"referred", "arrived", "referred_sealed"});
+  keep(SealedTable::thinned_traces, {"trace_thinned", "thinning_sealed"});
 }
 
 }  // namespace cusp::storage

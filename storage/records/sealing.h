@@ -15,6 +15,8 @@
 /// | version_withdrawn, withdrawal_sealed | version | row_seals() |
 /// | adjusted, adjustment_sealed | adjustment | row_seals() |
 /// | key_trusted, key_kept, key_role_changed, key_revoked | row of other_keys | key, row_seals() |
+/// | trace_thinned, thinning_sealed | session | row_seals() of its row in `thinned_traces` |
+/// | trace_returned | session | nothing: the recording is here again, and the row is gone |
 /// | referred, arrived | account or version | row_seals() of its row in `referred` |
 /// | sealing_began | station | number of rows from before; the entries after it seal them |
 /// | rolled_back, counter_missing, counter_broken, log_damaged | station | an incident; stays a finding for good |

@@ -37,6 +37,8 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
       return "id, station, key, role, changed_at";
     case SealedTable::referred:
       return "id, here";
+    case SealedTable::thinned_traces:
+      return "session, station, author, at, links, link, key, signature";
   }
   return {};
 }
@@ -45,6 +47,7 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
 
 std::string_view key_column(SealedTable table) noexcept {
   if (table == SealedTable::assessments) return "assignment";
+  if (table == SealedTable::thinned_traces) return "session";
   return table == SealedTable::version_withdrawals ? "version" : "id";
 }
 
@@ -77,9 +80,9 @@ std::optional<AccountSeal> account_seal_from(std::string_view detail) {
 }
 
 std::string_view name_of(SealedTable table) noexcept {
-  constexpr std::array<std::string_view, 10> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
+  constexpr std::array<std::string_view, 11> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
                                                       "statements", "assessments", "version_withdrawals", "adjustments",
-                                                      "other_keys", "referred"};
+                                                      "other_keys", "referred",    "thinned_traces"};
   return names[static_cast<std::size_t>(table)];
 }
 

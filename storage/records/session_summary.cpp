@@ -48,7 +48,8 @@ std::string from_records() {
          "s.engine_version, s.started_at, s.sequence, " +
          listed + ", row_number() OVER (PARTITION BY s.student, v.scenario, " + listed +
          " ORDER BY s.started_at, s.sequence), " + std::string(kResult) +
-         ", coalesce((SELECT elapsed_us FROM trace_chunks WHERE session = s.id ORDER BY row DESC LIMIT 1), 0), " +
+         ", coalesce((SELECT elapsed_us FROM trace_chunks WHERE session = s.id ORDER BY row DESC LIMIT 1), "
+         "(SELECT elapsed_us FROM metrics WHERE session = s.id ORDER BY row DESC LIMIT 1), 0), " +
          std::string(kGrade) + ", s.assignment, " + std::string(kReleased) +
          " FROM sessions s JOIN scenario_versions v ON v.id = s.version LEFT JOIN people p ON p.id = s.student" +
          std::string(kResultFrom) + " ORDER BY s.id";

@@ -8,6 +8,7 @@
 
 #include "storage/records/chain_check.h"
 #include "storage/records/session_tables.h"
+#include "storage/records/thinned_traces.h"
 #include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
@@ -29,6 +30,7 @@ class SessionVerifier {
   Stored<Verification> verify() {
     read_chain();
     check_heads();
+    check_thinned();
     for (const SessionTable table : kSessionTables) compare(table);
     if (!anything_) return fail(StorageError::not_found, "sessions", session_.text());
     check_trace();
@@ -79,6 +81,8 @@ class SessionVerifier {
         session_);
     if (!rows) return find(FindingCode::unreadable, name_of(table));
     anything_ = anything_ || !rows->empty();
+    const bool emptied = thinned_ && is_thinned(table);
+    if (emptied && !rows->empty()) find(FindingCode::row_added, "thinned_traces");
     for (const auto& [row, content] : *rows) {
       seen.insert(row);
       const auto entry = entries_.find({number, row});
@@ -90,7 +94,7 @@ class SessionVerifier {
       }
     }
     for (const auto& [key, entry] : entries_) {
-      if (key.first == number && entry.trusted && !seen.contains(key.second)) {
+      if (!emptied && key.first == number && entry.trusted && !seen.contains(key.second)) {
         find(FindingCode::row_missing, name_of(table), static_cast<std::int64_t>(key.second), entry.link.second);
       }
     }
@@ -117,6 +121,16 @@ class SessionVerifier {
     } else if (!follower_.ends_in(stored.link)) {
       find(FindingCode::head_broken, "session_heads");
     }
+  }
+
+  /// A signed row stands for the rows of a thinned recording. If it does not hold, it is the finding, not they.
+  void check_thinned() {
+    const auto at = thinned_at(db_, session_);
+    const auto broken = check_thinned_trace(db_, session_);
+    if (!at || !broken) return find(FindingCode::unreadable, "thinned_traces");
+    thinned_ = at->has_value();
+    anything_ = anything_ || thinned_;
+    if (*broken) find(**broken, "thinned_traces");
   }
 
   /// Beyond hashes: each chunk decodes, holds the inputs that its row counts, and continues the chunk before it.
@@ -213,6 +227,7 @@ class SessionVerifier {
   ChainFollower follower_{session_.uuid};
   std::map<std::pair<std::uint64_t, std::uint64_t>, Entry> entries_;  // (table, row)
   bool whole_ = true;                                                 // no gap in the chain's positions so far
+  bool thinned_ = false;   // a row of thinned_traces stands for the recording
   bool anything_ = false;  // some table holds a row of the session
 };
 

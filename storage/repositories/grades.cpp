@@ -4,6 +4,7 @@
 
 #include "storage/records/chain_writer.h"
 #include "storage/records/session_summary.h"
+#include "storage/records/thinned_traces.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"
 
@@ -23,6 +24,10 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
   }
   Transaction transaction(c_.db);
   require_state(transaction, session, Need::not_running);
+  // Nobody could compute the new grade again.
+  const auto thinned = thinned_at(c_.db, session);
+  if (!thinned) transaction.refuse(thinned.error());
+  if (thinned && *thinned) transaction.refuse(thinned_failure(**thinned));
   const TraceEnd end = trace_end(transaction, session);
   const std::uint64_t number = next_row(transaction, SessionTable::grades, session);
   const std::int64_t sequence = c_.next_sequence(transaction);

@@ -81,12 +81,13 @@ void require_state(Transaction& transaction, SessionId session, Need need) {
 }
 
 TraceEnd trace_end(Transaction& transaction, SessionId session) {
-  return transaction
-      .first(
-          "SELECT row + 1, first_tick + inputs - 1, elapsed_us FROM trace_chunks WHERE session = ?1 "
-          "ORDER BY row DESC LIMIT 1",
-          [](Row row) { return TraceEnd{row.u64(0), row.u64(1), row.u64(2)}; }, session)
-      .value_or(TraceEnd{});
+  const auto end_of = [](Row row) { return TraceEnd{row.u64(0), row.u64(1), row.u64(2)}; };
+  const auto end = transaction.first(
+      "SELECT row + 1, first_tick + inputs - 1, elapsed_us FROM trace_chunks WHERE session = ?1 "
+      "ORDER BY row DESC LIMIT 1",
+      end_of, session);
+  if (end) return *end;
+  return transaction.first(kSelectThinnedEnd, end_of, session).value_or(TraceEnd{});
 }
 
 std::uint64_t insert_event(StorageContext& context, Transaction& transaction, SessionId session, EventKind kind,

@@ -24,7 +24,13 @@ enum class Need { running, interrupted, not_running };
 /// Refuses with not_found, or with wrong_state if the session is in another state.
 void require_state(Transaction& transaction, SessionId session, Need need);
 
+/// A thinned recording ends where metrics and final volume do.
 TraceEnd trace_end(Transaction& transaction, SessionId session);
+/// The SQL for that; ?1 session: chunks, tick, elapsed_us.
+inline constexpr const char* kSelectThinnedEnd =
+    "SELECT (SELECT count(*) FROM metrics m WHERE m.session = ?1), v.tick, "
+    "coalesce((SELECT elapsed_us FROM metrics m WHERE m.session = ?1 ORDER BY row DESC LIMIT 1), 0) "
+    "FROM thinned_traces t JOIN final_volumes v ON v.session = t.session WHERE t.session = ?1";
 
 /// Inserts the row and returns its number. The caller links it.
 std::uint64_t insert_event(StorageContext& context, Transaction& transaction, SessionId session, EventKind kind,

@@ -4,6 +4,7 @@
 
 #include "storage/records/chain_writer.h"
 #include "storage/records/session_summary.h"
+#include "storage/records/thinned_traces.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/trace_codec.h"
 
@@ -69,7 +70,7 @@ Stored<void> Traces::save_final_volume(SessionId session, const FinalVolume& vol
 }
 
 Stored<std::vector<ChunkInfo>> Traces::chunks(SessionId session) {
-  return c_.db.all(
+  auto chunks = c_.db.all(
       "SELECT row, first_tick, inputs, elapsed_us, state_hash FROM trace_chunks WHERE session = ?1 ORDER BY row",
       [](Row row) {
         ChunkInfo info{row.u64(0), row.u64(1), row.u64(2), row.u64(3), std::nullopt};
@@ -77,9 +78,20 @@ Stored<std::vector<ChunkInfo>> Traces::chunks(SessionId session) {
         return info;
       },
       session);
+  if (!chunks || !chunks->empty()) return chunks;
+  return c_.db.all(
+      kSelectThinnedEnd, [](Row row) { return ChunkInfo{0, 1, row.u64(1), row.u64(2), std::nullopt}; }, session);
 }
 
 namespace {
+/// Fails if the session's recording was thinned.
+Stored<void> require_recording(Database& db, SessionId session) {
+  const auto at = thinned_at(db, session);
+  if (!at) return std::unexpected(at.error());
+  if (*at) return std::unexpected(thinned_failure(**at));
+  return {};
+}
+
 /// bad_trace names the chunk.
 Stored<std::vector<StepInput>> decoded(std::span<const std::byte> bytes, std::uint64_t chunk) {
   auto inputs = decode_trace(bytes);
@@ -93,6 +105,9 @@ Stored<std::vector<StepInput>> Traces::inputs(SessionId session) {
       "SELECT row, trace FROM trace_chunks WHERE session = ?1 ORDER BY row",
       [](Row row) { return decoded(row.bytes(1), row.u64(0)); }, session);
   if (!parts) return std::unexpected(parts.error());
+  if (parts->empty()) {
+    if (auto recorded = require_recording(c_.db, session); !recorded) return std::unexpected(recorded.error());
+  }
   std::vector<StepInput> out;
   for (auto& part : *parts) {
     if (!part) return std::unexpected(part.error());
@@ -106,7 +121,10 @@ Stored<std::vector<StepInput>> Traces::inputs(SessionId session, std::uint64_t c
       "SELECT trace FROM trace_chunks WHERE session = ?1 AND row = ?2",
       [chunk](Row row) { return decoded(row.bytes(0), chunk); }, session, chunk);
   if (!part) return std::unexpected(part.error());
-  if (!*part) return fail(StorageError::not_found, "trace_chunks", std::to_string(chunk));
+  if (!*part) {
+    if (auto recorded = require_recording(c_.db, session); !recorded) return std::unexpected(recorded.error());
+    return fail(StorageError::not_found, "trace_chunks", std::to_string(chunk));
+  }
   return **part;
 }
 

@@ -1,6 +1,6 @@
 /// The rows of a session's recording: each second's inputs, state hash and metrics, and the final volume. Key states are
-/// a cache (storage/cache/key_state_cache.h); sessions of older programs have them as rows.
-/// Thread: the recorder's, with a Store of its own.
+/// a cache (storage/cache/key_state_cache.h); sessions of older programs have them as rows. Of a thinned recording
+/// inputs() answer wrong_state (where = thinned, detail: UTC µs). Thread: the recorder's, with a Store of its own.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +50,7 @@ class Traces {
   /// For an interrupted session: the volume that a replay of its trace computes. Once.
   Stored<void> save_final_volume(SessionId session, const FinalVolume& volume);
 
-  Stored<std::vector<ChunkInfo>> chunks(SessionId session);
+  Stored<std::vector<ChunkInfo>> chunks(SessionId session);  // of a thinned recording one, without state hash
   Stored<std::vector<StepInput>> inputs(SessionId session);                       // all of them, in order
   Stored<std::vector<StepInput>> inputs(SessionId session, std::uint64_t chunk);  // of one chunk
   /// Ticks of the key states in the table (older programs wrote them), rising.

@@ -226,6 +226,8 @@ Stored<void> Database::prepare_for_writing(Database& database, const DatabaseOpt
   if (*owner == Owner::new_file) {
     if (options.access == Access::existing) return fail(StorageError::not_a_database, name);
     if (auto done = database.run("PRAGMA page_size = 8192"); !done) return done;
+    // So that thinning gives the disk its pages back (storage/retention/thinning.cpp).
+    if (auto done = database.run("PRAGMA auto_vacuum = INCREMENTAL"); !done) return done;
   }
   const auto mode = database.first("PRAGMA journal_mode = WAL", [](Row row) { return row.text(0); });
   if (!mode) return std::unexpected(mode.error());

@@ -42,7 +42,7 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
     {"scenarios",
      {"tissues", "burs", "teeth", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",
       "checks", "templates", "audit"}},
-    {"storage", {"base", "sqlite", "records", "backup", "repositories", "cache", "summary", "export", "exchange", "."}},
+    {"storage", {"base", "sqlite", "records", "backup", "repositories", "cache", "summary", "export", "exchange", "retention", "."}},
     {"ui",
      {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "replay", "student", "report", "editor",
       "instructor", "admin", "signin", "cli", "app"}},

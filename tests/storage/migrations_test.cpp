@@ -41,6 +41,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "0fe5e8b5e27d3c189cbbc105fa3a8e79bb954068e72afc91322f97693a64e864",
       "83320ef7b617fa98e1de76ba1feb572597ec9cb3ad3016235fee61f88070e722",
       "9411cc300440b281a92c077793ee99451894cae72f32d8f279b5316c18c71ed9",
+      "485e469f6f77d6ac237a03acc0c07be5a3076236cb75b3c0f6163877cc761841",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)

@@ -2,6 +2,7 @@
 
 #include "storage/exchange/exchange.h"
 #include "storage/exchange/trust.h"
+#include "storage/retention/thinning.h"
 
 namespace cusp::test {
 
@@ -65,7 +66,10 @@ void School::second_half(Store& store, CohortId cohort, const ScenarioVersion& v
   must(store.sessions.interrupt(stopped, "recorder_full"));
   const SessionId running = must(store.sessions.start(lena.actor(), new_session(lena, version))).id;
   must(store.traces.append(running, second_from(1)));
-  if (tables_ == SchoolTables::all) read_other_station(store);
+  if (tables_ == SchoolTables::all) {
+    read_other_station(store);
+    sessions.push_back(thin_an_old_attempt(store, version, lena));
+  }
   keep_as("now.db", store);
   sessions.insert(sessions.end(), {first, second, third, stopped, running});
   in_old = {first, second};
@@ -100,6 +104,14 @@ SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVe
   must(store.statements.confirm(examiner, session));
   must(store.statements.release(examiner, session));
   must(store.scenarios.withdraw(examiner, version.id));
+  return session;
+}
+
+/// Of a hundred days ago.
+SessionId School::thin_an_old_attempt(Store& store, const ScenarioVersion& version, const Account& student) {
+  const auto earlier = open(folder_ / "a.db", quick(std::make_shared<std::int64_t>(kNow - 100 * 86'400'000'000)));
+  const SessionId session = complete_session(*earlier, student, version, 70, true);
+  EXPECT_EQ(must(thin_traces(store.context(), admin.actor(), {.mode = ThinningMode::carry_out})).attempts, 1u);
   return session;
 }
 

@@ -18,6 +18,7 @@ std::map<std::string, std::string> shared_records(Store& store) {
       {"sessions", "SELECT * FROM sessions WHERE id IN (SELECT session FROM session_summaries WHERE state <> 'running' AND listed = 1) ORDER BY id"},
       {"session_events", "SELECT * FROM session_events" + ended + " ORDER BY session, row"},
       {"trace_chunks", "SELECT * FROM trace_chunks" + ended + " ORDER BY session, row"},
+      {"key_states", "SELECT * FROM key_states" + ended + " ORDER BY session, row"},
       {"metrics", "SELECT * FROM metrics" + ended + " ORDER BY session, row"},
       {"removed_tissues", "SELECT * FROM removed_tissues" + ended + " ORDER BY session, row"},
       {"final_volumes", "SELECT * FROM final_volumes" + ended + " ORDER BY session, row"},
@@ -25,6 +26,7 @@ std::map<std::string, std::string> shared_records(Store& store) {
       {"criteria", "SELECT * FROM criteria" + ended + " ORDER BY session, row"},
       {"session_chain", "SELECT * FROM session_chain" + ended + " ORDER BY session, position"},
       {"session_heads", "SELECT * FROM session_heads" + ended + " ORDER BY session"},
+      {"thinned_traces", "SELECT * FROM thinned_traces ORDER BY session"},
       {"statements", "SELECT * FROM statements ORDER BY id"},
       {"statement_texts", "SELECT * FROM statement_texts ORDER BY statement"},
       {"results", "SELECT session, student, scenario, version, state, elapsed_us, score, passed, critical, released, attempt "

@@ -43,7 +43,8 @@ Uuid owner_of(Database& db, const std::string& table, const std::string& row) {
                                                              {"assessments", "assignment"},
                                                              {"version_withdrawals", "version"},
                                                              {"adjustments", "id"},
-                                                             {"sessions", "id"}};
+                                                             {"sessions", "id"},
+                                                             {"thinned_traces", "session"}};
   const auto special = columns.find(table);
   std::string column = special == columns.end() ? "" : special->second;
   for (const std::string& name : key_columns(db, table)) {
@@ -273,6 +274,42 @@ std::vector<Tamperer::Act> Tamperer::account_acts() {
   };
 }
 
+/// A recording emptied without the program: alone, with a row of its forger, with the row of another attempt; and one that
+/// was thinned, which is slipped in again without its row.
+std::vector<Tamperer::Act> Tamperer::thinning_acts() {
+  const auto emptied = [this](std::string kind, std::function<void(Database&, SessionId)> more) {
+    return [=, this](Database& db) -> std::optional<Tampering> {
+      const SessionId id = one_of(school_.in_old);
+      must(db.run("DELETE FROM trace_chunks WHERE session = ?1", id));
+      must(db.run("DELETE FROM key_states WHERE session = ?1", id));
+      more(db, id);
+      return Tampering{"trace_chunks", kind, "", id.uuid, {"thinned_traces"}};
+    };
+  };
+  const auto forged = [](Database& db, SessionId id) {
+    const StationKey key = StationKey::make();
+    must(db.run("INSERT INTO station_keys VALUES (?1, ?2, 1)", key.id(), key.public_key));
+    const Signature signature = key.sign(blake2b_256(std::string_view{"thinned"}));
+    must(db.run("INSERT INTO thinned_traces SELECT h.session, (SELECT id FROM station), zeroblob(16), 1, h.links, h.link, ?2, ?3 "
+                "FROM session_heads h WHERE h.session = ?1",
+                id, key.id(), std::as_bytes(std::span(signature))));
+  };
+  const auto swapped = [](Database& db, SessionId id) { must(db.run("UPDATE thinned_traces SET session = ?1", id)); };
+  const auto slipped_in = [](Database& db) -> std::optional<Tampering> {
+    const auto id = *must(db.first("SELECT session FROM thinned_traces", [](Row row) { return row.id<SessionId>(0); }));
+    must(db.run("INSERT INTO trace_chunks SELECT ?1, row, first_tick, inputs, elapsed_us, state_hash, trace FROM trace_chunks "
+                "WHERE session = (SELECT session FROM trace_chunks LIMIT 1)",
+                id));
+    return Tampering{"thinned_traces", "recording slipped in", "", id.uuid, {}};
+  };
+  return {
+      emptied("emptied", [](Database&, SessionId) {}),
+      emptied("emptied, forged row", forged),
+      emptied("emptied, row of another", swapped),
+      slipped_in,
+  };
+}
+
 std::vector<Tamperer::Act> Tamperer::counter_acts() {
   const auto put_old_counter = [this](const fs::path& counter) {
     fs::copy_file(school_.old().string() + ".key-counter", counter, fs::copy_options::overwrite_existing);
@@ -299,7 +336,7 @@ std::vector<Tamperer::Act> Tamperer::acts() {
     out.push_back([=, this](Database& d) { return insert(d, table); });
   }
   must(db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
-  for (auto more : {&Tamperer::session_acts, &Tamperer::log_acts, &Tamperer::forged_acts, &Tamperer::account_acts,
+  for (auto more : {&Tamperer::session_acts, &Tamperer::log_acts, &Tamperer::forged_acts, &Tamperer::account_acts, &Tamperer::thinning_acts,
                     &Tamperer::counter_acts}) {
     for (Act& act : (this->*more)()) out.push_back(std::move(act));
   }

@@ -46,6 +46,7 @@ class Tamperer {
   std::vector<Act> log_acts();
   std::vector<Act> forged_acts();
   std::vector<Act> account_acts();
+  std::vector<Act> thinning_acts();
   std::vector<Act> counter_acts();
 
   const School& school_;

@@ -1,0 +1,71 @@
+/// Thinning: recordings of old practice attempts go; session, grade, statements, metrics and final volume stay, and verify.
+/// README.md beside this says which attempts. Thread: the context's own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "storage/base/rights.h"
+#include "storage/records/context.h"
+#include "storage/records/verify.h"
+
+namespace cusp::storage {
+
+inline constexpr int kThinAfterDays = 90;
+inline constexpr int kMostThinAfterDays = 36'500;
+
+/// Why the recording of an old attempt stays; the first that applies.
+enum class KeptBecause : std::uint8_t {
+  other_station,  // its own station thins it
+  assessment,
+  unfinished,  // it runs, or broke off without finishing
+  ungraded,
+  stated,  // somebody overrode, confirmed or released its result
+  broken,  // it does not verify
+};
+inline constexpr std::size_t kKeptBecause = 6;
+std::string_view key_of(KeptBecause why) noexcept;
+
+/// Old attempts, by reason.
+using KeptTraces = std::array<std::uint64_t, kKeptBecause>;
+
+struct OldTrace {
+  SessionId session;
+  std::int64_t ended_utc_us = 0;
+};
+struct OldTraces {
+  std::vector<OldTrace> thinnable;  // oldest first; nothing is verified yet
+  std::uint64_t bytes = 0;          // of their recordings
+  KeptTraces kept{};                // without `broken`
+};
+
+/// Recordings of attempts that ended so many days ago, 1 to kMostThinAfterDays. Needs manage_station.
+Stored<OldTraces> old_traces(StorageContext& context, const Actor& actor, int older_than_days);
+
+enum class ThinningMode : std::uint8_t { dry_run, carry_out };
+struct ThinningOrder {
+  int older_than_days = kThinAfterDays;
+  ThinningMode mode = ThinningMode::dry_run;
+};
+
+struct ThinningReport {
+  std::uint64_t attempts = 0;          // thinned, or to be thinned
+  std::uint64_t bytes = 0;             // of their recordings
+  KeptTraces kept{};
+  std::vector<ChainFinding> broken{};  // the first finding of each attempt that does not verify; `owner` names it
+  bool stopped = false;                // the watch ended it before the last attempt
+};
+
+/// Called before each attempt: so many of so many are done. False ends the run.
+using ThinningWatch = std::function<bool(std::size_t done, std::size_t all)>;
+
+/// Verifies each attempt, and in a dry run goes no further. Each is thinned in a transaction of its own: if the program
+/// ends, or a write fails, the recording of every other attempt is whole. Needs manage_station.
+Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, const ThinningOrder& order,
+                                   const ThinningWatch& watch = {});
+
+}  // namespace cusp::storage
