@@ -1,0 +1,28 @@
+/// Students who have made no attempt for years, and their erasure. Thread: the context's own.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "storage/repositories/accounts.h"
+
+namespace cusp::storage {
+
+inline constexpr int kMostRetainedYears = 100;
+
+struct DepartedStudent {
+  Account account{};
+  std::int64_t last_utc_us = 0;  // start of the newest attempt; without one, when the account was made
+};
+struct DepartedStudents {
+  std::vector<DepartedStudent> erasable;  // longest gone first
+  std::vector<DepartedStudent> waiting;   // they stay: an assessment of theirs is not released, or an attempt runs
+};
+
+/// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears. The school says how many. Needs manage_accounts.
+Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years);
+
+/// Accounts::erase() of each who is erasable; returns these. A failure leaves the others as they are.
+Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years);
+
+}  // namespace cusp::storage

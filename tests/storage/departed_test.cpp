@@ -1,0 +1,69 @@
+/// Students without an attempt for years: who is erased, and who waits for a release.
+#include <gtest/gtest.h>
+
+#include "storage/retention/departed.h"
+#include "tests/storage/old_attempts.h"
+
+namespace cusp::test {
+namespace {
+
+struct DepartedTest : OldAttempts {
+  static std::vector<std::string> numbers(const std::vector<DepartedStudent>& students) {
+    std::vector<std::string> out;
+    for (const DepartedStudent& s : students) out.push_back(s.account.number);
+    return out;
+  }
+  Account enrolled(const std::string& number, int days_ago) {
+    *now = kNow - days_ago * kDay_us;
+    const Account account = make_student(*store, number, "Student " + number);
+    *now = kNow;
+    return account;
+  }
+  using Numbers = std::vector<std::string>;
+};
+
+constexpr int kThreeYears = 1096;  // 3 x 365.25 days are 1,095.75
+
+TEST_F(DepartedTest, are_students_whose_newest_attempt_is_older_than_the_school_says) {
+  const Account gone = enrolled("gone", 3000), stays = enrolled("stays", 3000);
+  enrolled("never", kThreeYears);
+  enrolled("new", kThreeYears - 1);
+  student = gone;
+  attempt(kThreeYears);
+  student = stays;
+  attempt(3000);
+  attempt(kThreeYears - 1);
+  const DepartedStudents found = must(departed_students(store->context(), admin, 3));
+  EXPECT_EQ(numbers(found.erasable), (Numbers{"gone", "never"})) << "20267314 and the staff are of today";
+  EXPECT_EQ(found.erasable[0].last_utc_us, kNow - kThreeYears * kDay_us);
+  EXPECT_TRUE(found.waiting.empty());
+  EXPECT_TRUE(store->accounts.find_number("gone")) << "a dry run erases nobody";
+}
+
+TEST_F(DepartedTest, are_erased_like_anybody_and_their_attempts_verify) {
+  student = enrolled("gone", 3000);
+  attempt(kThreeYears);
+  EXPECT_EQ(must(erase_departed(store->context(), admin, 3)).erasable.size(), 1u);
+  EXPECT_EQ(code_of(store->accounts.find_number("gone")), StorageError::not_found);
+  EXPECT_TRUE(must(departed_students(store->context(), admin, 3)).erasable.empty());
+  EXPECT_EQ(findings(), "");
+}
+
+TEST_F(DepartedTest, wait_while_an_assessment_of_theirs_is_not_released) {
+  student = enrolled("sat", 3000);
+  const SessionId sat = assessment(kThreeYears);
+  EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3)).waiting), Numbers{"sat"});
+  EXPECT_TRUE(store->accounts.find_number("sat"));
+  must(store->statements.release(instructor, sat));
+  EXPECT_EQ(numbers(must(departed_students(store->context(), admin, 3)).erasable), Numbers{"sat"});
+}
+
+TEST_F(DepartedTest, are_for_administrators_and_for_whole_years) {
+  EXPECT_EQ(code_of(departed_students(store->context(), instructor, 3)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(erase_departed(store->context(), student.actor(), 3)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(departed_students(store->context(), admin, 0)), StorageError::bad_value);
+  EXPECT_EQ(code_of(departed_students(store->context(), admin, kMostRetainedYears + 1)), StorageError::bad_value);
+}
+
+}  // namespace
+}  // namespace cusp::test
