@@ -111,6 +111,51 @@ def erasure(desk, database):
     check(b"Lena Brandt" not in content and STUDENT.encode() not in content, "the file still holds the name or number")
 
 
+def rows(database, table):
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        return db.execute(f"SELECT count(*) FROM {table}").fetchone()[0]
+
+
+def thinning(desk, database):
+    """The recording of the one attempt goes, once; the records verify. One that was changed is named and stays."""
+    as_admin, secret = ("--as", "admin"), {"CUSP_PASSWORD": "correct horse"}
+    for name in ("thinned.db", "changed.db"):
+        for end in ("", ".key", ".key-counter"):
+            shutil.copy(desk.path("restored.db") + end, desk.path(name) + end)
+    thinned, changed = desk.path("thinned.db"), desk.path("changed.db")
+    recent = ("thin", thinned, "--older-than", "1", "--json", "-")  # the attempt is of 20 November 2026
+    status, _, err = desk.run(*recent, "--as", STUDENT, CUSP_PASSWORD=PIN)
+    one_sentence(err, "a student thins")
+    check(status == 1 and rows(thinned, "trace_chunks") == 3, f"a student thins: {err}")
+    check(desk.run("thin", thinned, "--older-than", "0", *as_admin, **secret)[0] == 2, "0 days are wrong usage")
+    status, out, err = desk.run("thin", thinned, "--older-than", "36500", *as_admin, **secret)
+    check(status == 0 and "0 recording" in out, f"nothing is a hundred years old: {out}{err}")
+    status, out, err = desk.run(*recent, "--dry-run", *as_admin, **secret)
+    would = json.loads(out)
+    check(status == 0 and would["attempts"] == 1 and would["dry_run"], f"a dry run: {out}{err}")
+    check(rows(thinned, "trace_chunks") == 3 and rows(thinned, "thinned_traces") == 0, "a dry run changed something")
+    status, out, err = desk.run(*recent, *as_admin, **secret)
+    did = json.loads(out)
+    check(status == 0 and did["attempts"] == 1 and did["bytes"] == would["bytes"] > 0, f"thin: {out}{err}")
+    check(rows(thinned, "trace_chunks") == rows(thinned, "key_states") == 0 and rows(thinned, "grades") == 1, "what thinning took")
+    status, out, err = desk.run("history", thinned, "verify", *as_admin, **secret)
+    check(status == 0, f"after thinning: {out}{err}")
+    check(json.loads(desk.run(*recent, *as_admin, **secret)[1])["attempts"] == 0, "a recording is thinned once")
+    with contextlib.closing(sqlite3.connect(thinned)) as db:
+        db.execute("DELETE FROM thinned_traces")
+        db.commit()
+    status, out, _ = desk.run("history", thinned, "verify", *as_admin, **secret)
+    check(status == 1 and "trace_chunks" in out and "thinned_traces" in out, f"a thinning without its row: {out}")
+    with contextlib.closing(sqlite3.connect(changed)) as db:
+        db.execute("UPDATE grades SET score = 100")
+        db.commit()
+    status, out, err = desk.run("thin", changed, "--older-than", "1", "--json", "-", *as_admin, **secret)
+    one_sentence(err, "an attempt that was changed")
+    seen = json.loads(out)
+    check(status == 1 and seen["kept"]["broken"] == 1 and seen["broken"][0]["table"] == "grades", f"{out}{err}")
+    check(rows(changed, "trace_chunks") == 3, "an attempt that was changed is thinned")
+
+
 def secrets(desk, database):
     listed = ("history", database, "list", "--as")
     check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PIN)[0] == 0, "a PIN signs a student in")
@@ -201,6 +246,7 @@ def main():
         rebuild(desk)
         backups(desk, database)
         erasure(desk, database)
+        thinning(desk, database)
         print("four tamperings were named, and PIN and password called by their names")
 
 

@@ -105,6 +105,7 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "text") return {Text::tr("A comment or reason has 1 to 10,000 characters."), nothing_changed()};
   if (f.where == "extra_time") return {Text::tr("Extra time is 0 to 400 % of the time limit."), nothing_changed()};
   if (f.where == "start_code") return {Text::tr("A start code has 4 to 32 characters."), nothing_changed()};
+  if (f.where == "days") return {Text::tr("Recordings are thinned after 1 to 36,500 days."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
@@ -129,11 +130,21 @@ Message describe_not_allowed(const StorageFailure& f) {
   return {Text::tr("Your role may not do this."), nothing_changed()};
 }
 
+/// With its year: the recording may be gone for long.
+Message describe_thinned(const StorageFailure& f) {
+  const QLocale locale;
+  const QDate day = local_time(QString::fromStdString(f.detail).toLongLong()).date();
+  const QString form = locale.language() == QLocale::German ? QStringLiteral("d. MMMM yyyy") : QStringLiteral("d MMMM yyyy");
+  return {Text::tr("The recording was thinned on %1.").arg(locale.toString(day, form)),
+          Text::tr("Grade, report and final tooth are kept. The attempt can no longer be replayed, graded again or packed for an appeal.")};
+}
+
 Message describe_wrong_state(const StorageFailure& f) {
   if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
   if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
   if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};
   if (f.where == "other_station") return {Text::tr("This attempt belongs to another station."), nothing_changed()};
+  if (f.where == "thinned") return describe_thinned(f);
   if (f.where == "running") return {Text::tr("An attempt of this person still runs."), nothing_changed()};
   if (f.where == "grade") return {Text::tr("This attempt has no grade yet."), nothing_changed()};
   if (f.where == "released") return {Text::tr("This result is released already."), nothing_changed()};
