@@ -156,6 +156,18 @@ def thinning(desk, database):
     check(rows(changed, "trace_chunks") == 3, "an attempt that was changed is thinned")
 
 
+def retention(desk, database):
+    as_admin, secret = ("--as", "admin"), {"CUSP_PASSWORD": "correct horse"}
+    restored = desk.path("restored.db")
+    check(desk.run("retain", restored, "--dry-run", *as_admin, **secret)[0] == 2, "the school says how many years")
+    status, _, err = desk.run("retain", restored, "--years", "100", "--as", STUDENT, CUSP_PASSWORD=PIN)
+    one_sentence(err, "a student erases by years")
+    check(status == 1, f"a student erases by years: {err}")
+    for dry in (("--dry-run",), ()):
+        status, out, err = desk.run("retain", restored, "--years", "100", "--json", "-", *dry, *as_admin, **secret)
+        check(status == 0 and json.loads(out)["erased"] == [], f"nobody is gone for a hundred years: {out}{err}")
+
+
 def secrets(desk, database):
     listed = ("history", database, "list", "--as")
     check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PIN)[0] == 0, "a PIN signs a student in")
@@ -247,6 +259,7 @@ def main():
         backups(desk, database)
         erasure(desk, database)
         thinning(desk, database)
+        retention(desk, database)
         print("four tamperings were named, and PIN and password called by their names")
 
 

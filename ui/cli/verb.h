@@ -31,6 +31,7 @@ void add_history(CLI::App& program, Job& job);
 void add_template(CLI::App& program, Job& job);
 void add_erase(CLI::App& program, Job& job);
 void add_thin(CLI::App& program, Job& job);
+void add_retain(CLI::App& program, Job& job);
 /// appeal and verify.
 void add_appeal(CLI::App& program, Job& job);
 void add_exchange(CLI::App& program, Job& job);

@@ -18,8 +18,8 @@ namespace cusp::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 17> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
-                                                     "specimen", "history", "template", "backup", "restore", "erase", "thin", "appeal", "verify", "exchange", "import-child"};
+constexpr std::array<std::string_view, 18> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
+                                                     "specimen", "history", "template", "backup", "restore", "erase", "thin", "retain", "appeal", "verify", "exchange", "import-child"};
 
 int run(int argc, char** argv) {
   CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   add_backup(program, job);
   add_erase(program, job);
   add_thin(program, job);
+  add_retain(program, job);
   add_appeal(program, job);
   add_exchange(program, job);
   try {

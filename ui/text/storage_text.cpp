@@ -106,6 +106,7 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "extra_time") return {Text::tr("Extra time is 0 to 400 % of the time limit."), nothing_changed()};
   if (f.where == "start_code") return {Text::tr("A start code has 4 to 32 characters."), nothing_changed()};
   if (f.where == "days") return {Text::tr("Recordings are thinned after 1 to 36,500 days."), nothing_changed()};
+  if (f.where == "years") return {Text::tr("Accounts are kept for 1 to 100 years."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
