@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QStandardItemModel>
 
+#include "ui/admin/recordings_card.h"
 #include "ui/admin/store_beside.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
@@ -56,6 +57,9 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   auto* aside = new QVBoxLayout;
   aside->setSpacing(px(16));
   aside->addWidget(make_records());
+  recordings_ = new RecordingsCard(database_, actor_, ports_);
+  connect(recordings_, &RecordingsCard::reported, band_, &Band::show_message);
+  aside->addWidget(recordings_);
   aside->addWidget(make_idle());
   aside->addStretch();
   row->addLayout(aside, 2);

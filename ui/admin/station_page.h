@@ -21,6 +21,7 @@ namespace cusp::ui {
 class Band;
 class Busy;
 class NumberField;
+class RecordingsCard;
 class Table;
 
 class StationPage : public QWidget {
@@ -31,6 +32,7 @@ class StationPage : public QWidget {
   StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent = nullptr);
   QString message() const;
   bool working() const { return working_; }
+  RecordingsCard& recordings() { return *recordings_; }
 
  public Q_SLOTS:
   void back_up();
@@ -59,6 +61,7 @@ class StationPage : public QWidget {
   Band* band_;
   Busy* busy_ = nullptr;
   NumberField* idle_ = nullptr;
+  RecordingsCard* recordings_ = nullptr;
   QLabel *folder_ = nullptr, *newest_ = nullptr;
   QPushButton *back_up_ = nullptr, *choose_ = nullptr, *verify_ = nullptr;
   QStandardItemModel* list_ = nullptr;

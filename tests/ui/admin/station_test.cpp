@@ -5,9 +5,12 @@
 #include <QFile>
 #include <QPushButton>
 #include <QTest>
+#include <future>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/looks.h"
+#include "ui/admin/recordings_card.h"
 #include "ui/admin/station_page.h"
 
 namespace cusp::test {
@@ -24,6 +27,32 @@ class Station : public testing::Test {
       asked_for_folder = wish.what == FileWish::What::folder;
       then(chosen);
     };
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked = question;
+      then(answer);
+    };
+  }
+  /// An attempt of September 2001; the other one of this station is of November 2026.
+  SessionId old_attempt() {
+    const std::int64_t before = std::exchange(records.now_us, 1'000'000'000'000'000);
+    const SessionId session = records.attempt(records.student("4712", "Omar Haddad"), "channel-1", 81, 60);
+    records.now_us = before;
+    return session;
+  }
+  /// Until its card has counted what ended before 5,000 days: since 2015, until 2040.
+  static RecordingsCard& counted(StationPage& page) {
+    RecordingsCard& card = page.recordings();
+    card.choose_days(5000);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !card.found().isEmpty(); }, kPatienceMs));
+    return card;
+  }
+  void thin(RecordingsCard& card) {
+    card.thin();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !card.working(); }, kPatienceMs));
+  }
+  std::int64_t recordings() {
+    const auto count = records.store().database().first("SELECT count(DISTINCT session) FROM trace_chunks", [](Row row) { return row.integer(0); });
+    return count ? count->value_or(-1) : -1;
   }
   std::unique_ptr<StationPage> page() {
     return std::make_unique<StationPage>(records.store(), admin.actor(), settings, ports);
@@ -38,7 +67,8 @@ class Station : public testing::Test {
   Account admin;
   Ports ports;
   QString chosen = folder.filePath(QStringLiteral("stick"));
-  bool asked_for_folder = false;
+  bool asked_for_folder = false, answer = true;
+  std::optional<Question> asked;
 };
 
 TEST_F(Station, MakesABackupWhereItWasAskedTo) {
@@ -74,6 +104,69 @@ TEST_F(Station, VerifiesAndNamesWhatWasChanged) {
   shown->verify();
   ASSERT_TRUE(waited(*shown));
   EXPECT_TRUE(shown->message().contains(QStringLiteral("grades"))) << shown->message().toStdString();
+}
+
+TEST_F(Station, CountsOldRecordingsAndThinsThemAfterAQuestion) {
+  old_attempt();
+  const auto shown = page();
+  RecordingsCard& card = counted(*shown);
+  EXPECT_TRUE(card.found().startsWith(QStringLiteral("1 recording"))) << card.found().toStdString();
+  answer = false;
+  thin(card);
+  ASSERT_TRUE(asked);
+  EXPECT_TRUE(asked->what.contains(QStringLiteral("Thin 1 recording"))) << asked->what.toStdString();
+  EXPECT_TRUE(asked->more.contains(QStringLiteral("cannot be undone"))) << asked->more.toStdString();
+  EXPECT_TRUE(asked->erases);
+  EXPECT_EQ(recordings(), 2);
+  answer = true;
+  thin(card);
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("thinned"))) << shown->message().toStdString();
+  EXPECT_EQ(recordings(), 1) << "the young one";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.found().isEmpty(); }, kPatienceMs));
+  EXPECT_EQ(card.found().toStdString(), "No recording is that old.");
+}
+
+TEST_F(Station, AsksNothingIfNoOldRecordingVerifies) {
+  const SessionId session = old_attempt();
+  ASSERT_TRUE(records.store().database().run("UPDATE grades SET score = 100 WHERE session = ?1", session));
+  const auto shown = page();
+  thin(counted(*shown));
+  EXPECT_FALSE(asked);
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("cannot be verified"))) << shown->message().toStdString();
+  EXPECT_EQ(recordings(), 2);
+}
+
+TEST_F(Station, StopsThinningBeforeTheNextAttempt) {
+  old_attempt();
+  const auto progress = std::make_shared<ThinningProgress>();
+  progress->stop = true;
+  std::promise<Stored<ThinningReport>> promise;
+  const auto task = thin_in_background(records.file(), admin.actor(), {5000, ThinningMode::carry_out}, progress,
+                                       [&promise](Stored<ThinningReport> report) { promise.set_value(std::move(report)); });
+  const auto report = promise.get_future().get();
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->stopped);
+  EXPECT_EQ(report->attempts, 0u);
+  EXPECT_EQ(recordings(), 2);
+}
+
+TEST_F(Station, StandsInEachLook) {
+  old_attempt();
+  in_each_look([&](const QString& name) {
+    StationPage shown(records.store(), admin.actor(), settings, ports);
+    shown.resize(px(1040), px(740));
+    shown.show();
+    counted(shown);
+    QApplication::processEvents();
+    for (const QAbstractButton* button : shown.findChildren<QAbstractButton*>()) {
+      if (!button->isVisibleTo(&shown) || button->text().isEmpty()) continue;
+      EXPECT_GE(button->width(), button->sizeHint().width()) << name.toStdString() << ": " << button->text().toStdString();
+      EXPECT_GE(button->height(), button->sizeHint().height()) << name.toStdString() << ": " << button->text().toStdString();
+    }
+    leave_picture(shown, QStringLiteral("station-") + name);
+  });
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 TEST_F(Station, ABackupIsDueADayAfterTheLast) {
