@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "ui/admin/departed_card.h"
 #include "ui/admin/people_model.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
@@ -40,12 +41,24 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   table_->set_stretch_column(PeopleModel::kName);
   card->body()->addWidget(table_);
   row->addWidget(card, 1);
-  row->addWidget(make_form(), 0, Qt::AlignTop);
+  auto* aside = new QVBoxLayout;
+  aside->setSpacing(px(16));
+  aside->addWidget(make_form());
+  departed_ = new DepartedCard(store.database().file(), actor, ports);
+  departed_->setFixedWidth(px(320));
+  aside->addWidget(departed_);
+  aside->addStretch();
+  row->addLayout(aside);
   outer->addLayout(row, 1);
 
   connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {
     model_->narrow(text);
     table_->choose_row(0);
+  });
+  connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
+  connect(departed_, &DepartedCard::erased, this, [this] {
+    read();
+    if (table_->chosen_row() < 0) begin_new();
   });
   connect(add, &QPushButton::clicked, this, &PeoplePage::begin_new);
   connect(import, &QPushButton::clicked, this, &PeoplePage::import_wanted);

@@ -17,6 +17,7 @@ namespace cusp::ui {
 
 class Band;
 class Card;
+class DepartedCard;
 class PeopleModel;
 class Table;
 
@@ -27,6 +28,7 @@ class PeoplePage : public QWidget {
   PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
   PeopleModel* model() const { return model_; }
   Table* table() const { return table_; }
+  DepartedCard& departed() { return *departed_; }
   QString message() const;
 
  Q_SIGNALS:
@@ -50,6 +52,7 @@ class PeoplePage : public QWidget {
   Table* table_ = nullptr;
   Band* band_ = nullptr;
   Card* form_ = nullptr;
+  DepartedCard* departed_ = nullptr;
   QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
   class QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
   QComboBox* role_ = nullptr;

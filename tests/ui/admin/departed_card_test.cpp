@@ -1,0 +1,89 @@
+// Students who left: shown for as many years as the school says, erased after a question.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QTest>
+
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "tests/ui/looks.h"
+#include "ui/admin/departed_card.h"
+#include "ui/admin/people_page.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr int kPatience_ms = 60'000;
+
+class Departed : public testing::Test {
+ protected:
+  Departed() {
+    admin = records.administrator();
+    // September 2001 and November 2026: from 2015 to 2040 the first alone is 14 years old.
+    const std::int64_t before = std::exchange(records.now_us, 1'000'000'000'000'000);
+    records.student("4712", "Omar Haddad");
+    records.now_us = before;
+    records.student("4711", "Lena Brandt");
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked = question;
+      then(answer);
+    };
+  }
+  DepartedCard& looked(PeoplePage& page) {
+    DepartedCard& card = page.departed();
+    card.choose_years(14);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !card.found().isEmpty(); }, kPatience_ms));
+    return card;
+  }
+  bool there(const char* number) { return records.store().accounts.find_number(number).has_value(); }
+
+  DeskRecords records;
+  Account admin;
+  Ports ports;
+  bool answer = true;
+  std::optional<Question> asked;
+};
+
+TEST_F(Departed, AreNamedAndStayUntilTheQuestionIsAnswered) {
+  answer = false;
+  PeoplePage page(records.store(), admin.actor(), ports);
+  EXPECT_TRUE(page.departed().found().isEmpty()) << "without years nobody is meant";
+  DepartedCard& card = looked(page);
+  EXPECT_TRUE(card.found().contains(QStringLiteral("Omar Haddad"))) << card.found().toStdString();
+  EXPECT_FALSE(card.found().contains(QStringLiteral("Lena Brandt")));
+  card.erase();
+  ASSERT_TRUE(asked);
+  EXPECT_TRUE(asked->erases);
+  EXPECT_TRUE(there("4712"));
+}
+
+TEST_F(Departed, AreErasedAndLeaveTheList) {
+  PeoplePage page(records.store(), admin.actor(), ports);
+  DepartedCard& card = looked(page);
+  card.erase();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working(); }, kPatience_ms));
+  EXPECT_FALSE(there("4712"));
+  EXPECT_TRUE(there("4711"));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("erased"))) << page.message().toStdString();
+}
+
+TEST_F(Departed, StandsInEachLook) {
+  in_each_look([&](const QString& name) {
+    PeoplePage shown(records.store(), admin.actor(), ports);
+    shown.resize(px(1040), px(740));
+    shown.show();
+    looked(shown);
+    QApplication::processEvents();
+    for (const QAbstractButton* button : shown.findChildren<QAbstractButton*>()) {
+      if (!button->isVisibleTo(&shown) || button->text().isEmpty()) continue;
+      EXPECT_GE(button->width(), button->sizeHint().width()) << name.toStdString() << ": " << button->text().toStdString();
+      EXPECT_GE(button->height(), button->sizeHint().height()) << name.toStdString() << ": " << button->text().toStdString();
+    }
+    leave_picture(shown, QStringLiteral("people-") + name);
+  });
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+}  // namespace
+}  // namespace cusp::test

@@ -1,0 +1,114 @@
+#include "ui/admin/departed_card.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/admin/store_beside.h"
+#include "ui/text/failure_text.h"
+#include "ui/widgets/number_field.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr std::size_t kNamesShown = 3;
+
+QString names_of(const std::vector<DepartedStudent>& students) {
+  QStringList names;
+  for (std::size_t i = 0; i < students.size() && i < kNamesShown; ++i) names += QString::fromStdString(students[i].account.name);
+  return names.join(u", ");
+}
+
+/// A look without erasing, or with it, over a store of its own.
+Stored<DepartedStudents> departed_in(const std::filesystem::path& database, const Actor& actor, int years, DatabaseOptions::Access access) {
+  const auto store = open_beside(database, access);
+  if (!store) return std::unexpected(store.error());
+  StorageContext& context = (*store)->context();
+  return access == DatabaseOptions::Access::read_only ? departed_students(context, actor, years) : erase_departed(context, actor, years);
+}
+
+}  // namespace
+
+DepartedCard::DepartedCard(std::filesystem::path database, const Actor& actor, const Ports& ports, QWidget* parent)
+    : Card(tr("Students who left"), {}, parent), database_(std::move(database)), actor_(actor), ports_(ports) {
+  years_ = new NumberField;
+  years_->setRange(0, kMostRetainedYears);
+  years_->setDecimals(0);
+  years_->setSpecialValueText(tr("as the school decides"));
+  years_->show_value(0);
+  body()->addWidget(labelled(tr("Years without an attempt"), years_));
+  found_ = make_label({}, TextRole::body, Weight::regular, "text2");
+  found_->setWordWrap(true);
+  found_->hide();
+  body()->addWidget(found_);
+  erase_ = make_button(tr("Erase them"), ButtonKind::erase);
+  erase_->setEnabled(false);
+  body()->addWidget(erase_);
+  connect(years_, &QDoubleSpinBox::valueChanged, this, &DepartedCard::look);
+  connect(erase_, &QPushButton::clicked, this, &DepartedCard::erase);
+}
+
+int DepartedCard::years() const { return static_cast<int>(years_->value()); }
+QString DepartedCard::found() const { return found_->text(); }
+void DepartedCard::choose_years(int years) { years_->setValue(years); }
+
+void DepartedCard::look() {
+  departed_ = {};
+  found_->clear();
+  found_->hide();
+  erase_->setEnabled(false);
+  if (years() == 0 || working_) return;
+  task_ = BackgroundTask([database = database_, actor = actor_, asked = years(), self = QPointer(this)] {
+    auto shared = std::make_shared<Stored<DepartedStudents>>(departed_in(database, actor, asked, DatabaseOptions::Access::read_only));
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, asked, shared] {
+          if (self && self->years() == asked && !self->working_) self->show_found(*shared);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void DepartedCard::show_found(const Stored<DepartedStudents>& departed) {
+  if (!departed) return report_failure(departed.error());
+  departed_ = *departed;
+  const int gone = static_cast<int>(departed_.erasable.size()), waiting = static_cast<int>(departed_.waiting.size());
+  QString text = gone == 0 ? tr("Nobody has been away that long.") : tr("%n student(s): %1", nullptr, gone).arg(names_of(departed_.erasable));
+  if (departed_.erasable.size() > kNamesShown) text += QStringLiteral(" …");
+  if (waiting > 0) text += u'\n' + tr("%n student(s) stay: an assessment of theirs is not released.", nullptr, waiting);
+  found_->setText(text);
+  found_->show();
+  erase_->setEnabled(gone > 0);
+}
+
+void DepartedCard::erase() {
+  if (working_ || departed_.erasable.empty()) return;
+  const int gone = static_cast<int>(departed_.erasable.size());
+  const QString more = tr("Names, numbers and PINs go, and every text about their attempts. The attempts stay under a pseudonym. "
+                          "It cannot be undone; backups made before still hold the names.");
+  ports_.ask(this, {tr("Erase %n student(s) for good?", nullptr, gone), more, tr("Erase"), true}, [self = QPointer(this)](bool yes) {
+    if (!self || !yes || self->working_) return;
+    self->working_ = true;
+    self->erase_->setEnabled(false);
+    self->task_ = BackgroundTask([database = self->database_, actor = self->actor_, years = self->years(),
+                                  then = on_window<Stored<DepartedStudents>>(self.data(), &DepartedCard::show_erased)] {
+      then(departed_in(database, actor, years, DatabaseOptions::Access::existing));
+    });
+  });
+}
+
+void DepartedCard::show_erased(const Stored<DepartedStudents>& departed) {
+  working_ = false;
+  look();
+  emit erased();
+  if (!departed) return report_failure(departed.error());
+  emit reported(Band::Kind::good, tr("%n student(s) are erased.", nullptr, static_cast<int>(departed->erasable.size())),
+                tr("The attempts stay under a pseudonym."));
+}
+
+void DepartedCard::report_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  emit reported(Band::Kind::bad, message.what, message.more);
+}
+
+}  // namespace cusp::ui

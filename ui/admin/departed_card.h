@@ -1,0 +1,57 @@
+/// Students who left: those without an attempt for as many years as the school says, and their erasure after a question.
+/// Thread: GUI; the records are read and written in the background, by a store of its own.
+#pragma once
+
+#include <filesystem>
+
+#include "storage/retention/departed.h"
+#include "ui/modules.h"
+#include "ui/session/background_task.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/ports.h"
+
+class QLabel;
+class QPushButton;
+
+namespace cusp::ui {
+
+class NumberField;
+
+class DepartedCard : public Card {
+  Q_OBJECT
+
+ public:
+  /// The ports outlive the card.
+  DepartedCard(std::filesystem::path database, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  bool working() const { return working_; }
+  /// Who would be erased; empty without years.
+  QString found() const;
+  void choose_years(int years);
+
+ public Q_SLOTS:
+  void erase();
+
+ Q_SIGNALS:
+  void reported(cusp::ui::Band::Kind kind, const QString& what, const QString& more);
+  /// The list of accounts has changed.
+  void erased();
+
+ private:
+  int years() const;
+  void look();
+  void show_found(const Stored<DepartedStudents>& departed);
+  void show_erased(const Stored<DepartedStudents>& departed);
+  void report_failure(const StorageFailure& failure);
+
+  std::filesystem::path database_;
+  Actor actor_;
+  const Ports& ports_;
+  bool working_ = false;
+  DepartedStudents departed_;
+  BackgroundTask task_;
+  QLabel* found_ = nullptr;
+  NumberField* years_ = nullptr;
+  QPushButton* erase_ = nullptr;
+};
+
+}  // namespace cusp::ui
