@@ -2532,6 +2532,62 @@
         <source>A file that “exchange out” wrote</source>
         <translation>Eine Datei, die „exchange out“ geschrieben hat</translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) would be erased.</source>
+        <translation>
+            <numerusform>%n Person würde gelöscht.</numerusform>
+            <numerusform>%n Personen würden gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) are erased.</source>
+        <translation>
+            <numerusform>%n Person ist gelöscht.</numerusform>
+            <numerusform>%n Personen sind gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) stay: an assessment of theirs is not released.</source>
+        <translation>
+            <numerusform>%n Person bleibt: Eine ihrer Prüfungen ist nicht freigegeben.</numerusform>
+            <numerusform>%n Personen bleiben: Je eine ihrer Prüfungen ist nicht freigegeben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erases students who have made no attempt for years; for administrators</source>
+        <translation>Löscht Studierende, die seit Jahren keinen Versuch gemacht haben; für Administratoren</translation>
+    </message>
+    <message>
+        <source>Years without an attempt, as the school has decided</source>
+        <translation>Jahre ohne Versuch, wie die Schule es festgelegt hat</translation>
+    </message>
+    <message>
+        <source>Only say who would be erased</source>
+        <translation>Nur sagen, wer gelöscht würde</translation>
+    </message>
+    <message>
+        <source>Stopped before the last recording. Every recording is whole or thinned.</source>
+        <translation>Vor der letzten Aufzeichnung angehalten. Jede Aufzeichnung ist vollständig oder ausgedünnt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) cannot be verified and stayed as they are, %1 first: %2</source>
+        <translation>
+            <numerusform>%n Versuch ist nicht nachweisbar unverändert und bleibt, wie er ist, %1: %2</numerusform>
+            <numerusform>%n Versuche sind nicht nachweisbar unverändert und bleiben, wie sie sind, zuerst %1: %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Takes the recordings of old practice attempts out; grades and final teeth stay; for administrators</source>
+        <translation>Entfernt die Aufzeichnungen alter Übungsversuche; Noten und fertige Zähne bleiben; für Administratoren</translation>
+    </message>
+    <message>
+        <source>Days since an attempt ended</source>
+        <translation>Tage seit dem Ende eines Versuchs</translation>
+    </message>
+    <message>
+        <source>Only say what would go, and what stays and why</source>
+        <translation>Nur sagen, was entfernt würde, und was warum bleibt</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -2876,6 +2932,69 @@
     <message>
         <source>%1 (changed)</source>
         <translation>%1 (geändert)</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::DepartedCard</name>
+    <message>
+        <source>Students who left</source>
+        <translation>Ehemalige Studierende</translation>
+    </message>
+    <message>
+        <source>as the school decides</source>
+        <translation>wie die Schule festlegt</translation>
+    </message>
+    <message>
+        <source>Years without an attempt</source>
+        <translation>Jahre ohne Versuch</translation>
+    </message>
+    <message>
+        <source>Erase them</source>
+        <translation>Diese löschen</translation>
+    </message>
+    <message>
+        <source>Nobody has been away that long.</source>
+        <translation>Niemand ist so lange fort.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s): %1</source>
+        <translation>
+            <numerusform>%n Person: %1</numerusform>
+            <numerusform>%n Personen: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) stay: an assessment of theirs is not released.</source>
+        <translation>
+            <numerusform>%n Person bleibt: Eine ihrer Prüfungen ist nicht freigegeben.</numerusform>
+            <numerusform>%n Personen bleiben: Je eine ihrer Prüfungen ist nicht freigegeben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Names, numbers and PINs go, and every text about their attempts. The attempts stay under a pseudonym. It cannot be undone; backups made before still hold the names.</source>
+        <translation>Namen, Nummern und PINs werden entfernt, ebenso jeder Text über die Versuche. Die Versuche bleiben unter einem Pseudonym. Das lässt sich nicht rückgängig machen; frühere Sicherungen enthalten die Namen noch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Erase %n student(s) for good?</source>
+        <translation>
+            <numerusform>%n Person endgültig löschen?</numerusform>
+            <numerusform>%n Personen endgültig löschen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) are erased.</source>
+        <translation>
+            <numerusform>%n Person ist gelöscht.</numerusform>
+            <numerusform>%n Personen sind gelöscht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The attempts stay under a pseudonym.</source>
+        <translation>Die Versuche bleiben unter einem Pseudonym.</translation>
     </message>
 </context>
 <context>
@@ -7200,6 +7319,71 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::RecordingsCard</name>
+    <message>
+        <source>Recordings of practice</source>
+        <translation>Aufzeichnungen von Übungen</translation>
+    </message>
+    <message>
+        <source>Thinning takes out what a replay needs. Grade, report and final tooth stay, and verify. Assessments and results that an examiner has stated something about stay whole.</source>
+        <translation>Ausdünnen entfernt, was eine Wiedergabe braucht. Note, Bericht und fertiger Zahn bleiben und lassen sich prüfen. Prüfungen und Ergebnisse, zu denen sich jemand geäußert hat, bleiben vollständig.</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> Tage</translation>
+    </message>
+    <message>
+        <source>Ended so many days ago, or more</source>
+        <translation>Vor mindestens so vielen Tagen beendet</translation>
+    </message>
+    <message>
+        <source>Thin recordings</source>
+        <translation>Aufzeichnungen ausdünnen</translation>
+    </message>
+    <message>
+        <source>No recording is that old.</source>
+        <translation>Keine Aufzeichnung ist so alt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s), %1</source>
+        <translation>
+            <numerusform>%n Aufzeichnung, %1</numerusform>
+            <numerusform>%n Aufzeichnungen, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Verifying the attempts</source>
+        <translation>Die Versuche werden geprüft</translation>
+    </message>
+    <message>
+        <source>Thinning recordings</source>
+        <translation>Aufzeichnungen werden ausgedünnt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts</source>
+        <translation>%1 von %2 Versuchen</translation>
+    </message>
+    <message>
+        <source>Nothing can be thinned.</source>
+        <translation>Es kann nichts ausgedünnt werden.</translation>
+    </message>
+    <message>
+        <source>%1 on the disk are given free. %2 It cannot be undone; backups made before still hold the recordings.</source>
+        <translation>%1 auf der Festplatte werden frei. %2 Das lässt sich nicht rückgängig machen; frühere Sicherungen enthalten die Aufzeichnungen noch.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Thin %n recording(s)?</source>
+        <translation>
+            <numerusform>%n Aufzeichnung ausdünnen?</numerusform>
+            <numerusform>%n Aufzeichnungen ausdünnen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You stopped it; the other recordings are whole.</source>
+        <translation>Sie haben angehalten; die übrigen Aufzeichnungen sind vollständig.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ReferencePage</name>
     <message>
         <source>Reference preparation</source>
@@ -10882,6 +11066,76 @@ Ihr bester davor</translation>
     <message>
         <source>Compare key %1 with that on the other station’s page, then make it known here. Station %2; nothing was changed.</source>
         <translation>Vergleichen Sie den Schlüssel %1 mit dem auf der Seite der anderen Station und machen Sie ihn dann hier bekannt. Station %2; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Recording of an attempt thinned</source>
+        <translation>Aufzeichnung eines Versuchs ausgedünnt</translation>
+    </message>
+    <message>
+        <source>Thinning of a recording sealed as it was found</source>
+        <translation>Ausdünnung einer Aufzeichnung versiegelt, wie sie vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>Thinned recording came back in another station’s file</source>
+        <translation>Ausgedünnte Aufzeichnung kam in einer Datei einer anderen Station zurück</translation>
+    </message>
+    <message>
+        <source>Recordings are thinned after 1 to 36,500 days.</source>
+        <translation>Aufzeichnungen werden nach 1 bis 36.500 Tagen ausgedünnt.</translation>
+    </message>
+    <message>
+        <source>Accounts are kept for 1 to 100 years.</source>
+        <translation>Konten werden 1 bis 100 Jahre aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The recording was thinned on %1.</source>
+        <translation>Die Aufzeichnung wurde am %1 ausgedünnt.</translation>
+    </message>
+    <message>
+        <source>Grade, report and final tooth are kept. The attempt can no longer be replayed, graded again or packed for an appeal.</source>
+        <translation>Note, Bericht und fertiger Zahn sind erhalten. Der Versuch lässt sich nicht mehr wiedergeben, neu bewerten oder für einen Einspruch packen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) would be thinned: %1.</source>
+        <translation>
+            <numerusform>%n Aufzeichnung würde ausgedünnt: %1.</numerusform>
+            <numerusform>%n Aufzeichnungen würden ausgedünnt: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) were thinned: %1.</source>
+        <translation>
+            <numerusform>%n Aufzeichnung wurde ausgedünnt: %1.</numerusform>
+            <numerusform>%n Aufzeichnungen wurden ausgedünnt: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kept whole: %1.</source>
+        <translation>Vollständig bleiben: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of another station</source>
+        <translation>%1 einer anderen Station</translation>
+    </message>
+    <message>
+        <source>%1 from assessments</source>
+        <translation>%1 aus Prüfungen</translation>
+    </message>
+    <message>
+        <source>%1 not finished</source>
+        <translation>%1 nicht beendet</translation>
+    </message>
+    <message>
+        <source>%1 without a grade</source>
+        <translation>%1 ohne Note</translation>
+    </message>
+    <message>
+        <source>%1 that an examiner overrode, confirmed or released</source>
+        <translation>%1, deren Ergebnis jemand geändert, bestätigt oder freigegeben hat</translation>
+    </message>
+    <message>
+        <source>%1 that cannot be verified</source>
+        <translation>%1 nicht nachweisbar unverändert</translation>
     </message>
 </context>
 <context>

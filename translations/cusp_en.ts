@@ -117,6 +117,34 @@
             <numerusform>%n sessions are restored as of %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) would be erased.</source>
+        <translation>
+            <numerusform>%n student would be erased.</numerusform>
+            <numerusform>%n students would be erased.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) are erased.</source>
+        <translation>
+            <numerusform>%n student is erased.</numerusform>
+            <numerusform>%n students are erased.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) stay: an assessment of theirs is not released.</source>
+        <translation>
+            <numerusform>%n student stays: an assessment of theirs is not released.</numerusform>
+            <numerusform>%n students stay: an assessment of theirs is not released.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) cannot be verified and stayed as they are, %1 first: %2</source>
+        <translation>
+            <numerusform>%n attempt cannot be verified and stayed as it is, %1: %2</numerusform>
+            <numerusform>%n attempts cannot be verified and stayed as they are, %1 first: %2</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>
@@ -139,6 +167,37 @@
         <translation>
             <numerusform>%n student added.</numerusform>
             <numerusform>%n students added.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::DepartedCard</name>
+    <message numerus="yes">
+        <source>%n student(s): %1</source>
+        <translation>
+            <numerusform>%n student: %1</numerusform>
+            <numerusform>%n students: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) stay: an assessment of theirs is not released.</source>
+        <translation>
+            <numerusform>%n student stays: an assessment of theirs is not released.</numerusform>
+            <numerusform>%n students stay: an assessment of theirs is not released.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Erase %n student(s) for good?</source>
+        <translation>
+            <numerusform>Erase %n student for good?</numerusform>
+            <numerusform>Erase %n students for good?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s) are erased.</source>
+        <translation>
+            <numerusform>%n student is erased.</numerusform>
+            <numerusform>%n students are erased.</numerusform>
         </translation>
     </message>
 </context>
@@ -389,6 +448,23 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::RecordingsCard</name>
+    <message numerus="yes">
+        <source>%n recording(s), %1</source>
+        <translation>
+            <numerusform>%n recording, %1</numerusform>
+            <numerusform>%n recordings, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Thin %n recording(s)?</source>
+        <translation>
+            <numerusform>Thin %n recording?</numerusform>
+            <numerusform>Thin %n recordings?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Report</name>
     <message numerus="yes">
         <source>Best before: %1 point(s) on %2; today %3.</source>
@@ -516,6 +592,20 @@
         <translation>
             <numerusform>%n statement waits for its attempt; read the file again after that of the other station.</numerusform>
             <numerusform>%n statements wait for their attempt; read the file again after that of the other station.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) would be thinned: %1.</source>
+        <translation>
+            <numerusform>%n recording would be thinned: %1.</numerusform>
+            <numerusform>%n recordings would be thinned: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) were thinned: %1.</source>
+        <translation>
+            <numerusform>%n recording was thinned: %1.</numerusform>
+            <numerusform>%n recordings were thinned: %1.</numerusform>
         </translation>
     </message>
 </context>
