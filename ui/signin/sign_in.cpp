@@ -1,12 +1,15 @@
 #include "ui/signin/sign_in.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTabBar>
 
+#include "ui/session/records_task.h"
 #include "ui/signin/pin_field.h"
 #include "ui/widgets/parts.h"
 
@@ -44,6 +47,7 @@ SignIn::SignIn(Store& store, QWidget* parent) : QWidget(parent), store_(store) {
   both->setSpacing(px(16));
   both->addWidget(make_notices());
   both->addWidget(form);
+  wait_.emplace(enter_);
   form->setFixedWidth(px(kFormWidth));
   // Stretches centre the form: an aligned one would not get the height of its wrapped lines.
   auto* middle = new QHBoxLayout;
@@ -97,6 +101,7 @@ void SignIn::set_typed_number(const QString& number, Who who) {
 QString SignIn::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
 
 void SignIn::submit() {
+  if (waiting()) return;
   const bool as_staff = who() == Who::staff;
   const QString number = (as_staff ? staff_number_ : number_)->text().trimmed();
   if (number.isEmpty()) {
@@ -110,36 +115,57 @@ void SignIn::submit() {
     refuse({tr("The PIN has six digits."), {}});
     return;
   }
-  const auto account =
-      as_staff        ? store_.accounts.sign_in(number.toStdString(), password_->text().toStdString())
-      : pin.isEmpty() ? store_.accounts.sign_in(number.toStdString(), "")
-                      : store_.accounts.sign_in_with_pin(number.toStdString(), pin.toStdString());
-  if (account) {
-    password_->clear();
-    pin_->clear();
-    Q_EMIT signed_in(*account);
-    return;
-  }
-  const StorageFailure& failure = account.error();
+  const Given given = as_staff ? Given::password : pin.isEmpty() ? Given::number : Given::pin;
+  const QString secret = as_staff ? password_->text() : pin;
+  ask_records(
+      [given, number = number.toStdString(), secret = secret.toStdString()](Accounts& accounts) {
+        return given == Given::pin ? accounts.sign_in_with_pin(number, secret) : accounts.sign_in(number, secret);
+      },
+      [this, given, number](const Stored<Account>& account) {
+        if (!account) return refuse_sign_in(account.error(), number, given);
+        password_->clear();
+        pin_->clear();
+        Q_EMIT signed_in(*account);
+      });
+}
+
+void SignIn::refuse_sign_in(const StorageFailure& failure, const QString& number, Given given) {
   // An account without a PIN takes the number alone, so a refusal of an empty PIN means that one is set.
   const bool refused = failure.code == StorageError::wrong_password || failure.code == StorageError::other_secret;
-  if (refused && !as_staff && pin.isEmpty()) {
+  if (refused && given == Given::number) {
     refuse({tr("The PIN is missing."), tr("It has six digits.")});
   } else {
-    refuse(describe_account(failure, number, as_staff ? Secret::password : Secret::pin));
+    refuse(describe_account(failure, number, given == Given::password ? Secret::password : Secret::pin));
   }
-  if (refused && !as_staff) {
+  if (refused && given != Given::password) {
     pin_->clear();
     pin_->show_refused();
     pin_->setFocus();
   }
-  if (as_staff) {
+  if (given == Given::password) {
     password_->selectAll();
     password_->setFocus();
   }
 }
 
+void SignIn::ask_records(Question question, Answer answer) {
+  wait_->start(tr("Checking…"));
+  asking_ = with_own_store(store_, [self = QPointer(this), question = std::move(question), answer = std::move(answer)](OwnStore own) {
+    const auto account = std::make_shared<Stored<Account>>(own ? question((*own)->accounts) : Stored<Account>(std::unexpected(own.error())));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, account, answer] {
+          if (!self) return;
+          self->wait_->finish();
+          // "Try it" may have put another page over this one.
+          if (self->isVisible()) answer(*account);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 void SignIn::create_administrator() {
+  if (waiting()) return;
   if (name_->text().trimmed().isEmpty() || staff_number_->text().trimmed().isEmpty()) {
     refuse({tr("Name and user name are needed."), {}});
     return;
@@ -156,13 +182,12 @@ void SignIn::create_administrator() {
   fresh.name = name_->text().trimmed().toStdString();
   fresh.role = Role::administrator;
   fresh.password = password_->text().toStdString();
-  const auto account = store_.accounts.create_first_administrator(fresh);
-  if (!account) {
-    refuse(describe_account(account.error(), staff_number_->text().trimmed(), Secret::password));
-    return;
-  }
-  Q_EMIT signed_in(*account);
-  Q_EMIT administrator_made();
+  ask_records([fresh](Accounts& accounts) { return accounts.create_first_administrator(fresh); },
+              [this, number = staff_number_->text().trimmed()](const Stored<Account>& account) {
+                if (!account) return refuse(describe_account(account.error(), number, Secret::password));
+                Q_EMIT signed_in(*account);
+                Q_EMIT administrator_made();
+              });
 }
 
 void SignIn::refuse(const Message& message) { band_->show_message(Band::Kind::bad, message.what, message.more); }

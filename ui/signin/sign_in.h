@@ -4,10 +4,14 @@
 
 #include <QImage>
 #include <QWidget>
+#include <functional>
+#include <optional>
 
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/session/background_task.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/busy.h"
 
 class QBoxLayout;
 class QLabel;
@@ -41,6 +45,8 @@ class SignIn : public QWidget {
   /// The records cannot be written: shown to everybody, with "Try again".
   void show_reading_only(const Message& why);
   QString message() const;
+  /// Until the records have answered: argon2id takes longer than a frame. A second press is ignored meanwhile.
+  bool waiting() const { return wait_ && wait_->running(); }
 
  Q_SIGNALS:
   void signed_in(const Account& account);
@@ -68,6 +74,12 @@ class SignIn : public QWidget {
   void add_try_it(QBoxLayout& column);
   void submit();
   void create_administrator();
+  using Question = std::function<Stored<Account>(Accounts& accounts)>;
+  using Answer = std::function<void(const Stored<Account>& account)>;
+  /// `question` is asked on a thread of its own. No answer comes to a page that is hidden by then.
+  void ask_records(Question question, Answer answer);
+  enum class Given { password, pin, number };  // number: a student's number alone
+  void refuse_sign_in(const StorageFailure& failure, const QString& number, Given given);
   void refuse(const Message& message);
   void show_fields(int tab);
 
@@ -81,6 +93,8 @@ class SignIn : public QWidget {
   Band *band_ = nullptr, *incident_ = nullptr, *reading_only_ = nullptr;
   QLabel* picture_ = nullptr;
   QImage image_;
+  std::optional<ButtonWait> wait_;  // of enter_
+  BackgroundTask asking_;
 };
 
 }  // namespace cusp::ui

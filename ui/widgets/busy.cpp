@@ -3,7 +3,6 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QTimer>
 
 #include "ui/widgets/parts.h"
 
@@ -52,6 +51,30 @@ void Busy::finish() {
   running_ = false;
   timer_->stop();
   hide();
+}
+
+ButtonWait::ButtonWait(QPushButton* button) : button_(button) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(Busy::kDelayMs);
+  timer_.callOnTimeout([this] { show_text(meanwhile_); });
+}
+
+void ButtonWait::start(const QString& meanwhile) {
+  running_ = true;
+  before_ = button_->text();
+  meanwhile_ = meanwhile;
+  timer_.start();
+}
+
+void ButtonWait::finish() {
+  running_ = false;
+  timer_.stop();
+  show_text(before_);
+}
+
+void ButtonWait::show_text(const QString& text) {
+  button_->setText(text);
+  button_->setAccessibleName(text.trimmed());
 }
 
 }  // namespace cusp::ui

@@ -1,13 +1,13 @@
 /// Progress of a long task: shown after 300 ms, with a count, and with a way to cancel. Thread: GUI.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/widgets/gauge.h"
 
 class QLabel;
 class QPushButton;
-class QTimer;
 
 namespace cusp::ui {
 
@@ -35,6 +35,24 @@ class Busy : public QWidget {
   QLabel* counted_;
   Bar* bar_;
   QPushButton* cancel_;
+};
+
+/// A button whose work runs elsewhere. After Busy::kDelayMs its text says so. It stays enabled: a disabled button hands the focus on,
+/// and a second Enter would press the next one. Whoever owns it ignores presses while running().
+class ButtonWait {
+ public:
+  explicit ButtonWait(QPushButton* button);  // which outlives it
+  void start(const QString& meanwhile);
+  void finish();
+  bool running() const { return running_; }
+
+ private:
+  void show_text(const QString& text);
+
+  QPushButton* button_;
+  QString before_, meanwhile_;
+  QTimer timer_;
+  bool running_ = false;
 };
 
 }  // namespace cusp::ui

@@ -100,8 +100,8 @@ TEST_F(DesktopTest, who_makes_the_first_administrator_sees_five_pictures_and_fin
   const char* const typed[] = {"Anna Weber", "anna", "correct horse", "correct horse"};
   for (int i = 0; i < 4; ++i) fields[i]->setText(QLatin1String(typed[i]));
   QTest::keyClick(fields[3], Qt::Key_Return);
-  const auto* quick = qobject_cast<QuickStart*>(desktop->page());
-  ASSERT_NE(quick, nullptr);
+  const QuickStart* quick = nullptr;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return (quick = qobject_cast<QuickStart*>(desktop->page())) != nullptr; }, 60'000));
   int pictures = 0;
   for (const QLabel* label : quick->findChildren<QLabel*>()) pictures += !label->pixmap().isNull();
   EXPECT_EQ(pictures, 5);
@@ -278,7 +278,7 @@ TEST_F(DesktopTest, a_waiting_exercise_file_opens_for_an_instructor_and_names_wh
   }
   EXPECT_TRUE(desktop->store()->scenarios.drafts(mara.actor())->empty());
   desktop->sign_in(mara);
-  EXPECT_NE(qobject_cast<EditorPage*>(desktop->page()), nullptr);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return qobject_cast<EditorPage*>(desktop->page()) != nullptr; }, 60'000));
   EXPECT_EQ(desktop->store()->scenarios.drafts(mara.actor())->size(), 1u);
   desktop->sign_out();
   desktop->sign_in(mara);

@@ -12,6 +12,7 @@
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/session/background_task.h"
 #include "ui/signin/pin_field.h"
 #include "ui/signin/sign_in.h"
 #include "ui/widgets/theme.h"
@@ -44,6 +45,16 @@ struct SignInTest : ::testing::Test {
     page->resize(1280, 800);
     page->show();
   }
+  /// The records have answered. They are asked on a thread of their own.
+  void answered() { ASSERT_TRUE(QTest::qWaitFor([this] { return !page->waiting(); }, 60'000)); }
+  void answer_key(QWidget* in, Qt::Key key) {
+    QTest::keyClick(in, key);
+    answered();
+  }
+  void answer_press(const char* name) {
+    button(*page, name)->click();
+    answered();
+  }
 };
 
 TEST_F(SignInTest, a_student_signs_in_with_number_and_pin) {
@@ -54,6 +65,7 @@ TEST_F(SignInTest, a_student_signs_in_with_number_and_pin) {
   QTest::keyClicks(pin, QStringLiteral("271828"));
   EXPECT_EQ(pin->text().toStdString(), "271828");
   QTest::mouseClick(button(*page, "Sign in"), Qt::LeftButton);
+  answered();
   ASSERT_TRUE(who.has_value());
   EXPECT_EQ(who->name, "Lena Brandt");
 }
@@ -64,7 +76,7 @@ TEST_F(SignInTest, a_wrong_pin_gets_one_sentence_and_nobody_is_signed_in) {
   QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
   auto* pin = page->findChild<PinField*>();
   QTest::keyClicks(pin, QStringLiteral("111111"));
-  QTest::keyClick(pin, Qt::Key_Return);
+  answer_key(pin, Qt::Key_Return);
   EXPECT_FALSE(who.has_value());
   EXPECT_EQ(page->message().toStdString(), "Number and PIN do not match. Check both and try again.");
   EXPECT_TRUE(pin->text().isEmpty());
@@ -75,11 +87,11 @@ TEST_F(SignInTest, staff_sign_in_with_user_name_and_password) {
   open();
   page->set_typed_number(QStringLiteral("anna"), SignIn::Who::staff);
   QTest::keyClicks(field(*page, "Password"), QStringLiteral("wrong horse"));
-  QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
+  answer_key(field(*page, "Password"), Qt::Key_Return);
   EXPECT_EQ(page->message().toStdString(), "Number and password do not match. Check both and try again.");
   field(*page, "Password")->clear();
   QTest::keyClicks(field(*page, "Password"), QStringLiteral("correct horse"));
-  QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
+  answer_key(field(*page, "Password"), Qt::Key_Return);
   ASSERT_TRUE(who.has_value());
   EXPECT_EQ(who->role, Role::administrator);
 }
@@ -90,7 +102,7 @@ TEST_F(SignInTest, five_wrong_tries_close_it_until_a_time_that_is_shown) {
   page->set_typed_number(QStringLiteral("anna"), SignIn::Who::staff);
   for (int i = 0; i < 6; ++i) {
     field(*page, "Password")->setText(QStringLiteral("wrong horse"));
-    QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
+    answer_key(field(*page, "Password"), Qt::Key_Return);
   }
   QString shown = page->message();
   for (const char16_t c : {u'\x2066', u'\x2069'}) shown.remove(QChar(c));
@@ -102,7 +114,7 @@ TEST_F(SignInTest, a_missing_pin_is_not_called_a_wrong_one) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
   QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
-  button(*page, "Sign in")->click();
+  answer_press("Sign in");
   EXPECT_FALSE(who.has_value());
   EXPECT_EQ(page->message().toStdString(), "The PIN is missing. It has six digits.");
 }
@@ -114,7 +126,7 @@ TEST_F(SignInTest, a_student_who_is_locked_out_reads_the_number_and_the_time) {
   auto* pin = page->findChild<PinField*>();
   for (int i = 0; i < 6; ++i) {
     QTest::keyClicks(pin, QStringLiteral("111111"));
-    QTest::keyClick(pin, Qt::Key_Return);
+    answer_key(pin, Qt::Key_Return);
   }
   QString shown = page->message();
   for (const char16_t c : {u'\x2066', u'\x2069'}) shown.remove(QChar(c));
@@ -125,11 +137,11 @@ TEST_F(SignInTest, a_student_who_is_locked_out_reads_the_number_and_the_time) {
 TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_reported_before_the_records_are_asked) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
-  button(*page, "Sign in")->click();
+  answer_press("Sign in");
   EXPECT_EQ(page->message().toStdString(), "The student number is missing.");
   field(*page, "Student number")->setText(QStringLiteral("20267314"));
   page->findChild<PinField*>()->setText(QStringLiteral("2"));
-  button(*page, "Sign in")->click();
+  answer_press("Sign in");
   EXPECT_EQ(page->message().toStdString(), "The PIN has six digits.");
 }
 
@@ -140,20 +152,59 @@ TEST_F(SignInTest, the_first_start_makes_the_administrator) {
   field(*page, "User name")->setText(QStringLiteral("anna"));
   field(*page, "Password, at least 8 characters")->setText(QStringLiteral("correct horse"));
   field(*page, "Password again")->setText(QStringLiteral("correct hearse"));
-  button(*page, "Make the administrator")->click();
+  answer_press("Make the administrator");
   EXPECT_EQ(page->message().toStdString(), "The two passwords differ. Type them again.");
   field(*page, "Password, at least 8 characters")->setText(QStringLiteral("horse"));
   field(*page, "Password again")->setText(QStringLiteral("horse"));
-  button(*page, "Make the administrator")->click();
+  answer_press("Make the administrator");
   EXPECT_TRUE(page->message().startsWith(QStringLiteral("This password is too short.")));
   field(*page, "Password, at least 8 characters")->setText(QStringLiteral("correct horse"));
   field(*page, "Password again")->setText(QStringLiteral("correct horse"));
   QSignalSpy made(page.get(), &SignIn::administrator_made);
-  button(*page, "Make the administrator")->click();
+  answer_press("Make the administrator");
   EXPECT_EQ(made.count(), 1);
   ASSERT_TRUE(who.has_value());
   EXPECT_EQ(who->role, Role::administrator);
   EXPECT_TRUE(*records.store().accounts.has_administrator());
+}
+
+TEST_F(SignInTest, the_records_are_asked_once_however_often_the_button_is_pressed) {
+  records.student("20267314", "Lena Brandt", "271828");
+  open();
+  field(*page, "Student number")->setText(QStringLiteral("20267314"));
+  page->findChild<PinField*>()->setText(QStringLiteral("271828"));
+  QSignalSpy entered(page.get(), &SignIn::signed_in);
+  QPushButton* enter = button(*page, "Sign in");
+  enter->setFocus();
+  enter->click();
+  EXPECT_TRUE(page->waiting());
+  EXPECT_FALSE(who.has_value()) << "the window does not wait for the records";
+  QTest::keyClick(enter, Qt::Key_Return);
+  EXPECT_EQ(page->focusWidget(), enter) << "a second Enter must not press \"Try it\"";
+  answered();
+  EXPECT_EQ(entered.count(), 1);
+}
+
+TEST_F(SignInTest, who_tried_it_meanwhile_is_not_signed_in) {
+  records.student("20267314", "Lena Brandt");
+  open();
+  field(*page, "Student number")->setText(QStringLiteral("20267314"));
+  button(*page, "Sign in")->click();
+  page->hide();  // as under another page
+  answered();
+  EXPECT_FALSE(who.has_value());
+}
+
+TEST_F(SignInTest, a_page_that_goes_meanwhile_gets_no_answer) {
+  records.student("20267314", "Lena Brandt", "271828");
+  open();
+  field(*page, "Student number")->setText(QStringLiteral("20267314"));
+  page->findChild<PinField*>()->setText(QStringLiteral("271828"));
+  button(*page, "Sign in")->click();
+  page.reset();
+  wait_for_dropped_tasks();
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(who.has_value());
 }
 
 TEST_F(SignInTest, try_it_takes_one_click_and_no_account) {
