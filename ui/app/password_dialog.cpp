@@ -1,9 +1,12 @@
 #include "ui/app/password_dialog.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 
+#include "ui/session/records_task.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/parts.h"
 
@@ -35,22 +38,38 @@ PasswordDialog::PasswordDialog(Store& store, const Account& account, QWidget* pa
   row->addWidget(cancel);
   row->addWidget(change);
   column->addLayout(row);
+  wait_.emplace(change);
   setMinimumWidth(px(400));
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(change, &QPushButton::clicked, this, &PasswordDialog::submit);
 }
 
+void PasswordDialog::reject() {
+  if (!waiting()) QDialog::reject();
+}
+
 void PasswordDialog::submit() {
+  if (waiting()) return;
   if (fresh_->text() != again_->text()) {
     band_->show_message(Band::Kind::bad, tr("The two new passwords differ."), tr("Type them again."));
     return;
   }
-  const auto done = store_.accounts.set_password(account_.actor(), account_.id, old_->text().toStdString(),
-                                               fresh_->text().toStdString());
-  if (done) {
-    accept();
-    return;
-  }
+  wait_->start(tr("Changing…"));
+  changing_ = with_own_store(store_, [self = QPointer(this), account = account_, old = old_->text().toStdString(), fresh = fresh_->text().toStdString()](OwnStore own) {
+    const auto done = std::make_shared<Stored<void>>(own ? (*own)->accounts.set_password(account.actor(), account.id, old, fresh)
+                                                         : Stored<void>(std::unexpected(own.error())));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, done] {
+          if (self) self->show_answer(*done);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PasswordDialog::show_answer(const Stored<void>& done) {
+  wait_->finish();
+  if (done) return accept();
   if (done.error().code == StorageError::wrong_password) {
     band_->show_message(Band::Kind::bad, tr("The password until now is another one."), tr("Nothing was changed."));
     return;
