@@ -1,4 +1,4 @@
-/// An exercise of the library as one file, and such a file as a draft of the actor's. No widget, no text. Thread: GUI.
+/// An exercise of the library as one file, and such a file as a draft of the actor's. No widget, no text. Thread: the store's.
 #pragma once
 
 #include <filesystem>

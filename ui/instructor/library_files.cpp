@@ -1,18 +1,22 @@
 // LibraryPage and files: the chosen exercise as NAME.cusp, and such a file as a draft.
 
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QMimeData>
 #include <QPointer>
 #include <QUrl>
-#include <variant>
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "ui/editor/check_messages.h"
 #include "ui/instructor/exchange.h"
 #include "ui/instructor/library_page.h"
 #include "ui/modules.h"
+#include "ui/session/records_task.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/parts.h"
@@ -42,20 +46,39 @@ QString dragged_file(const QMimeData* data) {
   return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
 
-/// Reading a volume takes up to some seconds.
-class WaitCursor {
- public:
-  WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
-  ~WaitCursor() { QGuiApplication::restoreOverrideCursor(); }
-  WaitCursor(const WaitCursor&) = delete;
-  WaitCursor& operator=(const WaitCursor&) = delete;
-};
+/// The row of that id; nullptr without one.
+const LibraryRow* row_with(const std::vector<LibraryRow>& rows, ScenarioId id) {
+  const auto it = std::ranges::find_if(rows, [id](const LibraryRow& row) { return row.shown().id == id; });
+  return it == rows.end() ? nullptr : &*it;
+}
 
 }  // namespace
 
-void LibraryPage::show_refusal(const ExerciseFileFailure& failure) {
-  Message message = describe(failure);
-  if (const auto* finding = std::get_if<Finding>(&failure)) message.more = check_message(*finding) + u' ' + tr("Nothing was changed.");
+template <class Work, class Then>
+void LibraryPage::in_background(const QString& meanwhile, Work work, Then then) {
+  working_ = true;
+  band_->show_message(Band::Kind::info, meanwhile, {});
+  work_ = with_own_store(store_, [self = QPointer(this), work, then](OwnStore own) {
+    using Answer = std::invoke_result_t<Work, Store&>;
+    const auto answer = std::make_shared<Answer>(own ? work(**own) : Answer(std::unexpected(FileFailure(own.error()))));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, then, answer] {
+          if (!self) return;
+          self->working_ = false;
+          self->band_->clear();
+          if (!*answer) return self->show_failure(answer->error());
+          then(*self, **answer);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void LibraryPage::show_failure(const FileFailure& failure) {
+  if (const auto* of_records = std::get_if<StorageFailure>(&failure)) return show_failure(*of_records);
+  const auto& of_file = std::get<ExerciseFileFailure>(failure);
+  Message message = describe(of_file);
+  if (const auto* finding = std::get_if<Finding>(&of_file)) message.more = check_message(*finding) + u' ' + tr("Nothing was changed.");
   band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
@@ -73,15 +96,21 @@ void LibraryPage::save_chosen() {
 }
 
 void LibraryPage::save_row(const LibraryRow& row, const QString& title, const QString& picked) {
+  if (working()) return;
   const QString path = picked.endsWith(suffix(), Qt::CaseInsensitive) ? picked : picked + suffix();
-  const WaitCursor waits;
-  const auto file = file_of(store_, row, database_);
-  if (!file) return show_failure(file.error());
-  if (const auto written = write_exercise_file(*file, path.toStdString()); !written) return show_refusal(written.error());
+  using Saved = Result<std::monostate, FileFailure>;
+  const auto work = [row, path = path.toStdString(), database = database_](Store& store) -> Saved {
+    const auto file = file_of(store, row, database);
+    if (!file) return std::unexpected(FileFailure(file.error()));
+    if (const auto written = write_exercise_file(*file, path); !written) return std::unexpected(FileFailure(written.error()));
+    return std::monostate{};
+  };
   const QString where = tr("The file is %1. Another station opens it in its library.").arg(QFileInfo(path).fileName());
   const QString what = row.exercise ? tr("Version %1 of %2 is saved as a file.").arg(row.exercise->version_number).arg(title)
                                     : tr("The draft of %1 is saved as a file.").arg(title);
-  band_->show_message(Band::Kind::good, what, row.exercise && row.draft ? where + u' ' + tr("Your draft of the next version is not in it.") : where);
+  const QString more = row.exercise && row.draft ? where + u' ' + tr("Your draft of the next version is not in it.") : where;
+  in_background(tr("%1 is being written.").arg(QFileInfo(path).fileName()), work,
+                [what, more](LibraryPage& page, std::monostate) { page.band_->show_message(Band::Kind::good, what, more); });
 }
 
 void LibraryPage::choose_file() {
@@ -91,39 +120,58 @@ void LibraryPage::choose_file() {
 }
 
 void LibraryPage::open_file(const QString& path) {
-  const auto file = [&] {
-    const WaitCursor waits;
-    return read_exercise_file(path.toStdString());
-  }();
-  if (!file) return show_refusal(file.error());
-  int index = -1;
-  for (int i = 0; i < model_->rowCount(); ++i)
-    if (model_->row(i).shown().id == file->scenario.id) index = i;
-  const auto standing = standing_of(store_, *file, index >= 0 ? &model_->row(index) : nullptr, database_);
-  if (!standing) return show_failure(standing.error());
-  switch (*standing) {
-    case Standing::unknown: return open_taken(*file, KeepId::yes);
+  if (working()) return;
+  std::vector<LibraryRow> rows;
+  for (int i = 0; i < model_->rowCount(); ++i) rows.push_back(model_->row(i));
+  const auto work = [rows = std::move(rows), path = path.toStdString(), database = database_](Store& store) -> Result<Looked, FileFailure> {
+    auto file = read_exercise_file(path);
+    if (!file) return std::unexpected(FileFailure(file.error()));
+    const auto standing = standing_of(store, *file, row_with(rows, file->scenario.id), database);
+    if (!standing) return std::unexpected(FileFailure(standing.error()));
+    return Looked{std::move(*file), *standing};
+  };
+  in_background(tr("%1 is being read.").arg(QFileInfo(path).fileName()), work,
+                [](LibraryPage& page, const Looked& looked) { page.open_looked(looked); });
+}
+
+void LibraryPage::open_looked(const Looked& looked) {
+  if (!isVisible()) return;  // whoever opened another exercise meanwhile is busy with that one
+  const QString title = local(looked.file.scenario.title);
+  switch (looked.standing) {
+    case Standing::unknown: return open_taken(looked.file, KeepId::yes);
     case Standing::same:
       search_->clear();
-      table_->choose_row(index);
-      band_->show_message(Band::Kind::info, tr("%1 is in the library already.").arg(local(file->scenario.title)),
-                          tr("The file holds the same. Nothing was changed."));
+      table_->choose_row(row_of(looked.file.scenario.id));
+      band_->show_message(Band::Kind::info, tr("%1 is in the library already.").arg(title), tr("The file holds the same. Nothing was changed."));
       return;
     case Standing::different: break;
   }
-  ports_.ask(this, {tr("Open %1 as a new exercise?").arg(local(file->scenario.title)),
+  ports_.ask(this, {tr("Open %1 as a new exercise?").arg(title),
                     tr("The library has this exercise with another content. It stays as it is; the file becomes an exercise beside it."),
                     tr("Open as a new exercise")},
-             [self = QPointer(this), file = *file](bool yes) {
+             [self = QPointer(this), file = looked.file](bool yes) {
                if (self && yes) self->open_taken(file, KeepId::no);
              });
 }
 
 void LibraryPage::open_taken(const ExerciseFile& file, KeepId keep) {
-  const auto start = take_in(store_, actor_, file, keep, database_);
-  if (!start) return show_failure(start.error());
-  read();
-  Q_EMIT edit_wanted(*start);
+  if (working()) return;
+  const auto work = [actor = actor_, file, keep, database = database_](Store& store) -> Result<EditorStart, FileFailure> {
+    auto start = take_in(store, actor, file, keep, database);
+    if (!start) return std::unexpected(FileFailure(start.error()));
+    return std::move(*start);
+  };
+  in_background(tr("%1 is being opened.").arg(local(file.scenario.title)), work, [](LibraryPage& page, const EditorStart& start) {
+    const bool shown = page.isVisible();
+    page.read();
+    if (shown) Q_EMIT page.edit_wanted(start);
+  });
+}
+
+int LibraryPage::row_of(ScenarioId id) const {
+  for (int i = 0; i < model_->rowCount(); ++i)
+    if (model_->row(i).shown().id == id) return i;
+  return -1;
 }
 
 void LibraryPage::dragEnterEvent(QDragEnterEvent* event) {

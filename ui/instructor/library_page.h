@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <variant>
 
 #include "scenarios/library/exercise_file.h"
 #include "storage/store.h"
@@ -11,6 +12,7 @@
 #include "ui/instructor/exchange.h"
 #include "ui/instructor/library_model.h"
 #include "ui/modules.h"
+#include "ui/session/background_task.h"
 #include "ui/widgets/ports.h"
 
 class QAction;
@@ -34,6 +36,8 @@ class LibraryPage : public QWidget {
   Table* table() const { return table_; }
   QLineEdit* search() const { return search_; }
   const LibraryModel& model() const { return *model_; }
+  /// While a file is read or written: a volume takes seconds. No other file is opened or saved meanwhile.
+  bool working() const { return working_; }
 
  public Q_SLOTS:
   void open_chosen();
@@ -71,9 +75,20 @@ class LibraryPage : public QWidget {
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
   void withdraw_row(const LibraryRow& row, const Withdrawal& plan);
   void save_row(const LibraryRow& row, const QString& title, const QString& picked);
+  struct Looked {
+    ExerciseFile file;
+    Standing standing = Standing::unknown;
+  };
+  /// Of the records, or of the file.
+  using FileFailure = std::variant<StorageFailure, ExerciseFileFailure>;
+  /// work(store) on a thread and a store of their own, then then(page, answer), unless the page is gone.
+  template <class Work, class Then>
+  void in_background(const QString& meanwhile, Work work, Then then);
+  void open_looked(const Looked& looked);
   void open_taken(const ExerciseFile& file, KeepId keep);
+  int row_of(ScenarioId id) const;
   void show_failure(const StorageFailure& failure);
-  void show_refusal(const ExerciseFileFailure& failure);
+  void show_failure(const FileFailure& failure);
 
   Store& store_;
   Actor actor_;
@@ -83,6 +98,8 @@ class LibraryPage : public QWidget {
   Table* table_ = nullptr;
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
+  BackgroundTask work_;
+  bool working_ = false;
   QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;
 };
 

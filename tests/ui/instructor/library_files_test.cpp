@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QTest>
 #include <QUrl>
 #include <filesystem>
 
@@ -62,6 +63,16 @@ struct Station {
     s.target.outline.depth_mm = depth_mm;
     return s;
   }
+  /// The file is read or written, on a thread of its own.
+  void worked() { ASSERT_TRUE(QTest::qWaitFor([this] { return !page->working(); }, 60'000)); }
+  void open_file(const QString& path) {
+    page->open_file(path);
+    worked();
+  }
+  void save_chosen() {
+    page->save_chosen();
+    worked();
+  }
   std::vector<ScenarioDraft> drafts() { return *records.store().scenarios.drafts(instructor.actor()); }
   QString message() const {
     for (const Band* band : page->findChildren<Band*>())
@@ -82,7 +93,7 @@ struct LibraryFiles : ::testing::Test {
     from.show();
     from.choose(draft.id);
     from.picked = file;
-    from.page->save_chosen();
+    from.save_chosen();
     return draft;
   }
 };
@@ -91,7 +102,7 @@ TEST_F(LibraryFiles, AnExerciseGoesToAnotherStationWithItsVolumeAndOpensInTheEdi
   const QString file = path("block");
   const Scenario sent = send_volume(file);
   EXPECT_TRUE(from.message().contains(QStringLiteral("block.cusp"))) << from.message().toStdString();
-  to.page->open_file(file + QStringLiteral(".cusp"));
+  to.open_file(file + QStringLiteral(".cusp"));
   ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
   Scenario wanted = sent;
   wanted.version = 1;
@@ -107,8 +118,8 @@ TEST_F(LibraryFiles, AnExerciseGoesToAnotherStationWithItsVolumeAndOpensInTheEdi
 TEST_F(LibraryFiles, WhatTheLibraryHasAlreadyIsChosenAndNothingIsMade) {
   from.choose(load_builtin("class-2-46-mo")->id);
   from.picked = path("one.cusp");
-  from.page->save_chosen();
-  to.page->open_file(from.picked);
+  from.save_chosen();
+  to.open_file(from.picked);
   EXPECT_TRUE(to.message().contains(QStringLiteral("already"))) << to.message().toStdString();
   EXPECT_EQ(to.page->model().row(to.page->table()->chosen_row()).shown().key, "class-2-46-mo");
   EXPECT_TRUE(to.drafts().empty());
@@ -118,12 +129,12 @@ TEST_F(LibraryFiles, WhatTheLibraryHasAlreadyIsChosenAndNothingIsMade) {
 TEST_F(LibraryFiles, AnExerciseWithAnotherContentHereBecomesANewOneAfterAsking) {
   ASSERT_TRUE(write_exercise_file({from.changed(2.4), {}}, path("deeper.cusp").toStdString()));
   to.answer = false;
-  to.page->open_file(path("deeper.cusp"));
+  to.open_file(path("deeper.cusp"));
   ASSERT_EQ(to.asked.size(), 1);
   EXPECT_TRUE(to.opened.empty());
   EXPECT_TRUE(to.drafts().empty());
   to.answer = true;
-  to.page->open_file(path("deeper.cusp"));
+  to.open_file(path("deeper.cusp"));
   ASSERT_EQ(to.opened.size(), 1u);
   const Scenario& made = to.opened[0].draft;
   EXPECT_NE(made.id, load_builtin("channel-1")->id);
@@ -131,7 +142,7 @@ TEST_F(LibraryFiles, AnExerciseWithAnotherContentHereBecomesANewOneAfterAsking) 
   EXPECT_TRUE(made.title.at("en").ends_with("(copy)")) << made.title.at("en");
   EXPECT_TRUE(made.key.empty());
   EXPECT_EQ(made.version, 1);
-  to.page->open_file(path("deeper.cusp"));
+  to.open_file(path("deeper.cusp"));
   EXPECT_EQ(to.asked.size(), 3) << "the copy has an id of its own: the file is as strange as before";
 }
 
@@ -144,7 +155,29 @@ TEST_F(LibraryFiles, AFileIsTakenByDropping) {
   ASSERT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(to.page.get(), &drop);
+  to.worked();
   EXPECT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+}
+
+TEST_F(LibraryFiles, TheWindowDoesNotWaitForAFileAndOneIsOpenedAtATime) {
+  send_volume(path("block.cusp"));
+  to.page->open_file(path("block.cusp"));
+  EXPECT_TRUE(to.page->working());
+  EXPECT_TRUE(to.opened.empty());
+  EXPECT_TRUE(to.message().contains(QStringLiteral("block.cusp is being read"))) << to.message().toStdString();
+  to.page->open_file(path("block.cusp"));
+  to.worked();
+  EXPECT_EQ(to.opened.size(), 1u);
+  EXPECT_EQ(to.drafts().size(), 1u);
+}
+
+TEST_F(LibraryFiles, AFileThatIsReadWhileAnotherPageCameDoesNotOpen) {
+  send_volume(path("block.cusp"));
+  to.page->open_file(path("block.cusp"));
+  to.page->hide();
+  to.worked();
+  EXPECT_TRUE(to.opened.empty());
+  EXPECT_TRUE(to.drafts().empty());
 }
 
 TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
@@ -159,7 +192,7 @@ TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
                                                        {"cut.cusp", "breaks off"},
                                                        {"changed.cusp", "damaged or changed"}};
   for (const auto& [name, cause] : cases) {
-    to.page->open_file(path(name));
+    to.open_file(path(name));
     EXPECT_TRUE(to.message().contains(QLatin1String(cause))) << name << ": " << to.message().toStdString();
   }
   EXPECT_TRUE(to.drafts().empty());
@@ -174,12 +207,12 @@ TEST_F(LibraryFiles, ADraftThatTheChecksRefuseIsNotSavedAsAFile) {
   from.show();
   from.choose(draft.id);
   from.picked = path("empty.cusp");
-  from.page->save_chosen();
+  from.save_chosen();
   EXPECT_TRUE(from.message().contains(QStringLiteral("Nothing is graded yet"))) << from.message().toStdString();
   EXPECT_FALSE(std::filesystem::exists(folder / "empty.cusp"));
   from.picked = path("no/such/folder/x.cusp");
   from.choose(load_builtin("channel-1")->id);
-  from.page->save_chosen();
+  from.save_chosen();
   EXPECT_TRUE(from.message().contains(QStringLiteral("Choose another folder"))) << from.message().toStdString();
 }
 
