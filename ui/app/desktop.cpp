@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "device/hid/hid_station.h"
+#include "scenarios/library/library.h"
 #include "ui/admin/exchange_page.h"
 #include "ui/admin/log_page.h"
 #include "ui/admin/people_page.h"
@@ -127,13 +128,10 @@ void Desktop::show_sign_in(SignIn* page) {
 
 void Desktop::show_cover() {
   if (!sign_in_) return;
-  const auto list = load_exercises(*store_);
-  if (!list) return;
-  for (const Exercise& e : list->exercises) {
-    if (e.scenario.key != kCoverExercise) continue;
-    const QImage cover = pictures_->picture(e, {}, ThumbnailCache::Use::cover);
-    if (!cover.isNull()) sign_in_->set_picture(cover);
-  }
+  const auto scenario = load_builtin(kCoverExercise);
+  if (!scenario) return;
+  const QImage cover = pictures_->picture({*scenario, {}, 1, {}}, {}, ThumbnailCache::Use::cover);
+  if (!cover.isNull()) sign_in_->set_picture(cover);
 }
 
 void Desktop::sign_in(const Account& account) {

@@ -3,6 +3,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFileInfo>
+#include <QTimer>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "device/hid/hid_station.h"
 #include "device/hid/transport_hidapi.h"
@@ -12,9 +16,24 @@
 #include "ui/cli/verbs.h"
 #include "ui/device/hid_settings.h"
 #include "ui/render/opengl_allowed.h"
+#include "ui/session/background_task.h"
 #include "ui/settings/settings.h"
+#include "ui/student/exercises.h"
 #include "ui/text/language.h"
 #include "ui/widgets/theme.h"
+
+namespace {
+
+using Steps = std::vector<std::function<void()>>;
+
+/// Each step in a turn of the event loop of its own: the window answers between them.
+void run_in_turns(const Steps& steps, std::size_t next = 0) {
+  if (next == steps.size()) return;
+  steps[next]();
+  QTimer::singleShot(0, qApp, [steps, next] { run_in_turns(steps, next + 1); });
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (cusp::ui::is_verb(argc, argv)) return cusp::ui::run_verb(argc, argv);
@@ -35,22 +54,26 @@ int main(int argc, char** argv) {
   const cusp::ui::RunMarker marker(cusp::ui::Desktop::marker_folder());
 
   cusp::ui::Settings settings;
-  cusp::ui::install_language(app, settings.language());
-  cusp::ui::apply_theme(app, settings.scheme(), settings.scale_percent());
   const cusp::ui::HidSettings kept;
   cusp::device::hid::HidStation hid(cusp::device::hid::make_hidapi_bus, kept.pedal(), kept.space_mouse());
   hid.start();
-  cusp::ui::Desktop desktop(settings, cusp::ui::Ports::of_the_system(), cusp::ui::database_path(line.value(database)));
-  desktop.use_hid(hid);
-  if (const QStringList files = line.positionalArguments(); !files.isEmpty()) {
-    desktop.open_after_sign_in(QFileInfo(files.first()).absoluteFilePath());
-  }
-  if (marker.found_crash() && cusp::ui::opengl_allowed()) {
-    desktop.show();
-    desktop.offer_safe_start();
-  } else {
-    desktop.start();
-    desktop.show();
-  }
+  std::optional<cusp::ui::Desktop> desktop;
+  const auto look = [&] {
+    cusp::ui::install_language(app, settings.language());
+    cusp::ui::apply_theme(app, settings.scheme(), settings.scale_percent());
+  };
+  const auto make = [&] {
+    desktop.emplace(settings, cusp::ui::Ports::of_the_system(), cusp::ui::database_path(line.value(database)));
+    desktop->use_hid(hid);
+    if (const QStringList files = line.positionalArguments(); !files.isEmpty()) {
+      desktop->open_after_sign_in(QFileInfo(files.first()).absoluteFilePath());
+    }
+  };
+  const auto start = [&] { desktop->start(); };
+  const auto show = [&] { desktop->show(); };
+  const cusp::ui::BackgroundTask read_ahead(cusp::ui::read_builtin_exercises);  // 0.1 s that a page would wait for
+  const auto offer = [&] { desktop->offer_safe_start(); };
+  const bool crashed = marker.found_crash() && cusp::ui::opengl_allowed();
+  QTimer::singleShot(0, &app, [steps = crashed ? Steps{look, make, show, offer} : Steps{look, make, start, show}] { run_in_turns(steps); });
   return QApplication::exec();
 }

@@ -35,7 +35,20 @@ Stored<void> write_beside(const std::filesystem::path& file, const std::vector<s
   return {};
 }
 
+/// Those that come with the program. The first call reads them.
+const std::vector<Exercise>& builtin_exercises() {
+  static const std::vector<Exercise> all = [] {
+    std::vector<Exercise> out;
+    for (const std::string_view key : builtin_scenarios())
+      if (auto scenario = load_builtin(key)) out.push_back({std::move(*scenario), {}, 1, {}});
+    return out;
+  }();
+  return all;
+}
+
 }  // namespace
+
+void read_builtin_exercises() { static_cast<void>(builtin_exercises()); }
 
 const Exercise* ExerciseList::find(ScenarioId id) const {
   for (const Exercise& e : exercises) {
@@ -53,11 +66,7 @@ Stored<Exercise> load_exercise(Store& store, VersionId id) {
 }
 
 Stored<ExerciseList> load_exercises(Store& store) {
-  ExerciseList list;
-  for (const std::string_view key : builtin_scenarios()) {
-    auto scenario = load_builtin(key);
-    if (scenario) list.exercises.push_back({std::move(*scenario), {}, 1, {}});
-  }
+  ExerciseList list{builtin_exercises(), {}};
   const auto stored = store.scenarios.library();
   if (!stored) return std::unexpected(stored.error());
   for (const ScenarioVersion& version : *stored) {

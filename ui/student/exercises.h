@@ -25,6 +25,8 @@ struct ExerciseList {
 };
 
 Stored<ExerciseList> load_exercises(Store& store);
+/// Reads those that come with the program: load_exercises() is short from then on. Any thread.
+void read_builtin_exercises();
 /// A stored version. bad_value if its text cannot be read.
 Stored<Exercise> load_exercise(Store& store, VersionId version);
 
