@@ -114,12 +114,11 @@ EditorPage::~EditorPage() = default;
 
 void EditorPage::show_tooth_form(bool on) {
   left_->setCurrentIndex(on ? 1 : 0);
-  if (on) {
-    left_->currentWidget()->setFocus();
-    focusNextChild();
-  } else {
-    change_->setFocus();
-  }
+  if (!on) return change_->setFocus();
+  forms_.fill(tooth_page_);
+  const QList<QWidget*> inside = tooth_page_->findChildren<QWidget*>();
+  const auto first = std::ranges::find_if(inside, [](const QWidget* w) { return w->isVisible() && (w->focusPolicy() & Qt::TabFocus); });
+  if (first != inside.end()) (*first)->setFocus();
 }
 
 void EditorPage::grow() {

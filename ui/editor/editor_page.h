@@ -8,6 +8,7 @@
 
 #include "storage/store.h"
 #include "ui/editor/editor_model.h"
+#include "ui/editor/later_forms.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
@@ -114,6 +115,8 @@ class EditorPage : public QWidget {
   QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
   QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr;
   QStackedWidget* left_ = nullptr;
+  QWidget* tooth_page_ = nullptr;  // of left_
+  LaterForms forms_;
   QTabWidget* tabs_ = nullptr;
   QButtonGroup* shapes_ = nullptr;
   QVBoxLayout* contents_ = nullptr;

@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
@@ -29,18 +28,6 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kLeft = 248, kRight = 368, kChecks = 80;  // px at 100 %
-
-QWidget* scrolling(QWidget* form) {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setFocusPolicy(Qt::NoFocus);
-  area->setWidget(form);
-  form->setProperty("kind", u"page_surface"_qs);
-  form->setAttribute(Qt::WA_StyledBackground);
-  return area;
-}
 
 }  // namespace
 
@@ -155,14 +142,17 @@ QWidget* EditorPage::make_left() {
   column->addLayout(row);
   connect(change_, &QPushButton::clicked, this, [this] { show_tooth_form(true); });
   left_->addWidget(side);
-  auto* form = new SpecimenForm(*model_, ports_);
   auto* frame = new QFrame;
   frame->setProperty("kind", u"bar_side"_qs);
   auto* inside = new QVBoxLayout(frame);
   inside->setContentsMargins(0, 0, 1, 0);
-  inside->addWidget(scrolling(form));
+  tooth_page_ = forms_.add([this] {
+    auto* form = new SpecimenForm(*model_, ports_);
+    connect(form, &SpecimenForm::done, this, [this] { show_tooth_form(false); });
+    return form;
+  });
+  inside->addWidget(tooth_page_);
   left_->addWidget(frame);
-  connect(form, &SpecimenForm::done, this, [this] { show_tooth_form(false); });
   return left_;
 }
 
@@ -175,12 +165,13 @@ QWidget* EditorPage::make_right() {
   tabs_ = new QTabWidget;
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setProperty("tight", true);  // six tabs in 368 px
-  tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
-  tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
-  tabs_->addTab(scrolling(new BursForm(*model_)), tr("Burs"));
-  tabs_->addTab(scrolling(new TissuesForm(*model_)), tr("Tissues"));
-  tabs_->addTab(scrolling(new TextsForm(*model_)), tr("Texts"));
-  tabs_->addTab(scrolling(new AuditPage(*model_, [](const std::string& folder) { return audit_runner(folder); })), tr("Audit"));
+  tabs_->addTab(forms_.add([this] { return new ShapeForm(*model_); }), tr("Shape"));
+  tabs_->addTab(forms_.add([this] { return new PointsForm(*model_); }), tr("Points"));
+  tabs_->addTab(forms_.add([this] { return new BursForm(*model_); }), tr("Burs"));
+  tabs_->addTab(forms_.add([this] { return new TissuesForm(*model_); }), tr("Tissues"));
+  tabs_->addTab(forms_.add([this] { return new TextsForm(*model_); }), tr("Texts"));
+  tabs_->addTab(forms_.add([this] { return new AuditPage(*model_, [](const std::string& folder) { return audit_runner(folder); }); }), tr("Audit"));
+  connect(tabs_, &QTabWidget::currentChanged, this, [this](int index) { forms_.fill(tabs_->widget(index)); });
   column->addWidget(tabs_);
   return panel;
 }

@@ -5,10 +5,12 @@
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/editor/audit_page.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/handle_knob.h"
@@ -47,6 +49,8 @@ struct EditorPages : ::testing::Test {
     QSignalSpy ready(page.get(), &EditorPage::ready);
     page->show();
     EXPECT_TRUE(page->grown() || ready.wait(kGrowsWithinMs));
+    // Each form comes in a turn of the event loop of its own, the audit's last.
+    EXPECT_TRUE(QTest::qWaitFor([&] { return page->findChild<AuditPage*>() != nullptr; }, kGrowsWithinMs));
     return page;
   }
 };

@@ -269,11 +269,9 @@ TEST_F(EditorPages, carious_lesions_neighbours_and_gums_are_set_at_the_tooth_see
   start.published->specimen.voxel_mm = 0.4;
   start.draft = *start.published;
   start.draft.version = start.published->version + 1;
-  EditorPage page(records.store(), instructor.actor(), ports, start);
-  page.resize(1280, 800);
+  const auto opened = open(start);
+  EditorPage& page = *opened;
   QSignalSpy ready(&page, &EditorPage::ready);
-  page.show();
-  ASSERT_TRUE(page.grown() || ready.wait(kGrowsWithinMs));
   const auto source = [&]() -> const SpecimenSource& { return page.model().scenario().specimen; };
   named<QPushButton>(page, "Add a carious lesion")->click();
   ASSERT_EQ(source().lesions.size(), 1u);
