@@ -302,6 +302,11 @@ void Desktop::back() {
   if (shell_ && page() == shell_) shell_->show_page(shell_->page_key());
 }
 
+void Desktop::drop(QWidget* covered) {
+  stack_->removeWidget(covered);
+  covered->deleteLater();
+}
+
 QWidget* Desktop::page() const { return stack_->currentWidget(); }
 
 void Desktop::show_briefing(const Exercise& exercise) {

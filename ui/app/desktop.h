@@ -33,6 +33,7 @@ struct DrillText;
 struct EditorStart;
 class ReportPage;
 struct OpenedPack;
+struct ReportData;
 class ThumbnailCache;
 class ToothCache;
 class Shell;
@@ -130,7 +131,13 @@ class Desktop : public QMainWindow {
   void add_school_entries(QVector<NavEntry>& list);
   void open_result_page(const SessionId& session, Keep keep);
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
+  /// Removes a page that another one has covered. What lies below is not made anew, as back() does.
+  void drop(QWidget* covered);
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
+  void show_report(const std::shared_ptr<const SessionResult>& result, ReportData gathered, const std::optional<Exercise>& exercise);
+  /// gather_report() on a thread and a store of their own, then then(gathered), unless the page `shown` is gone or a later call came.
+  /// Somebody is signed in.
+  void gather(const std::shared_ptr<const SessionResult>& result, QWidget* shown, std::function<void(ReportData gathered)> then);
   void add_marking(ReportPage& report, const std::shared_ptr<const SessionResult>& result);
   StoreOptions beside() const;
   void offer_pack(ReportPage& report);
@@ -163,7 +170,8 @@ class Desktop : public QMainWindow {
   QString waiting_file_;  // empty: none
   QTimer backup_timer_;
   IdleWatch idle_;
-  BackgroundTask backup_, packing_;
+  BackgroundTask backup_, packing_, gathering_;
+  int gathered_ = 0;  // calls of gather()
   std::optional<Message> backup_failure_;  // of the last daily backup
 };
 

@@ -1,13 +1,16 @@
 // The desktop's way to a report: from an attempt that has just ended, or from the records.
 
 #include <QApplication>
+#include <QPointer>
 #include <QThreadPool>
+#include <QTimer>
 
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/instructor/assessment_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
+#include "ui/session/records_task.h"
 #include "ui/session/replay.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
@@ -15,17 +18,19 @@
 namespace cusp::ui {
 namespace {
 
-/// A result, or the message of a failure.
+/// A result with its report, or the message of a failure.
 struct Opened {
-  std::optional<SessionResult> result;
+  std::shared_ptr<const SessionResult> result;
+  ReportData report;
   Message message;
 };
 
-Opened open_in_background(const Stored<std::unique_ptr<Store>>& store, const SessionId& session, Keep keep) {
-  if (!store) return {std::nullopt, describe(store.error())};
+Opened open_in_background(const OwnStore& store, const SessionId& session, const Actor& reader, Keep keep) {
+  if (!store) return {nullptr, {}, describe(store.error())};
   auto result = open_result(**store, session, keep);
-  if (!result) return {std::nullopt, describe(result.error())};
-  return {std::move(*result), {}};
+  if (!result) return {nullptr, {}, describe(result.error())};
+  auto shared = std::make_shared<const SessionResult>(std::move(*result));
+  return {shared, gather_report(*shared, store->get(), &reader), {}};
 }
 
 }  // namespace
@@ -39,23 +44,27 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
   QWidget* waiting = make_page(busy);
   push(waiting);
   busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), Busy::Cancel::none);
-  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
-    auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, keep));
+  QThreadPool::globalInstance()->start([this, session, keep, reader = account_->actor(), waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options = beside()] {
+    auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, reader, keep));
     QMetaObject::invokeMethod(
         qApp,
         [this, opened, waiting] {
           // Whoever signed out meanwhile has taken the page with them.
           if (!waiting || page() != waiting) return;
-          back();
           if (!opened->result) {
             show_failure(opened->message);
-            return;
+            return drop(waiting);
+          }
+          if (!store_->history.may_read_result(account_->actor(), opened->result->session)) {
+            show_handed_in(opened->result->session);
+            return drop(waiting);
           }
           std::optional<Exercise> exercise;
           if (const auto list = load_exercises(*store_)) {
             if (const Exercise* found = list->find(opened->result->scenario.id)) exercise = *found;
           }
-          show_result(std::make_shared<SessionResult>(std::move(*opened->result)), exercise);
+          show_report(opened->result, std::move(opened->report), exercise);
+          drop(waiting);
         },
         Qt::QueuedConnection);
   });
@@ -79,16 +88,41 @@ void Desktop::show_handed_in(const SessionId& session) {
   push(page);
 }
 
+void Desktop::gather(const std::shared_ptr<const SessionResult>& result, QWidget* shown, std::function<void(ReportData gathered)> then) {
+  gathering_ = with_own_store(*store_, [this, number = ++gathered_, result, reader = account_->actor(), shown = QPointer(shown), then = std::move(then)](OwnStore own) {
+    auto gathered = std::make_shared<ReportData>(gather_report(*result, own ? own->get() : nullptr, &reader));
+    QMetaObject::invokeMethod(
+        qApp,
+        [this, number, shown, then, gathered] {
+          if (shown && number == gathered_) then(std::move(*gathered));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise) {
+  const bool kept = account_ && store_ && !result->session.is_nil();
+  if (!kept) return show_report(result, gather_report(*result, nullptr, nullptr), exercise);
+  if (!store_->history.may_read_result(account_->actor(), result->session)) return show_handed_in(result->session);
+  auto* busy = new Busy;
+  QWidget* waiting = make_page(busy);
+  push(waiting);
+  busy->start(tr("Opening the report"), Busy::Cancel::none);
+  gather(result, waiting, [this, waiting, result, exercise](ReportData gathered) {
+    if (page() != waiting) return;
+    show_report(result, std::move(gathered), exercise);
+    drop(waiting);
+  });
+}
+
+void Desktop::show_report(const std::shared_ptr<const SessionResult>& result, ReportData gathered, const std::optional<Exercise>& exercise) {
   const bool signed_in = account_.has_value();
   const Actor reader = signed_in ? account_->actor() : Actor{};
   bool own = !signed_in;
   if (signed_in && store_ && !result->session.is_nil()) {
-    if (!store_->history.may_read_result(reader, result->session)) return show_handed_in(result->session);
     const auto details = store_->history.details(reader, result->session);
     own = details && details->row.student == reader.id;
   }
-  ReportData gathered = gather_report(*result, store_.get(), signed_in ? &reader : nullptr);
   const QString back_name = !signed_in ? tr("Sign in") : tr("Back");
   const auto again = own && exercise && !reading_only_ ? ReportPage::TryAgain::offered : ReportPage::TryAgain::hidden;
   auto* report = new ReportPage(std::move(gathered), ports_, again, back_name);
@@ -99,7 +133,12 @@ void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::opti
       drill(exercise);
     });
   }
-  if (signed_in && !reading_only_ && may(reader.role, Action::comment) && report->data().counts) add_marking(*report, result);
+  if (signed_in && !reading_only_ && may(reader.role, Action::comment) && report->data().counts) {
+    // In the next turn of the event loop: report and card together hold the window for 0.1 s.
+    QTimer::singleShot(0, report, [this, report, result] {
+      if (account_) add_marking(*report, result);
+    });
+  }
   const bool packs = signed_in && !reading_only_ && may(reader.role, Action::export_results) && report->data().counts;
   if (packs) offer_pack(*report);
   push(report);
@@ -112,10 +151,10 @@ void Desktop::add_marking(ReportPage& report, const std::shared_ptr<const Sessio
   choose();
   connect(&report, &ReportPage::criterion_chosen, marking, choose);
   connect(marking, &MarkingCard::stated, &report, [this, &report, marking, result] {
-    const Actor reader = account_->actor();
-    ReportData fresh = gather_report(*result, store_.get(), &reader);
-    marking->show_data(fresh);
-    report.show_data(std::move(fresh));
+    gather(result, &report, [&report, marking](ReportData fresh) {
+      marking->show_data(fresh);
+      report.show_data(std::move(fresh));
+    });
   });
 }
 
