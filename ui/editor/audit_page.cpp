@@ -139,7 +139,7 @@ void AuditPage::use_leanest() {
     if (key.starts_with("spindle-")) {
       model_.set_handpiece({});
     } else {
-      model_.set_phenomenon(key, false);
+      model_.set_phenomenon(key, EditorModel::Listed::no);
     }
   }
   model_.stack().endMacro();

@@ -200,11 +200,11 @@ bool EditorModel::set_pass(double points) {
   return edit(tr("Pass mark"), u"pass"_qs, [&](Scenario& s) { s.rubric.pass = points; });
 }
 
-bool EditorModel::set_critical(const std::string& event, bool on) {
+bool EditorModel::set_critical(const std::string& event, Listed in) {
   end_gesture();
   return edit(tr("What fails the attempt"), u"critical"_qs, [&](Scenario& s) {
     std::erase(s.rubric.critical, event);
-    if (!on) return;
+    if (in == Listed::no) return;
     s.rubric.critical.push_back(event);
     if (event == "pulp_exposure" && !is_protected(s, Tissue::pulp)) {
       s.protected_parts.push_back(Tissue::pulp);
@@ -254,12 +254,12 @@ bool EditorModel::set_handpiece(const std::string& key) {
   });
 }
 
-bool EditorModel::set_phenomenon(const std::string& key, bool on) {
+bool EditorModel::set_phenomenon(const std::string& key, Listed in) {
   end_gesture();
   return edit(tr("Handpiece"), u"phenomenon"_qs, [&](Scenario& s) {
     std::erase(s.phenomena, key);
-    if (on) s.phenomena.push_back(key);
-    if (key == "heat" && !on) std::erase(s.rubric.critical, "dry_cutting");
+    if (in == Listed::yes) s.phenomena.push_back(key);
+    if (key == "heat" && in == Listed::no) std::erase(s.rubric.critical, "dry_cutting");
   });
 }
 

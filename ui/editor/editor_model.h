@@ -81,7 +81,9 @@ class EditorModel : public QObject {
   bool set_weight(std::size_t index, double weight);
   bool set_bands(std::size_t index, const Bands& bands);
   bool set_pass(double points);
-  bool set_critical(const std::string& event, bool on);
+  enum class Listed : std::uint8_t { no, yes };
+  static Listed listed(bool on) noexcept { return on ? Listed::yes : Listed::no; }
+  bool set_critical(const std::string& event, Listed in);
   bool add_bur(const Bur& bur);
   bool remove_bur(std::size_t index);
   bool set_bur_radius_mm(std::size_t index, double mm);
@@ -90,7 +92,7 @@ class EditorModel : public QObject {
   /// A key of kPhenomenonKeys, "" for none. Without a handpiece the exercise loses vibration and sound too.
   bool set_handpiece(const std::string& key);
   /// Any other phenomenon. Without heat, overheating fails no attempt.
-  bool set_phenomenon(const std::string& key, bool on);
+  bool set_phenomenon(const std::string& key, Listed in);
   /// Ends a drag or a turn of a spin box: the next edit is a new step.
   void end_gesture() { ++gesture_; }
 

@@ -89,10 +89,10 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   add_row(column, tr("Pass mark, of 100"), pass_);
   pulp_ = new QCheckBox(tr("Opening the pulp fails the attempt"));
   column->addWidget(pulp_);
-  connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", on); });
+  connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", EditorModel::listed(on)); });
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
-  connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", on); });
+  connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", EditorModel::listed(on)); });
   QLabel* note = make_label(tr("Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries "
                                "are not all verified."),
                              TextRole::caption, Weight::regular, "text2");

@@ -223,16 +223,16 @@ FitRequest TemplateDialog::request() const {
 void TemplateDialog::fit() {
   fit_soon_.stop();
   exercise_.reset();
-  if (const QString refused = refusal(); !refused.isEmpty()) return show_standing(false, refused);
+  if (const QString refused = refusal(); !refused.isEmpty()) return show_standing(Fits::no, refused);
   auto fitted = fit_template(request());
-  if (!fitted) return show_standing(false, fit_message(chosen(), fitted.error()));
+  if (!fitted) return show_standing(Fits::no, fit_message(chosen(), fitted.error()));
   exercise_ = std::move(*fitted);
-  show_standing(true, tr("These values make an exercise on tooth %1.").arg(tooth_->currentData().toInt()));
+  show_standing(Fits::yes, tr("These values make an exercise on tooth %1.").arg(tooth_->currentData().toInt()));
 }
 
-void TemplateDialog::show_standing(bool fits, const QString& text) {
-  make_->setEnabled(fits);
-  if (band_->text() != text) band_->show_message(fits ? Band::Kind::good : Band::Kind::look, text);
+void TemplateDialog::show_standing(Fits fits, const QString& text) {
+  make_->setEnabled(fits == Fits::yes);
+  if (band_->text() != text) band_->show_message(fits == Fits::yes ? Band::Kind::good : Band::Kind::look, text);
 }
 
 void TemplateDialog::accept() {

@@ -62,7 +62,8 @@ class TemplateDialog : public QDialog {
   void take_edit();
   QString refusal() const;
   void fit();
-  void show_standing(bool fits, const QString& text);
+  enum class Fits : std::uint8_t { no, yes };
+  void show_standing(Fits fits, const QString& text);
   void fit_height();
   void order_fields();
   const ExerciseTemplate& chosen() const;

@@ -56,7 +56,7 @@ TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent),
   const auto box = [column, this](const QString& text, const char* key) {
     auto* out = new QCheckBox(text);
     column->addWidget(out);
-    connect(out, &QCheckBox::toggled, this, [this, key](bool on) { model_.set_phenomenon(key, on); });
+    connect(out, &QCheckBox::toggled, this, [this, key](bool on) { model_.set_phenomenon(key, EditorModel::listed(on)); });
     return out;
   };
   vibration_ = box(tr("Bur vibrates in the hand"), "vibration");

@@ -52,9 +52,8 @@ bool stands_round(const SpecimenSource& source, std::string_view key) {
 }
 
 /// Keys in the order of the format: equal choices give equal exercises.
-void put_around(SpecimenSource& source, std::string_view key, bool on) {
-  std::erase(source.around, key);
-  if (on) source.around.emplace_back(key);
+void add_around(SpecimenSource& source, std::string_view key) {
+  if (!stands_round(source, key)) source.around.emplace_back(key);
   std::ranges::sort(source.around, {}, [](const std::string& k) { return std::ranges::find(kAroundKeys, k) - kAroundKeys.begin(); });
 }
 
@@ -91,7 +90,7 @@ ToothForm::ToothForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   jaw_ = box(column, tr("The rest of the jaw"));
   jaw_->setToolTip(tr("To look at: only the tooth, its neighbours and what lies about them can be drilled"));
   const std::pair<QCheckBox*, const char*> around[] = {{neighbours_, "neighbours"}, {gums_, "gingiva"}, {bone_, "bone"}, {jaw_, "jaw"}};
-  for (const auto& [check, key] : around) connect(check, &QCheckBox::toggled, this, [this, key](bool on) { set_around(key, on); });
+  for (const auto& [check, key] : around) connect(check, &QCheckBox::toggled, this, [this, key](bool on) { on ? surround_with(key) : take_away(key); });
   column->addSpacing(px(4));
   lesions_ = new QWidget;
   auto* inside = new QVBoxLayout(lesions_);
@@ -126,12 +125,18 @@ void ToothForm::edit_at_once(const QString& field, const std::function<void(Spec
   model_.end_gesture();
 }
 
-void ToothForm::set_around(const char* key, bool on) {
+// A jaw includes the neighbours.
+void ToothForm::surround_with(std::string_view key) {
   edit_at_once(u"around"_qs, [&](SpecimenSource& s) {
-    put_around(s, key, on);
-    // A jaw includes the neighbours.
-    if (on && std::string_view(key) == "jaw") put_around(s, "neighbours", true);
-    if (!on && std::string_view(key) == "neighbours") put_around(s, "jaw", false);
+    add_around(s, key);
+    if (key == "jaw") add_around(s, "neighbours");
+  });
+}
+
+void ToothForm::take_away(std::string_view key) {
+  edit_at_once(u"around"_qs, [&](SpecimenSource& s) {
+    std::erase(s.around, key);
+    if (key == "neighbours") std::erase(s.around, "jaw");
   });
 }
 

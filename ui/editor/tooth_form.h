@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string_view>
 #include <vector>
 
 #include "ui/editor/editor_model.h"
@@ -34,7 +35,8 @@ class ToothForm : public QWidget {
   void add_figures(LesionRow& row, QVBoxLayout* column, std::size_t index);
   void fill_sites(QComboBox& box, const LesionSource& lesion) const;
   void add_lesion();
-  void set_around(const char* key, bool on);
+  void surround_with(std::string_view key);
+  void take_away(std::string_view key);
   /// An edit as one step of undo.
   void edit_at_once(const QString& field, const std::function<void(SpecimenSource&)>& change);
   /// An edit of a spin box that is being turned: merges with the last one.

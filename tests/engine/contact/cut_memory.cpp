@@ -67,7 +67,7 @@ TEST(CutMemory, what_is_loaded_answers_as_what_was_added) {
   std::vector<CutMemory::Segment> all;
   for (std::size_t i = 0; i < memory.size(); ++i) all.push_back(memory.segment(i));
   CutMemory loaded;
-  loaded.load(all, memory.open());
+  loaded.load(all, memory.open() ? CutMemory::Newest::open : CutMemory::Newest::closed);
   ASSERT_EQ(loaded.size(), memory.size());
   std::mt19937 random(11);
   std::uniform_int_distribution<int> any(0, kSteps);

@@ -81,14 +81,14 @@ const std::vector<Edit>& every_edit() {
       {"weight", [](EditorModel& m) { return m.set_weight(0, 25); }},
       {"bands", [](EditorModel& m) { return m.set_bands(0, {70, 80, 95, 100, 100, 100}); }},
       {"pass", [](EditorModel& m) { return m.set_pass(80); }},
-      {"critical", [](EditorModel& m) { return m.set_critical("pulp_exposure", false); }},
+      {"critical", [](EditorModel& m) { return m.set_critical("pulp_exposure", EditorModel::Listed::no); }},
       {"add a bur", [](EditorModel& m) { return m.add_bur(catalogue_bur("8")->bur); }},
       {"remove a bur", [](EditorModel& m) { return m.remove_bur(0); }},
       {"bur", [](EditorModel& m) { return m.set_bur_radius_mm(1, 0.55); }},
       {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
       {"tissue", [](EditorModel& m) { return m.set_tissue_figures(0, 2.5, 0.6); }},
       {"handpiece", [](EditorModel& m) { return m.set_handpiece("spindle-electric"); }},
-      {"coolant", [](EditorModel& m) { return m.set_phenomenon("heat", true); }},
+      {"coolant", [](EditorModel& m) { return m.set_phenomenon("heat", EditorModel::Listed::yes); }},
   };
   return edits;
 }
@@ -336,24 +336,24 @@ TEST(editor_model, a_target_that_opens_a_pulp_that_must_stay_closed_is_never_pub
   ASSERT_EQ(of_the_pulp().size(), 1u);
   EXPECT_EQ(of_the_pulp()[0].code, "target_opens_pulp");
   EXPECT_FALSE(model.publishable());
-  ASSERT_TRUE(model.set_critical("pulp_exposure", false));  // as where the pulp is to be reached
+  ASSERT_TRUE(model.set_critical("pulp_exposure", EditorModel::Listed::no));  // as where the pulp is to be reached
   EXPECT_TRUE(model.publishable());
 }
 
 TEST(editor_model, a_handpiece_brings_what_needs_one_and_takes_it_along_and_coolant_what_is_graded_of_it) {
   EditorModel model(class_one());
   EXPECT_TRUE(model.set_handpiece("spindle-turbine"));
-  EXPECT_TRUE(model.set_phenomenon("vibration", true));
-  EXPECT_TRUE(model.set_phenomenon("heat", true));
-  EXPECT_TRUE(model.set_critical("dry_cutting", true));
+  EXPECT_TRUE(model.set_phenomenon("vibration", EditorModel::Listed::yes));
+  EXPECT_TRUE(model.set_phenomenon("heat", EditorModel::Listed::yes));
+  EXPECT_TRUE(model.set_critical("dry_cutting", EditorModel::Listed::yes));
   EXPECT_EQ(model.scenario().phenomena, (std::vector<std::string>{"spindle-turbine", "vibration", "heat"}));
   EXPECT_TRUE(model.set_handpiece("spindle-slow"));
   EXPECT_EQ(model.scenario().phenomena, (std::vector<std::string>{"spindle-slow", "vibration", "heat"}));
   EXPECT_FALSE(model.set_handpiece("spindle-pedalled")) << "no key of the format";
-  EXPECT_FALSE(model.set_phenomenon("magic", true));
+  EXPECT_FALSE(model.set_phenomenon("magic", EditorModel::Listed::yes));
   EXPECT_TRUE(model.set_handpiece(""));
   EXPECT_EQ(model.scenario().phenomena, std::vector<std::string>{"heat"});
-  EXPECT_TRUE(model.set_phenomenon("heat", false));
+  EXPECT_TRUE(model.set_phenomenon("heat", EditorModel::Listed::no));
   EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"});
   while (model.stack().canUndo()) model.stack().undo();
   EXPECT_EQ(model.scenario(), class_one().draft);

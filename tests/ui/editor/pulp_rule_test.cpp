@@ -72,7 +72,7 @@ TEST(editor_model, an_access_to_the_pulp_keeps_its_rule_off_and_undo_is_still_on
 
 TEST(editor_model, a_rule_that_the_author_switched_off_stays_off_when_the_tooth_changes) {
   EditorModel model(class_one());
-  ASSERT_TRUE(model.set_critical("pulp_exposure", false));
+  ASSERT_TRUE(model.set_critical("pulp_exposure", EditorModel::Listed::no));
   SpecimenSource other = model.scenario().specimen;
   other.fdi = 46;
   ASSERT_TRUE(model.set_tooth(other, QStringLiteral("fdi")));
