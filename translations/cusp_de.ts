@@ -6827,6 +6827,10 @@
         <source>The attempts stay under a pseudonym.</source>
         <translation>Die Versuche bleiben unter einem Pseudonym.</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Performance</name>

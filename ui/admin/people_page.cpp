@@ -1,14 +1,18 @@
 #include "ui/admin/people_page.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 
+#include "ui/admin/account_change.h"
 #include "ui/admin/departed_card.h"
 #include "ui/admin/people_model.h"
+#include "ui/session/records_task.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 #include "ui/text/failure_text.h"
@@ -96,6 +100,7 @@ QWidget* PeoplePage::make_form() {
   form_->body()->addWidget(secret_note_);
   form_->body()->addSpacing(px(8));
   save_ = make_button(tr("Add"), ButtonKind::primary);
+  wait_.emplace(save_);
   form_->body()->addWidget(save_);
   switch_ = make_button(tr("Switch account off"), ButtonKind::erase);
   form_->body()->addWidget(switch_);
@@ -127,8 +132,7 @@ void PeoplePage::begin_new() {
   form_->set_title(tr("Add a person"));
   for (QLineEdit* field : {name_, number_, secret_}) field->clear();
   role_->setCurrentIndex(0);
-  save_->setText(tr("Add"));
-  save_->setAccessibleName(tr("Add"));
+  fit_save();
   switch_->hide();
   erase_->hide();
   fit_secret();
@@ -144,8 +148,7 @@ void PeoplePage::show_chosen() {
   number_->setText(QString::fromStdString(edited_->number));
   role_->setCurrentIndex(static_cast<int>(edited_->role));
   secret_->clear();
-  save_->setText(tr("Save changes"));
-  save_->setAccessibleName(tr("Save changes"));
+  fit_save();
   const QString act = edited_->disabled ? tr("Switch account on") : tr("Switch account off");
   switch_->setText(act);
   switch_->setAccessibleName(act);
@@ -174,47 +177,47 @@ bool PeoplePage::show_if_failed(const Stored<void>& done) {
 }
 
 void PeoplePage::save() {
-  const std::string name = name_->text().trimmed().toStdString(), number = number_->text().trimmed().toStdString();
-  const auto role = static_cast<Role>(role_->currentIndex());
-  const std::string secret = secret_->text().toStdString();
-  if (name.empty() || number.empty()) {
+  if (waiting()) return;
+  const AccountChange change{edited_, number_->text().trimmed().toStdString(), name_->text().trimmed().toStdString(),
+                             static_cast<Role>(role_->currentIndex()), secret_->text().toStdString()};
+  if (change.name.empty() || change.number.empty()) {
     band_->show_message(Band::Kind::bad, tr("Name and number are needed."), {});
-    (name.empty() ? name_ : number_)->setFocus();
+    (change.name.empty() ? name_ : number_)->setFocus();
     return;
   }
-  if (!edited_) {
-    NewAccount fresh{number, name, role, role == Role::student ? "" : secret, role == Role::student ? secret : ""};
-    const auto made = store_.accounts.create(actor_, fresh);
-    if (!made) {
-      const Message message = describe_account(made.error(), QString::fromStdString(number), role == Role::student ? Secret::pin : Secret::password);
-      band_->show_message(Band::Kind::bad, message.what, message.more);
-      return;
-    }
-    read();
-    band_->show_message(Band::Kind::good, tr("%1 is added.").arg(QString::fromStdString(name)), {});
-    begin_new();
+  wait_->start(tr("Saving…"));
+  saving_ = with_own_store(store_, [self = QPointer(this), actor = actor_, change](OwnStore own) {
+    const auto done = std::make_shared<Stored<void>>(own ? write_change((*own)->accounts, actor, change) : Stored<void>(std::unexpected(own.error())));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, change, done] {
+          if (self) self->show_saved(change, *done);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void PeoplePage::show_saved(const AccountChange& change, const Stored<void>& done) {
+  wait_->finish();
+  if (!done) {
+    const Message message = describe_account(done.error(), QString::fromStdString(change.number), change.role == Role::student ? Secret::pin : Secret::password);
+    if (change.before && change.role != change.before->role) read();  // the role may be written, the name refused
+    fit_save();
+    band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
-  const Account before = *edited_;
-  // The secret comes before the role: staff without a password cannot sign in.
-  if (!secret.empty()) {
-    if (show_if_failed(role == Role::student ? store_.accounts.set_pin(actor_, before.id, secret)
-                                             : store_.accounts.set_password(actor_, before.id, {}, secret))) {
-      return;
-    }
-  }
-  if (role != before.role && show_if_failed(store_.accounts.set_role(actor_, before.id, role))) {
-    read();
-    return;
-  }
-  if ((name != before.name || number != before.number) &&
-      show_if_failed(store_.accounts.rename(actor_, before.id, number, name))) {
-    read();
-    return;
-  }
-  secret_->clear();
+  const QString name = QString::fromStdString(change.name);
+  if (change.before) secret_->clear();
   read();
-  band_->show_message(Band::Kind::good, tr("%1 is saved.").arg(QString::fromStdString(name)), {});
+  fit_save();
+  band_->show_message(Band::Kind::good, change.before ? tr("%1 is saved.").arg(name) : tr("%1 is added.").arg(name), {});
+  if (!change.before && !edited_) begin_new();
+}
+
+void PeoplePage::fit_save() {
+  const QString text = edited_ ? tr("Save changes") : tr("Add");
+  save_->setText(text);
+  save_->setAccessibleName(text);
 }
 
 void PeoplePage::switch_account() {

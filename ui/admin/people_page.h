@@ -3,10 +3,13 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/session/background_task.h"
 #include "ui/text/names.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/ports.h"
 
 class QComboBox;
@@ -15,6 +18,7 @@ class QPushButton;
 
 namespace cusp::ui {
 
+struct AccountChange;
 class Band;
 class Card;
 class DepartedCard;
@@ -30,6 +34,8 @@ class PeoplePage : public QWidget {
   Table* table() const { return table_; }
   DepartedCard& departed() { return *departed_; }
   QString message() const;
+  /// Until the records have written what the form says. A second press is ignored meanwhile.
+  bool waiting() const { return wait_ && wait_->running(); }
 
  Q_SIGNALS:
   void import_wanted();
@@ -41,6 +47,8 @@ class PeoplePage : public QWidget {
   void begin_new();
   void fit_secret();
   void save();
+  void show_saved(const AccountChange& change, const Stored<void>& done);
+  void fit_save();
   void switch_account();
   void erase_person();
   bool show_if_failed(const Stored<void>& done);
@@ -58,6 +66,8 @@ class PeoplePage : public QWidget {
   QComboBox* role_ = nullptr;
   QPushButton *save_ = nullptr, *switch_ = nullptr, *erase_ = nullptr;
   std::optional<Account> edited_;
+  std::optional<ButtonWait> wait_;  // of save_
+  BackgroundTask saving_;
 };
 
 }  // namespace cusp::ui

@@ -52,6 +52,12 @@ struct AdminPages : ::testing::Test {
   }
 };
 
+/// Presses, and waits for the records: they are asked on a thread of their own.
+void save(PeoplePage& page, const char* name) {
+  press(page, name);
+  ASSERT_TRUE(QTest::qWaitFor([&page] { return !page.waiting(); }, 60'000));
+}
+
 TEST_F(AdminPages, a_student_is_added_and_signs_in_with_the_pin) {
   PeoplePage page(records.store(), records.administrator().actor(), ports);
   page.show();
@@ -59,7 +65,7 @@ TEST_F(AdminPages, a_student_is_added_and_signs_in_with_the_pin) {
   field(page, "Name")->setText(QStringLiteral("Lena Brandt"));
   field(page, "Number or user name")->setText(QStringLiteral("20267314"));
   field(page, "PIN, six digits")->setText(QStringLiteral("271828"));
-  press(page, "Add");
+  save(page, "Add");
   EXPECT_EQ(page.message().toStdString(), "Lena Brandt is added.");
   EXPECT_EQ(page.model()->rowCount(), 2);
   EXPECT_TRUE(records.store().accounts.sign_in_with_pin("20267314", "271828").has_value());
@@ -70,15 +76,15 @@ TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_with_a_mess
   PeoplePage page(records.store(), records.administrator().actor(), ports);
   page.show();
   press(page, "Add a person");
-  press(page, "Add");
+  save(page, "Add");
   EXPECT_EQ(page.message().toStdString(), "Name and number are needed.");
   field(page, "Name")->setText(QStringLiteral("Another"));
   field(page, "Number or user name")->setText(QStringLiteral("20267314"));
-  press(page, "Add");
+  save(page, "Add");
   EXPECT_TRUE(page.message().startsWith(QStringLiteral("The number \u206620267314\u2069 is taken."))) << page.message().toStdString();
   field(page, "Number or user name")->setText(QStringLiteral("20267315"));
   field(page, "PIN, six digits")->setText(QStringLiteral("12"));
-  press(page, "Add");
+  save(page, "Add");
   EXPECT_TRUE(page.message().startsWith(QStringLiteral("A PIN has exactly six digits."))) << page.message().toStdString();
   EXPECT_EQ(page.model()->rowCount(), 2);
 }
@@ -108,7 +114,7 @@ TEST_F(AdminPages, the_last_administrator_stays_one) {
   page.show();
   page.table()->choose_row(0);
   page.findChild<QComboBox*>()->setCurrentIndex(0);
-  press(page, "Save changes");
+  save(page, "Save changes");
   EXPECT_TRUE(page.message().startsWith(QStringLiteral("This is the last administrator."))) << page.message().toStdString();
   EXPECT_EQ(records.store().accounts.find(records.administrator().id)->role, Role::administrator);
 }
