@@ -62,16 +62,18 @@ double pulpal_floor_mm(const Exercise& on) {
   return out;
 }
 
-/// The walls give way up to a head's height above the pulpal floor.
+/// The walls give way from the pulpal floor up to a head's height above it.
 std::optional<Region> undermined(const Exercise& on, double mm, double head_mm) {
   auto wide = moved(on, is_outer_wall, mm);
   if (!on.tooth() || !wide || !on.has(region_of(Tissue::enamel))) return std::nullopt;
-  Region low, lower;
-  low.kind = RegionKind::half_space;
-  low.from_mm = Vec3(0.0, 0.0, pulpal_floor_mm(on) + head_mm);
-  lower.kind = RegionKind::common;
-  lower.parts = {std::move(*wide), std::move(low)};
-  return either(on.scenario.target, std::move(lower));
+  Region below, above, hollow;
+  below.kind = above.kind = RegionKind::half_space;
+  above.from_mm = Vec3(0.0, 0.0, pulpal_floor_mm(on));
+  above.z_axis = Vec3(0.0, 0.0, -1.0);
+  below.from_mm = above.from_mm + Vec3(0.0, 0.0, head_mm);
+  hollow.kind = RegionKind::common;
+  hollow.parts = {std::move(*wide), std::move(below), std::move(above)};
+  return either(on.scenario.target, std::move(hollow));
 }
 
 /// Of the own tooth between an outline's end and the air beyond it; 0 where the target goes on.
