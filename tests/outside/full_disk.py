@@ -1,7 +1,7 @@
 """A disk that is full, and one that is read-only: what was kept is listed, shown, verified and graded all the same; a play
 is refused with the cause, and nothing is lost.
 
-  full_disk.py CUSP          needs leave to mount a file system of two megabytes (root); without it, prints that and passes
+  full_disk.py CUSP          needs leave to mount a file system of three megabytes (root); without it, prints that and passes
 """
 import contextlib
 import os
@@ -16,7 +16,7 @@ from desk import Desk, check, integrity, one_sentence  # noqa: E402
 @contextlib.contextmanager
 def small_disk(folder):
     os.makedirs(folder)
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=2m", "tmpfs", folder], capture_output=True).returncode != 0:
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", folder], capture_output=True).returncode != 0:
         yield False
         return
     try:
