@@ -58,25 +58,25 @@ Stored<std::uint64_t> bytes_of(Database& db, SessionId session) {
   return bytes->value_or(0);
 }
 
-/// The chain holds, and each seal of the log is a link of it. Otherwise the first finding.
-Stored<std::optional<ChainFinding>> first_finding(StorageContext& context, SessionId session) {
+/// Empty where the chain holds and each seal of the log is a link of it. Otherwise the first finding.
+Stored<std::vector<ChainFinding>> first_finding(StorageContext& context, SessionId session) {
   const Snapshot snapshot(context.db);
   const auto proof = verify_session(context, session);
   if (!proof) return std::unexpected(proof.error());
   ChainFinding finding = proof->intact() ? ChainFinding{} : proof->findings.front();
   finding.owner = session.uuid;
-  if (!proof->intact()) return finding;
+  if (!proof->intact()) return std::vector{finding};
   const auto lost = context.db.first(
       "SELECT a.at FROM audit_log a INDEXED BY audit_by_subject WHERE a.subject = ?1 AND a.action = 'session_sealed' "
       "AND NOT EXISTS (SELECT 1 FROM session_chain c WHERE c.session = ?1 AND "
       "substr(a.detail, instr(a.detail, ' ') + 1) = (c.position + 1) || ' ' || lower(hex(c.link))) LIMIT 1",
       [](Row row) { return row.integer(0); }, session);
   if (!lost) return std::unexpected(lost.error());
-  if (!*lost) return std::optional<ChainFinding>{};
+  if (!*lost) return std::vector<ChainFinding>{};
   finding.code = FindingCode::seal_broken;
   finding.table = "session_chain";
   finding.at_utc_us = **lost;
-  return finding;
+  return std::vector{finding};
 }
 
 /// False if the attempt has changed since it was chosen and verified: a further event, grade or statement.
@@ -142,9 +142,9 @@ Stored<void> run_one(StorageContext& context, const Actor& actor, const OldAttem
                      ThinningReport& report) {
   const auto finding = first_finding(context, attempt.session);
   if (!finding) return std::unexpected(finding.error());
-  if (*finding) {
+  if (!finding->empty()) {
     ++report.kept[static_cast<std::size_t>(KeptBecause::broken)];
-    report.broken.push_back(**finding);
+    report.broken.push_back(finding->front());
     return {};
   }
   const auto bytes = bytes_of(context.db, attempt.session);
