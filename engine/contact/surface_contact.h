@@ -272,12 +272,7 @@ class SurfaceContact {
   void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
-  struct Constraint {
-    Vec3 normal;
-    double level;
-    bool trusted;
-    double low_mm;
-  };
+  struct Constraint { Vec3 normal; double level; bool trusted; double low_mm; };
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
