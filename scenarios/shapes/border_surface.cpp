@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "scenarios/shapes/voxel_blocks.h"
 
 namespace cusp::scenarios {
 
@@ -59,21 +62,10 @@ class Smoothed {
 
 BorderSurface::BorderSurface(std::shared_ptr<const Specimen> specimen, const TissueSet& tissues)
     : specimen_(std::move(specimen)), tissues_(tissues), voxels_(VoxelIndex(*specimen_, tissues).surface_voxels()) {
-  const auto block = [](IVec3 v) { return IVec3(v.x >> 2, v.y >> 2, v.z >> 2); };
   const double reach = kDiscVoxels * specimen_->grid().voxel_mm;
-  std::vector<BoxTree::Leaf> leaves;
   patches_.reserve(voxels_.size());
-  for (std::size_t i = 0; i < voxels_.size(); ++i) {
-    const Patch patch = patch_of(voxels_[i]);
-    patches_.push_back(patch);
-    const Vec3 low = patch.at_mm - reach, high = patch.at_mm + reach;
-    if (i == 0 || block(voxels_[i]) != block(voxels_[i - 1])) leaves.push_back({low, high, i, i});
-    BoxTree::Leaf& leaf = leaves.back();
-    leaf.low = glm::min(leaf.low, low);
-    leaf.high = glm::max(leaf.high, high);
-    leaf.last = i + 1;
-  }
-  tree_ = BoxTree(std::move(leaves));
+  for (const IVec3 v : voxels_) patches_.push_back(patch_of(v));
+  tree_ = BoxTree(leaves_of_blocks(voxels_, [&](std::size_t i) { return std::pair{patches_[i].at_mm - reach, patches_[i].at_mm + reach}; }));
 }
 
 BorderSurface::Patch BorderSurface::patch_of(IVec3 v) const noexcept {

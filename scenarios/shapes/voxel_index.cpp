@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "scenarios/shapes/voxel_blocks.h"
 
 namespace cusp::scenarios {
 
@@ -34,21 +37,15 @@ VoxelIndex::VoxelIndex(const Grid& grid, std::vector<IVec3> voxels) : grid_(grid
   index();
 }
 
-/// Blocks of four voxels along an edge become the tree's leaves.
 void VoxelIndex::index() {
-  const auto block = [](IVec3 v) { return std::array{v.z >> 2, v.y >> 2, v.x >> 2}; };
-  std::ranges::stable_sort(voxels_, {}, block);
-  std::vector<BoxTree::Leaf> leaves;
-  for (std::size_t i = 0; i < voxels_.size(); ++i) {
+  std::ranges::stable_sort(voxels_, {}, [](IVec3 v) {
+    const IVec3 block = block_of(v);
+    return std::array{block.z, block.y, block.x};
+  });
+  tree_ = BoxTree(leaves_of_blocks(voxels_, [&](std::size_t i) {
     const Vec3 centre = grid_.centre_mm(voxels_[i]);
-    const Vec3 low = centre - 0.5 * grid_.voxel_mm, high = centre + 0.5 * grid_.voxel_mm;
-    if (i == 0 || block(voxels_[i]) != block(voxels_[i - 1])) leaves.push_back({low, high, i, i});
-    BoxTree::Leaf& leaf = leaves.back();
-    leaf.low = glm::min(leaf.low, low);
-    leaf.high = glm::max(leaf.high, high);
-    leaf.last = i + 1;
-  }
-  tree_ = BoxTree(std::move(leaves));
+    return std::pair{centre - 0.5 * grid_.voxel_mm, centre + 0.5 * grid_.voxel_mm};
+  }));
 }
 
 double VoxelIndex::distance_mm(Vec3 p, double at_most_mm) const noexcept {
