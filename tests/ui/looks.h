@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QWidget>
 
@@ -29,6 +30,15 @@ inline bool pictures_wanted() { return qEnvironmentVariableIsSet("CUSP_PICTURES"
 inline void leave_picture(QWidget& widget, const QString& name) {
   if (!pictures_wanted()) return;
   EXPECT_TRUE(widget.grab().save(qEnvironmentVariable("CUSP_PICTURES") + u'/' + name + QStringLiteral(".png")));
+}
+
+/// No visible button cuts its text. `look`: for the message.
+inline void expect_buttons_fit(const QWidget& shown, const QString& look = {}) {
+  for (const QAbstractButton* button : shown.findChildren<QAbstractButton*>()) {
+    if (!button->isVisibleTo(&shown) || button->text().isEmpty()) continue;
+    EXPECT_GE(button->width(), button->sizeHint().width()) << look.toStdString() << ": " << button->text().toStdString();
+    EXPECT_GE(button->height(), button->sizeHint().height()) << look.toStdString() << ": " << button->text().toStdString();
+  }
 }
 
 }  // namespace cusp::test

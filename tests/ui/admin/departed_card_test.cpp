@@ -74,11 +74,7 @@ TEST_F(Departed, StandsInEachLook) {
     shown.show();
     looked(shown);
     QApplication::processEvents();
-    for (const QAbstractButton* button : shown.findChildren<QAbstractButton*>()) {
-      if (!button->isVisibleTo(&shown) || button->text().isEmpty()) continue;
-      EXPECT_GE(button->width(), button->sizeHint().width()) << name.toStdString() << ": " << button->text().toStdString();
-      EXPECT_GE(button->height(), button->sizeHint().height()) << name.toStdString() << ": " << button->text().toStdString();
-    }
+    expect_buttons_fit(shown, name);
     leave_picture(shown, QStringLiteral("people-") + name);
   });
   install_language(*qApp, QStringLiteral("en"));

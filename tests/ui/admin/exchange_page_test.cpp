@@ -283,11 +283,7 @@ TEST_F(FilesBetweenStations, AFileThatIsThereIsNotOverwritten) {
 
 /// No button cuts its text, and nothing lies beside the window.
 void expect_texts_fit(const QWidget& shown) {
-  for (const QAbstractButton* button : shown.findChildren<QAbstractButton*>()) {
-    if (!button->isVisibleTo(&shown) || button->text().isEmpty()) continue;
-    EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
-    EXPECT_GE(button->height(), button->sizeHint().height()) << button->text().toStdString();
-  }
+  expect_buttons_fit(shown);
   EXPECT_EQ(shown.findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
 }
 
