@@ -100,7 +100,7 @@ def main():
     print(f"seed {o.seed}")
     with Desk(o.cusp) as desk:
         desk.small_exercise()
-        desk.small_script(12)
+        desk.small_script(6)
         start = time.monotonic()
         status, _ = play(desk, desk.path("whole.db"), None)
         whole_s = time.monotonic() - start

@@ -245,7 +245,7 @@ def main():
     problems = []
     with Desk(os.path.abspath(o.cusp)) as desk:
         desk.small_exercise(change=lambda scenario: scenario["specimen"].update(voxel_mm=0.5))
-        desk.small_script(10)
+        desk.small_script(10 if os.environ.get("CUSP_FULL") else 5)
         start = time.monotonic()
         status, _, err = desk.run("play", desk.path("small.json"), "--script", desk.path("script.csv"), "--db",
                                   desk.path("whole.db"), "--out", desk.path("whole"))

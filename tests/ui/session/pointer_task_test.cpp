@@ -213,7 +213,7 @@ class Hand {
 };
 
 TEST(PointerTask, AHeldButtonThatSweepsDoesNotSinkPastTheRequiredDepth) {
-  const double sweeps_s = full_run() ? 60 : 20;
+  const double sweeps_s = full_run() ? 60 : 10;
   for (const double first_s : {0.0, 0.5, 1.0}) {  // of rest before the first sweep
     Attempt attempt(Vec3(0, 0, bench().top_mm + 3));
     const Vec3 from = attempt.picked(bench().places[10]), to = from + Vec3(kStrokeMm, 0.1, 0);
@@ -233,7 +233,7 @@ TEST(PointerTask, AHeldButtonThatSweepsDoesNotSinkPastTheRequiredDepth) {
 }
 
 TEST(PointerTask, HandsCutTheTargetAndNothingBelowItsFloor) {
-  const unsigned hands = full_run() ? 20 : 4;
+  const unsigned hands = full_run() ? 20 : 2;
   std::vector<double> removed, over;
   for (unsigned seed = 1; seed <= hands; ++seed) {
     Hand hand(seed);
