@@ -99,7 +99,7 @@ def sit(program, take):
     take(program, "assessment-handed-in")
     handed_in = time.monotonic()
     program.press("Next candidate")
-    begin(program, *OTHER[1:], nothing)
+    begin(program, *OTHER[1:], school.nothing)
     between_s = time.monotonic() - handed_in
     drill(program, SECOND_S)
     return between_s
@@ -195,11 +195,7 @@ def read(program, take):
     desk.check(read_by == 1, f"the remark is read by {read_by} of the two candidates")
 
 
-def nothing(program, name):
-    """Takes no picture."""
-
-
-def visit(own, program, take=nothing):
+def visit(own, program, take=school.nothing):
     """The school stands. Returns the program that runs at the end, and what was seen. `take`: a picture by its name."""
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
     program.find("table", "People")

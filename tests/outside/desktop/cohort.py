@@ -21,10 +21,11 @@ def pick(program, title, path):
     program.keys("Return")
 
 
-def import_list(program):
+def import_list(program, take=school.nothing):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
     program.find("table", "People")  # an administrator's first page
     program.press("Import a list")
+    take(program, "import-people")
     path = os.path.join(program.folder, "list.csv")
     with open(path, "w", encoding="cp1252") as f:
         f.write(LIST)
@@ -32,6 +33,7 @@ def import_list(program):
     pick(program, "Choose a list of students", path)
     school.row_of(program, "Lines of the list", "Lena Brandt", "new")
     school.row_of(program, "Lines of the list", "no number")
+    take(program, "import-people-lines")
     program.press("Make the accounts")
     program.find("label", re.compile("The list is imported"))
     program.press("Save the PIN slips")

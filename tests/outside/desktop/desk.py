@@ -14,6 +14,7 @@ import sys
 import tempfile
 import traceback
 
+import words
 from screen import LIMIT_S, Atspi_Error, Missing, Screen, until
 
 SOURCE = os.path.abspath(__file__ + "/../../../..")
@@ -41,6 +42,16 @@ class Widget:
 
     @property
     def name(self):
+        return self.meanings[0]
+
+    @property
+    def meanings(self):
+        """The name in English: one, or all that the shown text may mean in another language."""
+        return self.program.words.meanings(self.shown)
+
+    @property
+    def shown(self):
+        """The name as the screen has it."""
         return plain(self.node.get_name() or "")
 
     @property
@@ -51,7 +62,7 @@ class Widget:
 
     @property
     def description(self):
-        return plain(self.node.get_description() or "")
+        return self.program.words.meanings(plain(self.node.get_description() or ""))[0]
 
     def has(self, state):
         return self.node.get_state_set().contains(getattr(Atspi.StateType, state))
@@ -66,9 +77,14 @@ class Widget:
     def value(self):
         return Atspi.Value.get_current_value(self.node)
 
-    def box(self):
+    def extents(self):
+        """In Qt's pixels."""
         e = Atspi.Component.get_extents(self.node, Atspi.CoordType.SCREEN)
         return e.x, e.y, e.width, e.height
+
+    def box(self):
+        """In pixels of the screen."""
+        return tuple(edge * self.program.pixels for edge in self.extents())
 
     def middle(self):
         x, y, width, height = self.box()
@@ -115,31 +131,35 @@ class Widget:
         return self
 
     def type(self, text):
-        """Puts `text` in place of what stands in a field, by keys."""
+        """Puts `text` in place of what stands in a field, by keys; a built-in exercise's title in the screen's language."""
+        text = self.program.words.shown(text)
         self.focus()
         self.program.keys("ctrl+a", "Delete")
         if self.role == "password text":  # nobody may read it, so nobody can look
             self.program.screen.x("type", "--delay", 8, text)
             return self
         until(f"{self.name!r} to be empty", lambda: self.text == "")
-        self.program.screen.x("type", "--delay", 8, text)
+        if text.isascii():
+            self.program.screen.x("type", "--delay", 8, text)
+        else:  # under load a letter without a key of its own is lost
+            Atspi.EditableText.set_text_contents(self.node, text)
         until(f"{text!r} to stand in {self.name!r}", lambda: self.text == text)
         return self
 
     def choose(self, option):
         """Chooses in a list that folds down."""
-        if self.name == option:
+        if option in self.meanings:
             return self
         self.click()
         self.program.find("list item", option).click()
-        until(f"{option!r} to be chosen", lambda: self.name == option)
+        until(f"{option!r} to be chosen", lambda: option in self.meanings)
         return self
 
     def labels(self):
         """The text that labels this, for things whose name is their value."""
         relations = self.node.get_relation_set()
-        return [plain(r.get_target(i).get_name()) for r in relations
-                if r.get_relation_type() == Atspi.RelationType.LABELLED_BY for i in range(r.get_n_targets())]
+        return [meant for r in relations if r.get_relation_type() == Atspi.RelationType.LABELLED_BY
+                for i in range(r.get_n_targets()) for meant in Widget(r.get_target(i), self.program).meanings]
 
     def __repr__(self):
         return f"{self.role} {self.name!r}"
@@ -158,8 +178,10 @@ def fits(wish, text):
 class Program:
     """The desktop, running on a screen."""
 
-    def __init__(self, binary, screen, folder, database, *arguments, **environment):
+    def __init__(self, binary, screen, folder, database, *arguments, language="en", pixels=1, **environment):
+        """`language` of the screen, as the settings have it; `pixels` for one of Qt's, as QT_SCALE_FACTOR has it."""
         self.binary, self.screen, self.folder, self.database = binary, screen, folder, database
+        self.words, self.pixels = words.of(language), pixels
         env = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1",
                    LIBGL_ALWAYS_SOFTWARE="1", LC_ALL="C.UTF-8", LANGUAGE="en", HOME=folder)
         for name in ("CONFIG", "DATA", "CACHE"):
@@ -213,7 +235,7 @@ class Program:
         self.alive()
         for widget in (within or self.root).walk():
             try:
-                if fits(role, widget.role) and fits(name, widget.name):
+                if fits(role, widget.role) and any(fits(name, meant) for meant in (widget.meanings if name else [None])):
                     yield widget
             except Atspi_Error():
                 continue
@@ -324,9 +346,11 @@ class Desk:
         os.makedirs(os.path.dirname(self.database))
         self.screen = Screen(self.folder, width, height)
         self.program = None
+        self.language, self.pixels, self.environment = "en", 1, {}  # of the programs
 
     def start(self, *arguments, **environment):
-        self.program = Program(self.binary, self.screen, self.folder, self.database, *arguments, **environment)
+        self.program = Program(self.binary, self.screen, self.folder, self.database, *arguments, language=self.language,
+                               pixels=self.pixels, **self.environment, **environment)
         return self.program
 
     def __enter__(self):

@@ -1,95 +1,233 @@
-"""Pictures of every screen of the real program, as a student, an instructor and an administrator see it. English.
+"""Pictures of every page, the drilling screen and the dialogs of the real program, as a student, an instructor and an
+administrator see them, and one contact sheet per look. In German it prints the texts that show untranslated.
 
-    /usr/bin/python3 tests/outside/desktop/pictures.py build/release/cusp FOLDER [light|dark] [percent of size]
+    /usr/bin/python3 tests/outside/desktop/pictures.py build/release/cusp FOLDER [light|dark-german|large|double ...]
+
+Without a look it takes all: FOLDER/LOOK/NN-name.png and FOLDER/LOOK.png. A look takes some ten minutes.
 """
 import os
 import re
+import subprocess
 import sys
 import time
+from dataclasses import dataclass
 
 import assessment
 import cohort
 import desk
+import instructor
 import school
 import student
-from PIL import Image, ImageGrab
+from PIL import Image, ImageChops, ImageGrab
 
-WIDTH, HEIGHT = 1280, 821  # of the screen: a window that fills it has 800 below its title bar
+TITLE_BAR = 21  # px, of a window that fills the screen
 CLASS_2 = "Class II MO, adhesive, tooth 46"
+STILL_S = 0.6  # between two pictures that are the same: nothing is drawn in the background
+TABS = ("Shape", "Points", "Burs", "Tissues", "Texts", "Audit")
+ACROSS = 3  # pictures in a row of a contact sheet
+CUBE_MM = 12
+
+
+@dataclass
+class Look:
+    theme: str
+    language: str
+    width: int
+    height: int
+    scale: int = 1  # QT_SCALE_FACTOR
+
+
+LOOKS = {
+    "light": Look("light", "en", 1280, 800),
+    "dark-german": Look("dark", "de", 1280, 800),
+    "large": Look("dark", "en", 1920, 1080),
+    "double": Look("light", "de", 1920, 1080, 2),
+}
 
 
 class Album:
     def __init__(self, own, folder):
         self.own, self.folder, self.number = own, folder, 0
 
-    def take(self, program, name, rests_s=1.0):
-        """The window alone. `rests_s`: until what it draws in the background stands."""
+    def take(self, program, name, at_most_s=6.0, rests_s=0.0):
+        """The window with what stands before it, once nothing moves or after `at_most_s`. `rests_s`: for what draws seldom."""
         time.sleep(rests_s)
-        x, y, width, height = program.find("frame", "Cusp").box()
-        whole = ImageGrab.grab(xdisplay=self.own.screen.display)
+        end = time.monotonic() + at_most_s
+        before, picture = None, self._grab()
+        while time.monotonic() < end and (before is None or ImageChops.difference(before, picture).getbbox()):
+            time.sleep(STILL_S)
+            before, picture = picture, self._grab()
         self.number += 1
         path = os.path.join(self.folder, f"{self.number:02}-{name}.png")
-        whole.crop((x, y, x + width, y + height)).save(path)
+        picture.save(path)
         print(path, flush=True)
+        for text in untranslated(program):
+            print(f"  untranslated on {name}: {text!r}", flush=True)
+
+    def _grab(self):
+        whole = ImageGrab.grab(xdisplay=self.own.screen.display).convert("RGB")
+        return whole.crop((0, TITLE_BAR, *whole.size))
 
     def sheet(self):
-        """All pictures, four in a row."""
-        names = sorted(n for n in os.listdir(self.folder) if n.endswith(".png") and n[0].isdigit())
-        pictures = [Image.open(os.path.join(self.folder, n)).convert("RGB").resize((480, 300)) for n in names]
-        out = Image.new("RGB", (4 * 480, (len(pictures) + 3) // 4 * 300))
+        """All pictures, each at two thirds of 1280 px."""
+        names = sorted(n for n in os.listdir(self.folder) if n.endswith(".png"))
+        pictures = [Image.open(os.path.join(self.folder, n)).convert("RGB") for n in names]
+        width = 853
+        height = round(pictures[0].height * width / pictures[0].width)
+        out = Image.new("RGB", (ACROSS * width, -(-len(pictures) // ACROSS) * height))
         for i, picture in enumerate(pictures):
-            out.paste(picture, (i % 4 * 480, i // 4 * 300))
-        out.save(os.path.join(self.folder, "sheet.png"))
+            out.paste(picture.resize((width, height), Image.Resampling.LANCZOS), (i % ACROSS * width, i // ACROSS * height))
+        out.save(self.folder + ".png")
+
+
+def fill_screen(program, look):
+    """A window that is smaller than the screen grows to it; a larger one fills it at its start."""
+    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(program.process.pid), "--name", "^Cusp$"],
+                           capture_output=True, text=True, check=True).stdout.split()[0]
+    width, height = look.width // look.scale, look.height // look.scale
+    if program.find("frame", "Cusp").extents()[2:] != (width, height):
+        program.screen.x("windowmove", found, 0, 0, "windowsize", found, look.width, look.height)
+    desk.until("the window to fill the screen", lambda: program.find("frame", "Cusp").extents()[2:] == (width, height), 10)
+
+
+def untranslated(program):
+    """Texts of the source that the catalogue has and the screen shows all the same."""
+    words = program.words
+    sources = getattr(words, "sources", {})
+    return sorted({w.shown for w in program.all() if w.shown in sources and w.shown not in words.exact})
+
+
+def opened(program):
+    desk.until("the tooth to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
+
+
+def of_drilling(album, program):
+    """The coach, cutting, the cutaway, the mirror, paused, and the question at the end."""
+    program.find("label", "Coach")
+    album.take(program, "coach-begin")
+    school.drill(program, 0.4)
+    x, y = program.find(None, "Tooth").middle()
+    program.screen.x("mousemove", x + 30 * program.pixels, y, "mousedown", 1)
+    album.take(program, "cutting", 4)
+    program.screen.x("mouseup", 1)
+    program.keys("3")
+    album.take(program, "cutaway", 3)
+    program.keys("2")
+    album.take(program, "mirror", 3, rests_s=3)
+    program.keys("2", "p")
+    album.take(program, "paused", 3)
+    program.keys("p")
+    program.press("Finish")
+    question = program.find("alert")
+    album.take(program, "question", 3)
+    program.press("Finish", within=question)
+    program.find(None, "Report")
+
+
+def of_report(album, program):
+    album.take(program, "report", rests_s=8)
+    school.row_of(program, "Criteria", "Target removed")[0].click()
+    album.take(program, "report-place")
+    program.press("Before and after", school.CHOICE)
+    album.take(program, "report-before-after", rests_s=4)
+    program.press("Save as PDF")
+    program.find(re.compile("dialog|file chooser"), "Save the report")
+    album.take(program, "file-picker")
+    program.keys("Escape")
 
 
 def of_student(album, program):
     school.sign_in_student(program)
-    album.take(program, "start", 4)
+    album.take(program, "start", rests_s=6)
     school.page(program, "Exercises")
-    album.take(program, "exercises", 40)  # their pictures are drawn one by one
+    album.take(program, "exercises", rests_s=15)  # their pictures are drawn one by one
     school.brief(program, CLASS_2)
-    album.take(program, "briefing", 3)
+    album.take(program, "briefing", rests_s=8)
     program.press("Start")
-    desk.until("the tooth to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
-    album.take(program, "class-2", 3)
+    opened(program)
+    album.take(program, "class-2")
     program.press("Leave")  # nothing was cut: it asks nothing
     school.home(program)
     school.begin(program, student.EXERCISE)
-    school.drill(program, 0.4)
-    album.take(program, "drilling", 0.2)
-    program.keys("3")
-    album.take(program, "cutaway", 2)
-    program.keys("2")
-    album.take(program, "mirror", 2)
-    program.keys("2")
-    program.keys("p")
-    album.take(program, "paused")
-    program.keys("p")
-    school.finish(program)
-    album.take(program, "report", 4)
+    of_drilling(album, program)
+    of_report(album, program)
     school.home(program)
-    for page in ("My results", "Device", "Help"):
+    for page in ("Start", "My results", "Device", "Help"):
         school.page(program, page)
         album.take(program, page.lower().replace(" ", "-"))
+    program.keys("ctrl+k")
+    program.find("dialog", "Go to")
+    album.take(program, "go-to")
+    program.keys("Escape")
     school.sign_out(program)
 
 
-def of_instructor(album, program):
-    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
-    school.page(program, "Library")
-    album.take(program, "library")
+def of_editor(album, program):
     program.find("text", "Find an exercise").type(CLASS_2)
     program.keys("Return")
     program.find(None, "Editor")
     desk.until("the tooth to be grown", lambda: program.find("push button", "Try out").has("ENABLED"), 120)
-    for tab in ("Shape", "Points", "Burs", "Tissues", "Texts", "Audit"):
+    for tab in TABS:
         program.press(tab, "page tab")
-        album.take(program, "editor-" + tab.lower(), 2)
+        album.take(program, "editor-" + tab.lower())
     program.keys("alt+Left")
     school.page(program, "Library")
+
+
+def of_publishing(album, program):
+    school.row_of(program, "Exercises", instructor.EXERCISE)[0].click()
+    program.press("Open in the editor")
+    editor = program.find(None, "Editor")
+    program.find("spin button", "Depth", within=editor).focus()
+    program.keys("Up", "Return")
+    publish = program.find("push button", re.compile("^Publish version"), within=editor)
+    desk.until("the checks to pass", lambda: publish.has("ENABLED"))
+    album.take(program, "editor-changed")
+    publish.press()
+    program.find("dialog", "Publish")
+    album.take(program, "publish-sheet")
+    program.keys("Escape")
+    program.keys("alt+Left")
+    school.page(program, "Library")
+
+
+def cube(path):
+    """A closed mesh, as text STL."""
+    corners = [[(i >> axis & 1) * CUBE_MM for axis in range(3)] for i in range(8)]
+    with open(path, "w", encoding="utf-8") as f:
+        f.write("solid cube\n")
+        for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
+            for three in ((a, b, c), (a, c, d)):
+                f.write("facet normal 0 0 0\nouter loop\n")
+                f.writelines("vertex {} {} {}\n".format(*corners[i]) for i in three)
+                f.write("endloop\nendfacet\n")
+        f.write("endsolid cube\n")
+
+
+def of_import(album, program):
     program.press("Import a specimen")
     album.take(program, "import")
+    path = os.path.join(program.folder, "cube.stl")
+    cube(path)
+    program.press("Choose a file…")
+    cohort.pick(program, "Choose a file", path)
+    program.find("label", re.compile("^The specimen will be|^With this unit"))
+    album.take(program, "import-mesh")
     program.keys("alt+Left")
+
+
+def of_instructor(album, program):
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    for page in ("Performance", "Library"):
+        school.page(program, page)
+        album.take(program, page.lower() + "-instructor")
+    program.menu_to_dialog("New exercise", "Down", "Down", "Return")
+    program.find("dialog", "New exercise from a template")
+    album.take(program, "template", 12)
+    program.keys("Escape")
+    of_editor(album, program)
+    of_publishing(album, program)
+    of_import(album, program)
     school.sign_out(program)
 
 
@@ -98,10 +236,6 @@ def of_audit_log(album, program):
     program.press("Verify now")
     program.find("label", re.compile("The log is whole"))
     album.take(program, "audit-log")
-    # Nobody of this school assigns anything before this page.
-    program.find("combo box", "All kinds").choose("Cohorts and assignments")
-    program.find("label", "No entry fits")
-    album.take(program, "audit-log-empty")
 
 
 def of_administrator(album, program):
@@ -110,12 +244,11 @@ def of_administrator(album, program):
         school.page(program, page)
         album.take(program, page.lower().replace(" ", "-"))
     of_audit_log(album, program)
-    school.page(program, "People")
-    program.press("Import a list")
-    album.take(program, "import-people")
-    program.keys("alt+Left")
+    program.menu_to_dialog(school.ACCOUNT, "Down", "Down", "Return")
+    album.take(program, "password")
+    program.keys("Escape")
     school.sign_out(program)
-    cohort.import_list(program)
+    cohort.import_list(program, album.take)
     cohort.assign(program)
     school.sign_in_staff(program, *school.INSTRUCTOR[1:])
     school.page(program, "Cohorts")
@@ -123,32 +256,39 @@ def of_administrator(album, program):
     school.sign_out(program)
 
 
-def use_look(own, theme, percent):
-    look = os.path.join(own.folder, "config", "Cusp")
-    os.makedirs(look, exist_ok=True)
-    with open(os.path.join(look, "Cusp.ini"), "w", encoding="utf-8") as f:
-        f.write(f"[look]\ntheme={theme}\nlanguage=en\nscale={percent}\n")
-
-
-def main():
-    desk.on_own_bus()
-    folder = os.path.abspath(sys.argv[2])
-    theme = sys.argv[3] if len(sys.argv) > 3 else "light"
-    percent = sys.argv[4] if len(sys.argv) > 4 else "100"
+def desk_of(binary, look):
+    """A desk whose programs have the look."""
+    own = desk.Desk(binary, look.width, look.height + TITLE_BAR)
+    folder = os.path.join(own.folder, "config", "Cusp")
     os.makedirs(folder, exist_ok=True)
-    with desk.Desk(sys.argv[1], WIDTH, HEIGHT) as own:
-        use_look(own, theme, percent)
+    with open(os.path.join(folder, "Cusp.ini"), "w", encoding="utf-8") as f:
+        f.write(f"[look]\ntheme={look.theme}\nlanguage={look.language}\nscale=100\n")
+    own.language, own.pixels = look.language, look.scale
+    own.environment = {"QT_SCALE_FACTOR": look.scale}
+    return own
+
+
+def walk(binary, folder, look):
+    os.makedirs(folder, exist_ok=True)
+    with desk_of(binary, look) as own:
         album = Album(own, folder)
         program = own.start()
-        album.take(program, "first-start", 2)
-        school.first_start(program)
-        album.take(program, "sign-in", 3)
+        fill_screen(program, look)
+        album.take(program, "first-start")
+        school.first_start(program, album.take)
+        album.take(program, "sign-in")
         of_student(album, program)
         of_instructor(album, program)
         of_administrator(album, program)
         program, _ = assessment.visit(own, program, album.take)
         program.close()
         album.sheet()
+
+
+def main():
+    desk.on_own_bus()
+    for name in sys.argv[3:] or LOOKS:
+        walk(sys.argv[1], os.path.join(os.path.abspath(sys.argv[2]), name), LOOKS[name])
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import pictures
 import school
 from PIL import Image, ImageDraw
 
+LOOK = pictures.LOOKS["light"]
 SIZE = (640, 400)
 COLOURS = 128
 EXERCISE = "Class I, tooth 36"
@@ -22,7 +23,7 @@ def hide(program, path, *texts):
     """Labels that name this machine say nothing to others: the ground takes their place."""
     picture = Image.open(path).convert("RGB")
     draw = ImageDraw.Draw(picture)
-    left, top, _, _ = program.find("frame", "Cusp").box()
+    left, top = 0, pictures.TITLE_BAR
     for label in program.all("label"):
         if any(text in label.name for text in texts):
             x, y, width, height = label.box()
@@ -31,8 +32,8 @@ def hide(program, path, *texts):
 
 
 class Shown(pictures.Album):
-    def take(self, program, name, rests_s=1.0):
-        super().take(program, name, rests_s)
+    def take(self, program, name, at_most_s=6.0):
+        super().take(program, name, at_most_s)
         hide(program, os.path.join(self.folder, f"{self.number:02}-{name}.png"), self.own.folder, socket.gethostname())
 
 
@@ -56,7 +57,7 @@ def visit(album, program):
     school.sign_in_student(program, *cohort.LENA)
     school.begin(program, EXERCISE)
     school.drill(program, 0.4)
-    album.take(program, "drill", 0.2)
+    album.take(program, "drill", 1)
     school.finish(program)
     album.take(program, "report", 4)
     school.home(program)
@@ -71,11 +72,11 @@ def visit(album, program):
 def main():
     desk.on_own_bus()
     target = os.path.abspath(sys.argv[2])
-    with desk.Desk(sys.argv[1], pictures.WIDTH, pictures.HEIGHT) as own:
-        pictures.use_look(own, "light", "100")
+    with pictures.desk_of(sys.argv[1], LOOK) as own:
         large = os.path.join(own.folder, "large")
         os.makedirs(large)
         program = own.start()
+        pictures.fill_screen(program, LOOK)
         school.first_start(program)
         visit(Shown(own, large), program)
         program.close()
