@@ -44,7 +44,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr QSize kLeast{1024, 640}, kUsual{1280, 800};   // px
+constexpr QSize kLeast{960, 540}, kUsual{1280, 800};   // px
 constexpr int kFrame = 48;                              // px; what a window manager takes of the height at most
 constexpr const char* kCoverExercise = "class-1-36";    // whose tooth the sign-in shows
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QSysInfo>
 #include <QToolButton>
@@ -183,11 +184,11 @@ void Shell::show_page(const QString& key) {
     if (entries_[i].key != key) continue;
     key_ = key;
     group_->button(i)->setChecked(true);
-    QWidget* old = pages_->currentWidget();
+    QWidget* old = pages_->currentWidget();  // the area in which a page scrolls
     QWidget* fresh = entries_[i].make();
     fresh->setAccessibleName(entries_[i].name);
-    pages_->addWidget(fresh);
-    pages_->setCurrentWidget(fresh);
+    pages_->addWidget(make_scrolling(fresh));
+    pages_->setCurrentIndex(pages_->count() - 1);
     if (old) {
       pages_->removeWidget(old);
       old->deleteLater();
@@ -197,7 +198,10 @@ void Shell::show_page(const QString& key) {
   }
 }
 
-QWidget* Shell::page() const { return pages_->currentWidget(); }
+QWidget* Shell::page() const {
+  const auto* area = qobject_cast<QScrollArea*>(pages_->currentWidget());
+  return area ? area->widget() : nullptr;
+}
 
 void Shell::next_pane() {
   QWidget* panes[] = {top_, side_, pages_};

@@ -1,6 +1,7 @@
 #include "ui/instructor/cohorts_page.h"
 
 #include <QBoxLayout>
+#include <QGridLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -18,6 +19,7 @@
 namespace cusp::ui {
 namespace {
 
+constexpr int kNarrow = 1000;     // px at 100 %; three columns need as much
 constexpr int kNamedUnknown = 5;  // unknown numbers that the message names
 
 std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
@@ -48,22 +50,23 @@ CohortsPage::CohortsPage(Store& store, const Actor& actor, const Ports& ports, Q
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(px(16));
-  row->addWidget(make_list());
+  columns_ = new QGridLayout;
+  columns_->setSpacing(px(16));
+  columns_->setColumnStretch(1, 1);
+  columns_->addWidget(make_list(), 0, 0);
   auto* middle = new QVBoxLayout;
   middle->setSpacing(px(16));
   middle->addWidget(make_students(), 3);
   middle->addWidget(make_assignments(), 2);
-  row->addLayout(middle, 1);
+  columns_->addLayout(middle, 0, 1);
   if (may(actor.role, Action::assign)) {
     if (auto list = load_exercises(store_)) {
       form_ = new AssignmentForm(std::move(list->exercises), ports_.now());
       connect(form_, &AssignmentForm::assign_wanted, this, &CohortsPage::assign);
-      row->addWidget(form_, 0, Qt::AlignTop);
+      columns_->addWidget(form_, 0, 2, Qt::AlignTop);
     }
   }
-  outer->addLayout(row, 1);
+  outer->addLayout(columns_, 1);
   const auto make_named = [this] { make_cohort(name_->text()); };
   connect(make, &QPushButton::clicked, this, make_named);
   connect(name_, &QLineEdit::returnPressed, this, make_named);
@@ -72,6 +75,18 @@ CohortsPage::CohortsPage(Store& store, const Actor& actor, const Ports& ports, Q
   list_->choose_row(0);
   show_chosen();
   setFocusProxy(cohorts_->rowCount() > 0 ? static_cast<QWidget*>(list_) : name_);
+}
+
+/// A narrow page has what is assigned next below the rest.
+void CohortsPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (form_ == nullptr) return;
+  columns_->removeWidget(form_);
+  if (width() < px(kNarrow)) {
+    columns_->addWidget(form_, 1, 0, 1, 2, Qt::AlignTop | Qt::AlignLeft);
+  } else {
+    columns_->addWidget(form_, 0, 2, Qt::AlignTop);
+  }
 }
 
 QString CohortsPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }

@@ -10,6 +10,7 @@
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
+class QGridLayout;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
@@ -40,6 +41,9 @@ class CohortsPage : public QWidget {
   /// The attempts of an assignment.
   void results_wanted(AssignmentId assignment);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* make_list();
   QWidget* make_students();
@@ -64,6 +68,7 @@ class CohortsPage : public QWidget {
   QPlainTextEdit* numbers_ = nullptr;
   QPushButton *add_ = nullptr, *remove_ = nullptr, *results_ = nullptr;
   Card *students_card_ = nullptr, *assignments_card_ = nullptr;
+  QGridLayout* columns_ = nullptr;  // list, students with what is assigned, form
   AssignmentForm* form_ = nullptr;
 };
 

@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include "ui/widgets/head_row.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::ui {
@@ -231,7 +232,11 @@ void announce(QWidget* from, const QString& message) {
 }
 
 PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
+  auto* all = new HeadRow(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(px(8));
+  auto* titles = new QWidget;
+  auto* row = new QHBoxLayout(titles);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(12));
   row->addWidget(make_label(title, TextRole::page_title, Weight::bold));
@@ -239,9 +244,7 @@ PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) 
   quiet->setContentsMargins(0, px(6), 0, 0);
   row->addWidget(quiet);
   row->addStretch(1);
-  buttons_ = new QHBoxLayout;
-  buttons_->setSpacing(px(8));
-  row->addLayout(buttons_);
+  all->addWidget(titles);
 }
 
 QLineEdit* make_search_field(const QString& name, int width_px) {
@@ -250,6 +253,8 @@ QLineEdit* make_search_field(const QString& name, int width_px) {
   field->setAccessibleName(name);
   field->addAction(icon(QStringLiteral("search"), Ink::text2), QLineEdit::LeadingPosition);
   field->setClearButtonEnabled(true);
+  // The style's own sign is of another family.
+  if (auto* clear = field->findChild<QAction*>(u"_q_qlineeditclearaction"_qs)) clear->setIcon(icon(u"cross"_qs, Ink::text2));
   field->setFixedWidth(width_px);
   return field;
 }
@@ -262,19 +267,24 @@ QWidget* make_page(QWidget* content) {
   return page;
 }
 
-QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent) {
-  auto* area = new QScrollArea(parent);
+QScrollArea* make_scrolling(QWidget* page) {
+  auto* area = new QScrollArea;
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  area->setWidget(page);
+  return area;
+}
+
+QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent) {
   auto* page = new QWidget;
   page->setProperty("kind", u"page"_qs);
   page->setAttribute(Qt::WA_StyledBackground);
   *body = new QVBoxLayout(page);
   (*body)->setContentsMargins(px(24), px(16), px(24), px(24));
   (*body)->setSpacing(px(16));
-  area->setWidget(page);
+  QScrollArea* area = make_scrolling(page);
+  area->setParent(parent);
   return area;
 }
 

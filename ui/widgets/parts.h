@@ -15,6 +15,7 @@ class QFormLayout;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTabBar;
 class QToolButton;
 class QVBoxLayout;
@@ -106,16 +107,13 @@ QLabel* make_key_cap(const QString& key);
 /// Makes a screen reader speak `message`; the focus stays.
 void announce(QWidget* from, const QString& message);
 
-/// Head of a page: title of 24 px, quiet text beside it, buttons at the right.
+/// Head of a page: title of 24 px, quiet text beside it, buttons at the right or, in a narrow window, below.
 class PageHead : public QWidget {
   Q_OBJECT
 
  public:
   explicit PageHead(const QString& title, const QString& aside = {}, QWidget* parent = nullptr);
-  QHBoxLayout* buttons() { return buttons_; }
-
- private:
-  QHBoxLayout* buttons_;
+  QLayout* buttons() { return layout(); }
 };
 
 /// A field to search by, with its sign; `name` is placeholder and accessible name.
@@ -123,6 +121,8 @@ QLineEdit* make_search_field(const QString& name, int width_px);
 
 /// A page that one widget fills.
 QWidget* make_page(QWidget* content);
+/// `page` in an area that scrolls where the window is smaller than what the page needs at least.
+QScrollArea* make_scrolling(QWidget* page);
 /// A page that scrolls if it is too tall; `body` receives its layout.
 QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent = nullptr);
 

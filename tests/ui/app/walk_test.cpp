@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
-#include <QAbstractScrollArea>
 #include <QAccessible>
 #include <QLabel>
 #include <QPushButton>
@@ -18,6 +17,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/report/sample_report.h"
+#include "tests/ui/whole_texts.h"
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
@@ -30,13 +30,6 @@ namespace cusp::test {
 namespace {
 
 constexpr int kMostStops = 400;  // of the Tab key on one page
-
-std::string described(const QWidget& widget) {
-  QString text = widget.accessibleName();
-  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget); text.isEmpty() && button) text = button->text();
-  if (const auto* label = qobject_cast<const QLabel*>(&widget); text.isEmpty() && label) text = label->text();
-  return (QString::fromLatin1(widget.metaObject()->className()) + u" \""_qs + text.left(60) + u'"').toStdString();
-}
 
 QString spoken_name(QWidget* widget) {
   QAccessibleInterface* face = QAccessible::queryAccessibleInterface(widget);
@@ -80,23 +73,6 @@ std::vector<Stop> stops(QWidget& window) {
     if (QApplication::focusWidget() == now) break;
   }
   return out;
-}
-
-/// A text that its widget is too small for.
-bool clipped(const QWidget& widget) {
-  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-    if (label->text().isEmpty()) return false;
-    return label->wordWrap() ? label->heightForWidth(label->width()) > label->height() + 1 : label->sizeHint().width() > label->width() + 1;
-  }
-  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-  return button && !button->text().isEmpty() && button->sizeHint().width() > button->width() + 1;
-}
-
-/// Cut off by the widget that it stands in, which does not scroll.
-bool beyond_parent(const QWidget& widget) {
-  const QWidget* parent = widget.parentWidget();
-  if (parent == nullptr || widget.isWindow() || qobject_cast<const QAbstractScrollArea*>(parent->parentWidget())) return false;
-  return !parent->rect().adjusted(-1, -1, 1, 1).contains(widget.geometry());
 }
 
 struct Walk : ::testing::Test {
@@ -171,19 +147,18 @@ TEST_F(Walk, tab_reaches_everything_in_the_order_of_reading_and_everything_has_a
   });
 }
 
-void expect_nothing_clipped(QWidget& window, const std::string& page) {
-  QTest::qWait(0);
-  for (const QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisible() || !(qobject_cast<const QLabel*>(widget) || qobject_cast<const QAbstractButton*>(widget))) continue;
-    EXPECT_FALSE(clipped(*widget)) << page << ": too small for its text, " << described(*widget) << ", " << widget->width() << " of "
-                                   << widget->sizeHint().width();
-    EXPECT_FALSE(beyond_parent(*widget)) << page << ": cut off, " << described(*widget);
-  }
+/// At the usual size, and at the one that full HD has at 200 %.
+void expect_nothing_clipped_at_either_size(QWidget& window, const std::string& page) {
+  expect_nothing_clipped(window, page);
+  const QSize usual = window.size();
+  window.resize(kHalfOfFullHd);
+  expect_whole_at_half_of_full_hd(window, page + ", half of full HD");
+  window.resize(usual);
 }
 
 TEST_F(Walk, longer_texts_are_clipped_on_no_page) {
   install_language(*qApp, QStringLiteral("pseudo"));
-  each_page(expect_nothing_clipped);
+  each_page(expect_nothing_clipped_at_either_size);
 }
 
 TEST_F(Walk, longer_texts_are_clipped_on_no_mirrored_page) {

@@ -1,0 +1,36 @@
+/// A title with buttons at its end; where the width does not hold both, the buttons stand in lines of their own below it. Thread: GUI.
+#pragma once
+
+#include <QLayout>
+#include <memory>
+#include <vector>
+
+namespace cusp::ui {
+
+/// The first item is the title. Every other item keeps its own size and moves to the next line where none is left.
+class HeadRow : public QLayout {
+ public:
+  using QLayout::QLayout;
+  void addItem(QLayoutItem* item) override;
+  int count() const override { return static_cast<int>(items_.size()); }
+  QLayoutItem* itemAt(int index) const override;
+  QLayoutItem* takeAt(int index) override;
+  Qt::Orientations expandingDirections() const override { return {}; }
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSize() const override;
+  void setGeometry(const QRect& rect) override;
+
+ private:
+  struct Line {
+    std::vector<QLayoutItem*> items;
+    QSize size;  // with the gaps between them
+  };
+  /// The lines of the width; first the title, alone if the buttons do not fit beside it.
+  std::vector<Line> lines(int width) const;
+  void add(Line& line, QLayoutItem* item) const;
+  std::vector<std::unique_ptr<QLayoutItem>> items_;
+};
+
+}  // namespace cusp::ui
