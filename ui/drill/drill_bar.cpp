@@ -27,10 +27,12 @@ constexpr std::array kTimeWarnings = {TimeWarning{300, "look"}, TimeWarning{60, 
 DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   set_kind(this, "bar_top");
   setFixedHeight(px(48));
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(px(12), 0, px(12), 0);
   row->setSpacing(px(12));
   leave_ = make_button(tr("Leave"), ButtonKind::quiet, QStringLiteral("chevron_left"));
+  leave_->setToolTip(leave_->accessibleName());
   connect(leave_, &QPushButton::clicked, this, &DrillBar::leave);
   row->addWidget(leave_);
   QFrame* rule = make_rule(Qt::Vertical);
@@ -64,10 +66,46 @@ DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   row->addWidget(finish_);
 }
 
-void DrillBar::set_exercise(const QString& title, const QString& aside) {
+void DrillBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit();
+}
+
+void DrillBar::fit() {
+  for (const Detail detail : {Detail::whole, Detail::no_device, Detail::icons, Detail::short_title}) {
+    show_detail(detail);
+    if (layout()->sizeHint().width() <= width()) return;
+  }
+}
+
+void DrillBar::show_detail(Detail detail) {
+  const bool texts = detail < Detail::icons;
+  const auto show_text = [texts](QPushButton* button) {
+    const QString text = texts ? u' ' + button->accessibleName() : QString();  // as make_button: the style leaves no space after the sign
+    if (button->text() == text) return;
+    const QKeySequence key = button->shortcut();  // a new text takes the shortcut away
+    button->setText(text);
+    button->setShortcut(key);
+  };
+  show_text(leave_);
+  show_text(pause_);
+  device_name_->setVisible(delayed_ || detail < Detail::no_device);
+  QString title = whole_title_;
+  if (detail == Detail::short_title) {
+    title_->setText(title);
+    const int too_wide = layout()->sizeHint().width() - width();
+    title = title_->fontMetrics().elidedText(title, Qt::ElideRight, std::max(0, title_->sizeHint().width() - too_wide));
+  }
   title_->setText(title);
+  title_->setToolTip(title == whole_title_ ? QString() : whole_title_);
+}
+
+void DrillBar::set_exercise(const QString& title, const QString& aside) {
+  whole_title_ = title;
+  title_->setAccessibleName(title);
   aside_->setText(aside);
   aside_->setVisible(!aside.isEmpty());
+  fit();
 }
 
 void DrillBar::set_seconds(double seconds) {
@@ -80,6 +118,7 @@ void DrillBar::set_time_limit(double seconds) {
   limit_s_ = seconds;
   limit_->setVisible(seconds > 0);
   limit_->setText(tr("of %1").arg(format_clock(seconds)));
+  fit();
 }
 
 void DrillBar::show_time_left(double left_s) {
@@ -93,11 +132,13 @@ void DrillBar::show_time_left(double left_s) {
   const std::size_t last = left_s < kTimeWarnings.back().left_s ? 1 : 0;
   set_ink(limit_, kTimeWarnings[last].ink);
   announce(this, text);
+  fit();
 }
 
 void DrillBar::set_device(const DeviceLimits& device) {
   device_ = device;
   device_name_->setText(device_name(device.device_class));
+  fit();
 }
 
 void DrillBar::show_grant(const RealtimeGrant& grant) {
@@ -108,6 +149,8 @@ void DrillBar::show_grant(const RealtimeGrant& grant) {
   device_name_->setText(tr("%1, may be delayed").arg(device_name(device_.device_class)));
   device_name_->setToolTip(message.line());
   set_ink(device_name_, "look");
+  delayed_ = true;
+  fit();
   announce(this, message.line());
 }
 
@@ -116,10 +159,9 @@ void DrillBar::set_stopped(bool stopped) {
   stopped_ = stopped;
   const QString act = stopped ? tr("Resume") : tr("Pause");
   pause_->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
-  pause_->setText(u' ' + act);  // as make_button: the style leaves no space after the sign
   pause_->setAccessibleName(act);
   pause_->setToolTip(QStringLiteral("%1 (%2)").arg(act, QKeySequence(Qt::Key_P).toString(QKeySequence::NativeText)));
-  pause_->setShortcut(Qt::Key_P);  // a new text takes the shortcut away
+  fit();
 }
 
 void DrillBar::enable_pause(bool on) {

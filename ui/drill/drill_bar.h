@@ -1,4 +1,5 @@
-/// The bar over the drilling screen: the way out, the exercise, the clock, the device, Pause and Finish. Thread: GUI.
+/// The bar over the drilling screen: the way out, the exercise, the clock, the device, Pause and Finish. A narrow bar leaves out
+/// the device's name, then the texts of Leave and Pause, and shortens the title at last. Thread: GUI.
 #pragma once
 
 #include <QFrame>
@@ -37,15 +38,23 @@ class DrillBar : public QFrame {
   void pause();
   void finish();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  enum class Detail { whole, no_device, icons, short_title };
   void show_time_left(double left_s);
+  void show_detail(Detail detail);
+  /// The most detail that the width holds.
+  void fit();
 
   QLabel *title_, *aside_, *clock_, *limit_, *device_name_;
   QPushButton *leave_, *pause_, *finish_;
+  QString whole_title_;
   DeviceLimits device_;
   double limit_s_ = 0;
   int warned_ = 0;  // how many of the two warnings were given
-  bool shown_grant_ = false, stopped_ = false;
+  bool shown_grant_ = false, delayed_ = false, stopped_ = false;
 };
 
 }  // namespace cusp::ui

@@ -316,7 +316,8 @@ void DrillStage::place_all() {
   tools_->move((w - tools_->width()) / 2, gap);
   const QSize depth = depth_->sizeHint(), push = push_->sizeHint();
   const int top = std::max(tools_->geometry().bottom() + gap, (h - depth.height()) / 2 + px(20));
-  depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - px(60)));
+  const int below = px(60) + (hold_->isHidden() ? 0 : hold_->sizeHint().height() + px(6));  // legend, and the button above it
+  depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - below));
   push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - px(110)));
   hold_->setFixedWidth(depth.width());
   hold_->move(gap, depth_->geometry().bottom() + px(6));

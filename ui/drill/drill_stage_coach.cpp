@@ -93,18 +93,30 @@ void DrillStage::show_coach(CoachLine line) {
   if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
+/// In the middle, in one line; where that is too narrow, in smaller letters between legend and compass.
 void DrillStage::place_coach() {
   const int gap = px(kStageGap), w = width(), h = height();
-  coach_->setWordWrap(false);
-  coach_card_->adjustSize();
-  const int most = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
-  coach_->setMinimumWidth(0);
+  const int left = legend_->isHidden() ? gap : legend_->geometry().right() + gap, right = compass_->x() - gap;
+  const int beside = std::max(left, w - right);
+  const auto fit = [this](TextRole role) {
+    coach_->setFont(font_of(role, Weight::bold));
+    coach_->setMinimumWidth(0);
+    coach_->setWordWrap(false);
+    coach_card_->adjustSize();
+  };
+  int x = beside, most = w - 2 * beside;
+  fit(TextRole::live);
+  if (coach_card_->width() > most) {
+    x = left;
+    most = right - left;
+    fit(TextRole::section);
+  }
   if (coach_card_->width() > most) {
     coach_->setMinimumWidth(most - px(16 + 18 + 12 + 16));
     coach_->setWordWrap(true);
     coach_card_->resize(most, coach_card_->layout()->heightForWidth(most));
   }
-  coach_card_->move((w - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
+  coach_card_->move(x + (most - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
 }
 
 }  // namespace cusp::ui

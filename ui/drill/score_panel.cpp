@@ -88,6 +88,19 @@ void SectionView::show_image(const SectionImage& image) {
   update();
 }
 
+/// A letter on a ground of its own: tissue lies under it.
+void SectionView::draw_side(QPainter& p, const QString& side, Qt::Alignment where) const {
+  if (side.isEmpty()) return;
+  const QSizeF size(p.fontMetrics().horizontalAdvance(side) + px(8), p.fontMetrics().height() + px(2));
+  const double x = where == Qt::AlignLeft ? px(4) : width() - px(4) - size.width();
+  const QRectF ground(QPointF(x, height() - px(4) - size.height()), size);
+  p.setPen(Qt::NoPen);
+  p.setBrush(tokens().surface);
+  p.drawRoundedRect(ground, px(3), px(3));
+  p.setPen(tokens().text);
+  p.drawText(ground, Qt::AlignCenter, side);
+}
+
 void SectionView::paintEvent(QPaintEvent*) {
   const Tokens& t = tokens();
   QPainter p(this);
@@ -107,10 +120,9 @@ void SectionView::paintEvent(QPaintEvent*) {
     p.drawImage(QRectF(box.center() - QPointF(size.width(), size.height()) / 2, size), image_);
   }
   p.setFont(font_of(TextRole::caption, Weight::bold));
-  p.setPen(t.text);
   p.setLayoutDirection(Qt::LeftToRight);  // the sides are the tooth's
-  p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignLeft | Qt::AlignBottom, left_);
-  p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignRight | Qt::AlignBottom, right_);
+  draw_side(p, left_, Qt::AlignLeft);
+  draw_side(p, right_, Qt::AlignRight);
   p.setClipping(false);
   p.setPen(QPen(t.line, 1));
   p.setBrush(Qt::NoBrush);

@@ -36,6 +36,7 @@ class SectionView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void draw_side(QPainter& p, const QString& side, Qt::Alignment where) const;
   QImage image_;
   QString left_, right_;
 };

@@ -1,9 +1,11 @@
-// The clock of the drilling screen beside a time limit.
+// The bar of the drilling screen: its clock beside a time limit, and what it leaves out where it is narrow.
 #include "ui/drill/drill_bar.h"
 
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QLayout>
+#include <QPushButton>
 
 namespace cusp::test {
 namespace {
@@ -46,6 +48,59 @@ TEST(DrillBarTime, AShortLimitWarnsInItsLastMinuteAlone) {
   EXPECT_EQ(limit_of(bar), QStringLiteral("of 4:00"));
   bar.set_seconds(181);
   EXPECT_EQ(limit_of(bar), QStringLiteral("0:59 left"));
+}
+
+/// An assessment on the longest title of the built-in exercises.
+struct DrillBarWidth : testing::Test {
+  DrillBar bar;
+  void show(int width) {
+    bar.resize(width, 48);
+    bar.set_exercise(QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"), QStringLiteral("Prüfung, Kandidat 47, fortgesetzt"));
+    bar.set_time_limit(1200);
+    DeviceLimits mouse;
+    mouse.device_class = "pointer";
+    bar.set_device(mouse);
+    bar.show();
+    QCoreApplication::processEvents();
+  }
+  const QLabel* label(const QString& of) const {
+    for (const QLabel* one : bar.findChildren<QLabel*>())
+      if (one->accessibleName() == of || one->text() == of) return one;
+    return nullptr;
+  }
+  QPushButton* button(const char* name) const {
+    for (QPushButton* one : bar.findChildren<QPushButton*>())
+      if (one->accessibleName() == QLatin1String(name)) return one;
+    return nullptr;
+  }
+};
+
+TEST_F(DrillBarWidth, ShowsAllOfItInAWholeWindow) {
+  show(1600);
+  EXPECT_TRUE(label(QStringLiteral("Mouse and keys"))->isVisible());
+  EXPECT_EQ(button("Pause")->text(), QStringLiteral(" Pause"));
+  EXPECT_EQ(label(QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"))->toolTip(), QString());
+}
+
+TEST_F(DrillBarWidth, HoldsClockTagAndEveryButtonInHalfOfFullHd) {
+  show(960);
+  EXPECT_LE(bar.layout()->sizeHint().width(), 960);
+  EXPECT_FALSE(label(QStringLiteral("Mouse and keys"))->isVisible());
+  EXPECT_TRUE(label(QStringLiteral("Prüfung, Kandidat 47, fortgesetzt"))->isVisible());
+  EXPECT_EQ(button("Finish")->text(), QStringLiteral(" Finish"));
+  EXPECT_LE(button("Finish")->geometry().right(), 960);
+}
+
+TEST_F(DrillBarWidth, ShortensTheTitleAtLastAndKeepsItWholeInItsNameAndTooltip) {
+  show(720);
+  const QString whole = QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer");
+  EXPECT_LE(bar.layout()->sizeHint().width(), 720);
+  EXPECT_NE(label(whole)->text(), whole);
+  EXPECT_EQ(label(whole)->toolTip(), whole);
+  EXPECT_EQ(button("Pause")->text(), QString());
+  EXPECT_EQ(button("Pause")->shortcut(), QKeySequence(Qt::Key_P));
+  bar.set_stopped(true);
+  EXPECT_EQ(button("Resume")->shortcut(), QKeySequence(Qt::Key_P));
 }
 
 }  // namespace

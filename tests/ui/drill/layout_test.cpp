@@ -1,6 +1,8 @@
 // What the drilling screen does in a small window, and in languages that are read from the right.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <QApplication>
 #include <QLabel>
 #include <QPushButton>
@@ -132,6 +134,25 @@ TEST_F(DrillGauges, a_bur_beside_the_tooth_has_no_depth_and_one_over_the_cavity_
   EXPECT_FALSE(gauge("Depth").value().has_value());
   at({0, 0, -0.5}, 1.0);
   EXPECT_TRUE(gauge("Depth").value().has_value());
+}
+
+TEST_F(DrillGauges, nothing_on_the_stage_covers_anything_else_in_half_a_full_hd_screen) {
+  stage.resize(656, 400);
+  stage.show_values(live);
+  QApplication::processEvents();
+  const auto named = [](const QWidget& one) {
+    std::stringstream out;
+    out << one.metaObject()->className() << ' ' << one.accessibleName().toStdString() << " at " << one.x() << ',' << one.y() << ' ' << one.width() << 'x' << one.height();
+    return out.str();
+  };
+  std::vector<const QWidget*> shown;
+  for (const QWidget* one : stage.findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+    if (one->isVisible() && one->size() != stage.size() && !one->inherits("QFocusFrame") && one->property("kind") != QStringLiteral("pin")) shown.push_back(one);
+  EXPECT_GE(shown.size(), 6U);  // tools, two gauges, depth hold, legend, coach
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_TRUE(stage.rect().contains(shown[i]->geometry())) << named(*shown[i]);
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(shown[i]->geometry().intersects(shown[j]->geometry())) << named(*shown[i]) << " covers " << named(*shown[j]);
+  }
 }
 
 TEST_F(DrillGauges, last_values_of_an_attempt_that_stands_are_no_longer_shown) {
