@@ -7,11 +7,14 @@
 #include <QPainterPath>
 #include <QPointer>
 #include <QThreadPool>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/render/target_look.h"
 #include "ui/view/tooth_view.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
@@ -79,7 +82,7 @@ class PinLeader : public QWidget {
 
 PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent)
     : QWidget(parent), volume_(std::move(volume)), view_(new ToothView(this)), leader_(new PinLeader(this)), ring_(new Ring(this)),
-      card_(new QLabel(this)) {
+      card_(new QLabel(this)), waiting_(new QLabel(tr("The tooth is being drawn"), this)) {
   view_->setAccessibleName(tr("The tooth after this attempt"));
   view_->set_left_turns(true);
   view_->set_target_shown(false);
@@ -90,7 +93,12 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
   card_->setContentsMargins(px(12), px(8), px(12), px(8));
   card_->setAutoFillBackground(true);
   card_->hide();
+  waiting_->setProperty("kind", u"pin"_qs);
+  waiting_->setContentsMargins(px(12), px(8), px(12), px(8));
+  waiting_->setAutoFillBackground(true);
+  waiting_->hide();
   if (volume_) {
+    QTimer::singleShot(Busy::kDelayMs, this, &PinnedTooth::show_waiting);
     build_mesh(scenario);
     // Growing the rest of a jaw takes seconds; the tooth is shown meanwhile.
     QThreadPool::globalInstance()->start([self = QPointer(this), source = scenario.specimen] {
@@ -111,10 +119,19 @@ void PinnedTooth::build_mesh(const Scenario& scenario) {
       if (!self) return;
       self->view_->show_mesh(std::move(*mesh));
       self->tooth_shown_ = true;
+      delete std::exchange(self->waiting_, nullptr);
       self->turn_back();
       self->face_place();
     }, Qt::QueuedConnection);
   });
+}
+
+void PinnedTooth::show_waiting() {
+  if (!waiting_) return;
+  waiting_->adjustSize();
+  waiting_->move((width() - waiting_->width()) / 2, (height() - waiting_->height()) / 2);
+  waiting_->show();
+  waiting_->raise();
 }
 
 void PinnedTooth::set_colouring(Colouring colouring) { view_->set_colouring(colouring); }
@@ -200,6 +217,7 @@ void PinnedTooth::place_pin() {
 
 void PinnedTooth::resizeEvent(QResizeEvent*) {
   view_->setGeometry(rect());
+  if (waiting_ && waiting_->isVisible()) show_waiting();
   place_pin();
 }
 

@@ -54,6 +54,8 @@ class PinnedTooth : public QWidget {
   void build_mesh(const Scenario& scenario);
   void face_place();
   void place_pin();
+  /// After Busy::kDelayMs, until the mesh stands.
+  void show_waiting();
   Meshes meshes() const;
   void set_scenery(std::shared_ptr<const SceneryLook> scenery);
   std::shared_ptr<const Volume> volume_;
@@ -63,6 +65,7 @@ class PinnedTooth : public QWidget {
   PinLeader* leader_;
   QWidget* ring_;
   QLabel* card_;
+  QLabel* waiting_;  // null once the mesh stands
   std::optional<Vec3> place_;
   Pin pin_ = Pin::shown;
   bool tooth_shown_ = false;

@@ -147,6 +147,7 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   const int text = narrow ? most : std::clamp(table_->whole_width() + around, width() * kLeastTextPercent / 100, most);
   halves_->setStretch(0, width() - text);
   halves_->setStretch(1, text);
+  fit_tools(width() - text);
   const int column = (text - 2 * side - px(kGap) - style()->pixelMetric(QStyle::PM_ScrollBarExtent)) / 2 - 2 * px(kCardSide + kBorder);
   const bool stacked = narrow || (against_ && against_->whole_width() > column);
   below_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);

@@ -11,6 +11,7 @@
 #include "ui/widgets/ports.h"
 
 class QBoxLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -56,6 +57,7 @@ class ReportPage : public QWidget {
   QWidget* make_bar(TryAgain again, const QString& back_name);
   QWidget* make_tooth();
   QWidget* make_tools(QWidget& legend);
+  void fit_tools(int width);
   void fill();
   void show_state();
   void choose_first();
@@ -76,6 +78,8 @@ class ReportPage : public QWidget {
   Table* table_ = nullptr;
   PinnedTooth* tooth_ = nullptr;
   BeforeAfter* teeth_ = nullptr;  // holds the tooth
+  QGridLayout* tools_ = nullptr;
+  std::vector<QWidget*> shown_;  // the tools, in the order of reading
   AgainstBefore* against_ = nullptr;  // if an attempt came before
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;

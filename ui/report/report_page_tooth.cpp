@@ -1,6 +1,7 @@
 // The report's left half: the tooth, what is shown of it, and the legend.
 
 #include <QBoxLayout>
+#include <QGridLayout>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -42,28 +43,39 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
   auto* tools = new QFrame(teeth_);
   tools->setProperty("kind", u"card"_qs);
   tools->setAutoFillBackground(true);
-  auto* row = new QHBoxLayout(tools);
-  row->setContentsMargins(px(4), px(4), px(4), px(4));
-  row->setSpacing(px(4));
+  tools_ = new QGridLayout(tools);
+  tools_->setContentsMargins(px(4), px(4), px(4), px(4));
+  tools_->setSpacing(px(4));
   QPushButton* difference = make_button(tr("Difference"), ButtonKind::quiet);
   QPushButton* drilled = make_button(tr("As drilled"), ButtonKind::quiet);
   QPushButton* both = make_button(tr("Before and after"), ButtonKind::quiet);
   for (QPushButton* b : {difference, drilled, both}) {
     b->setCheckable(true);
     b->setAutoExclusive(true);
-    row->addWidget(b);
   }
   difference->setChecked(true);
   QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
-  row->addWidget(turn);
+  shown_ = {difference, drilled, both, turn};
+  fit_tools(px(kToothWidth));
   connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
   connect(difference, &QPushButton::toggled, &legend, &QWidget::setVisible);
   connect(both, &QPushButton::toggled, teeth_,
           [this](bool on) { teeth_->show_teeth(on ? BeforeAfter::Shown::both : BeforeAfter::Shown::after); });
   connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
-  tools->adjustSize();
   tools->raise();
   return tools;
+}
+
+/// One line of buttons, or two where the tooth has less than their width.
+void ReportPage::fit_tools(int width) {
+  int whole = px(12) * 2 + px(4);
+  for (QWidget* button : shown_) whole += button->sizeHint().width() + px(4);
+  const int across = whole <= width ? static_cast<int>(shown_.size()) : 2;
+  for (QWidget* button : shown_) tools_->removeWidget(button);
+  for (int i = 0; i < static_cast<int>(shown_.size()); ++i)
+    tools_->addWidget(shown_[static_cast<std::size_t>(i)], i / across, i % across);
+  tools_->activate();
+  tools_->parentWidget()->adjustSize();
 }
 
 }  // namespace cusp::ui
