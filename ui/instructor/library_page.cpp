@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QShortcut>
+#include <QStackedWidget>
 
 #include "scenarios/library/library.h"
 #include "scenarios/templates/templates.h"
@@ -18,6 +19,7 @@
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/empty_state.h"
 #include "ui/widgets/menu_button.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -58,7 +60,12 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   table_->setAccessibleName(tr("Exercises"));
   table_->setModel(model_);
   table_->set_stretch_column(LibraryModel::kExercise);
-  card->body()->addWidget(table_);
+  below_ = new QStackedWidget;
+  below_->addWidget(table_);
+  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise and no tooth has this text."), tr("Show all exercises"));
+  connect(none, &EmptyState::acted, search_, &QLineEdit::clear);
+  below_->addWidget(none);
+  card->body()->addWidget(below_);
   outer->addWidget(card, 1);
   connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
@@ -133,6 +140,7 @@ void LibraryPage::filter() {
     table_->setRowHidden(row, !fits);
     if (fits && first < 0) first = row;
   }
+  below_->setCurrentIndex(first < 0 && !text.isEmpty() ? 1 : 0);
   if (first < 0) return table_->clearSelection();
   if (const int chosen = table_->chosen_row(); chosen < 0 || table_->isRowHidden(chosen)) table_->choose_row(first);
 }

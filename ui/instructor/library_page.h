@@ -19,6 +19,7 @@ class QAction;
 class QLineEdit;
 class QMenu;
 class QPushButton;
+class QStackedWidget;
 
 namespace cusp::ui {
 
@@ -96,6 +97,7 @@ class LibraryPage : public QWidget {
   std::filesystem::path database_, cache_;
   LibraryModel* model_;
   Table* table_ = nullptr;
+  QStackedWidget* below_ = nullptr;  // the table, or that no exercise fits
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
   BackgroundTask work_;
