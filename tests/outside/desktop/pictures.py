@@ -82,12 +82,18 @@ class Album:
 
 def fill_screen(program, look):
     """A window that is smaller than the screen grows to it; a larger one fills it at its start."""
-    found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(program.process.pid), "--name", "^Cusp$"],
-                           capture_output=True, text=True, check=True).stdout.split()[0]
-    width, height = look.width // look.scale, look.height // look.scale
-    if program.find("frame", "Cusp").extents()[2:] != (width, height):
-        program.screen.x("windowmove", found, 0, 0, "windowsize", found, look.width, look.height)
-    desk.until("the window to fill the screen", lambda: program.find("frame", "Cusp").extents()[2:] == (width, height), 10)
+    size = (look.width // look.scale, look.height // look.scale)
+
+    def filled():
+        if program.find("frame", "Cusp").extents()[2:] == size:
+            return True
+        # None is found before the window manager shows it.
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(program.process.pid), "--name", "^Cusp$"],
+                               capture_output=True, text=True).stdout.split()
+        if found:
+            program.screen.x("windowmove", found[0], 0, 0, "windowsize", found[0], look.width, look.height)
+        return False
+    desk.until("the window to fill the screen", filled, 30)
 
 
 def untranslated(program):

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ET
 
 SOURCE = os.path.abspath(__file__ + "/../../../..")
 LEAST_LETTERS = 4  # of a text with %1 beside it: fewer fit too much
+OF_QT = {"de": {"File name:": "Dateiname:"}}  # texts of Qt's own dialogs
 PLACE = re.compile(r"%(?:L?\d|n)")
 
 
@@ -39,6 +40,8 @@ class Catalogue:
             found = message.find("translation")
             for form in found.findall("numerusform") or [found]:
                 self._add(spaces(message.findtext("source")), spaces(form.text or ""))
+        for english, shown in OF_QT[language].items():
+            self._add(english, shown)
         for path in glob.glob(os.path.join(SOURCE, "scenarios", "library", "*", "scenario.json")):
             with open(path, encoding="utf-8") as f:
                 title = json.load(f)["title"]
