@@ -68,6 +68,9 @@ class EditorPage : public QWidget {
   /// The specimen is grown and shown.
   void ready();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void lay_out();
   void follow_grower();
@@ -113,7 +116,7 @@ class EditorPage : public QWidget {
   Chip *version_ = nullptr, *checks_chip_ = nullptr;
   QToolButton *undo_ = nullptr, *redo_ = nullptr;
   QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
-  QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr;
+  QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr, *try_key_ = nullptr;
   QStackedWidget* left_ = nullptr;
   QWidget* tooth_page_ = nullptr;  // of left_
   LaterForms forms_;

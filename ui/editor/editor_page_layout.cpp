@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
@@ -27,7 +28,8 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLeft = 248, kRight = 368, kChecks = 80;  // px at 100 %
+constexpr int kLeft = 248, kRight = 368, kChecks = 80, kChecksNarrow = 124;  // px at 100 %
+constexpr int kNarrow = 1100;  // px at 100 %, of the window
 
 }  // namespace
 
@@ -51,8 +53,25 @@ void EditorPage::lay_out() {
   column->addLayout(row, 1);
 }
 
+/// In a narrow window the try-outs keep sign, name and tooltip alone, and the checks their sum.
+void EditorPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool narrow = width() < px(kNarrow);
+  try_->setText(narrow ? QString() : u' ' + tr("Try out"));  // as make_button: the style leaves no space after the sign
+  try_->setShortcut(Qt::Key_F5);                             // a new text takes the shortcut away
+  reference_->setText(narrow ? QString() : u' ' + tr("Reference"));
+  reference_->setShortcut(Qt::SHIFT | Qt::Key_F5);
+  try_key_->setHidden(narrow);
+  check_aside_->setHidden(narrow);
+  checks_chip_->setHidden(narrow);
+  show_->setText(narrow ? QString() : u' ' + tr("Show"));
+  check_->parentWidget()->setFixedHeight(px(narrow ? kChecksNarrow : kChecks));  // a check takes a line more
+  title_->setMinimumWidth(px(narrow ? 100 : 200));
+}
+
 QWidget* EditorPage::make_top_bar() {
   const auto [bar, row] = make_bar_top();
+  bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // resizeEvent() fits it to the window
   QPushButton* back = add_way_back({bar, row}, tr("Library"));
   back->setToolTip(tr("Keeps the draft and goes back (Alt+Left)"));
   connect(back, &QPushButton::clicked, this, &EditorPage::leave);
@@ -60,7 +79,6 @@ QWidget* EditorPage::make_top_bar() {
   title_->setAccessibleName(tr("Title of the exercise"));
   title_->setToolTip(tr("Title, in the language of the screen; the others stand under Texts"));
   title_->setFont(font_of(TextRole::section, Weight::bold));
-  title_->setMinimumWidth(px(200));
   title_->setMaximumWidth(px(340));
   row->addWidget(title_, 1);
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
@@ -141,7 +159,7 @@ QWidget* EditorPage::make_left() {
   row->addWidget(change_);
   column->addLayout(row);
   connect(change_, &QPushButton::clicked, this, [this] { show_tooth_form(true); });
-  left_->addWidget(side);
+  left_->addWidget(make_scrolling(side));
   auto* frame = new QFrame;
   frame->setProperty("kind", u"bar_side"_qs);
   auto* inside = new QVBoxLayout(frame);
@@ -180,6 +198,7 @@ QWidget* EditorPage::make_checks() {
   auto* bar = new QFrame;
   bar->setProperty("kind", u"bar_bottom"_qs);
   bar->setFixedHeight(px(kChecks));
+  bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   bar->setAccessibleName(tr("Checks"));
   auto* column = new QVBoxLayout(bar);
   column->setContentsMargins(px(16), px(8), px(16), px(8));
@@ -203,6 +222,7 @@ QWidget* EditorPage::make_checks() {
   row->addWidget(check_, 1);
   show_ = make_button(tr("Show"), ButtonKind::standard, u"target"_qs);
   show_->setAccessibleName(tr("Show where"));
+  show_->setToolTip(show_->accessibleName());
   row->addWidget(show_);
   column->addLayout(row);
   connect(show_, &QPushButton::clicked, this, &EditorPage::show_first_check);

@@ -17,9 +17,9 @@ namespace cusp::ui {
 void EditorPage::add_try_outs(QHBoxLayout& row) {
   try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs, QKeySequence(Qt::Key_F5));
   row.addWidget(try_);
-  QLabel* cap = make_key_cap(u"F5"_qs);
-  cap->setFixedHeight(px(18));
-  row.addWidget(cap, 0, Qt::AlignVCenter);
+  try_key_ = make_key_cap(u"F5"_qs);
+  try_key_->setFixedHeight(px(18));
+  row.addWidget(try_key_, 0, Qt::AlignVCenter);
   reference_ = make_button(tr("Reference"), ButtonKind::standard, u"bur"_qs, QKeySequence(Qt::SHIFT | Qt::Key_F5));
   reference_->setAccessibleName(tr("Try out by the reference operator"));
   reference_->setToolTip(tr("The reference operator cuts it at once, and a report shows its points (Shift+F5)"));

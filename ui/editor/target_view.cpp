@@ -39,7 +39,7 @@ QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm")
 
 TargetView::TargetView(EditorModel& model, QWidget* parent)
     : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
-  setMinimumSize(px(420), px(320));
+  setMinimumSize(px(340), px(320));
   view_->set_left_turns(true);
   make_tools();
   make_legend();
@@ -79,7 +79,11 @@ void TargetView::make_tools() {
   carved->setCheckable(true);
   carved->setChecked(true);
   carved->setToolTip(tr("Show the tooth as it is when the target is met"));
-  for (QPushButton* button : {turn, above, carved}) row->addWidget(button);
+  for (QPushButton* button : {turn, above, carved}) {
+    row->addWidget(button);
+    tool_texts_.emplace_back(button, button->text());
+    if (button->toolTip().isEmpty()) button->setToolTip(button->accessibleName());
+  }
   connect(turn, &QPushButton::clicked, this, [this] {
     Camera camera = view_->camera();
     camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()]);
@@ -236,16 +240,28 @@ std::optional<Vec3> TargetView::on_plane(QPointF at) const {
   return ray.from_mm + t * ray.along;
 }
 
+/// Signs alone where the view is too narrow for their texts.
+void TargetView::fit_tools() {
+  for (const auto& [button, text] : tool_texts_) button->setText(text);
+  tools_->adjustSize();
+  if (tools_->width() <= width() - px(24)) return;
+  for (const auto& [button, text] : tool_texts_) button->setText({});
+  tools_->adjustSize();
+}
+
 void TargetView::place_all() {
   view_->setGeometry(rect());
   view_->lower();
-  tools_->adjustSize();
+  fit_tools();
   tools_->move(px(12), px(12));
   legend_->adjustSize();
-  legend_->move(width() - legend_->width() - px(12), px(12));
+  // Beside the tools, or below them in a narrow window.
+  const bool beside = tools_->geometry().right() + px(12) + legend_->width() <= width() - px(12);
+  legend_->move(width() - legend_->width() - px(12), beside ? px(12) : tools_->geometry().bottom() + px(8));
   hint_->setVisible(model_.has_outline());
+  hint_->setWordWrap(hint_->fontMetrics().horizontalAdvance(hint_->text()) > width() - px(48));
+  hint_->setFixedWidth(hint_->wordWrap() ? std::max(0, width() - px(24)) : hint_->sizeHint().width());
   hint_->adjustSize();
-  hint_->setMaximumWidth(width() - px(24));
   hint_->move(px(12), height() - hint_->height() - px(12));
   if (centre_) {
     centre_->adjustSize();

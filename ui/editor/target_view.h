@@ -15,6 +15,7 @@
 
 class QFrame;
 class QLabel;
+class QPushButton;
 
 namespace cusp::ui {
 
@@ -41,6 +42,7 @@ class TargetView : public QWidget {
  private:
   friend class HandleKnob;
   void make_tools();
+  void fit_tools();
   void make_legend();
   void follow_model();
   void place_all();
@@ -56,6 +58,7 @@ class TargetView : public QWidget {
   EditorModel& model_;
   ToothView* view_;
   QFrame *tools_, *legend_;
+  std::vector<std::pair<QPushButton*, QString>> tool_texts_;
   QLabel *depth_tag_, *width_tag_, *hint_;
   DepthArrow* arrow_;
   QWidget* centre_ = nullptr;
