@@ -5660,6 +5660,18 @@
         <source>%1 is being opened.</source>
         <translation>%1 wird geöffnet.</translation>
     </message>
+    <message>
+        <source>No exercise fits</source>
+        <translation>Keine Übung passt</translation>
+    </message>
+    <message>
+        <source>No exercise and no tooth has this text.</source>
+        <translation>Keine Übung und kein Zahn enthält diesen Text.</translation>
+    </message>
+    <message>
+        <source>Show all exercises</source>
+        <translation>Alle Übungen zeigen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LogModel</name>
@@ -7058,6 +7070,10 @@
     <message>
         <source>The tooth hides this place. Turn it, or choose the row again.</source>
         <translation>Der Zahn verdeckt diese Stelle. Drehen Sie ihn oder wählen Sie die Zeile noch einmal.</translation>
+    </message>
+    <message>
+        <source>The tooth is being drawn</source>
+        <translation>Der Zahn wird gezeichnet</translation>
     </message>
 </context>
 <context>
