@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <QSysInfo>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
@@ -23,6 +24,36 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kSidebar = 200;  // px at 100 %
+
+/// A page as large as the window leaves it; it scrolls where it needs more. A resizable QScrollArea would give it its wished height.
+class PageArea : public QScrollArea {
+ public:
+  explicit PageArea(QWidget* page) {
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(page);
+    page->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) fit();
+    return QScrollArea::eventFilter(watched, event);
+  }
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    fit();
+  }
+
+ private:
+  void fit() {
+    const QLayout* layout = widget()->layout();
+    QSize size = viewport()->size().expandedTo(widget()->minimumSizeHint());
+    if (layout != nullptr && layout->hasHeightForWidth())
+      size.setHeight(std::max(viewport()->height(), layout->totalMinimumHeightForWidth(size.width())));
+    widget()->resize(size);
+  }
+};
 
 }  // namespace
 
@@ -187,7 +218,7 @@ void Shell::show_page(const QString& key) {
     QWidget* old = pages_->currentWidget();  // the area in which a page scrolls
     QWidget* fresh = entries_[i].make();
     fresh->setAccessibleName(entries_[i].name);
-    pages_->addWidget(make_scrolling(fresh));
+    pages_->addWidget(new PageArea(fresh));
     pages_->setCurrentIndex(pages_->count() - 1);
     if (old) {
       pages_->removeWidget(old);

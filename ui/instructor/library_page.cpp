@@ -124,7 +124,7 @@ void LibraryPage::read() {
 }
 
 void LibraryPage::make_search() {
-  search_ = make_search_field(tr("Find an exercise"), px(180));
+  search_ = make_search_field(tr("Find an exercise"), px(220));
   connect(search_, &QLineEdit::textChanged, this, &LibraryPage::filter);
   connect(search_, &QLineEdit::returnPressed, this, &LibraryPage::open_chosen);
   auto* find = new QShortcut(QKeySequence::Find, this);

@@ -12,7 +12,6 @@ namespace cusp::ui {
 
 QPushButton* put_menu(QPushButton* button, QMenu* menu) {
   button->setMenu(menu);
-  button->setProperty("opens_menu", true);
   auto* chevron = new QLabel;
   chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, button->devicePixelRatioF()));
   chevron->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -20,6 +19,7 @@ QPushButton* put_menu(QPushButton* button, QMenu* menu) {
   inside->setContentsMargins(0, 0, px(8), 0);
   inside->addStretch();
   inside->addWidget(chevron);
+  button->setMinimumWidth(button->sizeHint().width() + px(24));
   return button;
 }
 
