@@ -103,6 +103,12 @@ def untranslated(program):
     return sorted({w.shown for w in program.all() if w.shown in sources and w.shown not in words.exact})
 
 
+def escape(program, dialog):
+    """Leaves a dialog; a key that comes before it is gone would go to it."""
+    program.keys("Escape")
+    program.gone("dialog", dialog)
+
+
 def opened(program):
     desk.until("the tooth to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
 
@@ -164,7 +170,7 @@ def of_student(album, program):
     program.keys("ctrl+k")
     program.find("dialog", "Go to")
     album.take(program, "go-to")
-    program.keys("Escape")
+    escape(program, "Go to")
     school.sign_out(program)
 
 
@@ -192,7 +198,7 @@ def of_publishing(album, program):
     publish.press()
     program.find("dialog", "Publish")
     album.take(program, "publish-sheet")
-    program.keys("Escape")
+    escape(program, "Publish")
     program.keys("alt+Left")
     school.page(program, "Library")
 
@@ -230,7 +236,7 @@ def of_instructor(album, program):
     program.menu_to_dialog("New exercise", "Down", "Down", "Return")
     program.find("dialog", "New exercise from a template")
     album.take(program, "template", 12)
-    program.keys("Escape")
+    escape(program, "New exercise from a template")
     of_editor(album, program)
     of_publishing(album, program)
     of_import(album, program)
