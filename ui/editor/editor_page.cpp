@@ -200,6 +200,7 @@ void EditorPage::follow_model() {
                         : standing == EditorModel::Standing::unchanged   ? tr("nothing was changed since it was published")
                                                                          : tr("ready to publish"));
   checks_chip_->set(failing ? tr("Check fails") : tr("Checks passed"), failing ? Chip::Kind::bad : Chip::Kind::good);
+  checks_chip_->setHidden(check_aside_->isHidden());  // set() shows it in a narrow window too
   check_->setText(wrong > 0 ? check_message(findings.front()) : QString());
   show_->setVisible(wrong > 0);
 }
