@@ -15,7 +15,7 @@ constexpr double kFromAbove = 1.0;   // weight of a view from above, against the
 constexpr double kAsUsual = 0.3;     // weight of the usual turn about the axis, likewise
 constexpr double kOnPlaceMm = 0.5;   // a ray that ends farther from the place has missed its surface
 constexpr double kAboutMm = 0.5;     // surface about the place that is to be shown: what the report's ring surrounds
-constexpr double kEnoughShown = 0.35;  // of that surface, slant included (tests/ui/render/evidence_view_test.cpp holds 0.18)
+constexpr double kEnoughShown = 0.35;  // of that surface, slant included; tests/ui/render/evidence_view_test.cpp measures it
 constexpr double kSpotMm = 0.02;     // a ray that ends this near a spot has met it: rounding of packed vertices
 constexpr std::size_t kMostSpots = 24;
 
