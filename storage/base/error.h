@@ -37,6 +37,7 @@ enum class StorageError : std::uint8_t {
   bad_value,    // outside the range that the table admits
   wrong_state,  // the session is not in a state that allows this (finished twice, a gap in ticks)
   bad_trace,    // bytes that are not a trace, key state or volume
+  other_device,  // the assignment does not admit this class; where = the device's class, detail = the classes admitted, spaced
   // Files of other stations (storage/exchange). Nothing of the file is read.
   not_exchange,  // no such file, or not as it was signed
   older_schema,  // an older version of the program made it; detail: its schema

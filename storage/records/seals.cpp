@@ -13,6 +13,15 @@ std::string secret_seal(const Uuid& id, const std::string& record) {
   return hex(Blake2b{}.add_text("cusp secret 1").add_uuid(id).add_text(record).finish());
 }
 
+/// How many columns at the end a later migration added. A seal leaves those out that are NULL, as they are in older rows.
+constexpr int added_columns(SealedTable table) noexcept { return table == SealedTable::assignments ? 1 : 0; }
+
+Hash256 content_of(SealedTable table, Row row) {
+  int end = row.columns();
+  for (int added = added_columns(table); added > 0 && row.is_null(end - 1); --added) --end;
+  return row.content_hash(0, end);
+}
+
 /// The subject of the row's entries first, then every other column.
 constexpr std::string_view columns_of(SealedTable table) noexcept {
   switch (table) {
@@ -21,7 +30,7 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
     case SealedTable::cohorts:
       return "id, name, created_at";
     case SealedTable::assignments:
-      return "id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, sequence";
+      return "id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, sequence, device_classes";
     case SealedTable::scenario_versions:
       return "id, scenario, number, key, title, json, content_hash, author, published_at, sequence";
     case SealedTable::statements:
@@ -103,7 +112,7 @@ Stored<std::vector<RowSeal>> row_seals(Database& db, SealedTable table, const st
   };
   const auto seal_of = [&](Row row) {
     Blake2b seal;
-    seal.add_text(name_of(table)).add_hash(row.content_hash());
+    seal.add_text(name_of(table)).add_hash(content_of(table, row));
     if (table == SealedTable::scenario_versions) add_files(seal, row.uuid(0));
     return RowSeal{row.uuid(0), seal.finish()};
   };

@@ -1,11 +1,14 @@
 #include "storage/repositories/assignments.h"
 
-#include <array>
+#include <algorithm>
 
 #include "storage/records/sealing.h"
+#include "storage/repositories/key_list.h"
 
 namespace cusp::storage {
 namespace {
+
+constexpr std::size_t kMostDeviceClass = 64, kMostDeviceClasses = 16;
 
 Assignment assignment_of(Row row) {
   Assignment a;
@@ -18,10 +21,20 @@ Assignment assignment_of(Row row) {
   if (const auto attempts = row.maybe_integer(6)) a.attempts_allowed = static_cast<int>(*attempts);
   a.author = row.id<UserId>(7);
   a.created_utc_us = row.integer(8);
+  a.device_classes = split_keys(row.text(9));
   return a;
 }
 
+bool is_class(const std::string& key) {
+  constexpr std::string_view kSigns = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  return !key.empty() && key.size() <= kMostDeviceClass && key.find_first_not_of(kSigns) == std::string::npos;
+}
+
 }  // namespace
+
+bool admits(const std::vector<std::string>& device_classes, std::string_view device_class) {
+  return device_classes.empty() || std::ranges::find(device_classes, device_class) != device_classes.end();
+}
 
 std::string candidate_number(AssignmentId assignment, UserId student) {
   // Without letters and digits that are read as others.
@@ -47,6 +60,11 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
   const bool assessment = a.kind == SessionKind::assessment;
   const bool admitted = start_code.size() >= kLeastStartCode && start_code.size() <= kMostStartCode;
   if (assessment ? !admitted : !start_code.empty()) return fail(StorageError::bad_value, "start_code");
+  if (a.device_classes.size() > kMostDeviceClasses || !std::ranges::all_of(a.device_classes, is_class))
+    return fail(StorageError::bad_value, "device_classes");
+  std::ranges::sort(a.device_classes);
+  const auto twice = std::ranges::unique(a.device_classes);
+  a.device_classes.erase(twice.begin(), twice.end());
   a.id = AssignmentId::make();
   a.author = actor.id;
   a.created_utc_us = c_.clock();
@@ -54,9 +72,9 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO assignments (id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, "
-      "sequence) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
+      "sequence, device_classes) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, nullif(?11, ''))",
       a.id, a.version, a.cohort, key_of(a.kind), a.opens_utc_us, a.due_utc_us, a.attempts_allowed, a.author,
-      a.created_utc_us, sequence);
+      a.created_utc_us, sequence, joined_keys(a.device_classes));
   log_row(c_, transaction, actor.id, "assigned", SealedTable::assignments, a.id.uuid);
   if (assessment) {
     transaction.run("INSERT INTO assessments (assignment, start_code) VALUES (?1, ?2)", a.id, start_code);
@@ -68,7 +86,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
 
 Stored<Assignment> Assignments::find(AssignmentId assignment) {
   const auto found = c_.db.first(
-      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at FROM assignments "
+      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes FROM assignments "
       "WHERE id = ?1",
       assignment_of, assignment);
   if (!found) return std::unexpected(found.error());
@@ -121,7 +139,7 @@ Stored<int> Assignments::attempts(AssignmentId assignment, UserId student) {
 
 Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {
   return c_.db.all(
-      "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at "
+      "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at, a.device_classes "
       "FROM assignments a JOIN cohort_students c ON c.cohort = a.cohort WHERE c.student = ?1 "
       "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0) ORDER BY a.due_at IS NULL, a.due_at, a.sequence",
       assignment_of, student);
@@ -129,7 +147,7 @@ Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {
 
 Stored<std::vector<Assignment>> Assignments::for_cohort(CohortId cohort) {
   return c_.db.all(
-      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at FROM assignments "
+      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes FROM assignments "
       "WHERE cohort = ?1 ORDER BY due_at IS NULL, due_at, sequence",
       assignment_of, cohort);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "storage/records/context.h"
@@ -19,6 +20,7 @@ struct Assignment {
   SessionKind kind = SessionKind::practice;  // or assessment
   std::optional<std::int64_t> opens_utc_us{}, due_utc_us{};
   std::optional<int> attempts_allowed{};  // none = unlimited
+  std::vector<std::string> device_classes{};  // DeviceLimits::device_class of the devices admitted; none = every device
   UserId author{};
   std::int64_t created_utc_us = 0;
 };
@@ -26,14 +28,16 @@ struct Assignment {
 inline constexpr int kMostExtraTimePercent = 400;
 inline constexpr std::size_t kLeastStartCode = 4, kMostStartCode = 32;  // bytes
 
+bool admits(const std::vector<std::string>& device_classes, std::string_view device_class);
+
 /// Stands for the student's name in an assessment: six letters and digits, "K7F 3QD", always the same.
 std::string candidate_number(AssignmentId assignment, UserId student);
 
 class Assignments {
  public:
   explicit Assignments(StorageContext& context) : c_{context} {}
-  /// Needs assign. Sets id, author and time. `start_code`: what the invigilator says when an assessment begins; of an
-  /// assessment alone. bad_value (where = start_code, kind, due).
+  /// Needs assign. Sets id, author and time, and puts the device classes in order. `start_code`: what the invigilator says when an assessment begins; of an
+  /// assessment alone. bad_value (where = start_code, kind, due, device_classes: a class is a-z, 0-9 and -).
   Stored<Assignment> create(const Actor& actor, Assignment assignment, const std::string& start_code = {});
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.

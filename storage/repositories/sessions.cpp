@@ -3,6 +3,8 @@
 #include "storage/records/chain_writer.h"
 #include "storage/records/session_summary.h"
 #include "storage/base/process.h"
+#include "storage/repositories/assignments.h"
+#include "storage/repositories/key_list.h"
 #include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"
@@ -19,6 +21,7 @@ struct AssignedRules {
   std::string start_code;
   std::int64_t attempts = 0;  // of this student so far
   int extra_time_percent = 0;
+  std::string device_classes;
 };
 
 std::optional<AssignedRules> assigned_rules(Transaction& transaction, AssignmentId assignment, UserId student) {
@@ -26,7 +29,7 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
       "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
       "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2), "
       "coalesce((SELECT extra_time_percent FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
-      "AND student = ?2 ORDER BY sequence DESC LIMIT 1), 0) "
+      "AND student = ?2 ORDER BY sequence DESC LIMIT 1), 0), coalesce(a.device_classes, '') "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
       "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1 "
       "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0)",
@@ -38,7 +41,8 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
                              row.maybe_integer(4),
                              row.text(5),
                              row.integer(6),
-                             static_cast<int>(row.integer(7))};
+                             static_cast<int>(row.integer(7)),
+                             row.text(8)};
       },
       assignment, student);
 }
@@ -65,6 +69,10 @@ Admission admission(Transaction& transaction, const NewSession& wanted, std::int
   if (rules->due_utc_us && now >= *rules->due_utc_us) return refuse(StorageError::wrong_state, "past_due");
   if (rules->attempts_allowed && rules->attempts >= *rules->attempts_allowed) {
     return refuse(StorageError::wrong_state, "attempts_used");
+  }
+  const std::string& device_class = wanted.header.device.device_class;
+  if (!admits(split_keys(rules->device_classes), device_class)) {
+    transaction.refuse({StorageError::other_device, device_class, rules->device_classes});
   }
   return {rules->kind, rules->extra_time_percent};
 }

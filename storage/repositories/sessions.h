@@ -99,9 +99,10 @@ class Sessions {
   /// Row and event "started", in one transaction. Needs drill; `student` is the actor. A guest's session is always try_it.
   /// not_found for an unknown version, bad_value for a header with a number that is not finite.
   /// With an assignment the kind and the extra time are the assignment's; not_allowed (where = assignment: not this student's or of another
-  /// version; start_code), wrong_state (where = not_open, past_due, attempts_used).
+  /// version; start_code), wrong_state (where = not_open, past_due, attempts_used),
+  /// other_device by the header's device class.
   Stored<Session> start(const Actor& actor, const NewSession& session);
-  /// What start() would say of an assignment's students, dates, attempts and start code. Writes nothing.
+  /// What start() would say of an assignment's students, dates, attempts, start code and devices. Writes nothing.
   Stored<void> admit(const Actor& actor, const NewSession& session);
   /// This process then owns the session. wrong_state unless interrupted.
   Stored<void> resume(SessionId session, const std::string& reason);

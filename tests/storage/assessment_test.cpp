@@ -102,6 +102,29 @@ TEST_F(AssessmentTest, extra_time_is_of_one_student_in_one_assignment_and_of_att
   EXPECT_TRUE(must(verify_store(store->context())).intact());
 }
 
+TEST_F(AssessmentTest, it_begins_with_a_device_of_a_class_that_the_assignment_admits) {
+  const auto assign_for = [&](std::vector<std::string> classes) {
+    return store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .device_classes = std::move(classes)});
+  };
+  const auto with = [&](const std::string& device_class, const Assignment& assignment) {
+    NewSession wanted = new_session(lena, version);
+    wanted.assignment = assignment.id;
+    wanted.header.device.device_class = device_class;
+    const auto done = store->sessions.admit(lena.actor(), wanted);
+    EXPECT_EQ(store->sessions.start(lena.actor(), wanted).has_value(), done.has_value()) << "start() says what admit() says";
+    return done ? "admitted" : done.error().where + " instead of " + done.error().detail;
+  };
+  const Assignment any = must(assign_for({})), force = must(assign_for({"inverse3", "falcon", "falcon"}));
+  EXPECT_EQ(must(store->assignments.find(force.id)).device_classes, (std::vector<std::string>{"falcon", "inverse3"}));
+  EXPECT_TRUE(must(store->assignments.find(any.id)).device_classes.empty());
+  EXPECT_EQ(with("pointer", any), "admitted");
+  EXPECT_EQ(with("inverse3", force), "admitted");
+  EXPECT_EQ(with("pointer", force), "pointer instead of falcon inverse3");
+  EXPECT_EQ(with("", force), " instead of falcon inverse3");
+  for (const char* wrong : {"", "Falcon", "a b", "é"}) EXPECT_EQ(assign_for({wrong}).error().where, "device_classes") << wrong;
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
 TEST_F(AssessmentTest, an_assessment_without_assignment_or_of_another_version_does_not_begin) {
   NewSession wanted = new_session(lena, version);
   wanted.kind = SessionKind::assessment;

@@ -66,7 +66,7 @@ TEST_F(ExchangeTest, results_arrive_with_chain_grade_and_statements_and_verify_u
 TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments_that_admit) {
   const CohortId cohort = must(office->cohorts.create(chief, "Year 2")).id;
   must(office->cohorts.add(chief, cohort, lena.id));
-  Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment};
+  Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}};
   exam = must(office->assignments.create(instructor, exam, "4711"));
   must(office->assignments.give_extra_time(instructor, exam.id, lena.id, 25));
   const fs::path file = office_file();
@@ -76,6 +76,9 @@ TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments
   NewSession wanted = new_session(lena, version);
   wanted.assignment = exam.id;
   wanted.start_code = "4711";
+  NewSession elsewhere = wanted;
+  elsewhere.header.device.device_class = "falcon";
+  EXPECT_EQ(code_of(station->sessions.start(lena.actor(), elsewhere)), StorageError::other_device);
   const Session session = must(station->sessions.start(lena.actor(), wanted));
   EXPECT_EQ(session.header.extra_time_percent, 25);
   EXPECT_EQ(whole(*station), "");

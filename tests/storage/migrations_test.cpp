@@ -42,6 +42,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "83320ef7b617fa98e1de76ba1feb572597ec9cb3ad3016235fee61f88070e722",
       "9411cc300440b281a92c077793ee99451894cae72f32d8f279b5316c18c71ed9",
       "485e469f6f77d6ac237a03acc0c07be5a3076236cb75b3c0f6163877cc761841",
+      "d8bb514890d9c9024b7a3c5b22b8753132b3cc60e6aedcf4e13f347f6e0ca363",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -122,6 +123,30 @@ TEST(Migrations, a_file_of_schema_1_opened_for_reading_shows_the_same_and_stays_
     EXPECT_EQ(code_of(store->database().run("DELETE FROM session_summaries")), StorageError::read_only);
   }
   EXPECT_EQ(text_of(file), before);
+}
+
+/// What stands in the tables of assignments, as the program of schema 7 sealed it.
+TEST(Migrations, an_assessment_of_schema_7_admits_every_device_and_its_seals_hold) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(7)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0007.sql")));
+  }
+  const auto store = open(folder / "a.db");
+  const auto changed = [&] {
+    std::vector<std::string> tables;
+    for (const ChainFinding& finding : must(verify_store(store->context())).findings)
+      if (finding.code != FindingCode::counter_missing) tables.push_back(finding.table);
+    return tables;
+  };
+  EXPECT_EQ(changed(), std::vector<std::string>{});
+  const Account student = must(store->accounts.find_number("20267314"));
+  const auto assigned = must(store->assignments.for_student(student.id));
+  ASSERT_EQ(assigned.size(), 2u);
+  for (const Assignment& a : assigned) EXPECT_TRUE(a.device_classes.empty());
+  EXPECT_EQ(must(store->assignments.extra_time_percent(assigned[1].id, student.id)), 25);
+  must(store->database().run("UPDATE assignments SET device_classes = 'falcon' WHERE kind = 'practice'"));
+  EXPECT_EQ(changed(), std::vector<std::string>{"assignments"});
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ void School::read_other_station(Store& store) {
 SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student) {
   const Actor examiner = instructor.actor();
   const Assignment asked = must(store.assignments.create(
-      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
+      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}}, "4711"));
   must(store.assignments.give_extra_time(examiner, asked.id, student.id, 25));
   NewSession wanted = new_session(student, version);
   wanted.assignment = asked.id;

@@ -157,7 +157,10 @@ TEST(SummariesOfSchema1, the_migration_fills_them_as_the_program_writes_them) {
     must(db.run("PRAGMA foreign_keys = OFF"));
     const auto tables = must(db.all("SELECT name FROM sqlite_schema WHERE type = 'table'", [](Row row) { return row.text(0); }));
     must(db.run("ATTACH ?1 AS now", school.now().string()));
-    for (const std::string& table : tables) must(db.run("INSERT INTO main." + table + " SELECT * FROM now." + table));
+    for (const std::string& table : tables) {
+      const auto columns = must(db.first("SELECT group_concat(name, ', ') FROM pragma_table_info(?1, 'main')", [](Row row) { return row.text(0); }, table));
+      must(db.run("INSERT INTO main." + table + " SELECT " + columns.value() + " FROM now." + table));
+    }
   }
   for (const char* part : {".key", ".key-counter"}) fs::copy_file(school.now().string() + part, (folder / "a.db").string() + part);
   auto now = must(Database::open(school.now()));

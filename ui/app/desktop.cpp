@@ -195,15 +195,18 @@ void Desktop::add_school_entries(QVector<NavEntry>& list) {
   }
 }
 
+std::string Desktop::device_class() {
+  const DeviceKind* device = device_kind(DeviceSettings(settings_.file()).choice().kind);
+  return device != nullptr ? std::string(device->device_class) : std::string();
+}
+
 QVector<NavEntry> Desktop::entries() {
   QVector<NavEntry> list;
   const Role role = account_->role;
   const bool writing = !reading_only_;
   if (writing && role == Role::student) {
     list += {u"start"_qs, tr("Start"), u"home"_qs, [this]() -> QWidget* {
-               const DeviceKind* device = device_kind(DeviceSettings(settings_.file()).choice().kind);
-               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(),
-                                          device != nullptr ? std::string(device->device_class) : std::string());
+               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(), device_class());
                connect(page, &StartPage::resume_wanted, this, &Desktop::resume_attempt);
                connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);

@@ -87,6 +87,8 @@ class Desktop : public QMainWindow {
 
   /// Starts an attempt; without an account nothing is kept.
   void drill(const Exercise& exercise);
+  /// Of the device that this station's settings name.
+  std::string device_class();
   /// Asks for the start code, then begins the assessment.
   void sit(const AssignedAssessment& assessment);
   /// Resumes an attempt that broke off, from where it stood.

@@ -20,7 +20,7 @@ namespace cusp::ui {
 namespace {
 
 /// The practice assignment that an attempt at this exercise counts for; none: nothing is assigned, or it does not admit one now.
-std::optional<AssignmentId> open_practice(Store& store, const Actor& student, const Exercise& exercise) {
+std::optional<AssignmentId> open_practice(Store& store, const Actor& student, const Exercise& exercise, const std::string& device_class) {
   const auto assigned = store.assignments.for_student(student.id);
   if (!assigned || exercise.version.is_nil()) return std::nullopt;
   for (const Assignment& a : *assigned) {
@@ -29,6 +29,7 @@ std::optional<AssignmentId> open_practice(Store& store, const Actor& student, co
     wanted.student = student.id;
     wanted.version = a.version;
     wanted.assignment = a.id;
+    wanted.header.device.device_class = device_class;
     if (store.sessions.admit(student, wanted)) return a.id;
   }
   return std::nullopt;
@@ -75,7 +76,7 @@ void Desktop::drill(const Exercise& exercise) {
   if (account_) {
     plan.database = database_;
     plan.student = account_->actor();
-    plan.assignment = open_practice(*store_, account_->actor(), exercise);
+    plan.assignment = open_practice(*store_, account_->actor(), exercise, device_class());
     const auto attempts = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
     aside = tr("Practice, attempt %1").arg(attempts.value_or(0) + 1);
   } else {
@@ -86,7 +87,7 @@ void Desktop::drill(const Exercise& exercise) {
 
 void Desktop::sit(const AssignedAssessment& assessment) {
   if (refuse_drilling()) return;
-  auto* question = new AssessmentStart(*store_, account_->actor(), assessment, this);
+  auto* question = new AssessmentStart(*store_, account_->actor(), assessment, device_class(), this);
   connect(question, &AssessmentStart::admitted, this, [this, assessment](const QString& code) {
     SessionPlan plan;
     plan.database = database_;

@@ -103,6 +103,7 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
       const auto cohort = std::ranges::find(*cohorts, found->cohort, &Cohort::id);
       if (cohort != cohorts->end()) aside += u" · "_qs + QString::fromStdString(cohort->name);
     }
+    if (!found->device_classes.empty()) aside += u" · "_qs + tr("only with %1").arg(device_names(found->device_classes));
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

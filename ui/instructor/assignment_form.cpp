@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDateTimeEdit>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 #include <QSpinBox>
 #include <algorithm>
 
+#include "device/catalogue.h"
 #include "ui/text/names.h"
 #include "ui/widgets/theme.h"
 
@@ -43,6 +45,7 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   attempts_->setRange(0, kMostAttempts);
   attempts_->setSpecialValueText(tr("any number"));
   add_field(*form, tr("Attempts"), attempts_, kBetween);
+  body()->addWidget(make_devices());
   code_ = new QLineEdit;
   code_->setMaxLength(static_cast<int>(kMostStartCode));
   code_->setToolTip(tr("The invigilator says it when the assessment begins"));
@@ -69,6 +72,32 @@ AssignmentForm::Moment AssignmentForm::add_moment(QFormLayout& form, const QStri
   form.addRow(out.on);
   form.addRow(out.when);
   return out;
+}
+
+/// One check box for each device that a student can choose.
+QWidget* AssignmentForm::make_devices() {
+  auto* box = new QWidget;
+  box->setToolTip(tr("An attempt with another device does not count for the assignment"));
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(px(8));
+  grid->setVerticalSpacing(px(4));
+  grid->addWidget(make_label(tr("Devices admitted"), TextRole::body, Weight::regular, "text2"), 0, 0, 1, 2);
+  for (const DeviceKind& kind : device::device_kinds()) {
+    if (!kind.offered) continue;
+    const std::string device_class(kind.device_class);
+    auto* check = new QCheckBox(device_name(device_class));
+    check->setChecked(true);
+    check->setAccessibleDescription(tr("Devices admitted"));
+    const int at = static_cast<int>(devices_.size());
+    grid->addWidget(check, 1 + at / 2, at % 2);
+    devices_.emplace_back(device_class, check);
+  }
+  return box;
+}
+
+void AssignmentForm::choose_devices(const std::vector<std::string>& device_classes) {
+  for (const auto& [device_class, check] : devices_) check->setChecked(storage::admits(device_classes, device_class));
 }
 
 void AssignmentForm::choose_exercise(const ScenarioId& id) {
@@ -101,6 +130,12 @@ AssignmentForm::Wish AssignmentForm::wish() const {
   if (opens_.on->isChecked()) out.opens = opens_.when->dateTime();
   if (due_.on->isChecked()) out.due = due_.when->dateTime();
   if (attempts_->value() > 0) out.attempts = attempts_->value();
+  for (const auto& [device_class, check] : devices_) {
+    if (check->isChecked()) out.device_classes.push_back(device_class);
+  }
+  out.admits_none = out.device_classes.empty();
+  // A device of a later version is then admitted too.
+  if (out.device_classes.size() == devices_.size()) out.device_classes.clear();
   if (kind_->chosen() != 1) return out;
   out.kind = SessionKind::assessment;
   out.start_code = code_->text().trimmed();

@@ -26,6 +26,8 @@ class AssignmentForm : public Card {
     Exercise exercise;
     std::optional<QDateTime> opens, due;  // local time
     std::optional<int> attempts;          // none = any number
+    std::vector<std::string> device_classes;  // admitted; none = every one
+    bool admits_none = false;                 // no device is chosen
     SessionKind kind = SessionKind::practice;  // or assessment
     QString start_code;                        // of an assessment
   };
@@ -35,6 +37,8 @@ class AssignmentForm : public Card {
   void choose_exercise(const ScenarioId& id);
   void choose_due(const QDateTime& due);
   void choose_kind(SessionKind kind);
+  /// Empty = every one.
+  void choose_devices(const std::vector<std::string>& device_classes);
   /// Another code for the next assessment.
   void draw_start_code();
   Wish wish() const;
@@ -48,6 +52,7 @@ class AssignmentForm : public Card {
     QCheckBox* on = nullptr;
     QDateTimeEdit* when = nullptr;
   };
+  QWidget* make_devices();
   Moment add_moment(class QFormLayout& form, const QString& label, const QDateTime& usual);
 
   std::vector<Exercise> exercises_;
@@ -57,6 +62,7 @@ class AssignmentForm : public Card {
   QWidget* code_row_;
   Moment opens_, due_;
   QSpinBox* attempts_;
+  std::vector<std::pair<std::string, QCheckBox*>> devices_;  // by device class
   QPushButton* act_;
 };
 

@@ -95,6 +95,7 @@ QVariant AssignmentsModel::data(const QModelIndex& index, int role) const {
     case kDue: return moment(row.assignment.due_utc_us);
     case kAttempts:
       return row.assignment.attempts_allowed ? QLocale().toString(*row.assignment.attempts_allowed) : tr("any number");
+    case kDevices: return row.assignment.device_classes.empty() ? tr("every one") : device_names(row.assignment.device_classes);
     default: return {};
   }
 }
@@ -108,6 +109,7 @@ QVariant AssignmentsModel::headerData(int section, Qt::Orientation orientation, 
     case kOpens: return tr("From");
     case kDue: return tr("Due");
     case kAttempts: return tr("Attempts");
+    case kDevices: return tr("Devices");
     default: return {};
   }
 }

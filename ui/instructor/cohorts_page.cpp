@@ -216,8 +216,10 @@ void CohortsPage::show_assignments() {
     rows.push_back({assignment, version ? version->title : LocalText{}});
   }
   const bool any_opens = std::ranges::any_of(rows, [](const AssignmentRow& row) { return row.assignment.opens_utc_us.has_value(); });
+  const bool any_devices = std::ranges::any_of(rows, [](const AssignmentRow& row) { return !row.assignment.device_classes.empty(); });
   assignments_->set_rows(std::move(rows));
   assigned_->setColumnHidden(AssignmentsModel::kOpens, !any_opens);
+  assigned_->setColumnHidden(AssignmentsModel::kDevices, !any_devices);
 }
 
 void CohortsPage::make_cohort(const QString& name) {
@@ -296,6 +298,10 @@ void CohortsPage::assign() {
     band_->show_message(Band::Kind::bad, tr("It would be due before it opens."), tr("Choose a later day for Due."));
     return;
   }
+  if (wish.admits_none) {
+    band_->show_message(Band::Kind::bad, tr("No device is admitted."), tr("Check one device at least."));
+    return;
+  }
   Assignment fresh;
   fresh.cohort = cohort->id;
   fresh.version = wish.exercise.version;
@@ -308,6 +314,7 @@ void CohortsPage::assign() {
   fresh.opens_utc_us = utc_us(wish.opens);
   fresh.due_utc_us = utc_us(wish.due);
   fresh.attempts_allowed = wish.attempts;
+  fresh.device_classes = wish.device_classes;
   fresh.kind = wish.kind;
   if (const auto made = store_.assignments.create(actor_, fresh, wish.start_code.toStdString()); !made) return show_failure(made.error());
   show_assignments();

@@ -19,14 +19,15 @@ namespace {
 
 using State = AssignedAssessment::State;
 
-State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std::int64_t now_us) {
+State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std::int64_t now_us, const std::string& device_class) {
   const auto broken_off = [](const HistoryRow& row) {
     return row.state == SessionState::interrupted || row.state == SessionState::running;
   };
   if (std::ranges::any_of(attempts, broken_off)) return State::running;
   if (a.due_utc_us && now_us >= *a.due_utc_us) return attempts.empty() ? State::missed : State::handed_in;
   if (a.attempts_allowed && static_cast<int>(attempts.size()) >= *a.attempts_allowed) return State::handed_in;
-  return a.opens_utc_us && now_us < *a.opens_utc_us ? State::later : State::open;
+  if (a.opens_utc_us && now_us < *a.opens_utc_us) return State::later;
+  return storage::admits(a.device_classes, device_class) ? State::open : State::other_device;
 }
 
 QString state_text(const AssignedAssessment& a) {
@@ -36,6 +37,7 @@ QString state_text(const AssignedAssessment& a) {
     case State::open:
       return a.assignment.due_utc_us ? AssessmentCard::tr("Open until %1").arg(day(*a.assignment.due_utc_us))
                                      : AssessmentCard::tr("Open");
+    case State::other_device: return AssessmentCard::tr("Needs another device");
     case State::running: return AssessmentCard::tr("Interrupted: continue it below");
     case State::handed_in: return AssessmentCard::tr("Handed in: the result is not released yet");
     case State::missed: return AssessmentCard::tr("The time is over");
@@ -44,9 +46,13 @@ QString state_text(const AssignedAssessment& a) {
 }
 
 Chip::Kind state_kind(State state) {
-  return state == State::open || state == State::running ? Chip::Kind::look
-         : state == State::handed_in                     ? Chip::Kind::good
-                                                         : Chip::Kind::plain;
+  switch (state) {
+    case State::open:
+    case State::running: return Chip::Kind::look;
+    case State::other_device: return Chip::Kind::bad;
+    case State::handed_in: return Chip::Kind::good;
+    default: return Chip::Kind::plain;
+  }
 }
 
 QString attempts_text(const AssignedAssessment& a) {
@@ -72,7 +78,8 @@ QString time_limit_text(const AssignedAssessment& a) {
   return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.extra_time_percent);
 }
 
-Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now) {
+Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now,
+                                                         const std::string& device_class) {
   const auto assigned = store.assignments.for_student(student.id);
   if (!assigned) return std::unexpected(assigned.error());
   std::vector<AssignedAssessment> out;
@@ -84,7 +91,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
     one.extra_time_percent = store.assignments.extra_time_percent(a.id, student.id).value_or(0);
-    one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000);
+    one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000, device_class);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
     out.push_back(std::move(one));
@@ -109,6 +116,7 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWid
   text->addLayout(line);
   QStringList facts = {attempts_text(a)};
   if (const QString limit = time_limit_text(a); !limit.isEmpty()) facts += tr("time limit %1").arg(limit);
+  if (!a.assignment.device_classes.empty()) facts += tr("only with %1").arg(device_names(a.assignment.device_classes));
   text->addWidget(quiet(facts.join(u" · "_qs)));
   row->addLayout(text, 1);
   if (a.state == State::open) {
@@ -119,8 +127,8 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWid
   body()->addLayout(row);
 }
 
-AssessmentStart::AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& a, QWidget* parent)
-    : QDialog(parent), store_(store), student_(student), assessment_(a) {
+AssessmentStart::AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& a, const std::string& device_class, QWidget* parent)
+    : QDialog(parent), store_(store), student_(student), assessment_(a), device_class_(device_class) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Start assessment"));
   auto* column = new QVBoxLayout(this);
@@ -157,6 +165,7 @@ void AssessmentStart::submit() {
   wanted.version = assessment_.assignment.version;
   wanted.assignment = assessment_.assignment.id;
   wanted.start_code = code_->text().trimmed().toStdString();
+  wanted.header.device.device_class = device_class_;
   const auto allowed = store_.sessions.admit(student_, wanted);
   if (!allowed) {
     const Message message = describe(allowed.error());

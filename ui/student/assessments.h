@@ -16,6 +16,7 @@ struct AssignedAssessment {
   enum class State : std::uint8_t {
     later,      // opens at a later moment
     open,       // may begin now
+    other_device,  // may begin now, but not with this station's device
     running,    // an attempt was interrupted and may be continued
     handed_in,  // no attempt is left, or the time is over after one; its result is withheld
     missed,     // the time is over without an attempt
@@ -28,8 +29,8 @@ struct AssignedAssessment {
 };
 
 /// Assessments of the student's cohorts, by due date, without those whose every result is released. One whose version cannot
-/// be read is left out.
-Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now);
+/// be read is left out. `device_class`: of this station's device.
+Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now, const std::string& device_class);
 
 /// One assessment on the start page.
 class AssessmentCard : public Card {
@@ -52,7 +53,8 @@ class AssessmentStart : public QDialog {
   Q_OBJECT
 
  public:
-  AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& assessment, QWidget* parent);
+  /// `device_class`: of this station's device.
+  AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& assessment, const std::string& device_class, QWidget* parent);
 
  Q_SIGNALS:
   void admitted(const QString& start_code);
@@ -62,6 +64,7 @@ class AssessmentStart : public QDialog {
   Store& store_;
   Actor student_;
   AssignedAssessment assessment_;
+  std::string device_class_;
   class Band* band_;
   QLineEdit* code_;
 };

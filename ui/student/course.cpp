@@ -90,6 +90,7 @@ void add_assignments(Course& course, Store& store, const std::vector<Assignment>
     row->assignment = a.id;
     row->due_utc_us = a.due_utc_us;
     row->attempts_allowed = a.attempts_allowed;
+    row->device_classes = a.device_classes;
   }
 }
 

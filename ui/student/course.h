@@ -18,6 +18,7 @@ struct CourseRow {
   std::optional<std::int64_t> due_utc_us;
   std::optional<int> attempts_allowed;
   std::optional<AssignmentId> assignment;
+  std::vector<std::string> device_classes;  // that the assignment admits; none = every one
 };
 
 struct Course {

@@ -64,7 +64,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     return;
   }
   course_ = std::move(*course);
-  if (auto assessments = load_assessments(store, account.actor(), now)) assessments_ = std::move(*assessments);
+  if (auto assessments = load_assessments(store, account.actor(), now, device_class_)) assessments_ = std::move(*assessments);
   const int next = course_.next();
   if (next >= 0) next_ = course_.rows[static_cast<std::size_t>(next)];
 
@@ -172,6 +172,10 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   QLabel* what = make_label(first, TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
+  if (!storage::admits(row.device_classes, device_class_)) {
+    text->addWidget(make_label(tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes)), TextRole::body,
+                               Weight::bold, "look"));
+  }
   text->addStretch();
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));

@@ -83,6 +83,12 @@ QString device_name(const std::string& device_class) {
   return text(device_class);
 }
 
+QString device_names(const std::vector<std::string>& device_classes) {
+  QStringList names;
+  for (const std::string& one : device_classes) names += device_name(one);
+  return names.join(Text::tr(", "));
+}
+
 QString tissue_name(Tissue tissue) {
   switch (tissue) {
     case Tissue::empty: return Text::tr("Nothing");

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <string>
+#include <vector>
 
 #include "engine/volume/tissue.h"
 #include "scenarios/format/scenario.h"
@@ -26,6 +27,8 @@ QString level_and_time_text(const Scenario& scenario);
 /// "Reference operator" of a scripted one; the key itself of any other.
 QString operator_name(const std::string& key);
 QString device_name(const std::string& device_class);
+/// "Falcon, Inverse3".
+QString device_names(const std::vector<std::string>& device_classes);
 QString tissue_name(Tissue tissue);
 /// "gingival floor" of a key of kFaceKeys; "other walls" of a side wall.
 QString face_name(std::string_view key);

@@ -6,6 +6,7 @@
 
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
+#include "ui/text/names.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
@@ -107,6 +108,7 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "start_code") return {Text::tr("A start code has 4 to 32 characters."), nothing_changed()};
   if (f.where == "days") return {Text::tr("Recordings are thinned after 1 to 36,500 days."), nothing_changed()};
   if (f.where == "years") return {Text::tr("Accounts are kept for 1 to 100 years."), nothing_changed()};
+  if (f.where == "device_classes") return {Text::tr("A device has no such name."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
@@ -153,6 +155,13 @@ Message describe_wrong_state(const StorageFailure& f) {
     return {Text::tr("A failed result is released only after an examiner has confirmed it."), nothing_changed()};
   }
   return {Text::tr("This attempt is not in a state that allows it."), nothing_changed()};
+}
+
+Message describe_other_device(const StorageFailure& f) {
+  std::vector<std::string> admitted;
+  for (const QString& one : text(f.detail).split(u' ', Qt::SkipEmptyParts)) admitted.push_back(one.toStdString());
+  return {Text::tr("This assignment needs another device."),
+          Text::tr("Admitted: %1. In use: %2. Choose another one on the page Device.").arg(device_names(admitted), device_name(f.where))};
 }
 
 /// The fingerprint of a key that a failure names.
@@ -214,6 +223,7 @@ Message describe(const StorageFailure& f) {
       return {Text::tr("This is there already."), Text::tr("%1 is taken. Nothing was changed.").arg(where)};
     case StorageError::bad_value: return describe_bad_value(f);
     case StorageError::wrong_state: return describe_wrong_state(f);
+    case StorageError::other_device: return describe_other_device(f);
     case StorageError::bad_trace:
       return {Text::tr("The recording cannot be read."),
               Text::tr("%1 is damaged; the grade and all other attempts are kept.").arg(where)};

@@ -31,7 +31,7 @@ void each_code_has_its_own_text(int codes) {
 }
 
 TEST(Sentences, every_code_of_every_module_has_text) {
-  each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::bad_trace) + 1);
+  each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::differs) + 1);
   each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unwritable) + 1);
   each_code_has_its_own_text<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
   each_code_has_its_own_text<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
@@ -66,7 +66,7 @@ TEST(Sentences, a_newer_database_is_refused_by_name_and_stays_as_it_is) {
 }
 
 TEST(Sentences, nobody_is_shouted_at_or_blamed) {
-  for (int i = 0; i <= static_cast<int>(StorageError::bad_trace); ++i) {
+  for (int i = 0; i <= static_cast<int>(StorageError::differs); ++i) {
     const QString line = describe(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
     for (const char* term : {"!", "please", "invalid", "error", "oops", "sorry"}) {
       EXPECT_FALSE(line.contains(QLatin1String(term))) << line.toStdString();

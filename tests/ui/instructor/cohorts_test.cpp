@@ -96,6 +96,25 @@ TEST_F(Cohorts, AnAssignedExerciseStandsWithItsDayInTheCourseOfTheirStudentsAlon
   EXPECT_EQ(due_of(omar), std::nullopt);
 }
 
+TEST_F(Cohorts, AnAssignmentAdmitsTheDevicesThatTheFormChecks) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.assign();
+  page.form()->choose_devices({"falcon", "inverse3"});
+  page.assign();
+  ASSERT_EQ(page.assignments().rowCount(), 2) << page.message().toStdString();
+  const auto devices = [&](int row) {
+    return page.assignments().data(page.assignments().index(row, AssignmentsModel::kDevices), Qt::DisplayRole).toString().toStdString();
+  };
+  EXPECT_EQ(devices(0), "every one");
+  EXPECT_TRUE(page.assignments().row(0).assignment.device_classes.empty()) << "a device of a later version is admitted too";
+  EXPECT_EQ(devices(1), "Falcon, Inverse3");
+  page.form()->choose_devices({"none of them"});
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 2);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("No device is admitted")));
+}
+
 TEST_F(Cohorts, AnAdministratorMakesCohortsAndAssignsNothing) {
   CohortsPage page(records.store(), records.administrator().actor(), ports);
   EXPECT_EQ(page.form(), nullptr);

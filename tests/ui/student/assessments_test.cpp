@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -37,8 +38,8 @@ class Assessments : public testing::Test {
     a.attempts_allowed = 1;
     assignment = *records.store().assignments.create(examiner, a, "4711");
   }
-  std::vector<AssignedAssessment> at(std::int64_t utc_us) {
-    return *load_assessments(records.store(), lena.actor(), QDateTime::fromMSecsSinceEpoch(utc_us / 1000));
+  std::vector<AssignedAssessment> at(std::int64_t utc_us, const std::string& device_class = "pointer") {
+    return *load_assessments(records.store(), lena.actor(), QDateTime::fromMSecsSinceEpoch(utc_us / 1000), device_class);
   }
   SessionId sit() {
     NewSession wanted{.student = lena.id, .version = assignment.version, .kind = SessionKind::assessment, .assignment = assignment.id};
@@ -79,6 +80,31 @@ TEST_F(Assessments, OfferTheirStartOnlyWhileOpen) {
   EXPECT_NE(AssessmentCard(at(kMorning + 1000)[0], lena.id).start_button(), nullptr);
 }
 
+TEST_F(Assessments, NameTheDevicesThatTheyAdmitAndStartWithNoOther) {
+  Assignment a = assignment;
+  a.device_classes = {"falcon", "inverse3"};
+  a = *records.store().assignments.create(examiner, a, "4711");
+  const auto with = [&](const std::string& device_class) {
+    for (const AssignedAssessment& one : at(kMorning + 1000, device_class))
+      if (one.assignment.id == a.id) return one;
+    return AssignedAssessment{};
+  };
+  EXPECT_EQ(with("falcon").state, State::open);
+  EXPECT_EQ(with("pointer").state, State::other_device);
+  const AssessmentCard card(with("pointer"), lena.id);
+  EXPECT_EQ(card.start_button(), nullptr);
+  QStringList texts;
+  for (const QLabel* label : card.findChildren<QLabel*>()) texts += label->text();
+  EXPECT_TRUE(texts.join(u'|').contains(QStringLiteral("only with Falcon, Inverse3"))) << texts.join(u'|').toStdString();
+  // Whoever changes the device after the page was drawn reads why.
+  QWidget window;
+  auto* question = new AssessmentStart(records.store(), lena.actor(), with("falcon"), "pointer", &window);
+  question->findChild<QLineEdit*>()->setText(QStringLiteral("4711"));
+  for (QPushButton* b : question->findChildren<QPushButton*>())
+    if (b->text() == QStringLiteral("Begin")) b->click();
+  EXPECT_TRUE(question->findChild<Band*>()->text().contains(QStringLiteral("needs another device")));
+}
+
 TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
   AssignedAssessment one = at(kMorning + 1000)[0];
   one.exercise.scenario.time_limit_s = 600;
@@ -92,7 +118,7 @@ TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
 
 TEST_F(Assessments, BeginWithTheStartCodeAlone) {
   QWidget window;
-  auto* question = new AssessmentStart(records.store(), lena.actor(), at(kMorning + 1000)[0], &window);
+  auto* question = new AssessmentStart(records.store(), lena.actor(), at(kMorning + 1000)[0], "pointer", &window);
   QSignalSpy admitted(question, &AssessmentStart::admitted);
   QPushButton* begin = nullptr;
   for (QPushButton* b : question->findChildren<QPushButton*>())
