@@ -1,14 +1,14 @@
 #include "ui/admin/backup_work.h"
 
 #include "storage/store.h"
-#include "ui/admin/store_beside.h"
+#include "ui/session/records_task.h"
 
 namespace cusp::ui {
 namespace {
 
-Stored<Backup> back_up_and_thin(const std::filesystem::path& database, const std::filesystem::path& into,
+Stored<Backup> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into,
                                 const std::optional<Actor>& actor) {
-  const auto store = open_beside(database);
+  const auto store = open_beside(records);
   if (!store) return std::unexpected(store.error());
   auto backup = make_backup((*store)->context(), actor, into);
   if (!backup) return backup;
@@ -18,24 +18,24 @@ Stored<Backup> back_up_and_thin(const std::filesystem::path& database, const std
 
 }  // namespace
 
-BackgroundTask back_up(std::filesystem::path database, std::filesystem::path into, std::optional<Actor> actor,
+BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<Backup>)> then) {
-  return BackgroundTask([database = std::move(database), into = std::move(into), actor, then = std::move(then)] {
-    then(back_up_and_thin(database, into, actor));
+  return BackgroundTask([records = std::move(records), into = std::move(into), actor, then = std::move(then)] {
+    then(back_up_and_thin(records, into, actor));
   });
 }
 
-BackgroundTask verify_records(std::filesystem::path database, std::function<void(Stored<StoreVerification>)> then) {
-  return BackgroundTask([database = std::move(database), then = std::move(then)] {
-    const auto store = open_beside(database);
+BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then) {
+  return BackgroundTask([records = std::move(records), then = std::move(then)] {
+    const auto store = open_beside(records);
     then(store ? verify_store((*store)->context()) : Stored<StoreVerification>(std::unexpected(store.error())));
   });
 }
 
-BackgroundTask verify_log(std::filesystem::path database, const Actor& actor, std::shared_ptr<LogProgress> progress,
+BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared_ptr<LogProgress> progress,
                           std::function<void(Stored<Verification>)> then) {
-  return BackgroundTask([database = std::move(database), actor, progress = std::move(progress), then = std::move(then)] {
-    const auto store = open_beside(database, DatabaseOptions::Access::read_only);
+  return BackgroundTask([records = std::move(records), actor, progress = std::move(progress), then = std::move(then)] {
+    const auto store = open_beside(records.for_reading());
     if (!store) return then(std::unexpected(store.error()));
     then((*store)->audit.verify(actor, [&progress](std::int64_t number) { progress->holding = number + 1; }));
   });

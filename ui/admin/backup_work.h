@@ -12,6 +12,7 @@
 #include "storage/records/verify.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
+#include "ui/session/records_task.h"
 
 namespace cusp::ui {
 
@@ -20,10 +21,10 @@ inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
 
 /// Makes a backup in `into` and removes the oldest beyond kBackupsKept. `then` is called on the task's thread.
 /// Without an actor it is the program's own daily one.
-BackgroundTask back_up(std::filesystem::path database, std::filesystem::path into, std::optional<Actor> actor,
+BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<Backup>)> then);
 /// verify_store(); `then` is called on the task's thread.
-BackgroundTask verify_records(std::filesystem::path database, std::function<void(Stored<StoreVerification>)> then);
+BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then);
 
 /// How far a verification of the audit log has come. Written by the task, read by the window.
 struct LogProgress {
@@ -31,7 +32,7 @@ struct LogProgress {
 };
 /// AuditLog::verify() over a store that only reads; `then` is called on the task's thread. Whoever drops the task continues at
 /// once, and ignores the answer.
-BackgroundTask verify_log(std::filesystem::path database, const Actor& actor, std::shared_ptr<LogProgress> progress,
+BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared_ptr<LogProgress> progress,
                           std::function<void(Stored<Verification>)> then);
 
 /// Whether the station's newest backup in the folder is older than a day, or none is there.

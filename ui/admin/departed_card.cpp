@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/admin/store_beside.h"
+#include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/number_field.h"
 
@@ -19,18 +19,20 @@ QString names_of(const std::vector<DepartedStudent>& students) {
   return names.join(u", ");
 }
 
+enum class Erasure : std::uint8_t { none, all };
+
 /// A look without erasing, or with it, over a store of its own.
-Stored<DepartedStudents> departed_in(const std::filesystem::path& database, const Actor& actor, int years, DatabaseOptions::Access access) {
-  const auto store = open_beside(database, access);
+Stored<DepartedStudents> departed_in(const RecordsBeside& records, const Actor& actor, int years, Erasure erasure) {
+  const auto store = open_beside(erasure == Erasure::none ? records.for_reading() : records);
   if (!store) return std::unexpected(store.error());
   StorageContext& context = (*store)->context();
-  return access == DatabaseOptions::Access::read_only ? departed_students(context, actor, years) : erase_departed(context, actor, years);
+  return erasure == Erasure::none ? departed_students(context, actor, years) : erase_departed(context, actor, years);
 }
 
 }  // namespace
 
-DepartedCard::DepartedCard(std::filesystem::path database, const Actor& actor, const Ports& ports, QWidget* parent)
-    : Card(tr("Students who left"), {}, parent), database_(std::move(database)), actor_(actor), ports_(ports) {
+DepartedCard::DepartedCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent)
+    : Card(tr("Students who left"), {}, parent), records_(std::move(records)), actor_(actor), ports_(ports) {
   years_ = new NumberField;
   years_->setRange(0, kMostRetainedYears);
   years_->setDecimals(0);
@@ -58,8 +60,8 @@ void DepartedCard::look() {
   found_->hide();
   erase_->setEnabled(false);
   if (years() == 0 || working_) return;
-  task_ = BackgroundTask([database = database_, actor = actor_, asked = years(), self = QPointer(this)] {
-    auto shared = std::make_shared<Stored<DepartedStudents>>(departed_in(database, actor, asked, DatabaseOptions::Access::read_only));
+  task_ = BackgroundTask([records = records_, actor = actor_, asked = years(), self = QPointer(this)] {
+    auto shared = std::make_shared<Stored<DepartedStudents>>(departed_in(records, actor, asked, Erasure::none));
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),
         [self, asked, shared] {
@@ -90,9 +92,9 @@ void DepartedCard::erase() {
     if (!self || !yes || self->working_) return;
     self->working_ = true;
     self->erase_->setEnabled(false);
-    self->task_ = BackgroundTask([database = self->database_, actor = self->actor_, years = self->years(),
+    self->task_ = BackgroundTask([records = self->records_, actor = self->actor_, years = self->years(),
                                   then = on_window<Stored<DepartedStudents>>(self.data(), &DepartedCard::show_erased)] {
-      then(departed_in(database, actor, years, DatabaseOptions::Access::existing));
+      then(departed_in(records, actor, years, Erasure::all));
     });
   });
 }

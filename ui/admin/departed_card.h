@@ -6,7 +6,7 @@
 
 #include "storage/retention/departed.h"
 #include "ui/modules.h"
-#include "ui/session/background_task.h"
+#include "ui/session/records_task.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 
@@ -22,7 +22,7 @@ class DepartedCard : public Card {
 
  public:
   /// The ports outlive the card.
-  DepartedCard(std::filesystem::path database, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  DepartedCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
   bool working() const { return working_; }
   /// Who would be erased; empty without years.
   QString found() const;
@@ -43,7 +43,7 @@ class DepartedCard : public Card {
   void show_erased(const Stored<DepartedStudents>& departed);
   void report_failure(const StorageFailure& failure);
 
-  std::filesystem::path database_;
+  RecordsBeside records_;
   Actor actor_;
   const Ports& ports_;
   bool working_ = false;

@@ -10,7 +10,7 @@
 #include <QStackedWidget>
 
 #include "ui/admin/exchange_cards.h"
-#include "ui/admin/store_beside.h"
+#include "ui/admin/on_window.h"
 #include "ui/text/exchange_text.h"
 #include "ui/text/incident_text.h"
 #include "ui/widgets/busy.h"
@@ -63,7 +63,7 @@ QString ExchangePage::name_in_file() const {
   return out;
 }
 
-ExchangeWork ExchangePage::work() const { return {store_.database().file(), file_.toStdString(), actor_}; }
+ExchangeWork ExchangePage::work() const { return {records_of(store_), file_.toStdString(), actor_}; }
 
 QWidget* ExchangePage::make_head() {
   auto* head = new PageHead(tr("Other stations"));

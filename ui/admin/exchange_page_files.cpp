@@ -6,7 +6,7 @@
 #include "storage/base/hash.h"
 #include "ui/admin/exchange_cards.h"
 #include "ui/admin/exchange_page.h"
-#include "ui/admin/store_beside.h"
+#include "ui/admin/on_window.h"
 #include "ui/text/exchange_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"

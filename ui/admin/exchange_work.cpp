@@ -1,6 +1,6 @@
 #include "ui/admin/exchange_work.h"
 
-#include "ui/admin/store_beside.h"
+#include "ui/session/records_task.h"
 
 namespace cusp::ui {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 template <class Result, class Call>
 BackgroundTask with_store(ExchangeWork work, std::function<void(Stored<Result>)> then, Call call) {
   return BackgroundTask([work = std::move(work), then = std::move(then), call] {
-    const auto store = open_beside(work.database);
+    const auto store = open_beside(work.records);
     then(store ? call((*store)->context(), work) : Stored<Result>(std::unexpected(store.error())));
   });
 }

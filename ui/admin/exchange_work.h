@@ -7,12 +7,14 @@
 #include "storage/exchange/exchange.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
+#include "ui/session/records_task.h"
 
 namespace cusp::ui {
 
 /// The records of this station, the file, and who acts.
 struct ExchangeWork {
-  std::filesystem::path database, file;
+  RecordsBeside records;
+  std::filesystem::path file;
   Actor actor{};
 };
 

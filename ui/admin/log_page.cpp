@@ -182,7 +182,7 @@ void LogPage::verify() {
   band_->clear();
   busy_->start(tr("Verifying the audit log"), Busy::Cancel::offered);
   look_->start(kLookMs);
-  task_ = verify_log(store_.database().file(), actor_, progress_, [self = QPointer(this), asked = progress_](Stored<Verification> proof) {
+  task_ = verify_log(records_of(store_), actor_, progress_, [self = QPointer(this), asked = progress_](Stored<Verification> proof) {
     auto shared = std::make_shared<Stored<Verification>>(std::move(proof));
     QMetaObject::invokeMethod(
         qApp,

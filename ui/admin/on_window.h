@@ -1,4 +1,4 @@
-/// A store of its own for a background task, and the way of its answer to the window.
+/// The way of a background task's answer to the window.
 #pragma once
 
 #include <QCoreApplication>
@@ -7,14 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "storage/store.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
-
-/// Opens the records once more, beside the window's store. Thread: whoever uses it then.
-Stored<std::unique_ptr<Store>> open_beside(const std::filesystem::path& database,
-                                           DatabaseOptions::Access access = DatabaseOptions::Access::existing);
 
 /// Calls `show` on the window's thread, if the page still stands.
 template <class Result, class Page>

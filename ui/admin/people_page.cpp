@@ -48,7 +48,7 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   auto* aside = new QVBoxLayout;
   aside->setSpacing(px(16));
   aside->addWidget(make_form());
-  departed_ = new DepartedCard(store.database().file(), actor, ports);
+  departed_ = new DepartedCard(records_of(store), actor, ports);
   departed_->setFixedWidth(px(320));
   aside->addWidget(departed_);
   aside->addStretch();

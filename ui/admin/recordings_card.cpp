@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include "ui/admin/store_beside.h"
+#include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
 #include "ui/text/thinning_text.h"
@@ -27,8 +27,8 @@ QString left_text(const ThinningReport& report) {
 
 }  // namespace
 
-RecordingsCard::RecordingsCard(std::filesystem::path database, const Actor& actor, const Ports& ports, QWidget* parent)
-    : Card(tr("Recordings of practice"), {}, parent), database_(std::move(database)), actor_(actor), ports_(ports) {
+RecordingsCard::RecordingsCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent)
+    : Card(tr("Recordings of practice"), {}, parent), records_(std::move(records)), actor_(actor), ports_(ports) {
   found_ = make_label({});
   found_->setWordWrap(true);
   body()->addWidget(found_);
@@ -65,7 +65,7 @@ void RecordingsCard::choose_days(int days) { days_->setValue(days); }
 void RecordingsCard::count() {
   found_->clear();
   thin_->setEnabled(false);
-  counting_ = look_for_old_traces(database_, actor_, days(), [self = QPointer(this), asked = days()](Stored<OldTraces> old) {
+  counting_ = look_for_old_traces(records_, actor_, days(), [self = QPointer(this), asked = days()](Stored<OldTraces> old) {
     auto shared = std::make_shared<Stored<OldTraces>>(std::move(old));
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),
@@ -91,7 +91,7 @@ void RecordingsCard::begin(ThinningMode mode) {
   look_->start(kLookAtThinningMs);
   auto then = mode == ThinningMode::dry_run ? on_window<Stored<ThinningReport>>(this, &RecordingsCard::ask_first)
                                             : on_window<Stored<ThinningReport>>(this, &RecordingsCard::show_thinned);
-  task_ = thin_in_background(database_, actor_, {days(), mode}, progress_, std::move(then));
+  task_ = thin_in_background(records_, actor_, {days(), mode}, progress_, std::move(then));
 }
 
 void RecordingsCard::end() {

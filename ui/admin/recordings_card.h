@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "ui/admin/thin_work.h"
+#include "ui/session/records_task.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 
@@ -23,7 +24,7 @@ class RecordingsCard : public Card {
 
  public:
   /// The ports outlive the card.
-  RecordingsCard(std::filesystem::path database, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  RecordingsCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
   bool working() const { return progress_ != nullptr; }
   /// "3 recordings, 34.1 MB"; empty while they are counted.
   QString found() const;
@@ -48,7 +49,7 @@ class RecordingsCard : public Card {
   void show_thinned(const Stored<ThinningReport>& report);
   void report_failure(const StorageFailure& failure);
 
-  std::filesystem::path database_;
+  RecordsBeside records_;
   Actor actor_;
   const Ports& ports_;
   BackgroundTask counting_, task_;

@@ -8,7 +8,7 @@
 #include <QStandardItemModel>
 
 #include "ui/admin/recordings_card.h"
-#include "ui/admin/store_beside.h"
+#include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
 #include "ui/widgets/busy.h"
@@ -34,7 +34,7 @@ QLabel* wrapped(const QString& text) {
 }  // namespace
 
 StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
-    : QWidget(parent), database_(store.database().file()), station_(store.context().station), actor_(actor), settings_(settings), ports_(ports) {
+    : QWidget(parent), database_(store.database().file()), records_(records_of(store)), station_(store.context().station), actor_(actor), settings_(settings), ports_(ports) {
   const auto count = store.database().first("SELECT count(*) FROM session_summaries", [](Row row) { return row.u64(0); });
   if (count) sessions_ = count->value_or(0);
   // With what the write-ahead log still holds.
@@ -57,7 +57,7 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   auto* aside = new QVBoxLayout;
   aside->setSpacing(px(16));
   aside->addWidget(make_records());
-  recordings_ = new RecordingsCard(database_, actor_, ports_);
+  recordings_ = new RecordingsCard(records_, actor_, ports_);
   connect(recordings_, &RecordingsCard::reported, band_, &Band::show_message);
   aside->addWidget(recordings_);
   aside->addWidget(make_idle());
@@ -165,7 +165,7 @@ void StationPage::end() {
 void StationPage::back_up() {
   if (working_) return;
   begin(tr("Copying the records"));
-  task_ = ui::back_up(database_, settings_.backup_folder(database_), actor_, on_window<Stored<Backup>>(this, &StationPage::show_backed_up));
+  task_ = ui::back_up(records_, settings_.backup_folder(database_), actor_, on_window<Stored<Backup>>(this, &StationPage::show_backed_up));
 }
 
 void StationPage::show_backed_up(const Stored<Backup>& backup) {
@@ -194,7 +194,7 @@ void StationPage::choose_folder() {
 void StationPage::verify() {
   if (working_) return;
   begin(tr("Verifying every record"));
-  task_ = verify_records(database_, on_window<Stored<StoreVerification>>(this, &StationPage::show_verified));
+  task_ = verify_records(records_, on_window<Stored<StoreVerification>>(this, &StationPage::show_verified));
 }
 
 void StationPage::show_verified(const Stored<StoreVerification>& proof) {

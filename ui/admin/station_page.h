@@ -50,6 +50,7 @@ class StationPage : public QWidget {
   void end();
 
   std::filesystem::path database_;
+  RecordsBeside records_;
   Uuid station_;
   Actor actor_;
   Settings& settings_;

@@ -10,6 +10,7 @@
 #include "storage/retention/thinning.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
+#include "ui/session/records_task.h"
 
 namespace cusp::ui {
 
@@ -20,10 +21,10 @@ struct ThinningProgress {
 };
 
 /// old_traces() over a store that only reads; `then` is called on the task's thread.
-BackgroundTask look_for_old_traces(std::filesystem::path database, const Actor& actor, int older_than_days,
+BackgroundTask look_for_old_traces(RecordsBeside records, const Actor& actor, int older_than_days,
                                    std::function<void(Stored<OldTraces>)> then);
 /// thin_traces(); `then` is called on the task's thread.
-BackgroundTask thin_in_background(std::filesystem::path database, const Actor& actor, const ThinningOrder& order,
+BackgroundTask thin_in_background(RecordsBeside records, const Actor& actor, const ThinningOrder& order,
                                   std::shared_ptr<ThinningProgress> progress, std::function<void(Stored<ThinningReport>)> then);
 
 }  // namespace cusp::ui

@@ -4,7 +4,13 @@
 
 namespace cusp::ui {
 
-BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> work) {
+RecordsBeside RecordsBeside::for_reading() const {
+  RecordsBeside out = *this;
+  out.options.database.access = DatabaseOptions::Access::read_only;
+  return out;
+}
+
+RecordsBeside records_of(Store& store) {
   const StorageContext& context = store.context();
   StoreOptions options;
   options.database.access = context.db.read_only() ? DatabaseOptions::Access::read_only : DatabaseOptions::Access::existing;
@@ -12,7 +18,13 @@ BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> wo
   options.cost = context.cost;
   options.key_file = context.key_file;
   options.mark_interrupted = false;
-  return BackgroundTask([file = context.db.file(), options, work = std::move(work)] { work(Store::open(file, options)); });
+  return {context.db.file(), options};
+}
+
+OwnStore open_beside(const RecordsBeside& records) { return Store::open(records.file, records.options); }
+
+BackgroundTask with_own_store(Store& store, std::function<void(OwnStore own)> work) {
+  return BackgroundTask([records = records_of(store), work = std::move(work)] { work(open_beside(records)); });
 }
 
 }  // namespace cusp::ui

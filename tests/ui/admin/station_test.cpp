@@ -141,7 +141,7 @@ TEST_F(Station, StopsThinningBeforeTheNextAttempt) {
   const auto progress = std::make_shared<ThinningProgress>();
   progress->stop = true;
   std::promise<Stored<ThinningReport>> promise;
-  const auto task = thin_in_background(records.file(), admin.actor(), {5000, ThinningMode::carry_out}, progress,
+  const auto task = thin_in_background(records_of(records.store()), admin.actor(), {5000, ThinningMode::carry_out}, progress,
                                        [&promise](Stored<ThinningReport> report) { promise.set_value(std::move(report)); });
   const auto report = promise.get_future().get();
   ASSERT_TRUE(report);

@@ -47,6 +47,19 @@ TEST_F(RecordsTask, AWindowThatOnlyReadsGetsAStoreThatOnlyReads) {
   EXPECT_EQ(made, false);
 }
 
+TEST_F(RecordsTask, TheTaskSignsWithTheKeyOfTheWindow) {
+  StoreOptions options = quick();
+  options.key_file = folder / "apart.key";
+  const auto window = open(folder / "cusp.db", options);
+  const RecordsBeside records = records_of(*window);
+  const OwnStore own = open_beside(records), reading = open_beside(records.for_reading());
+  ASSERT_TRUE(own && reading);
+  EXPECT_EQ((*own)->context().key->id(), window->context().key->id());
+  EXPECT_FALSE(std::filesystem::exists(folder / "cusp.db.key"));
+  EXPECT_TRUE((*reading)->database().read_only());
+  EXPECT_FALSE((*own)->database().read_only());
+}
+
 TEST_F(RecordsTask, RecordsThatAreGoneAreReportedToTheWork) {
   const auto window = open(folder / "cusp.db");
   std::filesystem::rename(folder / "cusp.db", folder / "elsewhere.db");
