@@ -30,7 +30,8 @@ StoreOptions Desktop::beside() const {
 }
 
 void Desktop::offer_pack(ReportPage& report) {
-  report.offer_pack();
+  const auto recorded = store_->traces.inputs(report.data().result.session, 0);
+  report.offer_pack(!recorded && recorded.error().where == "thinned" ? describe(recorded.error()).line() : QString());
   connect(&report, &ReportPage::pack_wanted, this, [this, &report] {
     FileWish wish;
     wish.title = tr("Save the appeal pack");

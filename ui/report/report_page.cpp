@@ -83,7 +83,12 @@ void ReportPage::fill() {
 
 void ReportPage::set_card(QWidget* card) { body_->insertWidget(body_->indexOf(main_), card); }
 
-void ReportPage::offer_pack() { pack_->show(); }
+void ReportPage::offer_pack(const QString& why_not) {
+  pack_->show();
+  pack_->setEnabled(why_not.isEmpty());
+  if (!why_not.isEmpty()) pack_->setToolTip(why_not);
+  pack_->setAccessibleDescription(why_not);
+}
 void ReportPage::show_message(Band::Kind kind, const QString& what, const QString& more) { band_->show_message(kind, what, more); }
 
 void ReportPage::show_data(ReportData data) {

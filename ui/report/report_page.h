@@ -38,8 +38,8 @@ class ReportPage : public QWidget {
   void show_data(ReportData data);
   /// A card above the criteria: for who marks, or about an opened pack. Once.
   void set_card(QWidget* card);
-  /// Shows the button of the appeal pack.
-  void offer_pack();
+  /// Shows the button of the appeal pack. `why_not`: it is disabled, with that as its tool tip.
+  void offer_pack(const QString& why_not = {});
   void show_message(Band::Kind kind, const QString& what, const QString& more);
   /// Of the chosen row; nullptr: none is chosen.
   const CriterionGrade* chosen_criterion() const;

@@ -69,6 +69,9 @@ TEST(PackOnThePage, IsOfferedToWhoMayExport) {
   QSignalSpy wanted(&page, &ReportPage::pack_wanted);
   save->click();
   EXPECT_EQ(wanted.count(), 1);
+  page.offer_pack(QStringLiteral("The recording was thinned."));
+  EXPECT_FALSE(save->isEnabled());
+  EXPECT_EQ(save->toolTip(), QStringLiteral("The recording was thinned."));
 }
 
 }  // namespace
