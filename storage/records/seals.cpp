@@ -14,7 +14,9 @@ std::string secret_seal(const Uuid& id, const std::string& record) {
 }
 
 /// How many columns at the end a later migration added. A seal leaves those out that are NULL, as they are in older rows.
-constexpr int added_columns(SealedTable table) noexcept { return table == SealedTable::assignments ? 1 : 0; }
+constexpr int added_columns(SealedTable table) noexcept {
+  return table == SealedTable::assignments || table == SealedTable::adjustments ? 1 : 0;
+}
 
 Hash256 content_of(SealedTable table, Row row) {
   int end = row.columns();
@@ -41,7 +43,7 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
     case SealedTable::version_withdrawals:
       return "version, author, at, sequence";
     case SealedTable::adjustments:
-      return "id, assignment, student, extra_time_percent, author, at, sequence";
+      return "id, assignment, student, extra_time_percent, author, at, sequence, large_text";
     case SealedTable::other_keys:
       return "id, station, key, role, changed_at";
     case SealedTable::referred:

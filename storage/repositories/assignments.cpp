@@ -102,7 +102,8 @@ Stored<std::string> Assignments::start_code(const Actor& actor, AssignmentId ass
   return code->value_or(std::string());
 }
 
-Stored<void> Assignments::give_extra_time(const Actor& actor, AssignmentId assignment, UserId student, int percent) {
+Stored<void> Assignments::adjust(const Actor& actor, AssignmentId assignment, UserId student, const Adjustment& adjustment) {
+  const int percent = adjustment.extra_time_percent;
   if (auto allowed = require(actor, Action::assign); !allowed) return allowed;
   if (percent < 0 || percent > kMostExtraTimePercent) return fail(StorageError::bad_value, "extra_time");
   Transaction transaction(c_.db);
@@ -113,20 +114,20 @@ Stored<void> Assignments::give_extra_time(const Actor& actor, AssignmentId assig
   const Uuid id = Uuid::v7();
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
-      "INSERT INTO adjustments (id, assignment, student, extra_time_percent, author, at, sequence) VALUES (?1, ?2, ?3, ?4, ?5, "
-      "?6, ?7)",
-      id, assignment, student, percent, actor.id, c_.clock(), sequence);
+      "INSERT INTO adjustments (id, assignment, student, extra_time_percent, author, at, sequence, large_text) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+      id, assignment, student, percent, actor.id, c_.clock(), sequence, adjustment.large_text ? 1 : 0);
   log_row(c_, transaction, actor.id, "adjusted", SealedTable::adjustments, id);
   return commit_sealed(c_, transaction);
 }
 
-Stored<int> Assignments::extra_time_percent(AssignmentId assignment, UserId student) {
-  const auto percent = c_.db.first(
-      "SELECT extra_time_percent FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = ?1 AND student = ?2 "
+Stored<Adjustment> Assignments::adjustment(AssignmentId assignment, UserId student) {
+  const auto found = c_.db.first(
+      "SELECT extra_time_percent, coalesce(large_text, 0) FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = ?1 AND student = ?2 "
       "ORDER BY sequence DESC LIMIT 1",
-      [](Row row) { return static_cast<int>(row.integer(0)); }, assignment, student);
-  if (!percent) return std::unexpected(percent.error());
-  return percent->value_or(0);
+      [](Row row) { return Adjustment{static_cast<int>(row.integer(0)), row.flag(1)}; }, assignment, student);
+  if (!found) return std::unexpected(found.error());
+  return found->value_or(Adjustment{});
 }
 
 Stored<int> Assignments::attempts(AssignmentId assignment, UserId student) {

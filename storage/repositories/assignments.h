@@ -26,6 +26,12 @@ struct Assignment {
 };
 
 inline constexpr int kMostExtraTimePercent = 400;
+/// What a student has in an assignment that the others have not.
+struct Adjustment {
+  int extra_time_percent = 0;  // of the exercise's time limit
+  bool large_text = false;
+  friend bool operator==(const Adjustment&, const Adjustment&) = default;
+};
 inline constexpr std::size_t kLeastStartCode = 4, kMostStartCode = 32;  // bytes
 
 bool admits(const std::vector<std::string>& device_classes, std::string_view device_class);
@@ -42,10 +48,10 @@ class Assignments {
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.
   Stored<std::string> start_code(const Actor& actor, AssignmentId assignment);
-  /// Of the exercise's time limit, for attempts that begin afterwards; 0 takes it back. Needs assign. not_allowed
+  /// Takes the place of the student's adjustment, for attempts that begin afterwards. Needs assign. not_allowed
   /// (where = assignment) for one who is not in its cohort, bad_value (where = extra_time) outside 0 to kMostExtraTimePercent.
-  Stored<void> give_extra_time(const Actor& actor, AssignmentId assignment, UserId student, int percent);
-  Stored<int> extra_time_percent(AssignmentId assignment, UserId student);
+  Stored<void> adjust(const Actor& actor, AssignmentId assignment, UserId student, const Adjustment& adjustment);
+  Stored<Adjustment> adjustment(AssignmentId assignment, UserId student);
   /// Attempts that the student has begun.
   Stored<int> attempts(AssignmentId assignment, UserId student);
   Stored<std::vector<Assignment>> for_student(UserId student);  // by due date, those without one last

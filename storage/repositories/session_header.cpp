@@ -50,6 +50,7 @@ std::string header_to_json(const SessionHeader& h) {
       {"scene", h.scene},
   };
   if (h.extra_time_percent > 0) out["extra_time_percent"] = h.extra_time_percent;
+  if (h.large_text) out["large_text"] = true;
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -95,6 +96,7 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     h.specimen_blob = *blob;
     in.at("scene").get_to(h.scene);
     h.extra_time_percent = in.value("extra_time_percent", h.extra_time_percent);
+    h.large_text = in.value("large_text", h.large_text);
     return h;
   } catch (const json::exception&) {
     return std::nullopt;

@@ -20,7 +20,7 @@ struct AssignedRules {
   std::optional<std::int64_t> opens_utc_us, due_utc_us, attempts_allowed;
   std::string start_code;
   std::int64_t attempts = 0;  // of this student so far
-  int extra_time_percent = 0;
+  Adjustment adjustment;
   std::string device_classes;
 };
 
@@ -28,9 +28,10 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
   return transaction.first(
       "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
       "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2), "
-      "coalesce((SELECT extra_time_percent FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
-      "AND student = ?2 ORDER BY sequence DESC LIMIT 1), 0), coalesce(a.device_classes, '') "
+      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, '') "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
+      "LEFT JOIN adjustments d ON d.id = (SELECT id FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
+      "AND student = ?2 ORDER BY sequence DESC LIMIT 1) "
       "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1 "
       "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0)",
       [](Row row) {
@@ -41,8 +42,8 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
                              row.maybe_integer(4),
                              row.text(5),
                              row.integer(6),
-                             static_cast<int>(row.integer(7)),
-                             row.text(8)};
+                             {static_cast<int>(row.integer(7)), row.flag(8)},
+                             row.text(9)};
       },
       assignment, student);
 }
@@ -50,7 +51,7 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
 /// What the session then is.
 struct Admission {
   SessionKind kind = SessionKind::practice;
-  int extra_time_percent = 0;
+  Adjustment adjustment{};
 };
 
 /// Refuses the transaction if the assignment does not admit the session.
@@ -74,7 +75,7 @@ Admission admission(Transaction& transaction, const NewSession& wanted, std::int
   if (!admits(split_keys(rules->device_classes), device_class)) {
     transaction.refuse({StorageError::other_device, device_class, rules->device_classes});
   }
-  return {rules->kind, rules->extra_time_percent};
+  return {rules->kind, rules->adjustment};
 }
 
 }  // namespace
@@ -102,7 +103,8 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (!transaction.ok()) return std::unexpected(transaction.commit().error());
 
   const SessionKind kind = *guest ? SessionKind::try_it : admitted.kind;
-  h.extra_time_percent = admitted.extra_time_percent;
+  h.extra_time_percent = admitted.adjustment.extra_time_percent;
+  h.large_text = admitted.adjustment.large_text;
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO sessions (id, station, student, version, version_hash, json_hash, kind, assignment, hand, device, "

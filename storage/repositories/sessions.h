@@ -50,6 +50,7 @@ struct SessionHeader {
   Hash256 specimen_blob{};          // of the voxels in Blobs; zeros = none stored
   std::string scene{};              // the caller's JSON of the scene; stored as given
   int extra_time_percent = 0;       // beyond the scenario's time limit; start() sets it
+  bool large_text = false;          // start() sets it
 };
 
 /// The operator of a session that a user drilled; the column is called `hand`.
@@ -98,7 +99,7 @@ class Sessions {
 
   /// Row and event "started", in one transaction. Needs drill; `student` is the actor. A guest's session is always try_it.
   /// not_found for an unknown version, bad_value for a header with a number that is not finite.
-  /// With an assignment the kind and the extra time are the assignment's; not_allowed (where = assignment: not this student's or of another
+  /// With an assignment kind and adjustment are the assignment's; not_allowed (where = assignment: not this student's or of another
   /// version; start_code), wrong_state (where = not_open, past_due, attempts_used),
   /// other_device by the header's device class.
   Stored<Session> start(const Actor& actor, const NewSession& session);

@@ -82,10 +82,10 @@ TEST_F(AssessmentTest, it_begins_between_its_dates_as_often_as_allowed_with_the_
   EXPECT_EQ(refusal(begin(lena, exam)), "attempts_used");
 }
 
-TEST_F(AssessmentTest, extra_time_is_of_one_student_in_one_assignment_and_of_attempts_that_begin_afterwards) {
+TEST_F(AssessmentTest, an_adjustment_is_of_one_student_in_one_assignment_and_of_attempts_that_begin_afterwards) {
   const Assignment exam = assign(SessionKind::assessment), other = assign(SessionKind::assessment);
   const auto give = [&](const Actor& actor, UserId student, int percent) {
-    const auto done = store->assignments.give_extra_time(actor, exam.id, student, percent);
+    const auto done = store->assignments.adjust(actor, exam.id, student, {.extra_time_percent = percent});
     return done ? "given" : done.error().where;
   };
   const Session without = must(begin(lena, exam));
@@ -98,7 +98,14 @@ TEST_F(AssessmentTest, extra_time_is_of_one_student_in_one_assignment_and_of_att
   EXPECT_EQ(must(begin(lena, other)).header.extra_time_percent, 0);
   EXPECT_EQ(give(instructor, lena.id, 0), "given");
   EXPECT_EQ(must(begin(lena, exam)).header.extra_time_percent, 0) << "the newest counts";
-  EXPECT_EQ(must(store->assignments.extra_time_percent(exam.id, lena.id)), 0);
+  EXPECT_EQ(must(store->assignments.adjustment(exam.id, lena.id)), Adjustment{});
+  const Adjustment both{.extra_time_percent = 50, .large_text = true};
+  must(store->assignments.adjust(instructor, exam.id, lena.id, both));
+  EXPECT_EQ(must(store->assignments.adjustment(exam.id, lena.id)), both);
+  const SessionHeader header = must(begin(lena, exam)).header;
+  EXPECT_EQ((Adjustment{header.extra_time_percent, header.large_text}), both);
+  EXPECT_FALSE(must(begin(lena, other)).header.large_text);
+  EXPECT_FALSE(must(store->sessions.find(without.id)).header.large_text);
   EXPECT_TRUE(must(verify_store(store->context())).intact());
 }
 

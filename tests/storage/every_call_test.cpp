@@ -86,9 +86,9 @@ std::vector<Operation> operations_on_people() {
          return outcome(s.assignments.create(
              r.instructor, {.version = r.version.id, .cohort = r.cohort, .kind = SessionKind::assessment}, "4711"));
        }},
-      {"give extra time",
+      {"adjust",
        [](Store& s, const Rows& r) {
-         return outcome(s.assignments.give_extra_time(r.instructor, r.assignment, r.student.id, 25));
+         return outcome(s.assignments.adjust(r.instructor, r.assignment, r.student.id, {.extra_time_percent = 25}));
        }},
       {"write in the audit log",
        [](Store& s, const Rows& r) { return outcome(s.audit.add({.actor = r.administrator.id, .action = "exported", .subject = Uuid::v7(), .detail = "csv"})); }},

@@ -68,7 +68,7 @@ TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments
   must(office->cohorts.add(chief, cohort, lena.id));
   Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}};
   exam = must(office->assignments.create(instructor, exam, "4711"));
-  must(office->assignments.give_extra_time(instructor, exam.id, lena.id, 25));
+  must(office->assignments.adjust(instructor, exam.id, lena.id, {.extra_time_percent = 25, .large_text = true}));
   const fs::path file = office_file();
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write) << "it has hashed secrets";
   at_station(file);
@@ -81,6 +81,7 @@ TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments
   EXPECT_EQ(code_of(station->sessions.start(lena.actor(), elsewhere)), StorageError::other_device);
   const Session session = must(station->sessions.start(lena.actor(), wanted));
   EXPECT_EQ(session.header.extra_time_percent, 25);
+  EXPECT_TRUE(session.header.large_text);
   EXPECT_EQ(whole(*station), "");
 }
 

@@ -108,7 +108,7 @@ class Weeks {
     const Assignment asked = must(store.assignments.create(
         instructor_, {.version = version.id, .cohort = cohort_, .kind = exam ? SessionKind::assessment : SessionKind::practice}, exam ? "4711" : ""));
     const auto members = must(store.cohorts.students(cohort_));
-    if (exam && !members.empty()) must(store.assignments.give_extra_time(instructor_, asked.id, one_of(members), 25));
+    if (exam && !members.empty()) must(store.assignments.adjust(instructor_, asked.id, one_of(members), {.extra_time_percent = 25}));
   }
   /// Somebody whom the station knows drills an exercise of its own, or what is assigned there.
   void drill(Station& s) {

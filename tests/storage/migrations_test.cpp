@@ -43,6 +43,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "9411cc300440b281a92c077793ee99451894cae72f32d8f279b5316c18c71ed9",
       "485e469f6f77d6ac237a03acc0c07be5a3076236cb75b3c0f6163877cc761841",
       "d8bb514890d9c9024b7a3c5b22b8753132b3cc60e6aedcf4e13f347f6e0ca363",
+      "0411b8f137ffe94e2a5c44630e29349cc449cdeb83aa04ce0027596d90c0eb8c",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -126,7 +127,7 @@ TEST(Migrations, a_file_of_schema_1_opened_for_reading_shows_the_same_and_stays_
 }
 
 /// What stands in the tables of assignments, as the program of schema 7 sealed it.
-TEST(Migrations, an_assessment_of_schema_7_admits_every_device_and_its_seals_hold) {
+TEST(Migrations, an_assessment_of_schema_7_admits_every_device_in_the_usual_text_and_its_seals_hold) {
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(7)}));
@@ -144,9 +145,10 @@ TEST(Migrations, an_assessment_of_schema_7_admits_every_device_and_its_seals_hol
   const auto assigned = must(store->assignments.for_student(student.id));
   ASSERT_EQ(assigned.size(), 2u);
   for (const Assignment& a : assigned) EXPECT_TRUE(a.device_classes.empty());
-  EXPECT_EQ(must(store->assignments.extra_time_percent(assigned[1].id, student.id)), 25);
+  EXPECT_EQ(must(store->assignments.adjustment(assigned[1].id, student.id)), (Adjustment{.extra_time_percent = 25}));
   must(store->database().run("UPDATE assignments SET device_classes = 'falcon' WHERE kind = 'practice'"));
-  EXPECT_EQ(changed(), std::vector<std::string>{"assignments"});
+  must(store->database().run("UPDATE adjustments SET large_text = 1"));
+  EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
 }
 
 }  // namespace

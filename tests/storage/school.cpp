@@ -90,7 +90,7 @@ SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVe
   const Actor examiner = instructor.actor();
   const Assignment asked = must(store.assignments.create(
       examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}}, "4711"));
-  must(store.assignments.give_extra_time(examiner, asked.id, student.id, 25));
+  must(store.assignments.adjust(examiner, asked.id, student.id, {.extra_time_percent = 25, .large_text = true}));
   NewSession wanted = new_session(student, version);
   wanted.assignment = asked.id;
   wanted.start_code = "4711";

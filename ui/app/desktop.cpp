@@ -6,6 +6,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "device/hid/hid_station.h"
 #include "scenarios/library/library.h"
@@ -154,6 +155,7 @@ void Desktop::lock_idle() {
 
 void Desktop::sign_out() {
   account_.reset();
+  use_text(TextSize::usual);
   show_sign_in(new SignIn(*store_));
 }
 
@@ -300,6 +302,7 @@ void Desktop::back() {
   QWidget* old = stack_->currentWidget();
   stack_->removeWidget(old);
   old->deleteLater();
+  use_text(TextSize::usual);
   stack_->setCurrentIndex(stack_->count() - 1);
   // What lies below may have new results.
   if (shell_ && page() == shell_) shell_->show_page(shell_->page_key());
@@ -346,8 +349,13 @@ void Desktop::rebuild() {
 
 void Desktop::set_scheme(ColourScheme scheme) {
   settings_.set_scheme(scheme);
-  apply_theme(*qApp, scheme, settings_.scale_percent());
+  apply_theme(*qApp, scheme, scale_percent());
   rebuild();
+}
+
+void Desktop::use_text(TextSize size) {
+  const int usual = settings_.scale_percent(), wanted = size == TextSize::large ? std::max(usual, kLargeTextPercent) : usual;
+  if (wanted != scale_percent()) apply_theme(*qApp, settings_.scheme(), wanted);
 }
 
 void Desktop::set_language(const QString& code) {

@@ -40,6 +40,9 @@ class Shell;
 class SignIn;
 struct NavEntry;
 
+/// Of an attempt whose student has large text.
+inline constexpr int kLargeTextPercent = 150;
+
 class Desktop : public QMainWindow {
   Q_OBJECT
 
@@ -104,6 +107,10 @@ class Desktop : public QMainWindow {
 
   /// Backs the records up in the background when a day has passed since the last backup, unless somebody drills now.
   void keep_daily_backup();
+
+  enum class TextSize : std::uint8_t { usual, large };
+  /// `large`: pages made from now on are at least kLargeTextPercent of their size, until back() or sign_out().
+  void use_text(TextSize size);
 
   void set_scheme(ColourScheme scheme);
   void set_language(const QString& code);

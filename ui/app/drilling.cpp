@@ -97,6 +97,7 @@ void Desktop::sit(const AssignedAssessment& assessment) {
     plan.assignment = assessment.assignment.id;
     plan.start_code = code.toStdString();
     const QString candidate = QString::fromStdString(candidate_number(assessment.assignment.id, account_->id));
+    use_text(assessment.adjustment.large_text ? TextSize::large : TextSize::usual);
     show_drilling(assessment.exercise, std::move(plan), tr("Assessment, candidate %1").arg(candidate));
   });
   question->open();
@@ -122,6 +123,7 @@ void Desktop::resume_attempt(const SessionId& session) {
                             ? tr("Assessment, candidate %1, continued")
                                   .arg(QString::fromStdString(candidate_number(*details->session.assignment, account_->id)))
                             : tr("Practice, attempt %1, continued").arg(details->row.attempt);
+  use_text(details->session.header.large_text ? TextSize::large : TextSize::usual);
   show_drilling(exercise, std::move(plan), aside);
 }
 

@@ -82,6 +82,7 @@ void Desktop::show_handed_in(const SessionId& session) {
   const QString candidate = kept && kept->assignment
                                 ? QString::fromStdString(candidate_number(*kept->assignment, kept->student))
                                 : QString();
+  if (kept && kept->header.large_text) use_text(TextSize::large);
   auto* page = new HandedIn(candidate);
   connect(page, &HandedIn::start_wanted, this, &Desktop::back);
   connect(page, &HandedIn::next_wanted, this, &Desktop::sign_out);
@@ -122,6 +123,7 @@ void Desktop::show_report(const std::shared_ptr<const SessionResult>& result, Re
   if (signed_in && store_ && !result->session.is_nil()) {
     const auto details = store_->history.details(reader, result->session);
     own = details && details->row.student == reader.id;
+    if (own && details->session.header.large_text) use_text(TextSize::large);
   }
   const QString back_name = !signed_in ? tr("Sign in") : tr("Back");
   const auto again = own && exercise && !reading_only_ ? ReportPage::TryAgain::offered : ReportPage::TryAgain::hidden;

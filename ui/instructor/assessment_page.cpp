@@ -1,6 +1,7 @@
 #include "ui/instructor/assessment_page.h"
 
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QKeySequence>
 #include <QLabel>
 #include <QMenu>
@@ -37,6 +38,14 @@ QString marked_text(const CandidateRow& row) {
   return row.grade->overrides.empty() ? CandidatesModel::tr("by the program") : CandidatesModel::tr("changed");
 }
 
+/// "25 % more time, large text".
+QString adjustment_text(const Adjustment& adjustment) {
+  QStringList out;
+  if (adjustment.extra_time_percent > 0) out += CandidatesModel::tr("%1 % more time").arg(adjustment.extra_time_percent);
+  if (adjustment.large_text) out += CandidatesModel::tr("large text");
+  return out.join(u", "_qs);
+}
+
 }  // namespace
 
 void CandidatesModel::set_rows(std::vector<CandidateRow> rows) {
@@ -52,7 +61,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
   const CandidateRow& r = row(index.row());
   const int column = index.column();
   if (role == BoldRole) return column == kCandidate;
-  if (role == Qt::TextAlignmentRole && (column == kScore || column == kExtra)) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && column == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
   if (role == IconRole && column == kOpen && r.attempt) return u"chevron_right"_qs;
   if (role == Qt::AccessibleTextRole && column == kOpen) return r.attempt ? tr("Report") : QString();
   if (role == QuietRole) return !r.attempt && column != kCandidate;
@@ -62,7 +71,7 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
   switch (column) {
     case kCandidate: return r.candidate;
     case kName: return r.name;
-    case kExtra: return r.extra_time_percent > 0 ? format({static_cast<double>(r.extra_time_percent), {}, u"%"_qs, 0}) : QString();
+    case kAdjusted: return adjustment_text(r.adjustment);
     case kDate: return r.attempt ? format_day_time(local_time(r.attempt->started_utc_us)) : tr("not begun");
     case kScore: return r.attempt && r.attempt->score ? format_points(*r.attempt->score) : QString();
     case kResult: return r.attempt ? result_text(*r.attempt) : QString();
@@ -74,12 +83,12 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
 
 QVariant CandidatesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && (section == kScore || section == kExtra)) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && section == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kCandidate: return tr("Candidate");
     case kName: return tr("Name");
-    case kExtra: return tr("Extra time");
+    case kAdjusted: return tr("Adjustments");
     case kDate: return tr("Begun");
     case kScore: return tr("Points");
     case kResult: return tr("Result");
@@ -121,7 +130,7 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
   table_->set_stretch_column(CandidatesModel::kMarked);
   table_->set_rows_shown(16);
   card->body()->addWidget(table_);
-  card->body()->addWidget(make_extra_time());
+  card->body()->addWidget(make_adjustments());
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &AssessmentPage::show_chosen);
   body->addWidget(card);
   body->addStretch();
@@ -174,7 +183,7 @@ void AssessmentPage::export_gradebook(Gradebook system) {
                             file->text, done});
 }
 
-QWidget* AssessmentPage::make_extra_time() {
+QWidget* AssessmentPage::make_adjustments() {
   extra_row_ = new QWidget;
   auto* row = new QHBoxLayout(extra_row_);
   row->setContentsMargins(px(8), px(4), px(8), px(4));
@@ -186,12 +195,15 @@ QWidget* AssessmentPage::make_extra_time() {
   extra_->setSingleStep(5);
   extra_->setSuffix(u" %"_qs);
   extra_->setFixedWidth(px(96));
-  QPushButton* give = make_button(tr("Give extra time"), ButtonKind::standard, u"clock"_qs);
+  large_ = new QCheckBox(tr("Large text"));
+  large_->setToolTip(tr("Drilling screen and report at 150 % at least"));
+  QPushButton* keep = make_button(tr("Keep the adjustment"), ButtonKind::standard, u"check"_qs);
   row->addWidget(extra_of_);
   row->addWidget(extra_);
-  row->addWidget(give);
-  row->addWidget(make_label(tr("of the time limit, for attempts that begin from now on"), TextRole::body, Weight::regular, "text2"), 1);
-  connect(give, &QPushButton::clicked, this, [this] { give_extra_time(static_cast<int>(extra_->value())); });
+  row->addWidget(large_);
+  row->addWidget(keep);
+  row->addWidget(make_label(tr("for attempts that begin from now on"), TextRole::body, Weight::regular, "text2"), 1);
+  connect(keep, &QPushButton::clicked, this, [this] { adjust({static_cast<int>(extra_->value()), large_->isChecked()}); });
   return extra_row_;
 }
 
@@ -203,18 +215,20 @@ void AssessmentPage::show_chosen() {
   const QString name = tr("Extra time of %1").arg(model_->row(row).candidate);
   extra_of_->setText(name);
   extra_->setAccessibleName(name);
-  extra_->show_value(model_->row(row).extra_time_percent);
+  extra_->show_value(model_->row(row).adjustment.extra_time_percent);
+  large_->setChecked(model_->row(row).adjustment.large_text);
 }
 
-void AssessmentPage::give_extra_time(int percent) {
+void AssessmentPage::adjust(const Adjustment& adjustment) {
   const int row = table_->chosen_row();
   if (row < 0) return;
   const QString candidate = model_->row(row).candidate;
-  if (const auto done = store_.assignments.give_extra_time(actor_, assignment_.id, model_->row(row).student, percent); !done) {
+  if (const auto done = store_.assignments.adjust(actor_, assignment_.id, model_->row(row).student, adjustment); !done) {
     return show_failure(done.error());
   }
   read();
-  band_->show_message(Band::Kind::good, percent > 0 ? tr("%1 has %2 % more time.").arg(candidate).arg(percent) : tr("%1 has no extra time.").arg(candidate), {});
+  const QString text = adjustment_text(adjustment);
+  band_->show_message(Band::Kind::good, text.isEmpty() ? tr("%1 has no adjustment.").arg(candidate) : tr("%1 has %2.").arg(candidate, text), {});
 }
 
 QString AssessmentPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
@@ -237,8 +251,8 @@ void AssessmentPage::read() {
   const int chosen = table_->chosen_row();
   std::vector<CandidateRow> rows;
   const auto add = [&](UserId student, const HistoryRow* attempt) {
-    CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, 0, {}, {}};
-    row.extra_time_percent = store_.assignments.extra_time_percent(assignment_.id, student).value_or(0);
+    CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, {}, {}, {}};
+    row.adjustment = store_.assignments.adjustment(assignment_.id, student).value_or(Adjustment{});
     if (attempt != nullptr) {
       row.attempt = *attempt;
       if (const auto details = store_.history.details(actor_, attempt->session)) row.grade = details->grade;

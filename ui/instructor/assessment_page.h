@@ -11,6 +11,7 @@
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
@@ -24,7 +25,7 @@ class Table;
 struct CandidateRow {
   UserId student;
   QString candidate, name;
-  int extra_time_percent = 0;
+  Adjustment adjustment{};
   std::optional<HistoryRow> attempt;
   std::optional<EffectiveGrade> grade;
 };
@@ -33,7 +34,7 @@ class CandidatesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kCandidate, kName, kExtra, kDate, kScore, kResult, kMarked, kReleased, kOpen, kColumns };
+  enum Column { kCandidate, kName, kAdjusted, kDate, kScore, kResult, kMarked, kReleased, kOpen, kColumns };
   explicit CandidatesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void set_rows(std::vector<CandidateRow> rows);
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -55,7 +56,7 @@ class AssessmentPage : public QWidget {
   Table* table() const { return table_; }
   QString message() const;
   /// Of the chosen candidate, for attempts that begin afterwards.
-  void give_extra_time(int percent);
+  void adjust(const Adjustment& adjustment);
   /// Asks for the file of a column of results.
   void export_gradebook(Gradebook system);
   /// Releases every graded result that needs no confirmation; asks first.
@@ -72,7 +73,7 @@ class AssessmentPage : public QWidget {
  private:
   QWidget* make_bar(const QString& title, const QString& aside);
   QPushButton* make_gradebook_button();
-  QWidget* make_extra_time();
+  QWidget* make_adjustments();
   void show_chosen();
   void read();
   void open_chosen();
@@ -87,6 +88,7 @@ class AssessmentPage : public QWidget {
   Band* band_ = nullptr;
   Table* table_ = nullptr;
   QPushButton *names_ = nullptr, *release_ = nullptr;
+  QCheckBox* large_ = nullptr;
   NumberField* extra_ = nullptr;
   QLabel* extra_of_ = nullptr;
   QWidget* extra_row_ = nullptr;

@@ -73,9 +73,9 @@ QLabel* quiet(const QString& text) {
 QString time_limit_text(const AssignedAssessment& a) {
   const double limit_s = a.exercise.scenario.time_limit_s;
   if (limit_s <= 0) return {};
-  const QString text = AssessmentCard::tr("%1 min").arg(format_clock(extended_limit_s(limit_s, a.extra_time_percent)));
-  if (a.extra_time_percent == 0) return text;
-  return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.extra_time_percent);
+  const QString text = AssessmentCard::tr("%1 min").arg(format_clock(extended_limit_s(limit_s, a.adjustment.extra_time_percent)));
+  if (a.adjustment.extra_time_percent == 0) return text;
+  return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.adjustment.extra_time_percent);
 }
 
 Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now,
@@ -90,7 +90,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     auto exercise = load_exercise(store, a.version);
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
-    one.extra_time_percent = store.assignments.extra_time_percent(a.id, student.id).value_or(0);
+    one.adjustment = store.assignments.adjustment(a.id, student.id).value_or(Adjustment{});
     one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000, device_class);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
@@ -116,6 +116,7 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWid
   text->addLayout(line);
   QStringList facts = {attempts_text(a)};
   if (const QString limit = time_limit_text(a); !limit.isEmpty()) facts += tr("time limit %1").arg(limit);
+  if (a.adjustment.large_text) facts += tr("large text");
   if (!a.assignment.device_classes.empty()) facts += tr("only with %1").arg(device_names(a.assignment.device_classes));
   text->addWidget(quiet(facts.join(u" · "_qs)));
   row->addLayout(text, 1);

@@ -24,7 +24,7 @@ struct AssignedAssessment {
   Assignment assignment;
   Exercise exercise;  // in the assigned version
   int attempts = 0;
-  int extra_time_percent = 0;  // of the exercise's time limit
+  Adjustment adjustment{};
   State state = State::open;
 };
 

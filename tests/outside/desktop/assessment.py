@@ -1,5 +1,5 @@
-"""An assessment: assigned with a start code, sat by two students (the device of one falls silent, the other is killed half-way
-and continues), marked without names, released, and read.
+"""An assessment: assigned with a start code and for certain devices, adjusted for one of two students, sat by both (the device
+of one falls silent, the other is killed half-way and continues), marked without names, released, and read.
 
     /usr/bin/python3 tests/outside/desktop/assessment.py build/release/cusp
 """
@@ -29,10 +29,28 @@ def assign(program, take):
     program.labelled("combo box", "Exercise").choose(EXERCISE)
     program.press("Assessment", school.CHOICE)
     program.find("text", "Start code").type(CODE)
+    program.press("Inverse3", school.CHOICE)
+    program.press("Emulated Falcon", school.CHOICE)
     program.press("Assign")
-    school.row_of(program, "Assigned exercises", EXERCISE, "Assessment", "1")
+    row = school.row_of(program, "Assigned exercises", EXERCISE, "Assessment", "1", "Falcon, Mouse and keys")
     take(program, "assessment-assigned")
+    row[0].click()
+    adjust(program, take)
     school.sign_out(program)
+
+
+def adjust(program, take):
+    """The second student's, whose name the examiner asks for."""
+    program.press("Results")
+    program.find("table", "Candidates")
+    program.press("Show names", school.CHOICE)
+    school.row_of(program, "Candidates", OTHER[0])[0].click()
+    program.find("spin button", re.compile("^Extra time of")).type("25")
+    program.press("Large text", school.CHOICE)
+    program.press("Keep the adjustment")
+    school.row_of(program, "Candidates", OTHER[0], "25 % more time, large text")
+    take(program, "assessment-adjusted")
+    program.press("Back")
 
 
 def begin(program, number, pin, take):
@@ -101,6 +119,7 @@ def sit(program, take):
     program.press("Next candidate")
     begin(program, *OTHER[1:], school.nothing)
     between_s = time.monotonic() - handed_in
+    take(program, "assessment-large")
     drill(program, SECOND_S)
     return between_s
 

@@ -13,6 +13,8 @@
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
 #include "scenarios/library/exercise_file.h"
 #include "scenarios/library/library.h"
 #include "ui/app/desktop.h"
@@ -125,6 +127,41 @@ TEST_F(DesktopTest, a_page_pushed_over_the_shell_is_left_by_going_back) {
   EXPECT_EQ(desktop->shell()->page_key().toStdString(), "exercises");
   desktop->back();  // nothing left to close
   EXPECT_EQ(desktop->page(), desktop->shell());
+}
+
+TEST_F(DesktopTest, a_page_of_an_attempt_with_large_text_is_larger_until_it_is_left) {
+  const Account lena = records.student("1", "Lena Brandt");
+  Store& store = records.store();
+  const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+  const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
+  ASSERT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
+  const Scenario scenario = *load_builtin("channel-1");
+  const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
+  const Assignment exam = *store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment}, "4711");
+  NewSession wanted{.student = lena.id, .version = version, .assignment = exam.id, .start_code = "4711"};
+  wanted.header.scene = "{}";
+  const SessionId usual = store.sessions.start(lena.actor(), wanted)->id;
+  ASSERT_TRUE(store.assignments.adjust(examiner, exam.id, lena.id, {.large_text = true}));
+  const SessionId large = store.sessions.start(lena.actor(), wanted)->id;
+  open(records.file());
+  desktop->sign_in(lena);
+  const auto size_of = [&](const SessionId& session) {
+    desktop->open_report(session);
+    const int size = scale_percent();
+    desktop->back();
+    return std::pair{size, scale_percent()};
+  };
+  desktop->set_scale(125);
+  EXPECT_EQ(size_of(usual), std::pair(125, 125));
+  EXPECT_EQ(size_of(large), std::pair(kLargeTextPercent, 125));
+  desktop->open_report(large);
+  desktop->set_scheme(ColourScheme::dark);
+  EXPECT_EQ(scale_percent(), kLargeTextPercent) << "also in other colours";
+  desktop->sign_out();
+  EXPECT_EQ(scale_percent(), 125);
+  desktop->set_scale(200);
+  desktop->sign_in(lena);
+  EXPECT_EQ(size_of(large), std::pair(200, 200)) << "whoever sees them larger keeps that";
 }
 
 TEST_F(DesktopTest, language_and_colours_change_at_once_and_keep_the_page) {

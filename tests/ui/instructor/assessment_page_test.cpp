@@ -86,17 +86,19 @@ TEST_F(Candidates, ReceiveTheirResultsTogetherButForUnconfirmedFails) {
   EXPECT_TRUE(released(failed));
 }
 
-TEST_F(Candidates, ReceiveExtraTimeThatShowsBesideTheirNumber) {
+TEST_F(Candidates, ReceiveAnAdjustmentThatShowsBesideTheirNumber) {
   AssessmentPage page(records.store(), examiner, assignment.id, ports);
   for (int i = 0; i < 3; ++i)
     if (page.model().row(i).student == ida.id) page.table()->choose_row(i);
-  page.give_extra_time(25);
-  EXPECT_EQ(row_of(page, ida).extra_time_percent, 25);
-  EXPECT_EQ(row_of(page, omar).extra_time_percent, 0);
-  EXPECT_EQ(*records.store().assignments.extra_time_percent(assignment.id, ida.id), 25);
+  const Adjustment both{.extra_time_percent = 25, .large_text = true};
+  page.adjust(both);
+  EXPECT_EQ(row_of(page, ida).adjustment, both);
+  EXPECT_EQ(row_of(page, omar).adjustment, Adjustment{});
+  EXPECT_EQ(*records.store().assignments.adjustment(assignment.id, ida.id), both);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("25 % more time, large text"))) << page.message().toStdString();
   EXPECT_TRUE(page.message().contains(row_of(page, ida).candidate)) << page.message().toStdString();
-  page.give_extra_time(401);
-  EXPECT_EQ(row_of(page, ida).extra_time_percent, 25);
+  page.adjust({.extra_time_percent = 401});
+  EXPECT_EQ(row_of(page, ida).adjustment, both);
 }
 
 TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {

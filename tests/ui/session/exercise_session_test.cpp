@@ -107,7 +107,7 @@ TEST(ExerciseSession, HoldsItselfLaterForAStudentWithExtraTimeAlsoAfterResuming)
     ASSERT_TRUE(version);
     plan.version = version->id;
     plan.assignment = store->assignments.create(instructor, {.version = version->id, .cohort = cohort})->id;
-    ASSERT_TRUE(store->assignments.give_extra_time(instructor, *plan.assignment, work.demo.id, 50));
+    ASSERT_TRUE(store->assignments.adjust(instructor, *plan.assignment, work.demo.id, {.extra_time_percent = 50}));
   }
   DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   auto session = ExerciseSession::start(plan, port);

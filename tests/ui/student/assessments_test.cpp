@@ -109,8 +109,8 @@ TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
   AssignedAssessment one = at(kMorning + 1000)[0];
   one.exercise.scenario.time_limit_s = 600;
   EXPECT_EQ(plain(time_limit_text(one)), "10:00 min");
-  ASSERT_TRUE(records.store().assignments.give_extra_time(examiner, one.assignment.id, lena.id, 25));
-  one.extra_time_percent = at(kMorning + 1000)[0].extra_time_percent;
+  ASSERT_TRUE(records.store().assignments.adjust(examiner, one.assignment.id, lena.id, {.extra_time_percent = 25}));
+  one.adjustment = at(kMorning + 1000)[0].adjustment;
   EXPECT_EQ(plain(time_limit_text(one)), "12:30 min (25 % extra time)");
   one.exercise.scenario.time_limit_s = 0;
   EXPECT_TRUE(time_limit_text(one).isEmpty());
@@ -145,6 +145,14 @@ TEST_F(Assessments, AnAssignedPracticeStaysDueInItsVersionWhenANewerOneIsPublish
   ASSERT_NE(row, course.rows.end());
   EXPECT_EQ(row->assignment, practice.id);
   EXPECT_EQ(row->exercise.version, assignment.version);
+}
+
+TEST_F(Assessments, AnAssignedPracticeNamesItsDevicesInTheCourse) {
+  ASSERT_TRUE(records.store().assignments.create(
+      examiner, {.version = assignment.version, .cohort = assignment.cohort, .device_classes = {"inverse3", "falcon"}}));
+  const Course course = *load_course(records.store(), lena.actor());
+  const CourseRow& next = course.rows[static_cast<std::size_t>(course.next())];
+  EXPECT_EQ(next.device_classes, (std::vector<std::string>{"falcon", "inverse3"}));
 }
 
 TEST_F(Assessments, AnAssignedAssessmentIsNoPracticeOfTheCourse) {
