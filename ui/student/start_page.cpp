@@ -48,6 +48,12 @@ QWidget* fact(const QString& name, const QString& value, Value length = Value::o
   return box;
 }
 
+/// The briefing has the whole text.
+QString first_sentence(QString text) {
+  if (const auto end = text.indexOf(u". "_qs); end > 0 && text.size() > kShortText) text.truncate(end + 1);
+  return text;
+}
+
 }  // namespace
 
 StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
@@ -166,16 +172,10 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   const QString due = row.due_utc_us ? tr("Next, due %1").arg(format_day(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
-  // The first sentence; the briefing has the whole text.
-  QString first = local(s.briefing);
-  if (const auto end = first.indexOf(u". "_qs); end > 0 && first.size() > kShortText) first.truncate(end + 1);
-  QLabel* what = make_label(first, TextRole::body, Weight::regular, "text2");
+  QLabel* what = make_label(first_sentence(local(s.briefing)), TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
-  if (!storage::admits(row.device_classes, device_class_)) {
-    text->addWidget(make_label(tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes)), TextRole::body,
-                               Weight::bold, "look"));
-  }
+  add_device_note(*text, row);
   text->addStretch();
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));
@@ -210,6 +210,14 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   connect(briefing, &QPushButton::clicked, this, [this] { Q_EMIT briefing_wanted(next_->exercise); });
   show_picture();
   return card;
+}
+
+void StartPage::add_device_note(QVBoxLayout& text, const CourseRow& row) {
+  if (storage::admits(row.device_classes, device_class_)) return;
+  QLabel* note = make_label(tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes)), TextRole::body,
+                            Weight::bold, "look");
+  note->setWordWrap(true);
+  text.addWidget(note);
 }
 
 QWidget* StartPage::make_list() {

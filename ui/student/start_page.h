@@ -49,6 +49,8 @@ class StartPage : public QWidget {
   QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);
+  /// If the assignment does not admit this station's device.
+  void add_device_note(class QVBoxLayout& text, const CourseRow& row);
   QWidget* make_list();
   QWidget* make_last(const Account& account);
   /// False if no criterion lost points.
