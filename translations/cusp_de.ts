@@ -112,6 +112,18 @@
         <source>%1 (%2 % extra time)</source>
         <translation>%1 (%2 % Zeitzugabe)</translation>
     </message>
+    <message>
+        <source>Needs another device</source>
+        <translation>Braucht ein anderes Gerät</translation>
+    </message>
+    <message>
+        <source>large text</source>
+        <translation>große Schrift</translation>
+    </message>
+    <message>
+        <source>only with %1</source>
+        <translation>nur mit %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentPage</name>
@@ -165,24 +177,8 @@
         </translation>
     </message>
     <message>
-        <source>Give extra time</source>
-        <translation>Zeitzugabe geben</translation>
-    </message>
-    <message>
-        <source>of the time limit, for attempts that begin from now on</source>
-        <translation>der Zeitgrenze, für Versuche, die ab jetzt beginnen</translation>
-    </message>
-    <message>
         <source>Extra time of %1</source>
         <translation>Zeitzugabe für %1</translation>
-    </message>
-    <message>
-        <source>%1 has %2 % more time.</source>
-        <translation>%1 hat %2 % mehr Zeit.</translation>
-    </message>
-    <message>
-        <source>%1 has no extra time.</source>
-        <translation>%1 hat keine Zeitzugabe.</translation>
     </message>
     <message>
         <source>Gradebook</source>
@@ -217,6 +213,34 @@
     <message>
         <source>Save for the gradebook</source>
         <translation>Für das Notenbuch speichern</translation>
+    </message>
+    <message>
+        <source>only with %1</source>
+        <translation>nur mit %1</translation>
+    </message>
+    <message>
+        <source>Large text</source>
+        <translation>Große Schrift</translation>
+    </message>
+    <message>
+        <source>Drilling screen and report at 150 % at least</source>
+        <translation>Bohransicht und Bericht in mindestens 150 %</translation>
+    </message>
+    <message>
+        <source>Keep the adjustment</source>
+        <translation>Ausgleich speichern</translation>
+    </message>
+    <message>
+        <source>for attempts that begin from now on</source>
+        <translation>für Versuche, die ab jetzt beginnen</translation>
+    </message>
+    <message>
+        <source>%1 has no adjustment.</source>
+        <translation>%1 hat keinen Nachteilsausgleich.</translation>
+    </message>
+    <message>
+        <source>%1 has %2.</source>
+        <translation>%1 hat %2.</translation>
     </message>
 </context>
 <context>
@@ -304,6 +328,14 @@
         <source>Start code</source>
         <translation>Startcode</translation>
     </message>
+    <message>
+        <source>An attempt with another device does not count for the assignment</source>
+        <translation>Ein Versuch mit einem anderen Gerät zählt nicht für die Zuweisung</translation>
+    </message>
+    <message>
+        <source>Devices admitted</source>
+        <translation>Zugelassene Geräte</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentsModel</name>
@@ -330,6 +362,14 @@
     <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>every one</source>
+        <translation>jedes</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
     </message>
 </context>
 <context>
@@ -1091,8 +1131,16 @@
         <translation>Freigegeben</translation>
     </message>
     <message>
-        <source>Extra time</source>
-        <translation>Zeitzugabe</translation>
+        <source>%1 % more time</source>
+        <translation>%1 % mehr Zeit</translation>
+    </message>
+    <message>
+        <source>large text</source>
+        <translation>große Schrift</translation>
+    </message>
+    <message>
+        <source>Adjustments</source>
+        <translation>Nachteilsausgleich</translation>
     </message>
 </context>
 <context>
@@ -2745,6 +2793,14 @@
     <message>
         <source>The start code is %1.</source>
         <translation>Der Startcode ist %1.</translation>
+    </message>
+    <message>
+        <source>No device is admitted.</source>
+        <translation>Kein Gerät ist zugelassen.</translation>
+    </message>
+    <message>
+        <source>Check one device at least.</source>
+        <translation>Kreuzen Sie mindestens ein Gerät an.</translation>
     </message>
 </context>
 <context>
@@ -8599,6 +8655,10 @@ Ihr bester davor</translation>
         <source>Instructor</source>
         <translation>Lehrkraft</translation>
     </message>
+    <message>
+        <source>Counts only with %1: choose it on the page Device.</source>
+        <translation>Zählt nur mit %1: wählen Sie es auf der Seite Gerät.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>
@@ -10657,14 +10717,6 @@ Ihr bester davor</translation>
         <translation>Prüfung angesetzt</translation>
     </message>
     <message>
-        <source>Extra time given</source>
-        <translation>Zeitzugabe gegeben</translation>
-    </message>
-    <message>
-        <source>Extra time sealed as it was found</source>
-        <translation>Zeitzugabe versiegelt, wie sie vorgefunden wurde</translation>
-    </message>
-    <message>
         <source>Assignment sealed as it was found</source>
         <translation>Zuweisung versiegelt, wie sie vorgefunden wurde</translation>
     </message>
@@ -11176,6 +11228,26 @@ Ihr bester davor</translation>
     <message>
         <source>%1 that cannot be verified</source>
         <translation>%1 nicht nachweisbar unverändert</translation>
+    </message>
+    <message>
+        <source>Adjustment of a student set</source>
+        <translation>Nachteilsausgleich festgelegt</translation>
+    </message>
+    <message>
+        <source>Adjustment of a student sealed as it was found</source>
+        <translation>Nachteilsausgleich versiegelt, wie er vorgefunden wurde</translation>
+    </message>
+    <message>
+        <source>A device has no such name.</source>
+        <translation>So heißt kein Gerät.</translation>
+    </message>
+    <message>
+        <source>This assignment needs another device.</source>
+        <translation>Diese Zuweisung braucht ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>Admitted: %1. In use: %2. Choose another one on the page Device.</source>
+        <translation>Zugelassen: %1. In Gebrauch: %2. Wählen Sie ein anderes auf der Seite Gerät.</translation>
     </message>
 </context>
 <context>
