@@ -363,14 +363,6 @@
         <source>Kind</source>
         <translation>Art</translation>
     </message>
-    <message>
-        <source>every one</source>
-        <translation>jedes</translation>
-    </message>
-    <message>
-        <source>Devices</source>
-        <translation>Geräte</translation>
-    </message>
 </context>
 <context>
     <name>cusp::ui::AttemptsModel</name>
@@ -2801,6 +2793,10 @@
     <message>
         <source>Check one device at least.</source>
         <translation>Kreuzen Sie mindestens ein Gerät an.</translation>
+    </message>
+    <message>
+        <source>only with %1</source>
+        <translation type="unfinished">nur mit %1</translation>
     </message>
 </context>
 <context>

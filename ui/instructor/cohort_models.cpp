@@ -95,7 +95,6 @@ QVariant AssignmentsModel::data(const QModelIndex& index, int role) const {
     case kDue: return moment(row.assignment.due_utc_us);
     case kAttempts:
       return row.assignment.attempts_allowed ? QLocale().toString(*row.assignment.attempts_allowed) : tr("any number");
-    case kDevices: return row.assignment.device_classes.empty() ? tr("every one") : device_names(row.assignment.device_classes);
     default: return {};
   }
 }
@@ -109,7 +108,6 @@ QVariant AssignmentsModel::headerData(int section, Qt::Orientation orientation, 
     case kOpens: return tr("From");
     case kDue: return tr("Due");
     case kAttempts: return tr("Attempts");
-    case kDevices: return tr("Devices");
     default: return {};
   }
 }

@@ -55,7 +55,7 @@ class AssignmentsModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kExercise, kKind, kOpens, kDue, kAttempts, kDevices, kColumns };
+  enum Column { kExercise, kKind, kOpens, kDue, kAttempts, kColumns };
   explicit AssignmentsModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void set_rows(std::vector<AssignmentRow> rows);
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -154,7 +154,7 @@ QWidget* CohortsPage::make_assignments() {
   return assignments_card_;
 }
 
-/// The chosen assignment's start code, for who invigilates.
+/// The devices of the chosen assignment, and its start code for who invigilates.
 void CohortsPage::fit_assignment() {
   const int row = assigned_->chosen_row();
   results_->setEnabled(row >= 0 && may(actor_.role, Action::see_all_results));
@@ -162,7 +162,12 @@ void CohortsPage::fit_assignment() {
   if (row >= 0 && may(actor_.role, Action::assign)) {
     if (const auto known = store_.assignments.start_code(actor_, assignments_->row(row).assignment.id)) code = QString::fromStdString(*known);
   }
-  assignments_card_->set_aside(code.isEmpty() ? QString() : tr("Start code %1").arg(code));
+  QStringList aside;
+  if (row >= 0 && !assignments_->row(row).assignment.device_classes.empty()) {
+    aside += tr("only with %1").arg(device_names(assignments_->row(row).assignment.device_classes));
+  }
+  if (!code.isEmpty()) aside += tr("Start code %1").arg(code);
+  assignments_card_->set_aside(aside.join(u" · "_qs));
 }
 
 void CohortsPage::show_failure(const StorageFailure& failure) {
@@ -216,10 +221,8 @@ void CohortsPage::show_assignments() {
     rows.push_back({assignment, version ? version->title : LocalText{}});
   }
   const bool any_opens = std::ranges::any_of(rows, [](const AssignmentRow& row) { return row.assignment.opens_utc_us.has_value(); });
-  const bool any_devices = std::ranges::any_of(rows, [](const AssignmentRow& row) { return !row.assignment.device_classes.empty(); });
   assignments_->set_rows(std::move(rows));
   assigned_->setColumnHidden(AssignmentsModel::kOpens, !any_opens);
-  assigned_->setColumnHidden(AssignmentsModel::kDevices, !any_devices);
 }
 
 void CohortsPage::make_cohort(const QString& name) {
