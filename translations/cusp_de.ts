@@ -2796,7 +2796,7 @@
     </message>
     <message>
         <source>only with %1</source>
-        <translation type="unfinished">nur mit %1</translation>
+        <translation>nur mit %1</translation>
     </message>
 </context>
 <context>
