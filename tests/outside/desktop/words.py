@@ -90,6 +90,9 @@ class Catalogue:
                 text = text.replace(place, part if part == shown else self._meanings(part)[0])
             if text not in out:
                 out.append(text)
+        first, stop, rest = shown.partition(". ")
+        if not out and stop:  # a band shows what happened and more in one label
+            out.append(f"{self._meanings(first + '.')[0]} {self._meanings(rest)[0]}")
         return out + [shown]
 
     def shown(self, text):
