@@ -9,10 +9,15 @@ namespace cusp::test {
 
 Killed kill_after(std::size_t steps, unsigned delay_us, const std::function<void(const std::function<bool()>& step)>& work) {
   int pipe_ends[2];
-  const int made = ::pipe(pipe_ends);
-  EXPECT_EQ(made, 0);
+  if (::pipe(pipe_ends) != 0) {
+    ADD_FAILURE() << "no pipe";
+    return {};
+  }
   const pid_t child = ::fork();
-  EXPECT_GE(child, 0);
+  if (child < 0) {  // kill(-1) would end every process
+    ADD_FAILURE() << "no process";
+    return {};
+  }
   char byte = 1;
   if (child == 0) {
     ::close(pipe_ends[0]);
