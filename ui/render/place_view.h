@@ -16,7 +16,7 @@ bool seen_from(const Camera& camera, const Meshes& meshes, Vec3 place_mm);
 
 /// `now` with the place in the middle of the picture, at the same distance, turned so that no mesh hides it and the surface about it
 /// is seen. Prefers views that the surface faces and views from above; if no view shows the place, the view from above. Casts some
-/// hundred rays, about 10 ms for a molar; in a narrow gap some thousand.
+/// hundred rays: 4 to 8 ms for a premolar, up to 24 ms for a box between neighbours.
 Camera look_at_place(const Camera& now, const Meshes& meshes, Vec3 place_mm);
 
 }  // namespace cusp::ui
