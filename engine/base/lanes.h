@@ -39,6 +39,17 @@ inline Lanes most_of(Lanes a, Lanes b) noexcept {
 #endif
 }
 
+/// The least lane.
+inline float least_lane(Lanes v) noexcept {
+#if defined(__SSE2__)
+  const __m128 two = _mm_min_ps(v, _mm_movehl_ps(v, v));
+  return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+#else
+  const float a = v[0] < v[2] ? v[0] : v[2], b = v[1] < v[3] ? v[1] : v[3];
+  return a < b ? a : b;
+#endif
+}
+
 /// Four 16-bit values in memory order, and back. Pre: 0 to 65535 in each lane.
 inline LaneMask from_memory(std::uint64_t four) noexcept {
 #if defined(__SSE2__)

@@ -60,23 +60,21 @@ bool CavityWalls::add_runs(const Volume& volume, const Cutting& cutting, Descent
 /// The surfaces about where it stands.
 int CavityWalls::sides_at(const Volume& volume, const Descent& d, Side* out) noexcept {
   const Vec3 x = d.x;
-  int count = 0;
-  double deepest = -1e300;
-  for (int k = 0; k < d.runs; ++k) {
-    const Sweeps::Deepest deep = sweeps_.deepest(d.run[k], x);
-    out[count++] = {deep.inwards, deep.on, deep.depth_mm, deep.sweep};
-    deepest = std::max(deepest, deep.depth_mm);
-  }
+  sweeps_.deepest_each({d.run, static_cast<std::size_t>(d.runs)}, x, out);
+  int count = d.runs;
   if (d.near_base) {
     const FieldPoint base = void_.base(volume, x);
-    if (base.known) {
-      out[count++] = {base.normal, Vec3(0.0), base.d_mm, Sweeps::kNone};
-      deepest = std::max(deepest, base.d_mm);
-    }
+    if (base.known) out[count++] = {Sweeps::kNone, Vec3(0.0), base.normal, base.d_mm};
   }
+  double deepest = -1e300;
+  for (int k = 0; k < count; ++k) deepest = std::max(deepest, out[k].depth_mm);
+  const double least = deepest - kSideReachVoxels * voxel_mm_;
   int kept = 0;
-  for (int k = 0; k < count; ++k)
-    if (out[k].depth_mm > deepest - kSideReachVoxels * voxel_mm_) out[kept++] = out[k];
+  for (int k = 0; k < count; ++k) {
+    if (out[k].depth_mm <= least) continue;
+    if (kept < k) out[kept] = out[k];
+    ++kept;
+  }
   return kept;
 }
 

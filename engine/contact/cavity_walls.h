@@ -117,12 +117,7 @@ class CavityWalls {
     double radius_mm = 0.0, reach_mm = -1.0;  // all within radius + reach of centre; negative: nothing is
     std::int32_t newest = -1;                 // sweep of the cutting that it knows
   };
-  /// A surface at a place: what a run has swept, or the specimen's own.
-  struct Side {
-    Vec3 inwards{0.0}, on{0.0};
-    double depth_mm = 0.0;
-    std::int32_t sweep = Sweeps::kNone;
-  };
+  using Side = Sweeps::Deepest;  // a surface at a place: what a run has swept, or the specimen's own without a sweep
   /// What a search for the nearest place of the surface stands at.
   struct Descent {
     Vec3 x{0.0};

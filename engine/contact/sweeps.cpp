@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "engine/base/lanes.h"
 
@@ -10,6 +11,8 @@ namespace cusp::engine {
 
 namespace {
 constexpr std::size_t kEntryBytes = 3 * 4 + 1;  // a place as saved
+constexpr double kNoWayMm = 1e-12;             // a place so near to a way has no direction to it
+constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();  // after every id
 }  // namespace
 
 Sweeps::Sweeps(Vec3 middle, std::size_t room) : middle_(middle), room_(room) {
@@ -91,11 +94,10 @@ std::int32_t Sweeps::nearest_of(SweepRun run, Vec3f q, float& d2) const noexcept
     least = nearer ? distances2 : least;
     where = nearer ? index : where;
   }
-  int best = 0;
-  for (int i = 1; i < kLanes; ++i)
-    if (least[i] < least[best] || (least[i] == least[best] && where[i] < where[best])) best = i;
-  d2 = least[best];
-  return where[best];
+  d2 = least_lane(least);
+  // Of equals the first sweep. Selected and not branched on: which lane it is cannot be predicted.
+  where = least == all_lanes(d2) ? where : LaneMask{} + kLast;
+  return std::min(std::min(where[0], where[1]), std::min(where[2], where[3]));
 }
 
 Sweeps::Nearest Sweeps::nearest(SweepRun run, Vec3 p) const noexcept {
@@ -118,29 +120,74 @@ float Sweeps::distances2(SweepRun run, Vec3 p, float* out) const noexcept {
     const LaneMask index = LaneMask{0, 1, 2, 3} + i;
     least = (index <= run.to) & (d2 < least) ? d2 : least;
   }
-  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+  return least_lane(least);
+}
+
+/// How deep p lies in one sweep.
+inline Sweeps::Deepest Sweeps::in_sweep(std::int32_t id, Vec3 p) const noexcept {
+  Deepest out;
+  const Sweep sweep = (*this)[id];
+  out.sweep = id;
+  out.on = sweep.nearest_on(p);
+  const Vec3 off = out.on - p;
+  const double distance = std::sqrt(glm::dot(off, off));
+  out.depth_mm = sweep.radius_mm - distance;
+  if (distance > kNoWayMm) out.inwards = off / distance;
+  return out;
+}
+
+/// in_sweep() of two sweeps, element by element.
+inline void Sweeps::in_two_sweeps(const std::int32_t (&id)[2], Vec3 p, Deepest* out) const noexcept {
+  const auto i = static_cast<std::size_t>(id[0]), j = static_cast<std::size_t>(id[1]);
+  const auto place_of = [&](const std::vector<float>& axis, std::size_t after, double middle) {
+    return Pair{static_cast<double>(axis[i + after]), static_cast<double>(axis[j + after])} + middle;
+  };
+  const Pair ax = place_of(x_, 0, middle_.x), ay = place_of(y_, 0, middle_.y), az = place_of(z_, 0, middle_.z);
+  const Pair wx = place_of(x_, 1, middle_.x) - ax, wy = place_of(y_, 1, middle_.y) - ay, wz = place_of(z_, 1, middle_.z) - az;
+  const Pair square = wx * wx + wy * wy + wz * wz;
+  Pair t = ((p.x - ax) * wx + (p.y - ay) * wy + (p.z - az) * wz) / square;
+  t = square > 0.0 ? t : Pair{};
+  t = t < 0.0 ? Pair{} : t;
+  t = t > 1.0 ? both(1.0) : t;
+  const Pair x = ax + wx * t, y = ay + wy * t, z = az + wz * t;
+  const Pair ox = x - p.x, oy = y - p.y, oz = z - p.z;
+  const Pair distance = sqrt_of(ox * ox + oy * oy + oz * oz);
+  const Pair nx = ox / distance, ny = oy / distance, nz = oz / distance;
+  for (int k = 0; k < 2; ++k) {
+    out[k] = {id[k], Vec3(x[k], y[k], z[k]), Vec3(0.0), radius_mm(id[k]) - distance[k]};
+    if (distance[k] > kNoWayMm) out[k].inwards = Vec3(nx[k], ny[k], nz[k]);
+  }
+}
+
+Sweeps::Deepest Sweeps::deepest(SweepRun run, Vec3 p) const noexcept {
+  float d2;
+  return in_sweep(nearest_of(run, Vec3f(p - middle_), d2), p);
 }
 
 Sweeps::Deepest Sweeps::deepest(std::span<const SweepRun> runs, Vec3 p) const noexcept {
   const Vec3f q(p - middle_);
   double most = -1e300;
-  Deepest out;
+  std::int32_t deepest = kNone;
   for (const SweepRun& run : runs) {
     float d2;
     const std::int32_t sweep = nearest_of(run, q, d2);
     const double depth = radius_mm(sweep) - std::sqrt(static_cast<double>(d2));
     if (depth <= most) continue;
     most = depth;
-    out.sweep = sweep;
+    deepest = sweep;
   }
-  if (out.sweep == kNone) return out;
-  const Sweep sweep = (*this)[out.sweep];
-  out.on = sweep.nearest_on(p);
-  const Vec3 off = out.on - p;
-  const double distance = std::sqrt(glm::dot(off, off));
-  out.depth_mm = sweep.radius_mm - distance;
-  if (distance > 1e-12) out.inwards = off / distance;
-  return out;
+  return deepest == kNone ? Deepest{} : in_sweep(deepest, p);
+}
+
+void Sweeps::deepest_each(std::span<const SweepRun> runs, Vec3 p, Deepest* out) const noexcept {
+  const Vec3f q(p - middle_);
+  float d2;
+  std::size_t k = 0;
+  for (; k + 2 <= runs.size(); k += 2) {
+    const std::int32_t id[2] = {nearest_of(runs[k], q, d2), nearest_of(runs[k + 1], q, d2)};
+    in_two_sweeps(id, p, out + k);
+  }
+  if (k < runs.size()) out[k] = in_sweep(nearest_of(runs[k], q, d2), p);
 }
 
 bool Sweeps::holds(SweepRun run, Vec3 p, double tolerance_mm) const noexcept {

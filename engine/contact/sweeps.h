@@ -85,9 +85,11 @@ class Sweeps {
     Vec3 inwards{0.0};        // unit, to there; 0 on the way itself
     double depth_mm = -1e300; // negative in what is left
   };
-  /// How deep p lies in what a run, or runs, have swept.
-  Deepest deepest(SweepRun run, Vec3 p) const noexcept { return deepest({&run, 1}, p); }
+  /// How deep p lies in what a run, or runs, have swept. Pre: no run is empty.
+  Deepest deepest(SweepRun run, Vec3 p) const noexcept;
   Deepest deepest(std::span<const SweepRun> runs, Vec3 p) const noexcept;
+  /// The same of each run apart, in order; out holds as many.
+  void deepest_each(std::span<const SweepRun> runs, Vec3 p, Deepest* out) const noexcept;
   /// Squared distances of p to the ways of a run's sweeps, in order, four at a time; the least of them.
   float distances2(SweepRun run, Vec3 p, float* out) const noexcept;
   /// True if a run holds p deeper than tolerance_mm.
@@ -106,6 +108,8 @@ class Sweeps {
 
   Lanes four_distances2(Vec3f q, std::int32_t i) const noexcept;
   std::int32_t nearest_of(SweepRun run, Vec3f q, float& d2) const noexcept;
+  Deepest in_sweep(std::int32_t id, Vec3 p) const noexcept;
+  void in_two_sweeps(const std::int32_t (&id)[2], Vec3 p, Deepest* out) const noexcept;
   Vec3 place(std::size_t i) const noexcept { return Vec3(x_[i], y_[i], z_[i]) + middle_; }
   void put(std::size_t i, Vec3f p, std::uint8_t by) noexcept {
     x_[i] = p.x;
