@@ -37,10 +37,11 @@ class BallSweep {
     return distance2(Vec3(corner) + 3.5) <= reach * reach;
   }
   std::int32_t id = Volume::kNoSweep;
-  bool reaches_row(Vec3 first) const noexcept {
-    const double reach = far_ + 3.6;
-    return distance2(first + Vec3(3.5, 0.0, 0.0)) <= reach * reach;
-  }
+  /// Of the middle of a brick's row of voxels: one further than row_reach() is not lowered.
+  double row_distance2(Vec3 first) const noexcept { return distance2(first + Vec3(3.5, 0.0, 0.0)); }
+  double row_reach() const noexcept { return far_ + 3.6; }
+  Vec3 begin() const noexcept { return p_; }
+  Vec3 end() const noexcept { return p_ + along_; }
   /// Solid fractions of four voxels from `first` on along x, in 1/65535.
   LaneMask solid(IVec3 first) const noexcept {
     const Vec3f v(Vec3(first) - p_);
@@ -66,10 +67,25 @@ struct BallSweeps {
   BallSweep sweep[kMostAtOnce];
   int count = 0;
   IVec3 low{0}, high{0};
+  double spread = 0.0;  // voxels: the distances of a place to two of the sweeps differ by no more
   void add(const BallSweep& one) noexcept {
     low = count == 0 ? one.low : glm::min(low, one.low);
     high = count == 0 ? one.high : glm::max(high, one.high);
     sweep[count++] = one;
+    Vec3 least = one.begin(), most = least;
+    for (int k = 0; k < count; ++k) {
+      least = glm::min(least, glm::min(sweep[k].begin(), sweep[k].end()));
+      most = glm::max(most, glm::max(sweep[k].begin(), sweep[k].end()));
+    }
+    spread = std::sqrt(glm::dot(most - least, most - least));
+  }
+  /// Those that may lower a row of voxels, a bit each.
+  unsigned reaching(Vec3 row) const noexcept {
+    const double reach = sweep[0].row_reach(), first2 = sweep[0].row_distance2(row);
+    if (first2 > (reach + spread) * (reach + spread)) return 0;
+    unsigned out = first2 <= reach * reach ? 1u : 0u;
+    for (int k = 1; k < count; ++k) out |= static_cast<unsigned>(sweep[k].row_distance2(row) <= reach * reach) << k;
+    return out;
   }
 };
 
@@ -77,14 +93,14 @@ struct BallSweeps {
 bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner, Carved::Box& box, bool& changed) noexcept {
   const IVec3 from = glm::max(all.low - corner, IVec3(0));
   const IVec3 to = glm::min(all.high - corner, IVec3(7));
+  // In 1/65535, with the rounding of two solid fractions.
+  const auto spread = static_cast<int>(all.spread * (65535.0 / (2.0 * kBandVoxels))) + 3;
   const std::uint16_t* known = volume.cut_of(brick);
   std::uint16_t* values = nullptr;
   std::int32_t* ids = nullptr;
   for (int z = from.z; z <= to.z; ++z)
     for (int y = from.y; y <= to.y; ++y) {
-      unsigned reaching = 0;
-      for (int k = 0; k < all.count; ++k)
-        reaching |= static_cast<unsigned>(all.sweep[k].reaches_row(Vec3(corner + IVec3(0, y, z)))) << k;
+      const unsigned reaching = all.reaching(Vec3(corner + IVec3(0, y, z)));
       if (reaching == 0) continue;
       for (int x = from.x & 4; x <= to.x; x += kLanes) {
         const int o = brick_offset(x, y, z);
@@ -100,6 +116,7 @@ bool carve_brick(Volume& volume, const BallSweeps& all, int brick, IVec3 corner,
           less |= bits_of(lower);
           now = lower ? solid : now;
           by = lower ? (LaneMask{} + sweep.id) : by;
+          if (less == 0 && bits_of(now > solid - spread) == 0) break;  // the others lower none of the four
         }
         for (int i = 0; i < kLanes; ++i)
           if (x + i < from.x || x + i > to.x) less &= ~(1u << i);
