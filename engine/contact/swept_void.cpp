@@ -101,12 +101,11 @@ double SweptVoid::about_mm(const Volume& volume, Vec3 p) const noexcept {
     for (int i = 0; i < 8; ++i) values[i] = volume.cut(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
   }
   const Vec3 f = x - Vec3(cell);
-  double low[2];
-  for (int z = 0; z < 2; ++z) {
-    const int* v = values + 4 * z;
-    const double a = v[0] + f.x * (v[1] - v[0]), b = v[2] + f.x * (v[3] - v[2]);
-    low[z] = a + f.y * (b - a);
-  }
+  // Both slices at once.
+  const auto slices = [&](int i) { return Pair{static_cast<double>(values[i]), static_cast<double>(values[i + 4])}; };
+  const Pair v0 = slices(0), v2 = slices(2);
+  const Pair a = v0 + f.x * (slices(1) - v0), b = v2 + f.x * (slices(3) - v2);
+  const Pair low = a + f.y * (b - a);
   return (kBandVoxels - (low[0] + f.z * (low[1] - low[0])) * (2.0 * kBandVoxels / 65535.0)) * voxel_mm_;
 }
 
@@ -155,12 +154,20 @@ int SweptVoid::names_about(const Volume& volume, IVec3 cell, std::int32_t (&ids)
 }
 
 /// The runs about ids, in order and apart. Their number.
-int SweptVoid::collect(std::int32_t* ids, int names, std::int32_t end, SweepRun (&run)[kNames]) const noexcept {
-  std::sort(ids, ids + names);
-  int count = 0;
+int SweptVoid::collect(const std::int32_t* ids, int names, std::int32_t end, SweepRun (&run)[kNames]) const noexcept {
+  std::int32_t apart[kNames];  // in order, each once: most voxels name what their neighbours name
+  int different = 0;
   for (int i = 0; i < names; ++i) {
-    if (i > 0 && ids[i] == ids[i - 1]) continue;
-    const SweepRun about = sweeps_.about(ids[i], kBefore, std::clamp(end - 1 - ids[i], 0, kAfter));
+    int at = different;
+    while (at > 0 && apart[at - 1] > ids[i]) --at;
+    if (at > 0 && apart[at - 1] == ids[i]) continue;
+    std::copy_backward(apart + at, apart + different, apart + different + 1);
+    apart[at] = ids[i];
+    ++different;
+  }
+  int count = 0;
+  for (int i = 0; i < different; ++i) {
+    const SweepRun about = sweeps_.about(apart[i], kBefore, std::clamp(end - 1 - apart[i], 0, kAfter));
     if (count > 0 && about.from <= run[count - 1].to)
       run[count - 1].to = std::max(run[count - 1].to, about.to);
     else

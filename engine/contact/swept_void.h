@@ -67,7 +67,7 @@ class SweptVoid {
   bool ids_of(const Volume& volume, IVec3 cell, std::int32_t (&ids)[8]) const noexcept;
   static constexpr int kNames = 32;  // voxels that name sweeps: a cell's own and those beyond its faces
   int names_about(const Volume& volume, IVec3 cell, std::int32_t (&ids)[kNames]) const noexcept;
-  int collect(std::int32_t* ids, int names, std::int32_t end, SweepRun (&run)[kNames]) const noexcept;
+  int collect(const std::int32_t* ids, int names, std::int32_t end, SweepRun (&run)[kNames]) const noexcept;
   void trim(const SweepRun* all, int count, SweptRuns& out) const noexcept;
   void make(const Volume& volume, SweptRuns& out) const noexcept;
   static constexpr std::size_t kCells = 4096;
