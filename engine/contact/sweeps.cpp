@@ -12,6 +12,7 @@ namespace cusp::engine {
 namespace {
 constexpr std::size_t kEntryBytes = 3 * 4 + 1;  // a place as saved
 constexpr double kNoWayMm = 1e-12;             // a place so near to a way has no direction to it
+constexpr float kBeyond = 1e30f;              // mm², further than any sweep
 constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();  // after every id
 }  // namespace
 
@@ -85,15 +86,16 @@ inline Lanes Sweeps::four_distances2(Vec3f q, std::int32_t i) const noexcept {
 
 /// The sweep of a run that comes nearest to q; d2: its squared distance.
 std::int32_t Sweeps::nearest_of(SweepRun run, Vec3f q, float& d2) const noexcept {
-  Lanes least = all_lanes(1e30f);
-  LaneMask where{0, 0, 0, 0};
-  for (std::int32_t i = run.from; i <= run.to; i += kLanes) {
-    const Lanes distances2 = four_distances2(q, i);
-    const LaneMask index = LaneMask{0, 1, 2, 3} + i;
-    const LaneMask nearer = (distances2 < least) & (index <= run.to);
-    least = nearer ? distances2 : least;
-    where = nearer ? index : where;
-  }
+  Lanes least = all_lanes(kBeyond);
+  LaneMask where{0, 0, 0, 0}, index = LaneMask{0, 1, 2, 3} + run.from;
+  const auto take = [&](Lanes distances2) {
+    where = distances2 < least ? index : where;
+    least = least_of(distances2, least);
+    index += kLanes;
+  };
+  std::int32_t i = run.from;
+  for (; i + kLanes - 1 <= run.to; i += kLanes) take(four_distances2(q, i));
+  if (i <= run.to) take(index <= run.to ? four_distances2(q, i) : all_lanes(kBeyond));
   d2 = least_lane(least);
   // Of equals the first sweep. Selected and not branched on: which lane it is cannot be predicted.
   where = least == all_lanes(d2) ? where : LaneMask{} + kLast;
