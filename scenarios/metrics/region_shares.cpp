@@ -32,15 +32,17 @@ class ShareSink final : public RegionClassifier {
     shares_.removed_mm3[static_cast<std::size_t>(place)] += mm3;
     shares_.tissue_mm3[index_of(tissue)] += mm3;
   }
-  /// A distance changes no faster than its place: what was asked last bounds its neighbours, and most need no asking.
+  /// A distance changes no faster than its place: what was asked of late bounds its neighbours, and most need no asking. Faces
+  /// share their corners.
   void pulp(const std::array<Vec3, 3>& corners) {
     constexpr double kBeyondMm = 0.5;  // asked a little further than needed, so that the bound lasts
     for (const Vec3& p : corners) {
-      if (asked_mm_ - glm::length(p - asked_at_) >= shares_.pulp_mm) continue;
-      asked_mm_ = reference_.pulp().distance_mm(p, shares_.pulp_mm + kBeyondMm);
-      asked_at_ = p;
-      if (asked_mm_ < shares_.pulp_mm) {
-        shares_.pulp_mm = asked_mm_;
+      if (std::ranges::any_of(asked_, [&](const Asked& one) { return one.no_nearer_than(shares_.pulp_mm, p); })) continue;
+      const Asked now{p, reference_.pulp().distance_mm(p, shares_.pulp_mm + kBeyondMm)};
+      asked_[next_asked_] = now;
+      next_asked_ = (next_asked_ + 1) % asked_.size();
+      if (now.mm < shares_.pulp_mm) {
+        shares_.pulp_mm = now.mm;
         shares_.pulp_at_mm = p;
       }
     }
@@ -49,8 +51,18 @@ class ShareSink final : public RegionClassifier {
   const Reference& reference_;
   FaceJudge judge_;
   RegionShares& shares_;
-  Vec3 asked_at_{0.0};
-  double asked_mm_ = -1.0;  // a lower bound of the distance to the pulp there
+  /// A place, and a lower bound of the distance from there to the pulp.
+  struct Asked {
+    Vec3 at_mm{0.0};
+    double mm = -1.0;
+    bool no_nearer_than(double least_mm, Vec3 p) const noexcept {
+      const double room = mm - least_mm;
+      const Vec3 off = p - at_mm;
+      return room >= 0.0 && glm::dot(off, off) <= room * room;
+    }
+  };
+  std::array<Asked, 32> asked_{};  // about a slice of a brick's corners
+  std::size_t next_asked_ = 0;
 };
 
 /// Removed border between tissues: it is known to a voxel only, which the uncertainty owns up to.
