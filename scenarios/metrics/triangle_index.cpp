@@ -54,7 +54,7 @@ TriangleIndex::TriangleIndex(std::vector<Triangle> triangles, double together_mm
 
 double TriangleIndex::distance_mm(Vec3 p, double at_most_mm) const noexcept {
   if (triangles_.empty()) return at_most_mm;
-  return std::sqrt(tree_.nearest_squared(p, at_most_mm * at_most_mm, [&](std::size_t i) { return triangle_gap_squared(p, triangles_[i]); }));
+  return std::sqrt(tree_.nearest_squared(p, at_most_mm * at_most_mm, [&](std::size_t i, double) { return triangle_gap_squared(p, triangles_[i]); }));
 }
 
 }  // namespace cusp::scenarios

@@ -99,7 +99,17 @@ double BorderSurface::squared_to(const Patch& patch, Vec3 p) const noexcept {
 
 double BorderSurface::distance_mm(Vec3 p, double at_most_mm) const noexcept {
   if (patches_.empty()) return at_most_mm;
-  return std::sqrt(tree_.nearest_squared(p, at_most_mm * at_most_mm, [&](std::size_t i) { return squared_to(patches_[i], p); }));
+  // A patch reaches no further than a disc's radius or a voxel below it, so most need no root.
+  const double reach = std::hypot(kDiscVoxels, 1.0) * specimen_->grid().voxel_mm + 1e-9;
+  double of = -1.0, within2 = 0.0;
+  return std::sqrt(tree_.nearest_squared(p, at_most_mm * at_most_mm, [&](std::size_t i, double best) {
+    if (of != best) {
+      of = best;
+      within2 = (std::sqrt(best) + reach) * (std::sqrt(best) + reach);
+    }
+    const Vec3 off = p - patches_[i].at_mm;
+    return glm::dot(off, off) > within2 ? best : squared_to(patches_[i], p);
+  }));
 }
 
 }  // namespace cusp::scenarios

@@ -31,8 +31,8 @@ class BoxTree {
     return glm::dot(off, off);
   }
 
-  /// The least squared distance from p to a thing, at most `most_squared`. squared_to(i): the squared distance to thing i,
-  /// no less than that to its leaf's box.
+  /// The least squared distance from p to a thing, at most `most_squared`. squared_to(i, best): the squared distance to thing
+  /// i, no less than that to its leaf's box; of a thing that is no nearer than best, any value from best on.
   template <class SquaredTo>
   double nearest_squared(Vec3 p, double most_squared, SquaredTo&& squared_to) const noexcept {
     double best = most_squared;
@@ -52,7 +52,7 @@ class BoxTree {
       if (next.gap >= best) continue;
       const Node& node = nodes_[static_cast<std::size_t>(next.node)];
       if (node.left < 0) {
-        for (std::size_t i = node.box.first; i < node.box.last; ++i) best = std::min(best, squared_to(i));
+        for (std::size_t i = node.box.first; i < node.box.last; ++i) best = std::min(best, squared_to(i, best));
         continue;
       }
       // The nearer half is looked into first.

@@ -50,7 +50,7 @@ void VoxelIndex::index() {
 
 double VoxelIndex::distance_mm(Vec3 p, double at_most_mm) const noexcept {
   if (voxels_.empty()) return at_most_mm;
-  return std::sqrt(tree_.nearest_squared(p, at_most_mm * at_most_mm, [&](std::size_t i) {
+  return std::sqrt(tree_.nearest_squared(p, at_most_mm * at_most_mm, [&](std::size_t i, double) {
     const Vec3 centre = grid_.centre_mm(voxels_[i]);
     return BoxTree::gap_squared(p, centre - 0.5 * grid_.voxel_mm, centre + 0.5 * grid_.voxel_mm);
   }));
