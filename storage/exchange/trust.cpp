@@ -5,6 +5,7 @@
 
 #include "storage/base/files.h"
 #include "storage/exchange/json_read.h"
+#include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 
 namespace cusp::storage {

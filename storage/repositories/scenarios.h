@@ -48,11 +48,11 @@ class Scenarios {
 
   /// The version with this content; published without an author if it does not exist yet. Its number is
   /// scenario.version, or the next free one; its id follows from scenario and content.
-  Stored<ScenarioVersion> ensure(const Scenario& scenario, const std::string& json, const Hash256& content_hash,
+  Stored<ScenarioVersion> ensure(const Scenario& scenario, const std::string& json_text, const Hash256& content_hash,
                                  const std::map<std::string, Hash256>& files = {});
   /// Needs edit_scenarios. Publishes the next version; duplicate if the newest one has the same content. Deletes the
   /// author's draft if it still equals `draft`.
-  Stored<ScenarioVersion> publish(const Actor& actor, const Scenario& scenario, const std::string& json,
+  Stored<ScenarioVersion> publish(const Actor& actor, const Scenario& scenario, const std::string& json_text,
                                   const Hash256& content_hash, const std::map<std::string, Hash256>& files = {},
                                   const std::optional<std::string>& draft = {});
 
@@ -67,7 +67,7 @@ class Scenarios {
 
   /// These need edit_scenarios. One draft per scenario and author; two windows may have it open.
   /// `before`: the JSON that the caller read or wrote last; nullopt: none. Compares and writes in one transaction.
-  Stored<DraftSave> save_draft(const Actor& actor, ScenarioId scenario, const std::string& json,
+  Stored<DraftSave> save_draft(const Actor& actor, ScenarioId scenario, const std::string& json_text,
                                const std::optional<std::string>& before);
   Stored<std::optional<ScenarioDraft>> draft(const Actor& actor, ScenarioId scenario);
   Stored<std::vector<ScenarioDraft>> drafts(const Actor& actor);  // the actor's, newest first
@@ -75,7 +75,7 @@ class Scenarios {
   Stored<DraftSave> drop_draft(const Actor& actor, ScenarioId scenario, const std::string& before);
 
  private:
-  Stored<ScenarioVersion> insert(UserId author, const Scenario& scenario, const std::string& json,
+  Stored<ScenarioVersion> insert(UserId author, const Scenario& scenario, const std::string& json_text,
                                  const Hash256& content_hash, const std::map<std::string, Hash256>& files,
                                  const std::optional<std::string>& draft);
   StorageContext& c_;

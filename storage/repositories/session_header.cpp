@@ -4,17 +4,15 @@
 
 namespace cusp::storage {
 
-using nlohmann::json;
-
 namespace {
-json known(const std::optional<double>& value) { return value ? json(*value) : json(); }
-std::optional<double> known_in(const json& in, const char* key) {
+nlohmann::json known(const std::optional<double>& value) { return value ? nlohmann::json(*value) : nlohmann::json(); }
+std::optional<double> known_in(const nlohmann::json& in, const char* key) {
   return in.contains(key) && in.at(key).is_number() ? std::optional<double>(in.at(key).get<double>()) : std::nullopt;
 }
 }  // namespace
 
 std::string header_to_json(const SessionHeader& h) {
-  json out = {
+  nlohmann::json out = {
       {"engine_version", h.engine_version},
       {"build", h.build},
       {"device",
@@ -51,11 +49,12 @@ std::string header_to_json(const SessionHeader& h) {
   };
   if (h.extra_time_percent > 0) out["extra_time_percent"] = h.extra_time_percent;
   if (h.large_text) out["large_text"] = true;
-  return out.dump(-1, ' ', false, json::error_handler_t::replace);
+  return out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::optional<SessionHeader> header_from_json(const std::string& text) {
   try {
+    using nlohmann::json;
     const json in = json::parse(text);
     SessionHeader h;
     in.at("engine_version").get_to(h.engine_version);
@@ -98,7 +97,7 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     h.extra_time_percent = in.value("extra_time_percent", h.extra_time_percent);
     h.large_text = in.value("large_text", h.large_text);
     return h;
-  } catch (const json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
 }

@@ -23,6 +23,12 @@ constexpr std::string_view kSelectOld =
     "FROM session_summaries m INDEXED BY summaries_by_time JOIN sessions s ON s.id = m.session "
     "WHERE m.listed = 1 AND m.started_at <= ?1 AND EXISTS (SELECT 1 FROM trace_chunks c WHERE c.session = s.id)";
 
+std::string select_old(std::string_view further) {
+  std::string sql(kSelectOld);
+  sql.append(further);
+  return sql;
+}
+
 struct OldAttempt {
   SessionId session;
   bool own = false;
@@ -82,7 +88,7 @@ Stored<std::vector<ChainFinding>> first_finding(StorageContext& context, Session
 /// False if the attempt has changed since it was chosen and verified: a further event, grade or statement.
 Stored<bool> thin_one(StorageContext& context, const Actor& actor, const OldAttempt& chosen) {
   Transaction transaction(context.db);
-  const auto now = transaction.first(std::string(kSelectOld) + " AND s.id = ?3", old_attempt, INT64_MAX,
+  const auto now = transaction.first(select_old(" AND s.id = ?3"), old_attempt, INT64_MAX,
                                      context.station, chosen.session);
   const bool same = now && !reason_to_keep(*now) && now->links == chosen.links;
   if (transaction.ok() && !same) return false;
@@ -122,7 +128,7 @@ Stored<Chosen> choose(StorageContext& context, const Actor& actor, int older_tha
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (older_than_days < 1 || older_than_days > kMostThinAfterDays) return fail(StorageError::bad_value, "days");
   const std::int64_t before = context.clock() - older_than_days * kDay_us;
-  auto old = context.db.all(std::string(kSelectOld) + " ORDER BY m.started_at, m.sequence", old_attempt, before,
+  auto old = context.db.all(select_old(" ORDER BY m.started_at, m.sequence"), old_attempt, before,
                             context.station);
   if (!old) return std::unexpected(old.error());
   Chosen out;
