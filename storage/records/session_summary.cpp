@@ -9,6 +9,7 @@
 
 #include "storage/records/audit_writer.h"
 #include "storage/records/effective_grade.h"
+#include "storage/records/packed_attempts.h"
 #include "storage/records/sealing.h"
 
 namespace cusp::storage {
@@ -148,6 +149,20 @@ Stored<void> report_added(Database& db, SessionId session, const std::function<v
   return {};
 }
 
+/// A clock that was set back, or a file of another station, makes later starts of the same student.
+void count_later_ones_up(Transaction& transaction, const Place& place) {
+  const auto later = transaction.database().all(
+      "SELECT session FROM session_summaries INDEXED BY summaries_of_student WHERE student = ?1 AND listed = ?2 AND scenario = ?3 "
+      "AND (started_at, sequence) > (?4, ?5)",
+      [](Row row) { return row.id<SessionId>(0); }, place.student, place.listed, place.scenario, place.started_utc_us,
+      place.sequence);
+  if (!later) return transaction.refuse(later.error());
+  for (const SessionId session : *later) {
+    transaction.run("UPDATE session_summaries SET attempt = attempt + 1 WHERE session = ?1", session);
+    follow_graded(transaction, session);
+  }
+}
+
 }  // namespace
 
 void add_summary(Transaction& transaction, SessionId session) {
@@ -165,11 +180,7 @@ void add_summary(Transaction& transaction, SessionId session) {
       "AND scenario = ?3 AND (started_at, sequence) < (?4, ?5)",
       [](Row row) { return row.integer(0); }, place->student, place->listed, place->scenario, place->started_utc_us,
       place->sequence);
-  // Only a clock that was set back makes a later start of the same student.
-  transaction.run(
-      "UPDATE session_summaries INDEXED BY summaries_of_student SET attempt = attempt + 1 WHERE student = ?1 "
-      "AND listed = ?2 AND scenario = ?3 AND (started_at, sequence) > (?4, ?5)",
-      place->student, place->listed, place->scenario, place->started_utc_us, place->sequence);
+  count_later_ones_up(transaction, *place);
   transaction.run(
       "INSERT INTO session_summaries SELECT s.id, s.student, v.scenario, s.version, v.number, s.kind, s.hand, s.device, "
       "s.device_class, s.engine_version, s.started_at, s.sequence, ?2, ?3, 'running', 0, NULL, NULL, NULL, NULL, '[]', "
@@ -189,6 +200,7 @@ void follow_event(Transaction& transaction, SessionId session) {
                   session);
   if (!transaction.ok()) return;
   if (auto done = write_counted_result(transaction.database(), session); !done) transaction.refuse(std::move(done.error()));
+  follow_graded(transaction, session);
 }
 
 Stored<void> compare_summaries(Database& db, const std::function<void(const SummaryDifference&)>& each) {
@@ -234,6 +246,11 @@ Stored<std::uint64_t> rebuild_summaries(StorageContext& context, const Actor& ac
       if (auto done = write_counted_result(context.db, session); !done) transaction.refuse(std::move(done.error()));
     }
   }
+  if (transaction.ok()) {
+    auto compared = compare_packed(context.db, [&](const PackedDifference&) { ++differences; });
+    if (!compared) transaction.refuse(std::move(compared.error()));
+  }
+  rebuild_packed(transaction);
   log_event(context, transaction,
             {.actor = actor.id, .action = "summaries_rebuilt", .subject = context.station,
              .detail = std::to_string(differences)});

@@ -1,5 +1,6 @@
 /// One row a session with what lists and charts need: the table session_summaries. It is derived: each row follows from
 /// the records, is written in the transaction of the row that it follows, and can be rebuilt. Verification compares both.
+/// packed_attempts.h follows the summaries in the same way, by these functions.
 /// Thread: the database's own.
 #pragma once
 
@@ -36,7 +37,7 @@ struct SummaryDifference {
 /// is passed over: the verifier names the version.
 Stored<void> compare_summaries(Database& db, const std::function<void(const SummaryDifference&)>& each);
 
-/// Writes every summary anew from the records and adds an entry to the audit log. Needs manage_station.
+/// Writes every summary and the packed attempts anew from the records and adds an entry to the audit log. Needs manage_station.
 /// Returns how many differences there were.
 Stored<std::uint64_t> rebuild_summaries(StorageContext& context, const Actor& actor);
 

@@ -27,7 +27,7 @@ enum class FindingCode : std::uint8_t {
   counter_missing,  // the counter's file is gone, and the log has seals
   counter_broken,   // the file is no counter, of another station, or its signature does not hold
   log_damaged,      // the log's head did not hold when the program appended to it
-  summary_differs,  // a column of session_summaries differs from the records; `what` names it
+  summary_differs,  // a column of session_summaries differs from the records, `what` names it; or packed_attempts from these
 };
 std::string_view key_of(FindingCode code) noexcept;
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "storage/records/seal_index.h"
+#include "storage/records/packed_attempts.h"
 #include "storage/records/rollback_counter.h"
 #include "storage/records/session_summary.h"
 #include "storage/records/session_tables.h"
@@ -28,6 +29,7 @@ class StoreVerifier {
     check_keys();
     if (auto done = check_sessions(); !done) return std::unexpected(done.error());
     check_summaries();
+    check_packed();
     check_accounts();
     check_comments();
     if (auto done = add_statement_findings(); !done) return std::unexpected(done.error());
@@ -194,6 +196,23 @@ class StoreVerifier {
       }
     };
     if (!compare_summaries(db_, report)) find(FindingCode::unreadable, "session_summaries");
+  }
+
+  /// Where a summary differs from its records, it is the finding: what follows from it would differ too.
+  void check_packed() {
+    if (std::ranges::any_of(out_.findings, [](const ChainFinding& f) { return f.table == "session_summaries"; })) return;
+    const auto report = [&](const PackedDifference& difference) {
+      const Uuid& id = difference.scenario.uuid;
+      switch (difference.kind) {
+        case PackedDifference::Kind::missing:
+          return find(FindingCode::row_missing, "packed_attempts", id);
+        case PackedDifference::Kind::added:
+          return find(FindingCode::row_added, "packed_attempts", id);
+        case PackedDifference::Kind::changed:
+          return find(FindingCode::summary_differs, "packed_attempts", id);
+      }
+    };
+    if (!compare_packed(db_, report)) find(FindingCode::unreadable, "packed_attempts");
   }
 
   void check_accounts() {

@@ -4,7 +4,13 @@
 
 #include <array>
 
+#include "storage/sqlite/packed_attempt.h"
+
 namespace cusp::storage {
+Database::Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions::Access access) noexcept
+    : handle_{handle}, file_{std::move(file)}, read_only_{access == DatabaseOptions::Access::read_only} {
+  if (handle_ != nullptr) add_pack_attempts(handle_);
+}
 Database::~Database() { sqlite3_close_v2(handle_); }
 Database::Database(Database&& other) noexcept
     : handle_{std::exchange(other.handle_, nullptr)}, file_{std::move(other.file_)}, read_only_{other.read_only_} {}

@@ -103,8 +103,8 @@ class Database {
   Stored<std::string> integrity_check();
 
  private:
-  Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions::Access access) noexcept
-      : handle_{handle}, file_{std::move(file)}, read_only_{access == DatabaseOptions::Access::read_only} {}
+  /// Makes the program's SQL functions known to the connection. Pre: a handle of sqlite3_open_v2().
+  Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions::Access access) noexcept;
   /// Opens the file and checks its header. Runs no statement.
   static Stored<Database> connect(const std::filesystem::path& file, int flags, const DatabaseOptions& options);
   static Stored<Database> open_for_writing(const std::filesystem::path& file, const DatabaseOptions& options);

@@ -118,7 +118,7 @@ Stored<std::vector<HistoryRow>> History::list(const Actor& actor, const HistoryF
   }
 }
 
-Stored<FigureReading> History::figures(const Actor& actor, const HistoryFilter& filter) {
+Stored<Figures> History::figures(const Actor& actor, const HistoryFilter& filter) {
   auto narrowed = readable(actor, filter);
   if (!narrowed) return std::unexpected(narrowed.error());
   narrowed->released_alone = narrowed->released_alone || !sees_withheld(actor);

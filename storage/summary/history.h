@@ -93,28 +93,6 @@ struct ExerciseStanding {
   std::optional<HistoryRow> best, last;  // graded attempts; best by score, the earlier of two equal ones
 };
 
-/// Figures that are counted a part at a time, so that a window stays responsive among a million attempts.
-/// It holds a statement: destroy it before the store.
-class FigureReading {
- public:
-  struct Plan {
-    HistoryFilter filter;
-    std::vector<std::optional<UserId>> students;  // one after the other; a single nullopt: everybody at once
-  };
-  FigureReading(Statement query, Plan plan);
-  /// Counts at most `attempts` further ones; true if there may be more.
-  Stored<bool> take(int attempts);
-  /// Of what was counted so far.
-  Figures figures() { return count_.figures(); }
-
- private:
-  void ask();
-  Statement query_;
-  Plan plan_;
-  std::size_t at_ = 0;  // of plan_.students
-  FigureCount count_;
-};
-
 struct NewestComment {
   Comment comment;
   std::int64_t started_utc_us = 0;  // of its session
@@ -131,7 +109,7 @@ class History {
   /// All pages, or filter.limit rows of them. Newest first.
   Stored<std::vector<HistoryRow>> list(const Actor& actor, const HistoryFilter& filter = {});
   /// Of the graded sessions that fit.
-  Stored<FigureReading> figures(const Actor& actor, const HistoryFilter& filter = {});
+  Stored<Figures> figures(const Actor& actor, const HistoryFilter& filter = {});
   Stored<std::vector<PractisedScenario>> scenarios(const Actor& actor, const std::optional<UserId>& student = {});
   /// Of all listed sessions. Needs see_all_results.
   Stored<std::vector<std::string>> device_classes(const Actor& actor);

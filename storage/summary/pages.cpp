@@ -30,50 +30,16 @@ std::string conditions(const HistoryFilter& f, Whose whose) {
 }
 
 /// Without INDEXED BY the planner takes an index of a condition that most rows fit, and sorts them all.
-std::string index_of(const HistoryFilter& f, Whose whose, const std::string& family) {
-  return family + (whose == Whose::one_student ? "_of_student" : f.scenario ? "_of_scenario" : "_by_time");
+const char* index_of(const HistoryFilter& f, Whose whose) {
+  return whose == Whose::one_student ? "summaries_of_student" : f.scenario ? "summaries_of_scenario" : "summaries_by_time";
 }
 
 /// Besides the conditions: ?7 to ?9 the key that the rows come after, ?10 most rows.
 std::string key_query(const HistoryFilter& f, Whose whose) {
-  return "SELECT started_at, sequence, session FROM session_summaries INDEXED BY " + index_of(f, whose, "summaries") +
+  return "SELECT started_at, sequence, session FROM session_summaries INDEXED BY " + std::string(index_of(f, whose)) +
          conditions(f, whose) +
          " AND (started_at, sequence, session) < (?7, ?8, ?9) "
          "ORDER BY started_at DESC, sequence DESC, session DESC LIMIT ?10";
-}
-
-/// Besides the conditions: ?7 to, exclusive.
-std::string figure_query(const HistoryFilter& f, Whose whose) {
-  return "SELECT student, attempt, score, pass_mark, passed, elapsed_us FROM session_summaries INDEXED BY " +
-         index_of(f, whose, "graded") + conditions(f, whose) + " AND score IS NOT NULL AND started_at < ?7";
-}
-
-/// Every student whom the filter admits, each once; nullopt: it names none.
-Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const HistoryFilter& f) {
-  std::optional<std::vector<UserId>> students;
-  if (f.student) students = {*f.student};
-  const auto narrow = [&](Stored<std::vector<UserId>> some) -> Stored<void> {
-    if (!some) return std::unexpected(some.error());
-    if (students) {
-      std::erase_if(*students, [&](UserId id) { return std::ranges::find(*some, id) == some->end(); });
-    } else {
-      students = std::move(*some);
-    }
-    return {};
-  };
-  const auto id = [](Row row) { return row.id<UserId>(0); };
-  if (!f.search.empty()) {
-    auto done = narrow(db.all(
-        "SELECT id FROM people WHERE guest = 0 AND "
-        "(instr(lower(name), lower(?1)) > 0 OR instr(lower(number), lower(?1)) > 0)",
-        id, f.search));
-    if (!done) return std::unexpected(done.error());
-  }
-  if (f.cohort) {
-    auto done = narrow(db.all("SELECT student FROM cohort_students WHERE cohort = ?1", id, *f.cohort));
-    if (!done) return std::unexpected(done.error());
-  }
-  return students;
 }
 
 /// Asks one statement again and again.
@@ -158,6 +124,33 @@ HistoryRow row_of(Row row) {
 
 }  // namespace
 
+Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const HistoryFilter& f) {
+  std::optional<std::vector<UserId>> students;
+  if (f.student) students = {*f.student};
+  const auto narrow = [&](Stored<std::vector<UserId>> some) -> Stored<void> {
+    if (!some) return std::unexpected(some.error());
+    if (students) {
+      std::erase_if(*students, [&](UserId id) { return std::ranges::find(*some, id) == some->end(); });
+    } else {
+      students = std::move(*some);
+    }
+    return {};
+  };
+  const auto id = [](Row row) { return row.id<UserId>(0); };
+  if (!f.search.empty()) {
+    auto done = narrow(db.all(
+        "SELECT id FROM people WHERE guest = 0 AND "
+        "(instr(lower(name), lower(?1)) > 0 OR instr(lower(number), lower(?1)) > 0)",
+        id, f.search));
+    if (!done) return std::unexpected(done.error());
+  }
+  if (f.cohort) {
+    auto done = narrow(db.all("SELECT student FROM cohort_students WHERE cohort = ?1", id, *f.cohort));
+    if (!done) return std::unexpected(done.error());
+  }
+  return students;
+}
+
 Stored<std::vector<HistoryKey>> keys_of_page(Database& db, const HistoryFilter& filter,
                                              const std::optional<HistoryKey>& after, int limit) {
   const auto students = students_of(db, filter);
@@ -185,40 +178,6 @@ Stored<std::vector<HistoryRow>> rows_of(Database& db, const std::vector<SessionI
     if (*found) rows.push_back(row_of(one.row()));
   }
   return rows;
-}
-
-Stored<FigureReading> read_figures(Database& db, const HistoryFilter& filter) {
-  const auto students = students_of(db, filter);
-  if (!students) return std::unexpected(students.error());
-  FigureReading::Plan plan{filter, {std::nullopt}};
-  if (*students) plan.students.assign((*students)->begin(), (*students)->end());
-  return FigureReading(db.prepare(figure_query(filter, *students ? Whose::one_student : Whose::everybody)), std::move(plan));
-}
-
-FigureReading::FigureReading(Statement query, Plan plan) : query_{std::move(query)}, plan_{std::move(plan)} {
-  if (!plan_.students.empty()) ask();
-}
-
-void FigureReading::ask() {
-  const HistoryFilter& f = plan_.filter;
-  query_.bind(plan_.students[at_], f.scenario, f.device_class, f.passed, f.scripted, f.from_utc_us.value_or(-kEver),
-              f.to_utc_us.value_or(kEver));
-}
-
-Stored<bool> FigureReading::take(int attempts) {
-  while (at_ < plan_.students.size()) {
-    if (attempts-- <= 0) return true;
-    const auto there = query_.step();
-    if (!there) return std::unexpected(there.error());
-    if (*there) {
-      const Row row = query_.row();
-      count_.add({row.id<UserId>(0), static_cast<int>(row.integer(1)), row.real(2), row.maybe_real(3), row.flag(4),
-                  row.u64(5)});
-    } else if (++at_ < plan_.students.size()) {
-      ask();
-    }
-  }
-  return false;
 }
 
 }  // namespace cusp::storage

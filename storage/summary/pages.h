@@ -18,7 +18,10 @@ Stored<std::vector<HistoryKey>> keys_of_page(Database& db, const HistoryFilter& 
 /// The rows of these sessions, in this order, listed or not. A session that has no summary, student or version is left out.
 Stored<std::vector<HistoryRow>> rows_of(Database& db, const std::vector<SessionId>& sessions);
 
+/// Every student whom the filter admits, each once; nullopt: it names none.
+Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const HistoryFilter& filter);
+
 /// Of the graded, listed attempts that fit.
-Stored<FigureReading> read_figures(Database& db, const HistoryFilter& filter);
+Stored<Figures> read_figures(Database& db, const HistoryFilter& filter);
 
 }  // namespace cusp::storage

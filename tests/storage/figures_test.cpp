@@ -1,6 +1,10 @@
 /// Figures over graded attempts, against closed forms and published values.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <random>
+
 #include "storage/summary/figures.h"
 #include "tests/modules.h"
 
@@ -28,6 +32,43 @@ TEST(Quantile, interpolates_between_order_statistics) {
   EXPECT_DOUBLE_EQ(quantile(values, 1), 4);
   values = {7};
   EXPECT_DOUBLE_EQ(quantile(values, 0.9), 7);
+}
+
+/// Of more values than are sorted: in steps, as a sort would give them.
+TEST(Quartiles, of_many_values_are_those_of_the_sorted_ones) {
+  const unsigned seed = 20261124;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> scores(75, 12);
+  std::lognormal_distribution<double> times(6, 2);
+  for (const std::size_t n : {8'193u, 20'000u, 50'001u}) {
+    std::vector<double> spread, skewed, few;
+    for (std::size_t i = 0; i < n; ++i) {
+      spread.push_back(std::clamp(scores(random), 0.0, 100.0));
+      skewed.push_back(times(random));
+      few.push_back(static_cast<double>(random() % 3));
+    }
+    for (std::vector<double>& values : {std::ref(spread), std::ref(skewed), std::ref(few)}) {
+      const Quartiles found = quartiles(values);
+      EXPECT_EQ(found.low, quantile(values, 0.25)) << "seed " << seed;
+      EXPECT_EQ(found.median, quantile(values, 0.5)) << "seed " << seed;
+      EXPECT_EQ(found.high, quantile(values, 0.75)) << "seed " << seed;
+    }
+  }
+  EXPECT_EQ(quartiles(std::vector<double>(10'000, 3.5)).high, 3.5);
+}
+
+TEST(StudentNumbers, give_each_student_one_number) {
+  StudentNumbers numbers;
+  std::vector<UserId> students;
+  EXPECT_FALSE(numbers.knows(UserId::make()));
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    students.push_back(UserId::make());
+    EXPECT_EQ(numbers.number(students.back()), i);
+  }
+  for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(numbers.number(students[i]), i);
+  EXPECT_EQ(numbers.size(), 1000u);
+  EXPECT_TRUE(numbers.knows(students[999]));
+  EXPECT_FALSE(numbers.knows(UserId::make()));
 }
 
 TEST(Wilson, gives_the_published_interval) {

@@ -44,6 +44,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "485e469f6f77d6ac237a03acc0c07be5a3076236cb75b3c0f6163877cc761841",
       "d8bb514890d9c9024b7a3c5b22b8753132b3cc60e6aedcf4e13f347f6e0ca363",
       "0411b8f137ffe94e2a5c44630e29349cc449cdeb83aa04ce0027596d90c0eb8c",
+      "5dc47524cb7ee80974a4db6a7c58bc47112c6970f6fa812aecde53f8bb40541c",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -94,6 +95,8 @@ TEST(Migrations, a_file_of_schema_1_opens_and_holds_what_it_held) {
   EXPECT_EQ(rows[0].started_utc_us, kNow);
   EXPECT_EQ(rows[0].score, 81.5);
   EXPECT_EQ(rows[0].state, SessionState::graded);
+  const Actor everybodys{UserId{}, Role::administrator};
+  EXPECT_EQ(must(store->history.figures(everybodys)).median_score, 81.5);
   const SessionId session = rows[0].session;
   EXPECT_EQ(must(store->traces.inputs(session)).size(), 36u);
   EXPECT_EQ(must(store->traces.inputs(session, 0)), second_from(1).inputs);

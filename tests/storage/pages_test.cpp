@@ -42,10 +42,7 @@ bool fits(const HistoryRow& r, const HistoryFilter& f) {
 }
 
 Figures figures_of(Store& store, const Actor& actor, const HistoryFilter& filter = {}) {
-  auto reading = must(store.history.figures(actor, filter));
-  while (must(reading.take(10'000))) {
-  }
-  return reading.figures();
+  return must(store.history.figures(actor, filter));
 }
 
 std::vector<SessionId> ids_of(const std::vector<HistoryRow>& rows) {
@@ -107,23 +104,6 @@ TEST(Pages, end_where_a_row_was_although_newer_ones_came) {
   const auto second = must(store->history.page(lena.actor(), {}, first.after, 4));
   EXPECT_EQ(ids_of(second.rows), (std::vector{sessions[2], sessions[1], sessions[0]}));
   EXPECT_FALSE(second.after);
-}
-
-TEST(FigureReading, counts_the_same_in_parts_as_at_once) {
-  const Folder folder;
-  const auto store = open(folder / "a.db");
-  const ManySessions m = write_many(*store, 500);
-  for (const HistoryFilter& f : {HistoryFilter{}, HistoryFilter{.cohort = m.cohorts[3]}}) {
-    auto parts = must(store->history.figures(m.admin.actor(), f));
-    int takes = 1;
-    while (must(parts.take(7))) ++takes;
-    const Figures whole = figures_of(*store, m.admin.actor(), f);
-    EXPECT_GT(takes, 3);
-    EXPECT_GT(whole.attempts, 10);
-    EXPECT_EQ(parts.figures().attempts, whole.attempts);
-    EXPECT_EQ(parts.figures().median_score, whole.median_score);
-  }
-  EXPECT_FALSE(must(must(store->history.figures(m.admin.actor(), {.search = "nobody"})).take(7)));
 }
 
 TEST(Pages, of_others_are_refused_to_a_student) {
@@ -206,10 +186,6 @@ std::vector<Screen> staff_screens() {
          figures_of(s, m.admin.actor(), {.from_utc_us = kNow - 30ll * 86'400 * 1'000'000});
        }},
       {"all, figures", [=](Store& s, const ManySessions& m, std::size_t) { figures_of(s, m.admin.actor()); }},
-      {"all, first figures", [=](Store& s, const ManySessions& m, std::size_t) {
-         auto reading = must(s.history.figures(m.admin.actor()));
-         must(reading.take(50'000));
-       }},
       {"an assessment's candidates", [=](Store& s, const ManySessions& m, std::size_t i) {
          const AssignmentId assignment = AssignmentId::make();
          must(s.history.of_assignment(m.admin.actor(), assignment));

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "storage/records/packed_attempts.h"
 #include "storage/records/session_summary.h"
 #include "tests/storage/school.h"
 
@@ -18,6 +19,22 @@ std::string differences(Database& db) {
   must(compare_summaries(db, [&](const SummaryDifference& d) {
     constexpr const char* kinds[] = {" missing ", " added ", " column "};
     out += d.session.text() + kinds[static_cast<int>(d.kind)] + std::string(d.column) + "\n";
+  }));
+  return out;
+}
+
+/// Rows of packed_attempts that are missing, added and changed, one letter each.
+std::string packed_differences(Database& db) {
+  std::string out;
+  must(compare_packed(db, [&](const PackedDifference& d) { out += "mac"[static_cast<int>(d.kind)]; }));
+  return out;
+}
+
+std::vector<PackedAttempt> packed(Database& db) {
+  std::vector<PackedAttempt> out;
+  must(db.all("SELECT attempts FROM packed_attempts ORDER BY scenario, device_class, period", [&](Row row) {
+    unpack_attempts(row.bytes(0), [&](const PackedAttempt& a) { out.push_back(a); });
+    return 0;
   }));
   return out;
 }
@@ -54,6 +71,7 @@ TEST_F(Summaries, follow_each_row_that_is_written) {
   const auto is = [&](const char* state) {
     EXPECT_EQ(state_of(db(), id), state);
     EXPECT_EQ(differences(db()), "") << state;
+    EXPECT_EQ(packed_differences(db()), "") << state;
   };
   is("running 0 - -");
   must(store->traces.append(id, second_from(1)));
@@ -87,6 +105,7 @@ TEST_F(Summaries, attempts_are_counted_by_start_also_after_the_clock_was_set_bac
   complete_session(*store, lena, version);
   EXPECT_EQ(attempts(), (std::vector{1, 3, 2}));
   EXPECT_EQ(differences(db()), "");
+  EXPECT_EQ(packed_differences(db()), "");
 }
 
 TEST_F(Summaries, attempts_of_guests_and_try_outs_are_counted_apart) {
@@ -148,6 +167,50 @@ TEST_F(Summaries, one_too_few_and_one_too_many_are_named) {
   EXPECT_EQ(differences(db()), id.text() + " missing \n" + other.text() + " added \n");
 }
 
+TEST_F(Summaries, a_packed_attempt_holds_what_figures_count) {
+  const Actor instructor = make_instructor(*store).actor();
+  const SessionId id = complete_session(*store, lena, version, 45, false);
+  must(store->grades.save(id, small_grade(72.25, true), {}, instructor));
+  ASSERT_EQ(packed(db()).size(), 1u);
+  const PackedAttempt a = packed(db()).front();
+  EXPECT_EQ(a.started_utc_us, kNow);
+  EXPECT_EQ(a.student, lena.id.uuid);
+  EXPECT_EQ(a.score, 72.25);
+  EXPECT_EQ(a.pass_mark, 70);
+  EXPECT_EQ(a.elapsed_us(), 3'000'024u);
+  EXPECT_EQ(a.attempt(), 1);
+  EXPECT_EQ(a.rest & 0xFF, PackedAttempt::kPassed | PackedAttempt::kReleased);
+}
+
+TEST_F(Summaries, packed_attempts_of_guests_and_of_ungraded_sessions_there_are_none) {
+  complete_session(*store, make_guest(*store), version);
+  must(store->sessions.start(lena.actor(), new_session(lena, version)));
+  EXPECT_TRUE(packed(db()).empty());
+  EXPECT_EQ(packed_differences(db()), "");
+}
+
+TEST_F(Summaries, packed_attempts_that_differ_are_named_and_made_anew) {
+  const Actor admin = make_administrator(*store).actor();
+  complete_session(*store, lena, version);
+  const auto before = packed(db()).front();
+  // A score of 100 in byte 24.
+  must(db().run("UPDATE packed_attempts SET attempts = CAST(substr(attempts, 1, 24) || x'0000000000005940' || substr(attempts, 33) AS BLOB)"));
+  EXPECT_EQ(packed(db()).front().score, 100);
+  EXPECT_EQ(must(store->history.figures(admin)).median_score, 100.0);
+  const auto findings = must(verify_store(store->context())).findings;
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].code, FindingCode::summary_differs);
+  EXPECT_EQ(findings[0].table, "packed_attempts");
+  EXPECT_EQ(findings[0].owner, version.scenario.uuid);
+  EXPECT_EQ(must(rebuild_summaries(store->context(), admin)), 1u);
+  EXPECT_EQ(packed(db()).front().score, before.score);
+
+  must(db().run("UPDATE packed_attempts SET period = period + 1"));
+  EXPECT_EQ(packed_differences(db()), "ma");
+  must(db().run("DELETE FROM packed_attempts"));
+  EXPECT_EQ(packed_differences(db()), "m");
+}
+
 /// A school whose rows stand in a file of schema 1, as an older program would have left them.
 TEST(SummariesOfSchema1, the_migration_fills_them_as_the_program_writes_them) {
   const School school(SchoolTables::of_schema_1);
@@ -168,6 +231,9 @@ TEST(SummariesOfSchema1, the_migration_fills_them_as_the_program_writes_them) {
   ASSERT_EQ(summaries(now).size(), school.sessions.size());
   EXPECT_EQ(summaries(migrated), summaries(now));
   EXPECT_EQ(differences(migrated), "");
+  EXPECT_GT(packed(now).size(), 2u);
+  EXPECT_EQ(packed(migrated).size(), packed(now).size());
+  EXPECT_EQ(packed_differences(migrated), "");
   EXPECT_TRUE(must(verify_store(open(folder / "a.db")->context())).intact());
 }
 

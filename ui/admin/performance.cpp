@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
-#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +32,6 @@ namespace {
 constexpr int kStackBelow = 1000;       // px at 100 %, of the page
 constexpr double kFrom = 40;    // points: least value of the axis unless somebody has fewer
 constexpr int kMostSorted = 5000;  // attempts that another order than the newest first is made of: fetched in 0.2 s
-constexpr int kCountedAtOnce = 50000;  // attempts that figures count before the window answers again: 0.05 s
 constexpr int kMostDots = 300;  // attempts drawn one by one
 
 /// Sorts by SortRole: numbers by value, names by the language.
@@ -214,10 +212,11 @@ void Performance::read() {
   below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
   fetch_for_order(table_->horizontalHeader()->sortIndicatorSection(), table_->horizontalHeader()->sortIndicatorOrder());
   table_->choose_row(0);
-  auto figures = store_.history.figures(reader_, shown);
+  const auto figures = store_.history.figures(reader_, shown);
   if (!figures) return show_failure(figures.error());
-  reading_.emplace(std::move(*figures));
-  count_figures();
+  show_numbers(*figures);
+  show_spread(*figures);
+  show_learning(*figures);
 }
 
 void Performance::fetch_for_order(int column, Qt::SortOrder order) {
@@ -227,25 +226,6 @@ void Performance::fetch_for_order(int column, Qt::SortOrder order) {
   band_->show_message(Band::Kind::look, tr("Too many attempts for another order than the newest first."),
                       tr("Up to %1 can be sorted: choose an exercise, a student or a period.").arg(format_number(kMostSorted, 0)));
   table_->sortByColumn(AttemptsModel::kDate, Qt::DescendingOrder);
-}
-
-void Performance::count_figures() {
-  if (!reading_) return;
-  const auto more = reading_->take(kCountedAtOnce);
-  if (!more) {
-    reading_.reset();
-    return show_failure(more.error());
-  }
-  if (*more) {
-    for (int i = 0; i < 4; ++i) figure_[i]->setText(QStringLiteral("…")), note_[i]->clear();
-    QTimer::singleShot(0, this, &Performance::count_figures);
-    return;
-  }
-  const Figures figures = reading_->figures();
-  reading_.reset();
-  show_numbers(figures);
-  show_spread(figures);
-  show_learning(figures);
 }
 
 void Performance::show_numbers(const Figures& f) {

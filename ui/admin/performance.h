@@ -15,7 +15,6 @@ class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 class QStackedWidget;
-class QTimer;
 
 namespace cusp::ui {
 
@@ -60,8 +59,6 @@ class Performance : public QWidget {
   std::optional<HistoryPage> page(const HistoryFilter& filter, const std::optional<HistoryKey>& after);
   /// Fetches the rest of the attempts for another order than the newest first; with too many it keeps that order and says so.
   void fetch_for_order(int column, Qt::SortOrder order);
-  /// Counts a part of the figures; the next part comes with the next turn of the event loop.
-  void count_figures();
   void show_failure(const StorageFailure& failure);
   void show_numbers(const Figures& figures);
   void show_spread(const Figures& figures);
@@ -71,7 +68,6 @@ class Performance : public QWidget {
   Actor reader_;
   const Ports& ports_;
   AttemptsModel* model_;
-  std::optional<FigureReading> reading_;  // until the figures are complete
   QSortFilterProxyModel* sorted_;
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
