@@ -101,7 +101,7 @@ std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& opti
   std::string out =
       begin(options,
             "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
-            "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical");
+            "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released");
   for (const HistoryRow& r : rows) {
     Line(out)
         .text(r.session.text())
@@ -122,7 +122,9 @@ std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& opti
         .number(r.score_max)
         .number(r.pass_mark)
         .flag(r.passed)
-        .text(joined(r.critical));
+        .text(joined(r.critical))
+        .text(r.assignment ? r.assignment->text() : std::string())
+        .flag(r.released);
   }
   return out;
 }

@@ -50,13 +50,30 @@ TEST(CsvExport, the_history_is_one_line_a_session) {
   EXPECT_EQ(
       csv.text,
       "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,device_class,"
-      "go,duration_s,state,score,score_max,pass_mark,passed,critical\r\n" +
+      "go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released\r\n" +
           id.text() +
           ",2026-11-20T09:14:03Z,'=20267314,\"Brandt, \"\"Lena\"\"\",Gerader Kanal,channel-1,1,practice,person,"
-          "Mouse and keys,pointer,1,3.000024,graded,40,100,70,0,pulp_exposure\r\n");
+          "Mouse and keys,pointer,1,3.000024,graded,40,100,70,0,pulp_exposure,,1\r\n");
   EXPECT_TRUE(
       must(export_history(store->context(), admin, {}, {.byte_order_mark = true})).text.starts_with("\xEF\xBB\xBFsession"));
   EXPECT_EQ(must(store->audit.list(admin, 1))[0].action, "history_exported");
+}
+
+TEST(CsvExport, an_attempt_at_an_assignment_names_it_and_whether_its_result_is_released) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  const Actor instructor = make_instructor(*store).actor();
+  const Account student = make_student(*store);
+  const auto version = keep(*store);
+  const CohortId cohort = must(store->cohorts.create(instructor, "Year 2")).id;
+  must(store->cohorts.add(instructor, cohort, student.id));
+  const AssignmentId assignment =
+      must(store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711")).id;
+  NewSession wanted = new_session(student, version);
+  wanted.assignment = assignment;
+  wanted.start_code = "4711";
+  must(store->sessions.start(student.actor(), wanted));
+  EXPECT_TRUE(must(export_history(store->context(), instructor, {})).text.ends_with(',' + assignment.text() + ",0\r\n"));
 }
 
 TEST(CsvExport, criteria_are_one_line_each_and_what_was_not_measured_stays_empty) {

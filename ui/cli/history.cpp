@@ -51,6 +51,8 @@ nlohmann::ordered_json row_json(const HistoryRow& row) {
   json["pass_mark"] = row.pass_mark ? nlohmann::ordered_json(*row.pass_mark) : nullptr;
   json["passed"] = row.passed ? nlohmann::ordered_json(*row.passed) : nullptr;
   json["critical"] = row.critical;
+  json["assignment"] = row.assignment ? nlohmann::ordered_json(row.assignment->text()) : nullptr;
+  json["released"] = row.released;
   return json;
 }
 
