@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::array<DeviceKind, 5> kKinds = {{
     {.key = "pointer", .device_class = "pointer"},
-    {.key = "falcon", .device_class = "falcon"},
-    {.key = "emulated-falcon", .device_class = "emulated-falcon"},
+    {.key = "falcon", .device_class = "falcon", .self_test = true},
+    {.key = "emulated-falcon", .device_class = "emulated-falcon", .self_test = true},
     {.key = "inverse3", .device_class = "inverse3"},
     {.key = "scripted", .device_class = "scripted", .needs_file = true, .offered = false},
 }};

@@ -14,6 +14,7 @@ struct DeviceKind {
   std::string_view device_class;  // of statistics; never mixed
   bool needs_file = false;        // plays a file that the caller names
   bool offered = true;            // in the list for students
+  bool self_test = false;         // the device page measures it
 };
 
 /// The first is the default.

@@ -77,6 +77,7 @@ Store::Store(StorageContext context)
       cohorts{context_},
       scenarios{context_},
       assignments{context_},
+      device_tests{context_},
       sessions{context_},
       traces{context_},
       metrics{context_},

@@ -13,6 +13,7 @@
 #include "storage/repositories/blobs.h"
 #include "storage/repositories/cohorts.h"
 #include "storage/repositories/comments.h"
+#include "storage/repositories/device_tests.h"
 #include "storage/repositories/grades.h"
 #include "storage/repositories/metrics.h"
 #include "storage/repositories/scenarios.h"
@@ -53,6 +54,7 @@ class Store {
   Cohorts cohorts;
   Scenarios scenarios;
   Assignments assignments;
+  DeviceTests device_tests;
   Sessions sessions;
   Traces traces;
   Metrics metrics;

@@ -38,6 +38,7 @@ enum class StorageError : std::uint8_t {
   wrong_state,  // the session is not in a state that allows this (finished twice, a gap in ticks)
   bad_trace,    // bytes that are not a trace, key state or volume
   other_device,  // the assignment does not admit this class; where = the device's class, detail = the classes admitted, spaced
+  self_test_due,  // no self-test of this class passed in the days that the assignment asks; where = the device's class, detail = days
   // Files of other stations (storage/exchange). Nothing of the file is read.
   not_exchange,  // no such file, or not as it was signed
   older_schema,  // an older version of the program made it; detail: its schema

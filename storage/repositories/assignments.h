@@ -21,10 +21,12 @@ struct Assignment {
   std::optional<std::int64_t> opens_utc_us{}, due_utc_us{};
   std::optional<int> attempts_allowed{};  // none = unlimited
   std::vector<std::string> device_classes{};  // DeviceLimits::device_class of the devices admitted; none = every device
+  std::optional<int> self_test_days{};  // of an assessment: the device passed its newest self-test at most so many days before; none = not asked
   UserId author{};
   std::int64_t created_utc_us = 0;
 };
 
+inline constexpr int kMostSelfTestDays = 365;
 inline constexpr int kMostExtraTimePercent = 400;
 /// What a student has in an assignment that the others have not.
 struct Adjustment {
@@ -43,7 +45,7 @@ class Assignments {
  public:
   explicit Assignments(StorageContext& context) : c_{context} {}
   /// Needs assign. Sets id, author and time, and puts the device classes in order. `start_code`: what the invigilator says when an assessment begins; of an
-  /// assessment alone. bad_value (where = start_code, kind, due, device_classes: a class is a-z, 0-9 and -).
+  /// assessment alone. bad_value (where = start_code, kind, due, device_classes: a class is a-z, 0-9 and -; self_test_days: 1 to kMostSelfTestDays).
   Stored<Assignment> create(const Actor& actor, Assignment assignment, const std::string& start_code = {});
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.

@@ -4,6 +4,7 @@
 #include "storage/records/session_summary.h"
 #include "storage/base/process.h"
 #include "storage/repositories/assignments.h"
+#include "storage/repositories/device_tests.h"
 #include "storage/repositories/key_list.h"
 #include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
@@ -22,13 +23,14 @@ struct AssignedRules {
   std::int64_t attempts = 0;  // of this student so far
   Adjustment adjustment;
   std::string device_classes;
+  std::optional<std::int64_t> self_test_days;
 };
 
 std::optional<AssignedRules> assigned_rules(Transaction& transaction, AssignmentId assignment, UserId student) {
   return transaction.first(
       "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
       "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2), "
-      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, '') "
+      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, ''), a.self_test_days "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
       "LEFT JOIN adjustments d ON d.id = (SELECT id FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
       "AND student = ?2 ORDER BY sequence DESC LIMIT 1) "
@@ -43,7 +45,8 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
                              row.text(5),
                              row.integer(6),
                              {static_cast<int>(row.integer(7)), row.flag(8)},
-                             row.text(9)};
+                             row.text(9),
+                             row.maybe_integer(10)};
       },
       assignment, student);
 }
@@ -53,6 +56,12 @@ struct Admission {
   SessionKind kind = SessionKind::practice;
   Adjustment adjustment{};
 };
+
+void require_self_test(Transaction& transaction, const std::string& device_class, int days, std::int64_t now) {
+  const auto newest = newest_device_test(transaction.database(), device_class);
+  if (!newest) return transaction.refuse(newest.error());
+  if (!is_recent(*newest, days, now)) transaction.refuse({StorageError::self_test_due, device_class, std::to_string(days)});
+}
 
 /// Refuses the transaction if the assignment does not admit the session.
 Admission admission(Transaction& transaction, const NewSession& wanted, std::int64_t now) {
@@ -75,6 +84,7 @@ Admission admission(Transaction& transaction, const NewSession& wanted, std::int
   if (!admits(split_keys(rules->device_classes), device_class)) {
     transaction.refuse({StorageError::other_device, device_class, rules->device_classes});
   }
+  if (rules->self_test_days) require_self_test(transaction, device_class, static_cast<int>(*rules->self_test_days), now);
   return {rules->kind, rules->adjustment};
 }
 

@@ -101,9 +101,9 @@ class Sessions {
   /// not_found for an unknown version, bad_value for a header with a number that is not finite.
   /// With an assignment kind and adjustment are the assignment's; not_allowed (where = assignment: not this student's or of another
   /// version; start_code), wrong_state (where = not_open, past_due, attempts_used),
-  /// other_device by the header's device class.
+  /// other_device and self_test_due by the header's device class.
   Stored<Session> start(const Actor& actor, const NewSession& session);
-  /// What start() would say of an assignment's students, dates, attempts, start code and devices. Writes nothing.
+  /// What start() would say of an assignment's students, dates, attempts, start code, devices and their self-tests. Writes nothing.
   Stored<void> admit(const Actor& actor, const NewSession& session);
   /// This process then owns the session. wrong_state unless interrupted.
   Stored<void> resume(SessionId session, const std::string& reason);

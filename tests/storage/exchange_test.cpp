@@ -66,7 +66,7 @@ TEST_F(ExchangeTest, results_arrive_with_chain_grade_and_statements_and_verify_u
 TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments_that_admit) {
   const CohortId cohort = must(office->cohorts.create(chief, "Year 2")).id;
   must(office->cohorts.add(chief, cohort, lena.id));
-  Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}};
+  Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}, .self_test_days = 7};
   exam = must(office->assignments.create(instructor, exam, "4711"));
   must(office->assignments.adjust(instructor, exam.id, lena.id, {.extra_time_percent = 25, .large_text = true}));
   const fs::path file = office_file();
@@ -79,6 +79,8 @@ TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments
   NewSession elsewhere = wanted;
   elsewhere.header.device.device_class = "falcon";
   EXPECT_EQ(code_of(station->sessions.start(lena.actor(), elsewhere)), StorageError::other_device);
+  EXPECT_EQ(code_of(station->sessions.start(lena.actor(), wanted)), StorageError::self_test_due);
+  must(station->device_tests.add({UserId::make(), Role::administrator}, {.device_class = "pointer", .device = "Mouse"}));
   const Session session = must(station->sessions.start(lena.actor(), wanted));
   EXPECT_EQ(session.header.extra_time_percent, 25);
   EXPECT_TRUE(session.header.large_text);

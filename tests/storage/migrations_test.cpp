@@ -45,6 +45,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "d8bb514890d9c9024b7a3c5b22b8753132b3cc60e6aedcf4e13f347f6e0ca363",
       "0411b8f137ffe94e2a5c44630e29349cc449cdeb83aa04ce0027596d90c0eb8c",
       "5dc47524cb7ee80974a4db6a7c58bc47112c6970f6fa812aecde53f8bb40541c",
+      "7a2ecdc9062cea0403ad0da32c44510064b621f28cbff05c0eba9248f5a2f4a1",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -147,10 +148,12 @@ TEST(Migrations, an_assessment_of_schema_7_admits_every_device_in_the_usual_text
   const Account student = must(store->accounts.find_number("20267314"));
   const auto assigned = must(store->assignments.for_student(student.id));
   ASSERT_EQ(assigned.size(), 2u);
-  for (const Assignment& a : assigned) EXPECT_TRUE(a.device_classes.empty());
+  for (const Assignment& a : assigned) EXPECT_TRUE(a.device_classes.empty() && !a.self_test_days);
   EXPECT_EQ(must(store->assignments.adjustment(assigned[1].id, student.id)), (Adjustment{.extra_time_percent = 25}));
   must(store->database().run("UPDATE assignments SET device_classes = 'falcon' WHERE kind = 'practice'"));
   must(store->database().run("UPDATE adjustments SET large_text = 1"));
+  EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
+  must(store->database().run("UPDATE assignments SET device_classes = NULL, self_test_days = 7 WHERE kind = 'practice'"));
   EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
 }
 

@@ -88,8 +88,9 @@ void School::read_other_station(Store& store) {
 /// Overridden, confirmed and released, with a comment that was taken back; the version withdrawn afterwards.
 SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student) {
   const Actor examiner = instructor.actor();
+  must(store.device_tests.add(examiner, {.device_class = "pointer", .device = "Mouse and keys"}));
   const Assignment asked = must(store.assignments.create(
-      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}}, "4711"));
+      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}, .self_test_days = 7}, "4711"));
   must(store.assignments.adjust(examiner, asked.id, student.id, {.extra_time_percent = 25, .large_text = true}));
   NewSession wanted = new_session(student, version);
   wanted.assignment = asked.id;

@@ -245,6 +245,7 @@ QVector<NavEntry> Desktop::entries() {
   list += {u"device"_qs, tr("Device"), u"device"_qs, [this, role]() -> QWidget* {
              auto* page = new DevicePage(settings_, ports_, role, hid_);
              connect(page, &DevicePage::chosen, this, &Desktop::show_device);
+             connect(page, &DevicePage::tested, this, &Desktop::keep_device_test);
              return page;
            }};
   list += {u"help"_qs, tr("Help"), u"book"_qs, [this, role]() -> QWidget* {
@@ -325,6 +326,11 @@ void Desktop::show_briefing(const Exercise& exercise) {
   connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
   connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
   push(briefing);
+}
+
+void Desktop::keep_device_test(const DeviceTest& test) {
+  const auto kept = store_->device_tests.add(account_->actor(), test);
+  if (!kept) shell_->show_notice(describe(kept.error()));
 }
 
 void Desktop::show_failure(const Message& message) {

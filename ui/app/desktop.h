@@ -156,6 +156,7 @@ class Desktop : public QMainWindow {
   void open_waiting_file();
   void show_handed_in(const SessionId& session);
   void show_quick_start();
+  void keep_device_test(const DeviceTest& test);
   void show_failure(const Message& message);
   /// True, with a page that gives the reason, where nothing can be drilled because no picture can be drawn.
   bool refuse_drilling();

@@ -94,6 +94,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   body->addWidget(card);
 
   in.falcon = new FalconPanel(in.device, in.ports, role, this);
+  connect(in.falcon, &FalconPanel::tested, this, &DevicePage::tested);
   body->addWidget(in.falcon);
 
   in.firmware_card = new Card(tr("Firmware of the Falcon"), {}, this);

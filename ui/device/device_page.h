@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "device/catalogue.h"
-#include "storage/base/rights.h"
+#include "storage/repositories/device_tests.h"
 #include "ui/modules.h"
 #include "ui/session/background_watch.h"
 #include "ui/settings/settings.h"
@@ -40,6 +40,8 @@ class DevicePage : public QWidget {
  Q_SIGNALS:
   /// Another device was chosen, and is kept: see DeviceSettings.
   void chosen();
+  /// As FalconPanel::tested().
+  void tested(const DeviceTest& test);
 
  protected:
   void showEvent(QShowEvent* event) override;

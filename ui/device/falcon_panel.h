@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "storage/base/rights.h"
+#include "storage/repositories/device_tests.h"
 #include "ui/modules.h"
 #include "ui/settings/device_settings.h"
 #include "ui/widgets/ports.h"
@@ -30,6 +30,10 @@ class FalconPanel : public QWidget {
   /// Releases the device, so that an attempt may have it.
   void release();
 
+ Q_SIGNALS:
+  /// A self-test has come to its end: without tester and time.
+  void tested(const DeviceTest& test);
+
  public Q_SLOTS:
   /// Reads what is there now; by itself twenty times a second while it is seen.
   void look();
@@ -47,6 +51,7 @@ class FalconPanel : public QWidget {
   void start_self_test();
   void start_weighing();
   void trial_over();
+  void self_test_over();
   void save_report();
   void show_measured();
 

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QSpinBox>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "device/catalogue.h"
@@ -23,6 +24,7 @@ constexpr int kBetween = 4;          // px at 100 %
 constexpr int kUsualDays = 14;       // until an assignment is due
 constexpr int kMostAttempts = 99;
 constexpr int kCodeDigits = 6;
+constexpr int kUsualSelfTestDays = 7;
 
 }  // namespace
 
@@ -46,6 +48,8 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   attempts_->setSpecialValueText(tr("any number"));
   add_field(*form, tr("Attempts"), attempts_, kBetween);
   body()->addWidget(make_devices());
+  self_test_row_ = make_self_test();
+  body()->addWidget(self_test_row_);
   code_ = new QLineEdit;
   code_->setMaxLength(static_cast<int>(kMostStartCode));
   code_->setToolTip(tr("The invigilator says it when the assessment begins"));
@@ -96,6 +100,33 @@ QWidget* AssignmentForm::make_devices() {
   return box;
 }
 
+/// Whether an assessment asks for a self-test of the device, and how old it may be.
+QWidget* AssignmentForm::make_self_test() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(4));
+  self_test_ = new QCheckBox(tr("Self-test of the device, at most"));
+  self_test_->setToolTip(tr("Staff test a Falcon on the page Device. Devices without a self-test then do not start it."));
+  self_test_days_ = new QSpinBox;
+  self_test_days_->setRange(1, kMostSelfTestDays);
+  self_test_days_->setValue(kUsualSelfTestDays);
+  const auto name_days = [this](int days) { self_test_days_->setSuffix(u' ' + tr("day(s) old", nullptr, days)); };
+  name_days(kUsualSelfTestDays);
+  connect(self_test_days_, &QSpinBox::valueChanged, this, name_days);
+  self_test_days_->setAccessibleName(tr("Days since the self-test"));
+  self_test_days_->setEnabled(false);
+  connect(self_test_, &QCheckBox::toggled, self_test_days_, &QWidget::setEnabled);
+  column->addWidget(self_test_);
+  column->addWidget(self_test_days_);
+  return box;
+}
+
+void AssignmentForm::choose_self_test(int days) {
+  self_test_->setChecked(true);
+  self_test_days_->setValue(days);
+}
+
 void AssignmentForm::choose_devices(const std::vector<std::string>& device_classes) {
   for (const auto& [device_class, check] : devices_) check->setChecked(storage::admits(device_classes, device_class));
 }
@@ -114,6 +145,7 @@ void AssignmentForm::choose_kind(SessionKind kind) {
   const bool assessment = kind == SessionKind::assessment;
   kind_->choose(assessment ? 1 : 0);
   code_row_->setVisible(assessment);
+  self_test_row_->setVisible(assessment);
   // A single attempt is usual in an assessment, any number in practice.
   attempts_->setValue(assessment ? 1 : 0);
 }
@@ -139,6 +171,7 @@ AssignmentForm::Wish AssignmentForm::wish() const {
   if (kind_->chosen() != 1) return out;
   out.kind = SessionKind::assessment;
   out.start_code = code_->text().trimmed();
+  if (self_test_->isChecked()) out.self_test_days = self_test_days_->value();
   return out;
 }
 

@@ -30,6 +30,7 @@ class AssignmentForm : public Card {
     bool admits_none = false;                 // no device is chosen
     SessionKind kind = SessionKind::practice;  // or assessment
     QString start_code;                        // of an assessment
+    std::optional<int> self_test_days;         // of an assessment; none = not asked
   };
 
   /// `now`: from which usual dates are counted.
@@ -39,6 +40,8 @@ class AssignmentForm : public Card {
   void choose_kind(SessionKind kind);
   /// Empty = every one.
   void choose_devices(const std::vector<std::string>& device_classes);
+  /// Of an assessment.
+  void choose_self_test(int days);
   /// Another code for the next assessment.
   void draw_start_code();
   Wish wish() const;
@@ -53,6 +56,7 @@ class AssignmentForm : public Card {
     QDateTimeEdit* when = nullptr;
   };
   QWidget* make_devices();
+  QWidget* make_self_test();
   Moment add_moment(class QFormLayout& form, const QString& label, const QDateTime& usual);
 
   std::vector<Exercise> exercises_;
@@ -60,6 +64,9 @@ class AssignmentForm : public Card {
   Segments* kind_;
   QLineEdit* code_;
   QWidget* code_row_;
+  QWidget* self_test_row_;
+  QCheckBox* self_test_;
+  QSpinBox* self_test_days_;
   Moment opens_, due_;
   QSpinBox* attempts_;
   std::vector<std::pair<std::string, QCheckBox*>> devices_;  // by device class

@@ -19,7 +19,13 @@ namespace {
 
 using State = AssignedAssessment::State;
 
-State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std::int64_t now_us, const std::string& device_class) {
+/// This station's device, and its newest self-test.
+struct Device {
+  std::string device_class;
+  std::optional<DeviceTest> test;
+};
+
+State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std::int64_t now_us, const Device& device) {
   const auto broken_off = [](const HistoryRow& row) {
     return row.state == SessionState::interrupted || row.state == SessionState::running;
   };
@@ -27,7 +33,8 @@ State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std
   if (a.due_utc_us && now_us >= *a.due_utc_us) return attempts.empty() ? State::missed : State::handed_in;
   if (a.attempts_allowed && static_cast<int>(attempts.size()) >= *a.attempts_allowed) return State::handed_in;
   if (a.opens_utc_us && now_us < *a.opens_utc_us) return State::later;
-  return storage::admits(a.device_classes, device_class) ? State::open : State::other_device;
+  if (!storage::admits(a.device_classes, device.device_class)) return State::other_device;
+  return a.self_test_days && !is_recent(device.test, *a.self_test_days, now_us) ? State::self_test_due : State::open;
 }
 
 QString state_text(const AssignedAssessment& a) {
@@ -38,6 +45,7 @@ QString state_text(const AssignedAssessment& a) {
       return a.assignment.due_utc_us ? AssessmentCard::tr("Open until %1").arg(day(*a.assignment.due_utc_us))
                                      : AssessmentCard::tr("Open");
     case State::other_device: return AssessmentCard::tr("Needs another device");
+    case State::self_test_due: return AssessmentCard::tr("Needs a newer self-test");
     case State::running: return AssessmentCard::tr("Interrupted: continue it below");
     case State::handed_in: return AssessmentCard::tr("Handed in: the result is not released yet");
     case State::missed: return AssessmentCard::tr("The time is over");
@@ -49,7 +57,8 @@ Chip::Kind state_kind(State state) {
   switch (state) {
     case State::open:
     case State::running: return Chip::Kind::look;
-    case State::other_device: return Chip::Kind::bad;
+    case State::other_device:
+    case State::self_test_due: return Chip::Kind::bad;
     case State::handed_in: return Chip::Kind::good;
     default: return Chip::Kind::plain;
   }
@@ -82,6 +91,9 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
                                                          const std::string& device_class) {
   const auto assigned = store.assignments.for_student(student.id);
   if (!assigned) return std::unexpected(assigned.error());
+  auto newest = store.device_tests.newest(device_class);
+  if (!newest) return std::unexpected(newest.error());
+  const Device device{device_class, std::move(*newest)};
   std::vector<AssignedAssessment> out;
   for (const Assignment& a : *assigned) {
     if (a.kind != SessionKind::assessment) continue;
@@ -91,7 +103,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
     one.adjustment = store.assignments.adjustment(a.id, student.id).value_or(Adjustment{});
-    one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000, device_class);
+    one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000, device);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
     out.push_back(std::move(one));
@@ -99,7 +111,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
   return out;
 }
 
-AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWidget* parent)
+AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, const std::string& device_class, QWidget* parent)
     : Card(tr("Assessment"), tr("Candidate %1").arg(QString::fromStdString(candidate_number(a.assignment.id, student))), parent) {
   setAccessibleName(tr("Assessment: %1").arg(local(a.exercise.scenario.title)));
   auto* row = new QHBoxLayout;
@@ -118,7 +130,9 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, QWid
   if (const QString limit = time_limit_text(a); !limit.isEmpty()) facts += tr("time limit %1").arg(limit);
   if (a.adjustment.large_text) facts += tr("large text");
   if (!a.assignment.device_classes.empty()) facts += tr("only with %1").arg(device_names(a.assignment.device_classes));
+  if (a.assignment.self_test_days) facts += self_test_age(*a.assignment.self_test_days);
   text->addWidget(quiet(facts.join(u" · "_qs)));
+  if (a.state == State::self_test_due) text->addWidget(quiet(self_test_advice(device_class)));
   row->addLayout(text, 1);
   if (a.state == State::open) {
     start_ = make_large_button(tr("Start assessment"), ButtonKind::primary, u"play"_qs);

@@ -17,6 +17,7 @@ struct AssignedAssessment {
     later,      // opens at a later moment
     open,       // may begin now
     other_device,  // may begin now, but not with this station's device
+    self_test_due,  // may begin now, when this station's device has passed a newer self-test
     running,    // an attempt was interrupted and may be continued
     handed_in,  // no attempt is left, or the time is over after one; its result is withheld
     missed,     // the time is over without an attempt
@@ -37,7 +38,8 @@ class AssessmentCard : public Card {
   Q_OBJECT
 
  public:
-  AssessmentCard(const AssignedAssessment& assessment, UserId student, QWidget* parent = nullptr);
+  /// `device_class`: of this station's device.
+  AssessmentCard(const AssignedAssessment& assessment, UserId student, const std::string& device_class, QWidget* parent = nullptr);
   /// Null unless it may begin now.
   QPushButton* start_button() const { return start_; }
 

@@ -136,7 +136,7 @@ QWidget* StartPage::make_side(const Account& account) {
 
 void StartPage::make_assessments(QBoxLayout& column, const Account& account) {
   for (const AssignedAssessment& assessment : assessments_) {
-    auto* card = new AssessmentCard(assessment, account.id);
+    auto* card = new AssessmentCard(assessment, account.id, device_class_);
     connect(card, &AssessmentCard::start_wanted, this, [this, assessment] { Q_EMIT assessment_wanted(assessment); });
     column.addWidget(card);
   }

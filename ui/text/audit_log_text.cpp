@@ -70,6 +70,7 @@ constexpr Entry kEntries[] = {
     {"arrived", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Arrived from the office after others named it")},
     {"referred_sealed", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Name from another station sealed as it was found")},
     {"summaries_rebuilt", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Lists made anew from the records")},
+    {"device_tested", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Self-test of a device")},
     {"station_key_added", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Key of this station added")},
     {"sealing_began", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Sealing of the records began")},
     {"log_damaged", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Audit log found changed at its end")},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/catalogue.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
@@ -87,6 +88,14 @@ QString device_names(const std::vector<std::string>& device_classes) {
   QStringList names;
   for (const std::string& one : device_classes) names += device_name(one);
   return names.join(Text::tr(", "));
+}
+
+QString self_test_age(int days) { return Text::tr("self-test at most %n day(s) old", nullptr, days); }
+
+QString self_test_advice(const std::string& device_class) {
+  const DeviceKind* kind = device::device_kind(device_class);
+  if (kind && kind->self_test) return Text::tr("Ask the staff for a self-test of the %1 on the page Device.").arg(device_name(device_class));
+  return Text::tr("%1: there is no self-test. Choose another device on the page Device.").arg(device_name(device_class));
 }
 
 QString tissue_name(Tissue tissue) {

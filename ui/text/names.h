@@ -29,6 +29,10 @@ QString operator_name(const std::string& key);
 QString device_name(const std::string& device_class);
 /// "Falcon, Inverse3".
 QString device_names(const std::vector<std::string>& device_classes);
+/// "self-test at most 7 days old".
+QString self_test_age(int days);
+/// What a student does for a newer self-test of the device, in one sentence.
+QString self_test_advice(const std::string& device_class);
 QString tissue_name(Tissue tissue);
 /// "gingival floor" of a key of kFaceKeys; "other walls" of a side wall.
 QString face_name(std::string_view key);

@@ -109,6 +109,7 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "days") return {Text::tr("Recordings are thinned after 1 to 36,500 days."), nothing_changed()};
   if (f.where == "years") return {Text::tr("Accounts are kept for 1 to 100 years."), nothing_changed()};
   if (f.where == "device_classes") return {Text::tr("A device has no such name."), nothing_changed()};
+  if (f.where == "self_test_days") return {Text::tr("A self-test is 1 to 365 days old."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
@@ -162,6 +163,12 @@ Message describe_other_device(const StorageFailure& f) {
   for (const QString& one : text(f.detail).split(u' ', Qt::SkipEmptyParts)) admitted.push_back(one.toStdString());
   return {Text::tr("This assignment needs another device."),
           Text::tr("Admitted: %1. In use: %2. Choose another one on the page Device.").arg(device_names(admitted), device_name(f.where))};
+}
+
+Message describe_self_test_due(const StorageFailure& f) {
+  const int days = QString::fromStdString(f.detail).toInt();
+  return {Text::tr("This assignment needs a newer self-test of the device."),
+          Text::tr("It asks for a %1.").arg(self_test_age(days)) + u' ' + self_test_advice(f.where)};
 }
 
 /// The fingerprint of a key that a failure names.
@@ -224,6 +231,7 @@ Message describe(const StorageFailure& f) {
     case StorageError::bad_value: return describe_bad_value(f);
     case StorageError::wrong_state: return describe_wrong_state(f);
     case StorageError::other_device: return describe_other_device(f);
+    case StorageError::self_test_due: return describe_self_test_due(f);
     case StorageError::bad_trace:
       return {Text::tr("The recording cannot be read."),
               Text::tr("%1 is damaged; the grade and all other attempts are kept.").arg(where)};

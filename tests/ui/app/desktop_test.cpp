@@ -20,6 +20,7 @@
 #include "ui/app/desktop.h"
 #include "ui/app/help_page.h"
 #include "ui/app/quick_start.h"
+#include "ui/device/device_page.h"
 #include "ui/editor/editor_page.h"
 #include "ui/text/language.h"
 #include "ui/app/shell.h"
@@ -51,6 +52,19 @@ struct DesktopTest : ::testing::Test {
     return keys;
   }
 };
+
+TEST_F(DesktopTest, a_self_test_on_the_device_page_is_kept_with_its_tester) {
+  const Account instructor = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  open(records.file());
+  desktop->sign_in(instructor);
+  desktop->shell()->show_page(QStringLiteral("device"));
+  Q_EMIT desktop->shell()->findChild<DevicePage*>()->tested({.device_class = "falcon", .device = "FT1", .outcome = TestOutcome::failed});
+  const auto kept = *records.store().device_tests.newest("falcon");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->device, "FT1");
+  EXPECT_EQ(kept->outcome, TestOutcome::failed);
+  EXPECT_EQ(kept->tester, instructor.id);
+}
 
 TEST_F(DesktopTest, who_leaves_the_desktop_is_signed_out_and_reads_why) {
   const Account lena = records.student("1", "Lena Brandt");

@@ -121,6 +121,18 @@ TEST_F(Cohorts, AnAssignmentAdmitsTheDevicesThatTheFormChecks) {
   EXPECT_TRUE(page.message().contains(QStringLiteral("No device is admitted")));
 }
 
+TEST_F(Cohorts, AnAssessmentMayAskForASelfTestAndAPracticeMayNot) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.form()->choose_self_test(30);
+  page.assign();
+  page.form()->choose_kind(SessionKind::assessment);
+  page.assign();
+  ASSERT_EQ(page.assignments().rowCount(), 2) << page.message().toStdString();
+  EXPECT_FALSE(page.assignments().row(0).assignment.self_test_days);
+  EXPECT_EQ(page.assignments().row(1).assignment.self_test_days, 30);
+}
+
 TEST_F(Cohorts, AnAdministratorMakesCohortsAndAssignsNothing) {
   CohortsPage page(records.store(), records.administrator().actor(), ports);
   EXPECT_EQ(page.form(), nullptr);

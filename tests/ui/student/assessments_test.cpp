@@ -76,8 +76,8 @@ TEST_F(Assessments, AreInterruptedThenHandedInAndLeaveTheStartPageWithTheirRelea
 }
 
 TEST_F(Assessments, OfferTheirStartOnlyWhileOpen) {
-  EXPECT_EQ(AssessmentCard(at(kMorning - kHour)[0], lena.id).start_button(), nullptr);
-  EXPECT_NE(AssessmentCard(at(kMorning + 1000)[0], lena.id).start_button(), nullptr);
+  EXPECT_EQ(AssessmentCard(at(kMorning - kHour)[0], lena.id, "pointer").start_button(), nullptr);
+  EXPECT_NE(AssessmentCard(at(kMorning + 1000)[0], lena.id, "pointer").start_button(), nullptr);
 }
 
 TEST_F(Assessments, NameTheDevicesThatTheyAdmitAndStartWithNoOther) {
@@ -91,7 +91,7 @@ TEST_F(Assessments, NameTheDevicesThatTheyAdmitAndStartWithNoOther) {
   };
   EXPECT_EQ(with("falcon").state, State::open);
   EXPECT_EQ(with("pointer").state, State::other_device);
-  const AssessmentCard card(with("pointer"), lena.id);
+  const AssessmentCard card(with("pointer"), lena.id, "pointer");
   EXPECT_EQ(card.start_button(), nullptr);
   QStringList texts;
   for (const QLabel* label : card.findChildren<QLabel*>()) texts += label->text();
@@ -103,6 +103,37 @@ TEST_F(Assessments, NameTheDevicesThatTheyAdmitAndStartWithNoOther) {
   for (QPushButton* b : question->findChildren<QPushButton*>())
     if (b->text() == QStringLiteral("Begin")) b->click();
   EXPECT_TRUE(question->findChild<Band*>()->text().contains(QStringLiteral("needs another device")));
+}
+
+TEST_F(Assessments, AskForASelfTestOfTheDeviceInOneSentence) {
+  Assignment a = assignment;
+  a.self_test_days = 7;
+  a = *records.store().assignments.create(examiner, a, "4711");
+  const auto with = [&](const std::string& device_class) {
+    for (const AssignedAssessment& one : at(kMorning + 1000, device_class))
+      if (one.assignment.id == a.id) return one;
+    return AssignedAssessment{};
+  };
+  const auto card_text = [&](const std::string& device_class) {
+    const AssessmentCard card(with(device_class), lena.id, device_class);
+    EXPECT_EQ(card.start_button() != nullptr, with(device_class).state == State::open);
+    QStringList texts;
+    for (const QLabel* label : card.findChildren<QLabel*>()) texts += label->text();
+    return texts.join(u'|');
+  };
+  EXPECT_EQ(with("falcon").state, State::self_test_due);
+  EXPECT_TRUE(card_text("falcon").contains(QStringLiteral("Ask the staff for a self-test of the Falcon on the page Device.")));
+  EXPECT_TRUE(card_text("falcon").contains(QStringLiteral("self-test at most 7 days old"))) << card_text("falcon").toStdString();
+  EXPECT_TRUE(card_text("pointer").contains(QStringLiteral("Mouse and keys: there is no self-test.")));
+  ASSERT_TRUE(records.store().device_tests.add(examiner, {.device_class = "falcon", .device = "FT1"}));
+  EXPECT_EQ(with("falcon").state, State::open);
+  EXPECT_FALSE(card_text("falcon").contains(QStringLiteral("Ask the staff")));
+  QWidget window;
+  auto* question = new AssessmentStart(records.store(), lena.actor(), with("falcon"), "pointer", &window);
+  question->findChild<QLineEdit*>()->setText(QStringLiteral("4711"));
+  for (QPushButton* b : question->findChildren<QPushButton*>())
+    if (b->text() == QStringLiteral("Begin")) b->click();
+  EXPECT_TRUE(question->findChild<Band*>()->text().contains(QStringLiteral("newer self-test of the device")));
 }
 
 TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
