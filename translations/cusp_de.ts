@@ -124,6 +124,10 @@
         <source>only with %1</source>
         <translation>nur mit %1</translation>
     </message>
+    <message>
+        <source>Needs a newer self-test</source>
+        <translation>Braucht einen neueren Selbsttest</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentPage</name>
@@ -335,6 +339,25 @@
     <message>
         <source>Devices admitted</source>
         <translation>Zugelassene Geräte</translation>
+    </message>
+    <message>
+        <source>Self-test of the device, at most</source>
+        <translation>Selbsttest des Geräts, höchstens</translation>
+    </message>
+    <message>
+        <source>Staff test a Falcon on the page Device. Devices without a self-test then do not start it.</source>
+        <translation>Das Personal testet einen Falcon auf der Seite Gerät. Geräte ohne Selbsttest starten die Prüfung dann nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>day(s) old</source>
+        <translation>
+            <numerusform>Tag alt</numerusform>
+            <numerusform>Tage alt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Days since the self-test</source>
+        <translation>Tage seit dem Selbsttest</translation>
     </message>
 </context>
 <context>
@@ -4533,10 +4556,6 @@
         <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
     </message>
     <message>
-        <source>Nothing is kept of an emulated one.</source>
-        <translation>Von einem nachgebildeten wird nichts aufbewahrt.</translation>
-    </message>
-    <message>
         <source>Not measured yet: damping and delay are assumed, and exercises are no stiffer than %1.</source>
         <translation>Noch nicht gemessen: Dämpfung und Verzug sind angenommen, und Übungen sind höchstens %1 steif.</translation>
     </message>
@@ -4567,6 +4586,10 @@
     <message>
         <source>The grip weighs %1. From the next attempt on it carries itself.</source>
         <translation>Der Griff wiegt %1. Vom nächsten Versuch an trägt er sich selbst.</translation>
+    </message>
+    <message>
+        <source>The figures of an emulated one are not kept.</source>
+        <translation>Die Werte eines nachgebildeten werden nicht übernommen.</translation>
     </message>
 </context>
 <context>
@@ -11244,6 +11267,37 @@ Ihr bester davor</translation>
     <message>
         <source>Admitted: %1. In use: %2. Choose another one on the page Device.</source>
         <translation>Zugelassen: %1. In Gebrauch: %2. Wählen Sie ein anderes auf der Seite Gerät.</translation>
+    </message>
+    <message>
+        <source>Self-test of a device</source>
+        <translation>Selbsttest eines Geräts</translation>
+    </message>
+    <message numerus="yes">
+        <source>self-test at most %n day(s) old</source>
+        <translation>
+            <numerusform>Selbsttest höchstens %n Tag alt</numerusform>
+            <numerusform>Selbsttest höchstens %n Tage alt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ask the staff for a self-test of the %1 on the page Device.</source>
+        <translation>Bitten Sie das Personal um einen Selbsttest auf der Seite Gerät (%1).</translation>
+    </message>
+    <message>
+        <source>%1: there is no self-test. Choose another device on the page Device.</source>
+        <translation>%1: Es gibt keinen Selbsttest. Wählen Sie auf der Seite Gerät ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>A self-test is 1 to 365 days old.</source>
+        <translation>Ein Selbsttest ist 1 bis 365 Tage alt.</translation>
+    </message>
+    <message>
+        <source>This assignment needs a newer self-test of the device.</source>
+        <translation>Diese Zuweisung braucht einen neueren Selbsttest des Geräts.</translation>
+    </message>
+    <message>
+        <source>It asks for a %1.</source>
+        <translation>Sie verlangt: %1.</translation>
     </message>
 </context>
 <context>

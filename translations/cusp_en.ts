@@ -50,6 +50,16 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::AssignmentForm</name>
+    <message numerus="yes">
+        <source>day(s) old</source>
+        <translation>
+            <numerusform>day old</numerusform>
+            <numerusform>days old</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::AuditPage</name>
     <message numerus="yes">
         <source>Each choice was left out or halved once, with %n scripted attempt(s) each.</source>
@@ -606,6 +616,13 @@
         <translation>
             <numerusform>%n recording was thinned: %1.</numerusform>
             <numerusform>%n recordings were thinned: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>self-test at most %n day(s) old</source>
+        <translation>
+            <numerusform>self-test at most %n day old</numerusform>
+            <numerusform>self-test at most %n days old</numerusform>
         </translation>
     </message>
 </context>
