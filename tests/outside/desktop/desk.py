@@ -113,8 +113,17 @@ class Widget:
         for wanted in ("Press", "Toggle", "ShowMenu"):
             if wanted in actions:
                 Atspi.Action.do_action(self.node, actions.index(wanted))
+                if wanted != "ShowMenu":  # an open menu holds its button
+                    until(f"{self.name!r} to act", self._is_up)
                 return self
         raise Missing(f"nothing to press on {self.role} {self.name!r}: {actions}")
+
+    def _is_up(self):
+        """Qt holds a button down for 100 ms before it acts: a press that comes earlier may go to a page that it replaces."""
+        try:
+            return not self.has("PRESSED")
+        except Atspi_Error():  # it went with what it did
+            return True
 
     def click(self):
         x, y = self.middle()
