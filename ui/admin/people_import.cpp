@@ -4,10 +4,9 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPushButton>
-#include <QRandomGenerator>
-#include <QTimer>
 #include <algorithm>
 
+#include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
@@ -19,8 +18,6 @@ namespace {
 
 using State = ListedStudent::State;
 constexpr qint64 kMostBytes = 4 << 20;  // a list of 2,000 students has about 100 kB
-
-QString fresh_pin() { return QStringLiteral("%1").arg(QRandomGenerator::system()->bounded(1'000'000), 6, 10, QLatin1Char('0')); }
 
 }  // namespace
 
@@ -56,10 +53,12 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   connect(choose_, &QPushButton::clicked, this, &PeopleImport::choose_file);
   connect(start_, &QPushButton::clicked, this, &PeopleImport::start);
   connect(save_, &QPushButton::clicked, this, &PeopleImport::save_slips);
-  connect(busy_, &Busy::cancelled, this, [this] { end(Ending::stopped, tr("Stopped.")); });
+  connect(busy_, &Busy::cancelled, this, &PeopleImport::stop);
   fit_buttons();
   setFocusProxy(choose_);
 }
+
+PeopleImport::~PeopleImport() { stop(); }
 
 QString PeopleImport::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
 
@@ -75,7 +74,7 @@ void PeopleImport::fit_buttons() {
 }
 
 void PeopleImport::leave() {
-  if (working()) return end(Ending::stopped, tr("Stopped."));
+  if (working()) return stop();
   if (slips_.empty() || slips_saved_) return Q_EMIT back_wanted();
   ports_.ask(this, {tr("Leave without the PIN slips?"), tr("The PINs stand nowhere else. Each student would need a new one."), tr("Leave"), true},
              [this](bool yes) {
@@ -123,69 +122,35 @@ void PeopleImport::read_file(const QString& path) {
 }
 
 void PeopleImport::start() {
-  order_.clear();
-  std::ranges::copy_if(model_->students(), std::back_inserter(order_),
+  if (working()) return;
+  PeopleImportWork work{records_of(store_), actor_, {}};
+  std::ranges::copy_if(model_->students(), std::back_inserter(work.lines),
                        [](const ListedStudent& s) { return s.state == State::fresh || (s.state == State::known && !s.cohort.isEmpty()); });
-  next_ = 0;
+  lines_ = static_cast<int>(work.lines.size());
   slips_.clear();
   slips_saved_ = false;
-  cohorts_.clear();
-  const auto list = store_.cohorts.list();
-  if (!list) return show_failure(list.error());
-  for (const Cohort& cohort : *list) cohorts_[QString::fromStdString(cohort.name).toCaseFolded()] = cohort.id;
   band_->clear();
   busy_->start(tr("Making accounts"), Busy::Cancel::offered);
+  stop_.emplace();
   fit_buttons();
-  QTimer::singleShot(0, this, &PeopleImport::step);
+  task_ = make_accounts(std::move(work), stop_->get_token(),
+                        {on_window<PinSlip>(this, &PeopleImport::add_slip), on_window<int>(this, &PeopleImport::show_done),
+                         on_window<PeopleImportEnd>(this, &PeopleImport::end)});
 }
 
-void PeopleImport::step() {
-  if (!working()) return;  // stopped
-  if (!make(order_[next_])) return;
-  ++next_;
-  busy_->set_progress(static_cast<double>(next_) / static_cast<double>(order_.size()),
-                      tr("%1 of %2").arg(QLocale().toString(next_), QLocale().toString(order_.size())));
-  if (!working()) return end(Ending::whole, tr("The list is imported."));
-  QTimer::singleShot(0, this, &PeopleImport::step);
+void PeopleImport::stop() {
+  if (working()) stop_->request_stop();
 }
 
-Stored<CohortId> PeopleImport::cohort_named(const QString& name) {
-  const auto it = cohorts_.find(name.toCaseFolded());
-  if (it != cohorts_.end()) return it->second;
-  const auto made = store_.cohorts.create(actor_, name.toStdString());
-  if (!made) return std::unexpected(made.error());
-  cohorts_[name.toCaseFolded()] = made->id;
-  return made->id;
+void PeopleImport::add_slip(const PinSlip& slip) { slips_.push_back(slip); }
+
+void PeopleImport::show_done(const int& lines) {
+  busy_->set_progress(static_cast<double>(lines) / lines_, tr("%1 of %2").arg(QLocale().toString(lines), QLocale().toString(lines_)));
 }
 
-bool PeopleImport::make(const ListedStudent& student) {
-  const auto stop = [this, &student](const StorageFailure& failure) {
-    end(Ending::failed, tr("Stopped at line %1.").arg(student.line) + u' ' + describe(failure).line());
-    return false;
-  };
-  UserId id;
-  if (student.state == State::fresh) {
-    const QString pin = student.pin.isEmpty() ? fresh_pin() : student.pin;
-    const auto made = store_.accounts.create(
-        actor_, {student.number.toStdString(), student.name.toStdString(), Role::student, {}, pin.toStdString()});
-    if (!made) return stop(made.error());
-    id = made->id;
-    slips_.push_back({student.name, student.number, pin, student.cohort});
-  } else {
-    const auto found = store_.accounts.find_number(student.number.toStdString());
-    if (!found) return stop(found.error());
-    id = found->id;
-  }
-  if (student.cohort.isEmpty()) return true;
-  const auto cohort = cohort_named(student.cohort);
-  if (!cohort) return stop(cohort.error());
-  if (const auto added = store_.cohorts.add(actor_, *cohort, id); !added) return stop(added.error());
-  return true;
-}
-
-void PeopleImport::end(Ending ending, const QString& what) {
-  order_.clear();
-  next_ = 0;
+void PeopleImport::end(const PeopleImportEnd& end) {
+  const bool stopped = stop_->stop_requested();
+  stop_.reset();
   busy_->finish();
   // A second start makes what is left: lines that were done are known now.
   std::vector<ListedStudent> lines = model_->students();
@@ -193,10 +158,10 @@ void PeopleImport::end(Ending ending, const QString& what) {
     if (std::ranges::any_of(slips_, [&](const PinSlip& slip) { return slip.number == line.number; })) line.state = State::known;
   model_->set_students(std::move(lines));
   fit_buttons();
-  const Band::Kind kind = ending == Ending::whole     ? Band::Kind::good
-                          : ending == Ending::stopped ? Band::Kind::look
-                                                      : Band::Kind::bad;
-  band_->show_message(kind, what,
+  const QString what = !end.failure ? (stopped ? tr("Stopped.") : tr("The list is imported."))
+                       : end.line == 0 ? describe(*end.failure).line()
+                                       : tr("Stopped at line %1.").arg(end.line) + u' ' + describe(*end.failure).line();
+  band_->show_message(end.failure ? Band::Kind::bad : stopped ? Band::Kind::look : Band::Kind::good, what,
                       tr("%n account(s) made.", nullptr, static_cast<int>(slips_.size())) +
                           (slips_.empty() ? QString() : u' ' + tr("Save the PIN slips now: the PINs stand nowhere else.")));
 }

@@ -1,13 +1,14 @@
 /// Students from a spreadsheet's list: preview line by line, accounts with PINs, cohorts, PIN slips. Thread: GUI.
-/// Each turn of the event loop makes one account, because a PIN's hash takes a tenth of a second.
+/// people_import_work.h makes them on a thread of its own.
 #pragma once
 
 #include <QWidget>
-#include <map>
+#include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "storage/store.h"
-#include "ui/admin/pin_slips.h"
+#include "ui/admin/people_import_work.h"
 #include "ui/admin/student_list_model.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
@@ -24,14 +25,18 @@ class PeopleImport : public QWidget {
 
  public:
   PeopleImport(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  /// Stops the work before its next line.
+  ~PeopleImport() override;
   const StudentListModel& model() const { return *model_; }
   const std::vector<PinSlip>& slips() const { return slips_; }
   QString message() const;
-  bool working() const { return next_ < order_.size(); }
+  bool working() const { return stop_.has_value(); }
 
  public Q_SLOTS:
   void choose_file();
   void start();
+  /// Before the next line; the page says so when the line at hand is made.
+  void stop();
   void save_slips();
 
  Q_SIGNALS:
@@ -40,12 +45,9 @@ class PeopleImport : public QWidget {
  private:
   void leave();
   void read_file(const QString& path);
-  void step();
-  enum class Ending : std::uint8_t { whole, stopped, failed };
-  void end(Ending ending, const QString& what);
-  /// True if the account stands and is in its cohort.
-  bool make(const ListedStudent& student);
-  Stored<CohortId> cohort_named(const QString& name);
+  void add_slip(const PinSlip& slip);
+  void show_done(const int& lines);
+  void end(const PeopleImportEnd& end);
   void fit_buttons();
   void show_failure(const StorageFailure& failure);
 
@@ -56,10 +58,10 @@ class PeopleImport : public QWidget {
   Band* band_ = nullptr;
   Busy* busy_ = nullptr;
   QPushButton *choose_ = nullptr, *start_ = nullptr, *save_ = nullptr;
-  std::vector<ListedStudent> order_;  // to be made; next_ comes next
-  std::size_t next_ = 0;
-  std::map<QString, CohortId> cohorts_;  // [name, case folded]
-  std::vector<PinSlip> slips_;           // of this import; PINs stand nowhere else
+  std::optional<std::stop_source> stop_;  // of the work that runs
+  BackgroundTask task_;
+  int lines_ = 0;               // of the work that runs
+  std::vector<PinSlip> slips_;  // of this import; PINs stand nowhere else
   bool slips_saved_ = false;
 };
 

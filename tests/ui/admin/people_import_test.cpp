@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
+#include <future>
 
 namespace cusp::test {
 namespace {
@@ -125,6 +128,58 @@ TEST_F(Import, a_second_import_of_the_same_list_makes_nothing_new) {
   page.choose_file();
   EXPECT_EQ(page.model().count(State::fresh), 0);
   EXPECT_EQ(page.model().count(State::known), 1);
+}
+
+TEST_F(Import, makes_accounts_without_a_turn_of_the_windows_event_loop) {
+  write("number,name\n2,New Two\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  page.start();
+  const QDeadlineTimer limit(60'000);
+  while (!records.store().accounts.find_number("2") && !limit.hasExpired()) QThread::msleep(1);
+  EXPECT_TRUE(records.store().accounts.find_number("2"));
+  EXPECT_TRUE(page.working()) << "the window has not heard of it";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+}
+
+TEST_F(Import, stops_before_the_next_line) {
+  PeopleImportWork work{records_of(records.store()), records.administrator().actor(), list_of("number,name\n2,Two\n3,Three\n")};
+  std::stop_source stop;
+  std::promise<PeopleImportEnd> ended;
+  const BackgroundTask task = make_accounts(work, stop.get_token(), {[&](const PinSlip&) { stop.request_stop(); }, [](int) {},
+                                                                     [&](const PeopleImportEnd& end) { ended.set_value(end); }});
+  EXPECT_FALSE(ended.get_future().get().failure);
+  EXPECT_TRUE(records.store().accounts.find_number("2"));
+  EXPECT_FALSE(records.store().accounts.find_number("3"));
+}
+
+TEST_F(Import, stopped_anywhere_has_a_slip_for_each_account_and_makes_the_rest_later) {
+  write("number,name\n2,Two\n3,Three\n4,Four\n5,Five\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  page.start();
+  page.stop();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+  const std::size_t made = page.slips().size();
+  EXPECT_EQ(records.store().accounts.list(records.administrator().actor())->size(), made + 1) << "the administrator has one too";
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Stopped."))) << page.message().toStdString();
+  EXPECT_EQ(page.model().count(State::fresh), static_cast<int>(4 - made));
+  page.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+  EXPECT_EQ(page.slips().size(), 4 - made);
+}
+
+TEST_F(Import, a_line_that_fails_is_named_and_what_was_made_has_its_slip) {
+  write("number,name\n2,New Two\n3,New Three\n4,New Four\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  records.student("3", "Somebody Else");  // meanwhile, at another station
+  page.start();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Stopped at line 3."))) << page.message().toStdString();
+  ASSERT_EQ(page.slips().size(), 1u);
+  EXPECT_EQ(page.slips()[0].number, QStringLiteral("2"));
+  EXPECT_FALSE(records.store().accounts.find_number("4"));
 }
 
 TEST_F(Import, a_file_that_is_no_list_is_named_and_changes_nothing) {
