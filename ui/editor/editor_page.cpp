@@ -112,6 +112,8 @@ void EditorPage::start_autosave() {
 
 EditorPage::~EditorPage() = default;
 
+bool EditorPage::publishing() const { return publish_wait_->running(); }
+
 void EditorPage::show_tooth_form(bool on) {
   left_->setCurrentIndex(on ? 1 : 0);
   if (!on) return change_->setFocus();
@@ -152,8 +154,10 @@ void EditorPage::follow_model() {
   version_->set(unchanged ? tr("Version %1, published").arg(model_->published()->version)
                           : tr("Version %1, not published").arg(s.version),
                 unchanged ? Chip::Kind::good : Chip::Kind::plain);
-  publish_->setText(tr("Publish version %1").arg(s.version));
-  publish_->setAccessibleName(publish_->text());
+  if (!publishing()) {
+    publish_->setText(tr("Publish version %1").arg(s.version));
+    publish_->setAccessibleName(publish_->text());
+  }
   publish_->setEnabled(standing == EditorModel::Standing::ready);
   try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
   reference_->setEnabled(try_->isEnabled() && !reference_job_->running());

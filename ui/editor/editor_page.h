@@ -11,6 +11,7 @@
 #include "ui/editor/later_forms.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/modules.h"
+#include "ui/session/background_task.h"
 #include "ui/session/exercise_session.h"
 #include "ui/widgets/ports.h"
 
@@ -29,9 +30,11 @@ namespace cusp::ui {
 
 class Band;
 class Busy;
+class ButtonWait;
 class Chip;
 class OperatorJob;
 class TargetView;
+struct Published;
 
 class EditorPage : public QWidget {
   Q_OBJECT
@@ -54,7 +57,8 @@ class EditorPage : public QWidget {
   void publish_version();
   /// Saves the draft while the window closes; as a copy if another window has changed it.
   void keep_before_closing();
-  /// Saves the draft and emits back_wanted(). If saving fails, the page stays and shows the cause.
+  /// Saves the draft and emits back_wanted(), both once a version that is being published stands. If saving fails, the page stays and
+  /// shows the cause.
   void leave();
 
  Q_SIGNALS:
@@ -90,6 +94,8 @@ class EditorPage : public QWidget {
   void keep_copy();
   void ask_to_replace_theirs();
   void publish_now();
+  bool publishing() const;
+  void show_published(const Stored<Published>& done);
   void show_failure(const StorageFailure& failure);
   void grow();
   void follow_model();
@@ -111,6 +117,9 @@ class EditorPage : public QWidget {
   TargetView* stage_ = nullptr;
   Band *band_ = nullptr, *clash_ = nullptr;
   QPushButton* see_theirs_ = nullptr;
+  std::unique_ptr<ButtonWait> publish_wait_;
+  BackgroundTask publish_task_;
+  bool leaves_ = false;  // once the version is published
   Busy* busy_ = nullptr;
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;

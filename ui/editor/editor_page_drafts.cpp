@@ -1,5 +1,6 @@
 // EditorPage and the records: saving the draft, conflicts with another window, publishing.
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QDateTime>
 #include <QPointer>
@@ -11,9 +12,11 @@
 #include "ui/editor/publish_sheet.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
+#include "ui/session/records_task.h"
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -38,6 +41,10 @@ void EditorPage::show_failure(const StorageFailure& failure) {
 
 bool EditorPage::keep() {
   autosave_.stop();
+  if (publishing()) {
+    autosave_.start();  // the draft of now goes with what is published
+    return false;
+  }
   const auto kept = keep_draft(store_, actor_, *model_, kept_);
   if (!kept) {
     show_failure(kept.error());
@@ -102,6 +109,7 @@ void EditorPage::ask_to_replace_theirs() {
 
 void EditorPage::keep_before_closing() {
   autosave_.stop();
+  if (publishing()) return;  // the draft stands as it is published; the work ends without the window
   const auto kept = keep_draft(store_, actor_, *model_, kept_);
   if (!kept || *kept == DraftSave::kept) return;
   // A closing window asks no question: both drafts stay. A failed copy cannot be shown any more.
@@ -109,11 +117,13 @@ void EditorPage::keep_before_closing() {
 }
 
 void EditorPage::leave() {
+  leaves_ = publishing();
+  if (leaves_) return;
   if (keep()) Q_EMIT back_wanted();
 }
 
 void EditorPage::publish_version() {
-  if (!model_->prove()) return;
+  if (publishing() || !model_->prove()) return;
   auto facts = publish_facts(store_, *model_, ports_.now().toMSecsSinceEpoch() * 1000);
   if (!facts) return show_failure(facts.error());
   auto* sheet = new PublishSheet(std::move(*facts), local(model_->scenario().title), ports_, this);
@@ -123,13 +133,36 @@ void EditorPage::publish_version() {
 }
 
 void EditorPage::publish_now() {
-  const auto version = publish(store_, actor_, *model_, kept_);
-  if (!version) return show_failure(version.error());
+  if (publishing()) return;
+  // If the program dies meanwhile, the draft is as it was published.
+  if (const auto kept = keep_draft(store_, actor_, *model_, kept_); !kept) return show_failure(kept.error());
+  auto what = publication_of(*model_, kept_);
+  if (!what) return show_failure(what.error());
   autosave_.stop();
+  publish_wait_->start(tr("Publishing…"));
+  publish_task_ = with_own_store(store_, [self = QPointer(this), actor = actor_, what = std::move(*what)](OwnStore own) {
+    const auto done = std::make_shared<Stored<Published>>(own ? publish(**own, actor, what) : Stored<Published>(std::unexpected(own.error())));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, done] {
+          if (self) self->show_published(*done);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void EditorPage::show_published(const Stored<Published>& done) {
+  publish_wait_->finish();
+  if (!done) return show_failure(done.error());
+  kept_.reset();
+  model_->now_published(done->scenario);
+  autosave_.stop();
+  if (!model_->unchanged()) autosave_.start();  // edited meanwhile
   clash_->clear();
-  band_->show_message(Band::Kind::good, tr("Version %1 is published.").arg(version->number),
+  band_->show_message(Band::Kind::good, tr("Version %1 is published.").arg(done->version.number),
                       tr("Students find it among their exercises. Earlier results keep the version they were made with."));
-  Q_EMIT published(*version);
+  Q_EMIT published(done->version);
+  if (leaves_) leave();
 }
 
 }  // namespace cusp::ui

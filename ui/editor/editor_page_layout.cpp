@@ -21,6 +21,7 @@
 #include "ui/editor/texts_form.h"
 #include "ui/session/audit_run.h"
 #include "ui/widgets/bar_top.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -108,6 +109,7 @@ QWidget* EditorPage::make_top_bar() {
   add_try_outs(*row);
   publish_ = make_button(tr("Publish"), ButtonKind::primary);
   row->addWidget(publish_);
+  publish_wait_ = std::make_unique<ButtonWait>(publish_);
   connect(publish_, &QPushButton::clicked, this, &EditorPage::publish_version);
   return bar;
 }

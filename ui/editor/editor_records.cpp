@@ -132,34 +132,34 @@ Stored<int> next_version(Store& store, const EditorModel& model) {
   return versions->back().number + 1;
 }
 
-Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& model, std::optional<std::string>& draft) {
-  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+Stored<Publication> publication_of(const EditorModel& model, const std::optional<std::string>& kept) {
   if (!model.publishable()) return fail(StorageError::bad_value, "scenario.json");
-  if (const auto builtin = load_builtin(model.scenario().key); builtin && builtin->id == model.scenario().id) {
+  return Publication{model.scenario(), model.folder(), kept};
+}
+
+Stored<Published> publish(Store& store, const Actor& actor, const Publication& what) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  if (const auto builtin = load_builtin(what.draft.key); builtin && builtin->id == what.draft.id) {
     auto first = store.scenarios.ensure(*builtin, canonical_json(*builtin), content_hash(*builtin).bytes);
-    if (!first) return first;
+    if (!first) return std::unexpected(first.error());
   }
-  const auto versions = store.scenarios.versions(model.scenario().id);
+  const auto versions = store.scenarios.versions(what.draft.id);
   if (!versions) return std::unexpected(versions.error());
-  Scenario fresh = model.scenario();
+  Scenario fresh = what.draft;
   fresh.version = versions->empty() ? 1 : versions->back().number + 1;
   std::map<std::string, std::vector<std::byte>> beside;
   std::map<std::string, Hash256> files;
   if (const std::string& volume = fresh.specimen.volume; fresh.specimen.generator.empty()) {
-    auto bytes = bytes_of(fs::path(model.folder()) / volume);
+    auto bytes = bytes_of(what.folder / volume);
     if (!bytes) return std::unexpected(bytes.error());
     const auto kept = store.blobs.put(*bytes);
     if (!kept) return std::unexpected(kept.error());
     files[volume] = *kept;
     beside[volume] = std::move(*bytes);
   }
-  auto version =
-      store.scenarios.publish(actor, fresh, canonical_json(fresh), content_hash(fresh, beside).bytes, files, draft);
-  if (version) {
-    draft.reset();
-    model.now_published(fresh);
-  }
-  return version;
+  auto version = store.scenarios.publish(actor, fresh, canonical_json(fresh), content_hash(fresh, beside).bytes, files, what.kept);
+  if (!version) return std::unexpected(version.error());
+  return Published{std::move(*version), std::move(fresh)};
 }
 
 }  // namespace cusp::ui

@@ -42,9 +42,21 @@ Stored<EditorStart> keep_as_copy(Store& store, const Actor& actor, const EditorM
 /// Number of the next version.
 Stored<int> next_version(Store& store, const EditorModel& model);
 
-/// Publishes draft and volume as the next version. Fails with bad_value if a check fails or nothing changed. A built-in exercise that
-/// was never played here first gets its own version with its own number. `draft`: as `kept` of keep_draft; another window's draft
-/// stays.
-Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& model, std::optional<std::string>& draft);
+/// What publish() writes, apart from the model, which stays with the window.
+struct Publication {
+  Scenario draft;
+  std::filesystem::path folder;      // of its volume
+  std::optional<std::string> kept;  // the draft's JSON as keep_draft() has it
+};
+struct Published {
+  ScenarioVersion version;
+  Scenario scenario;  // with the version's number
+};
+/// bad_value if a check fails or nothing changed.
+Stored<Publication> publication_of(const EditorModel& model, const std::optional<std::string>& kept);
+
+/// Publishes draft and volume as the next version. A built-in exercise that was never played here first gets its own version with its
+/// own number. A draft of another window stays. A volume takes seconds: not on the window's thread.
+Stored<Published> publish(Store& store, const Actor& actor, const Publication& what);
 
 }  // namespace cusp::ui

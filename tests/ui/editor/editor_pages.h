@@ -70,6 +70,13 @@ inline PublishSheet* sheet_of(const EditorPage& page) {
   return nullptr;
 }
 
+/// Presses the sheet's button; false if no version is published then.
+inline bool publish_by_sheet(EditorPage& page) {
+  QSignalSpy done(&page, &EditorPage::published);
+  sheet_of(page)->publish()->click();
+  return done.wait(kGrowsWithinMs);
+}
+
 template <class W>
 W* named(QWidget& page, const char* name) {
   for (W* w : page.findChildren<W*>()) {

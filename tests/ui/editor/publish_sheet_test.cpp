@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QDeadlineTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QThread>
 
 #include "scenarios/format/ranges.h"
+#include "scenarios/format/read.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "ui/editor/change_messages.h"
@@ -39,7 +42,7 @@ struct PublishSheets : EditorPages {
   void publish_tried(EditorPage& page) {
     page.model().now_tried(page.model().scenario());
     page.publish_version();
-    sheet_of(page)->publish()->click();
+    ASSERT_TRUE(publish_by_sheet(page));
   }
 };
 
@@ -68,7 +71,7 @@ TEST_F(PublishSheets, AskOnceMoreBeforeWhatNobodyTriedOutAndOnlyThen) {
   EXPECT_EQ(versions(*page), 0u);
   EXPECT_NE(sheet_of(*page), nullptr) << "the sheet stays when the question is answered with no";
   answer = true;
-  sheet_of(*page)->publish()->click();
+  ASSERT_TRUE(publish_by_sheet(*page));
   EXPECT_EQ(asked.size(), 2u);
   EXPECT_EQ(versions(*page), 2u) << "the program's own and the new one";
   page->model().set_depth_mm(1.6);
@@ -126,6 +129,35 @@ TEST_F(PublishSheets, NameTheCohortsWhoseOpenAssignmentsKeepAnOlderVersion) {
   EXPECT_TRUE(text.contains(QStringLiteral("no due date"))) << text.toStdString();
   EXPECT_FALSE(text.contains(QStringLiteral("Year 2"))) << "that one is over";
   EXPECT_TRUE(text.contains(QStringLiteral("Assign version 5"))) << text.toStdString();
+}
+
+TEST_F(PublishSheets, PublishWithoutATurnOfTheWindowsEventLoop) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->model().now_tried(page->model().scenario());
+  page->publish_version();
+  sheet_of(*page)->publish()->click();
+  const QDeadlineTimer limit(kGrowsWithinMs);
+  while (versions(*page) < 2 && !limit.hasExpired()) QThread::msleep(1);
+  EXPECT_EQ(versions(*page), 2u);
+}
+
+TEST_F(PublishSheets, LetThePageLeaveOnceTheVersionStandsAndKeepWhatWasEditedMeanwhile) {
+  const auto page = open();
+  QSignalSpy back(page.get(), &EditorPage::back_wanted);
+  page->model().set_depth_mm(1.5);
+  page->model().now_tried(page->model().scenario());
+  page->publish_version();
+  sheet_of(*page)->publish()->click();
+  page->model().set_depth_mm(1.7);
+  page->leave();
+  EXPECT_EQ(back.count(), 0);
+  ASSERT_TRUE(back.wait(kGrowsWithinMs));
+  EXPECT_EQ(versions(*page), 2u);
+  const auto draft = records.store().scenarios.draft(instructor.actor(), page->model().scenario().id);
+  ASSERT_TRUE(draft.has_value() && draft->has_value());
+  EXPECT_DOUBLE_EQ(read_scenario((*draft)->json)->target.outline.depth_mm, 1.7);
+  EXPECT_DOUBLE_EQ(page->model().published()->target.outline.depth_mm, 1.5);
 }
 
 TEST(ChangeMessages, NameEveryNumberOfTheTableOfRanges) {

@@ -12,6 +12,7 @@
 #include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/publish_draft.h"
 #include "ui/editor/editor_records.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_model.h"
@@ -53,7 +54,7 @@ TEST_F(EditorRecords, a_changed_builtin_is_published_as_its_next_version_and_ope
   model.set_facts(facts_of_block());
   const Scenario draft = model.scenario();
   const int builtin = load_builtin("channel-1")->version;
-  const auto version = publish(records.store(), instructor.actor(), model, kept_json);
+  const auto version = publish_draft(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, builtin + 1);
   EXPECT_EQ(version->author, instructor.id);
@@ -73,10 +74,10 @@ TEST_F(EditorRecords, a_changed_builtin_is_published_as_its_next_version_and_ope
 TEST_F(EditorRecords, publishing_is_refused_while_a_check_fails_or_nothing_changed) {
   EditorModel model(open(exercise("channel-1")));
   model.set_facts(facts_of_block());
-  EXPECT_EQ(publish(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::bad_value);
+  EXPECT_EQ(publish_draft(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::bad_value);
   ASSERT_TRUE(model.set_top_mm(5));  // floor 3 mm above the block
   const Scenario before = model.scenario();
-  EXPECT_EQ(publish(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::bad_value);
+  EXPECT_EQ(publish_draft(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::bad_value);
   EXPECT_TRUE(model.scenario() == before);
   EXPECT_TRUE(records.store().scenarios.library()->empty());
 }
@@ -86,7 +87,7 @@ TEST_F(EditorRecords, a_student_may_not_publish_and_nothing_is_kept) {
   EditorModel model(open(exercise("channel-1")));
   model.set_depth_mm(2.4);
   model.set_facts(facts_of_block());
-  EXPECT_EQ(publish(records.store(), lena.actor(), model, kept_json).error().code, StorageError::not_allowed);
+  EXPECT_EQ(publish_draft(records.store(), lena.actor(), model, kept_json).error().code, StorageError::not_allowed);
   EXPECT_EQ(keep_draft(records.store(), lena.actor(), model, kept_json).error().code, StorageError::not_allowed);
   EXPECT_TRUE(records.store().scenarios.library()->empty());
 }
@@ -133,7 +134,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(back.has_value());
   model.set_facts(facts_of(*back));
   ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
-  const auto version = publish(records.store(), instructor.actor(), model, kept_json);
+  const auto version = publish_draft(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 1);
   ASSERT_EQ(version->files.size(), 1u);
@@ -157,7 +158,7 @@ TEST_F(EditorRecords, a_missing_volume_is_reported_and_nothing_is_published) {
   EditorModel model(*start);
   model.set_facts(facts_of(*volume));
   std::filesystem::remove(std::filesystem::path(model.folder()) / model.scenario().specimen.volume);
-  EXPECT_EQ(publish(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::not_found);
+  EXPECT_EQ(publish_draft(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::not_found);
   EXPECT_TRUE(records.store().scenarios.library()->empty());
 }
 

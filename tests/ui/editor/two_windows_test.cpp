@@ -154,7 +154,7 @@ TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_u
   QSignalSpy ready(first.get(), &EditorPage::ready);
   ASSERT_TRUE(first->grown() || ready.wait(60'000));
   first->publish_version();
-  sheet_of(*first)->publish()->click();
+  ASSERT_TRUE(publish_by_sheet(*first));
   EXPECT_EQ(asked, QStringList{QStringLiteral("Publish untried")});
   EXPECT_TRUE(drafts().empty());
   EXPECT_TRUE(save(*second)) << "none was kept when it was opened, and none is now";
@@ -170,7 +170,7 @@ TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_u
   sheet->reject();
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 2u);
   second->publish_version();
-  sheet_of(*second)->publish()->click();
+  ASSERT_TRUE(publish_by_sheet(*second));
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 3u);
 }
 

@@ -11,6 +11,7 @@
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/publish_draft.h"
 #include "ui/editor/editor_records.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
@@ -44,7 +45,7 @@ struct Withdrawals : ::testing::Test {
     EditorModel model(start);
     model.set_facts(SpecimenFacts{{-10, -10, -10}, {10, 10, 0}, start.draft.specimen.voxel_mm, {Tissue::plastic}});
     std::optional<std::string> draft = start.kept;
-    const auto version = publish(records.store(), instructor.actor(), model, draft);
+    const auto version = publish_draft(records.store(), instructor.actor(), model, draft);
     EXPECT_TRUE(version.has_value());
     return *version;
   }
