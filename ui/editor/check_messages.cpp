@@ -26,6 +26,8 @@ QString tissue_of(const Finding& f) {
 }
 
 QString language_of(const Finding& f) {
+  if (f.detail == "en") return CheckText::tr("English");
+  if (f.detail == "de") return CheckText::tr("German");
   const QLocale locale(QString::fromStdString(f.detail));
   return locale.nativeLanguageName().isEmpty() ? QString::fromStdString(f.detail) : locale.nativeLanguageName();
 }
