@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPushButton>
 
 #include "ui/editor/editor_model.h"
 #include "ui/widgets/format.h"
@@ -61,6 +62,22 @@ QLabel* add_row(QBoxLayout* column, const QString& text, QWidget* field) {
   column->addLayout(row);
   if (auto* number = qobject_cast<NumberField*>(field)) column->addWidget(number->note());
   return label;
+}
+
+QPushButton* make_wrapping_link(const QString& text) {
+  auto* link = new QPushButton;
+  set_kind(link, "link");
+  link->setCheckable(true);
+  link->setAccessibleName(text);
+  // Qt's button draws one line; the label in it wraps, and the layout gives the button the label's height.
+  auto* inside = new QVBoxLayout(link);
+  inside->setContentsMargins(0, px(4), 0, px(4));
+  QLabel* label = make_label(text, TextRole::body, Weight::regular, "accent");
+  label->setWordWrap(true);
+  label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  inside->addWidget(label);
+  link->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
+  return link;
 }
 
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside) {

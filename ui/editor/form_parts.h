@@ -7,6 +7,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QPushButton;
 
 namespace cusp::ui {
 
@@ -32,6 +33,8 @@ class NumberBox : public NumberField {
 
 /// Label at the left, field at the right, the message of a NumberField below. The label is the field's buddy.
 QLabel* add_row(QBoxLayout* column, const QString& label, QWidget* field);
+/// A checkable link of any length: its text takes as many lines as the width needs. `text` is its accessible name too.
+QPushButton* make_wrapping_link(const QString& text);
 /// A section's title with quiet text at the right.
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside = nullptr);
 

@@ -140,12 +140,8 @@ PointsForm::Row PointsForm::make_row(std::size_t index) {
   column->setSpacing(px(4));
   auto* line = new QHBoxLayout;
   line->setSpacing(px(6));
-  row.open = new QPushButton;
-  set_kind(row.open, "link");
-  row.open->setCheckable(true);
-  row.open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  row.open = make_wrapping_link(name);
   row.open->setAccessibleName(tr("Bands of %1").arg(name));
-  row.open->setText(name);
   row.open->setToolTip(tr("Show what earns the points"));
   line->addWidget(row.open, 1);
   row.weight = new NumberBox(model_, tr("Points for %1").arg(name), {}, 0, 1000, 1, 0,
