@@ -13,6 +13,9 @@
 
 namespace cusp::test {
 
+/// What the bars leave of the window that full HD has at 200 %.
+inline constexpr QSize kPageAtHalfOfFullHd{744, 476};
+
 /// visit("de-light") and so on, each with its language and scheme set.
 template <class Visit>
 void in_each_look(Visit&& visit) {

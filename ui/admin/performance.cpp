@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QFile>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,6 +23,7 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
@@ -122,9 +124,11 @@ QWidget* Performance::make_table() {
 
 QWidget* Performance::make_filters() {
   auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
+  auto* row = new HeadRow(bar);  // the search stands alone where the window is narrow
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(8));
+  search_ = make_search_field(tr("Find a student"), px(200));
+  row->addWidget(search_);
   exercise_ = make_choice(tr("Exercise"));
   result_ = make_choice(tr("Result"));
   device_ = make_choice(tr("Device"));
@@ -135,9 +139,6 @@ QWidget* Performance::make_filters() {
   period_->addItem(tr("All dates"));
   for (const int days : {1, 7, 30, 365}) period_->addItem(tr("Last %n day(s)", nullptr, days), days);
   for (QComboBox* box : {exercise_, result_, device_, period_}) row->addWidget(box);
-  row->addStretch();
-  search_ = make_search_field(tr("Find a student"), px(200));
-  row->addWidget(search_);
   return bar;
 }
 
@@ -170,11 +171,11 @@ HistoryFilter Performance::filter() const {
 
 QWidget* Performance::make_figures() {
   auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(px(12));
+  figures_ = new QGridLayout(bar);
+  figures_->setContentsMargins(0, 0, 0, 0);
+  figures_->setSpacing(px(12));
   const QString names[] = {tr("Attempts counted"), tr("Median score"), tr("Passed"), tr("Median time")};
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < kFigures; ++i) {
     auto* card = new Card;
     card->setAccessibleName(names[i]);
     card->body()->setContentsMargins(px(16), px(8), px(16), px(8));
@@ -187,7 +188,7 @@ QWidget* Performance::make_figures() {
     line->addWidget(figure_[i]);
     line->addWidget(note_[i], 1, Qt::AlignBottom);
     card->body()->addLayout(line);
-    row->addWidget(card, 1);
+    figures_->addWidget(card, 0, i);
   }
   return bar;
 }
@@ -331,7 +332,12 @@ void Performance::export_csv() {
 
 void Performance::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (charts_) charts_->setDirection(width() < px(kStackBelow) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  const bool narrow = width() < px(kStackBelow);
+  charts_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  for (int i = 0; i < kFigures; ++i) {
+    figures_->addWidget(figure_[i]->parentWidget(), narrow ? i / 2 : 0, narrow ? i % 2 : i);
+    figures_->setColumnStretch(i, narrow && i >= 2 ? 0 : 1);
+  }
 }
 
 }  // namespace cusp::ui

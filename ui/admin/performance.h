@@ -10,6 +10,7 @@
 
 class QBoxLayout;
 class QComboBox;
+class QGridLayout;
 class QDateEdit;
 class QLabel;
 class QLineEdit;
@@ -74,7 +75,9 @@ class Performance : public QWidget {
   Band* band_ = nullptr;
   QComboBox *exercise_ = nullptr, *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
   QLineEdit* search_ = nullptr;
-  QLabel *figure_[4] = {}, *note_[4] = {};
+  static constexpr int kFigures = 4;
+  QLabel *figure_[kFigures] = {}, *note_[kFigures] = {};  // each in a card
+  QGridLayout* figures_ = nullptr;
   Chart *spread_ = nullptr, *learning_ = nullptr;
   QBoxLayout* charts_ = nullptr;
 };

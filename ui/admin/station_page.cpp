@@ -21,6 +21,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr std::size_t kFindingsShown = 5;
+constexpr int kStackBelow = 900;  // px at 100 %, of the page
 
 QString size_text(std::uint64_t bytes) { return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1); }
 
@@ -51,9 +52,9 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   busy_ = new Busy;
   busy_->hide();
   outer->addWidget(busy_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(px(16));
-  row->addWidget(make_backups(), 3);
+  columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  columns_->setSpacing(px(16));
+  columns_->addWidget(make_backups(), 3);
   auto* aside = new QVBoxLayout;
   aside->setSpacing(px(16));
   aside->addWidget(make_records());
@@ -62,10 +63,15 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   aside->addWidget(recordings_);
   aside->addWidget(make_idle());
   aside->addStretch();
-  row->addLayout(aside, 2);
-  outer->addLayout(row, 1);
+  columns_->addLayout(aside, 2);
+  outer->addLayout(columns_, 1);
   show_backups();
   setFocusProxy(back_up_);
+}
+
+void StationPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  columns_->setDirection(width() < px(kStackBelow) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 QString StationPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }

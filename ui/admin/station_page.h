@@ -12,6 +12,7 @@
 #include "ui/settings/settings.h"
 #include "ui/widgets/ports.h"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QStandardItemModel;
@@ -39,6 +40,9 @@ class StationPage : public QWidget {
   void choose_folder();
   void verify();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* make_records();
   QWidget* make_backups();
@@ -59,6 +63,7 @@ class StationPage : public QWidget {
   QString key_;  // fingerprint of the station's key; empty: opened for reading
   bool working_ = false;
   BackgroundTask task_;
+  QBoxLayout* columns_ = nullptr;
   Band* band_;
   Busy* busy_ = nullptr;
   NumberField* idle_ = nullptr;

@@ -6,11 +6,13 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/looks.h"
 #include "ui/admin/people_model.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
@@ -181,6 +183,18 @@ TEST_F(AdminPages, performance_fetches_as_one_scrolls_and_all_for_another_order)
   QObject::connect(&page, &Performance::report_wanted, [&](const SessionId& id) { wanted = id; });
   QTest::keyClick(page.table(), Qt::Key_Return);
   EXPECT_EQ(wanted, worst);
+}
+
+TEST_F(AdminPages, performance_fits_half_of_full_hd_in_german) {
+  install_language(*qApp, QStringLiteral("de"));
+  records.attempt(records.student("1", "Lena Brandt"), "class-2-46-mo", 78, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.resize(kPageAtHalfOfFullHd);
+  page.show();
+  QTest::qWait(0);
+  const auto* area = page.findChild<QScrollArea*>();
+  EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
+  install_language(*qApp, QStringLiteral("en"));
 }
 
 TEST_F(AdminPages, csv_holds_what_the_filters_leave) {

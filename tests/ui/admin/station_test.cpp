@@ -16,6 +16,7 @@
 namespace cusp::test {
 namespace {
 
+
 constexpr int kPatienceMs = 60'000;
 
 class Station : public testing::Test {
@@ -163,6 +164,17 @@ TEST_F(Station, StandsInEachLook) {
   });
   install_language(*qApp, QStringLiteral("en"));
   apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST_F(Station, NeedsNoMoreWidthThanHalfOfFullHdLeavesItInGerman) {
+  install_language(*qApp, QStringLiteral("de"));
+  StationPage shown(records.store(), admin.actor(), settings, ports);
+  shown.resize(kPageAtHalfOfFullHd);
+  shown.show();
+  QApplication::processEvents();
+  EXPECT_LE(shown.minimumSizeHint().width(), kPageAtHalfOfFullHd.width());
+  expect_buttons_fit(shown);
+  install_language(*qApp, QStringLiteral("en"));
 }
 
 TEST_F(Station, ABackupIsDueADayAfterTheLast) {
