@@ -19,7 +19,8 @@ QPushButton* put_menu(QPushButton* button, QMenu* menu) {
   inside->setContentsMargins(0, 0, px(8), 0);
   inside->addStretch();
   inside->addWidget(chevron);
-  button->setMinimumWidth(button->sizeHint().width() + px(24));
+  // theme.qss leaves the sign its place at that side, so that the text stands in the middle of the rest.
+  button->setProperty("menu", button->isRightToLeft() ? u"left"_qs : u"right"_qs);
   return button;
 }
 
