@@ -44,18 +44,22 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   if (bytes) bytes_ = bytes->value_or(0);
   if (const auto& key = store.context().key) key_ = fingerprint(key->id());
   auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(px(24), px(16), px(24), px(24));
-  outer->setSpacing(px(12));
-  outer->addWidget(new PageHead(tr("Station")));
+  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* body = nullptr;
+  outer->addWidget(make_scroll_page(&body));
+  body->setSpacing(px(12));
+  body->addWidget(new PageHead(tr("Station")));
   band_ = new Band;
-  outer->addWidget(band_);
+  body->addWidget(band_);
   busy_ = new Busy;
   busy_->hide();
-  outer->addWidget(busy_);
+  body->addWidget(busy_);
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));
-  columns_->addWidget(make_backups(), 3);
-  auto* aside = new QVBoxLayout;
+  columns_->addWidget(make_backups());
+  auto* beside = new QWidget;
+  auto* aside = new QVBoxLayout(beside);
+  aside->setContentsMargins(0, 0, 0, 0);
   aside->setSpacing(px(16));
   aside->addWidget(make_records());
   recordings_ = new RecordingsCard(records_, actor_, ports_);
@@ -63,15 +67,18 @@ StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, c
   aside->addWidget(recordings_);
   aside->addWidget(make_idle());
   aside->addStretch();
-  columns_->addLayout(aside, 2);
-  outer->addLayout(columns_, 1);
+  columns_->addWidget(beside);
+  body->addLayout(columns_, 1);
   show_backups();
   setFocusProxy(back_up_);
 }
 
 void StationPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  columns_->setDirection(width() < px(kStackBelow) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  const bool narrow = width() < px(kStackBelow);
+  columns_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  columns_->setStretch(0, narrow ? 0 : 3);
+  columns_->setStretch(1, narrow ? 0 : 2);
 }
 
 QString StationPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
