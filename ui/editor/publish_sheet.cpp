@@ -68,6 +68,7 @@ PublishSheet::PublishSheet(PublishFacts facts, const QString& title, const Ports
   add_uses(*column);
   add_trial(*column);
   add_buttons(*column);
+  setMinimumHeight(column->totalHeightForWidth(px(kWidth)));  // Qt gives a dialog two thirds of the screen's height at most
 }
 
 void PublishSheet::add_changes(QVBoxLayout& column) {
