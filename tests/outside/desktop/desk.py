@@ -15,7 +15,7 @@ import tempfile
 import traceback
 
 import words
-from screen import LIMIT_S, Atspi_Error, Missing, Screen, until
+from screen import LIMIT_S, Atspi_Error, Missing, Screen, reveal, until
 
 SOURCE = os.path.abspath(__file__ + "/../../../..")
 
@@ -126,6 +126,7 @@ class Widget:
             return True
 
     def click(self):
+        reveal(self)
         x, y = self.middle()
         self.program.screen.x("mousemove", x, y, "click", 1)
         return self
@@ -156,10 +157,10 @@ class Widget:
         return self
 
     def choose(self, option):
-        """Chooses in a list that folds down."""
+        """Chooses in a list that folds down, wherever the page has scrolled to."""
         if option in self.meanings:
             return self
-        self.click()
+        self.press()
         self.program.find("list item", option).click()
         until(f"{option!r} to be chosen", lambda: option in self.meanings)
         return self

@@ -203,9 +203,9 @@ def of_publishing(album, program):
     school.page(program, "Library")
 
 
-def cube(path):
+def cube(path, side_mm=CUBE_MM):
     """A closed mesh, as text STL."""
-    corners = [[(i >> axis & 1) * CUBE_MM for axis in range(3)] for i in range(8)]
+    corners = [[(i >> axis & 1) * side_mm for axis in range(3)] for i in range(8)]
     with open(path, "w", encoding="utf-8") as f:
         f.write("solid cube\n")
         for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):

@@ -4,6 +4,7 @@ import shutil
 import subprocess
 import time
 
+MARGIN = 8  # px beside the bar of pages, where a page has nothing
 LIMIT_S = float(os.environ.get("CUSP_DESK_LIMIT_S", "180"))
 
 
@@ -26,6 +27,25 @@ def until(what, look, limit_s=None):
             raise Missing(f"{what} did not come within {limit_s or LIMIT_S:.0f} s")
         time.sleep(pause)
         pause = min(pause * 1.5, 0.25)
+
+
+def reveal(widget):
+    """Scrolls the page by the wheel, over its empty margin, until the widget stands in the window."""
+    program = widget.program
+    pages = program.here(None, "Pages")
+    _, y, _, height = program.find("frame", "Cusp").box()
+    if pages is None or y <= widget.middle()[1] < y + height:
+        return
+    left, _, bar, _ = pages.box()
+    program.screen.x("mousemove", left + bar + MARGIN * program.pixels, y + height // 2)
+
+    def shown():
+        at = widget.middle()[1]
+        if y + height // 8 <= at < y + height * 7 // 8:
+            return True
+        program.screen.x("click", 5 if at > y + height // 2 else 4)
+        return False
+    until(f"{widget.name!r} to be scrolled into the window", shown)
 
 
 def Atspi_Error():

@@ -9,12 +9,15 @@ import subprocess
 import sys
 import time
 
+import cohort
 import desk
+import pictures
 import school
 import student
 
 MOST_MS = 400
 SHOWN = 15  # turns printed, the longest first
+VOLUME_MM = 20  # side of the imported cube
 
 
 class Path:
@@ -92,7 +95,38 @@ def of_instructor(path, program):
     rest(5)
     path.at("instructor: back from the report")
     school.home(program)
+    of_volume(path, program)
     school.sign_out(program)
+
+
+def enabled(program, name, within=None):
+    desk.until(f"{name!r} to be enabled", lambda: program.find("push button", name, within).has("ENABLED"))
+    return program.find("push button", name, within)
+
+
+def of_volume(path, program):
+    """An exercise on an imported volume, published untried."""
+    school.page(program, "Library")
+    path.at("instructor: import of a mesh")
+    program.press("Import a specimen")
+    file = os.path.join(program.folder, "cube.stl")
+    pictures.cube(file, VOLUME_MM)
+    program.press("Choose a file…")
+    cohort.pick(program, "Choose a file", file)
+    program.find("combo box", "Leave out").press()
+    program.find("list item", "Enamel").click()
+    enabled(program, "Make a specimen").press()
+    enabled(program, "Keep it and make an exercise").press()
+    editor = program.find(None, "Editor")
+    enabled(program, "Publish version 1", editor).press()
+    sheet = program.find("dialog", "Publish")
+    path.at("instructor: publishing a volume")
+    program.press("Publish version 1", within=sheet)
+    program.press("Publish untried", within=program.find("alert"))
+    program.find("label", re.compile(r"^Version 1 is published\."))
+    path.at("instructor: after publishing")
+    program.keys("alt+Left")
+    program.find(None, "Pages")
 
 
 def of_administrator(path, program):
@@ -129,6 +163,8 @@ def main():
         of_student(path, program)
         of_instructor(path, program)
         of_administrator(path, program)
+        path.at("administrator: import of people")
+        cohort.import_list(program)
         program.close()
         with open(turns, encoding="utf-8") as f:
             found = [(float(ms), float(moment), stack) for moment, ms, *stack in map(str.split, f)]
