@@ -1620,6 +1620,14 @@
         <source>The expected time, %1, is longer than the time limit, %2.</source>
         <translation>Die erwartete Zeit, %1, ist länger als die Zeitgrenze, %2.</translation>
     </message>
+    <message>
+        <source>English</source>
+        <translation>Englisch</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Deutsch</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -3568,6 +3576,10 @@
         <source>Push %1.</source>
         <translation>Andruck %1.</translation>
     </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorModel</name>
@@ -3845,8 +3857,8 @@
     <message numerus="yes">
         <source>%n thing(s) to look at</source>
         <translation>
-            <numerusform>%n Sache zum Ansehen</numerusform>
-            <numerusform>%n Sachen zum Ansehen</numerusform>
+            <numerusform>%n Hinweis</numerusform>
+            <numerusform>%n Hinweise</numerusform>
         </translation>
     </message>
     <message>
@@ -3968,6 +3980,10 @@
     <message>
         <source>The reference operator cuts it</source>
         <translation>Der Referenzbediener präpariert</translation>
+    </message>
+    <message>
+        <source>Publishing…</source>
+        <translation>Wird veröffentlicht …</translation>
     </message>
 </context>
 <context>
@@ -4805,10 +4821,6 @@
         <translation>trägt ab, solange gehalten</translation>
     </message>
     <message>
-        <source>views of the tooth</source>
-        <translation>Ansichten des Zahns</translation>
-    </message>
-    <message>
         <source>previous bur, next bur</source>
         <translation>voriger Bohrer, nächster Bohrer</translation>
     </message>
@@ -4899,6 +4911,10 @@
     <message>
         <source>Quick start in five pictures</source>
         <translation>Schnellstart in fünf Bildern</translation>
+    </message>
+    <message>
+        <source>views of the tooth, target and handpiece</source>
+        <translation>Ansichten des Zahns, Ziel und Handstück</translation>
     </message>
 </context>
 <context>

@@ -40,7 +40,7 @@ std::optional<AssignmentId> open_practice(Store& store, const Actor& student, co
 DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& text) {
   pictures_->stop();
   auto* screen = new DrillScreen(ports_);
-  screen->keep_sound_in(&settings_);
+  screen->keep_settings_in(&settings_);
   const DeviceChoice device = DeviceSettings(settings_.file()).choice();
   screen->use_device(device);
   screen->use_teeth(teeth_);

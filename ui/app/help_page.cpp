@@ -98,7 +98,7 @@ QHBoxLayout* HelpPage::make_keys() {
                       {{ctrl, u"↑"_qs}, tr("turn the handpiece, where the exercise lets it; Home: back")},
                       {{tr("Space")}, tr("cut while held")},
                       {{u"H"_qs}, tr("hold the depth, let it go (mouse)")},
-                      {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
+                      {{u"1"_qs, u"…"_qs, u"6"_qs}, tr("views of the tooth, target and handpiece")},
                       {{u"I"_qs, u"J"_qs, u"K"_qs, u"L"_qs}, tr("move the mirror; with Shift: tilt it; U, O: nearer, away")},
                       {{u"["_qs, u"]"_qs}, tr("previous bur, next bur")},
                       {{u"P"_qs}, tr("pause and resume")},

@@ -11,6 +11,7 @@
 
 #include "ui/drill/drill_screen_inner.h"
 #include "ui/session/bur_depth.h"
+#include "ui/settings/settings.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -159,7 +160,11 @@ DrillScreen::~DrillScreen() {
   if (inner_->attempt) inner_->attempt->session.reset();
 }
 
-void DrillScreen::keep_sound_in(Settings* settings) { inner_->sound->keep_in(settings); }
+void DrillScreen::keep_settings_in(Settings* settings) {
+  inner_->sound->keep_in(settings);
+  inner_->stage->show_handpiece(settings->handpiece_shown());
+  connect(inner_->stage, &DrillStage::handpiece_switched, this, [settings](bool shown) { settings->set_handpiece_shown(shown); });
+}
 bool DrillScreen::running() const { return inner_->attempt && inner_->attempt->session && !inner_->over; }
 ToothView* DrillScreen::view() const { return inner_->stage->view(); }
 

@@ -36,8 +36,9 @@ class DrillScreen : public QWidget {
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
   class ToothView* view() const;
-  /// Where volume and mute of the drilling sound are kept; outlives the screen. Without: the usual ones, not kept.
-  void keep_sound_in(class Settings* settings);
+  /// Where the drilling sound's volume and mute are kept, and whether the handpiece is drawn; outlives the screen. Without: the usual
+  /// ones, not kept.
+  void keep_settings_in(class Settings* settings);
 
  public Q_SLOTS:
   /// Stops the clock and the force; the same again resumes.

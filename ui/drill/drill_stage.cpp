@@ -76,11 +76,13 @@ void DrillStage::make_tools() {
   cutaway_ = tool(tools_, tr("Cutaway"), QStringLiteral("cutaway"), 3);
   above_ = tool(tools_, tr("From above"), QStringLiteral("eye"), 4);
   target_ = tool(tools_, tr("Target"), QStringLiteral("target"), 5);
+  handpiece_ = tool(tools_, tr("Handpiece"), QStringLiteral("handpiece"), 6);
   mirror_->setToolTip(tr("Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away"));
-  for (QPushButton* button : {mirror_, cutaway_, target_}) button->setCheckable(true);
+  for (QPushButton* button : {mirror_, cutaway_, target_, handpiece_}) button->setCheckable(true);
   target_->setChecked(true);
+  show_handpiece(true);
   int number = 1;
-  for (QPushButton* button : {turn_, mirror_, cutaway_, above_, target_}) {
+  for (QPushButton* button : {turn_, mirror_, cutaway_, above_, target_, handpiece_}) {
     row->addWidget(button);
     QLabel* cap = make_key_cap(QString::number(number++));
     cap->setFixedHeight(px(18));
@@ -109,6 +111,8 @@ void DrillStage::connect_tools() {
     if (!on) view_->set_cutaway(std::nullopt);
     want_sections();
   });
+  connect(handpiece_, &QPushButton::toggled, view_, &ToothView::set_handpiece_shown);
+  connect(handpiece_, &QPushButton::clicked, this, &DrillStage::handpiece_switched);
   connect(target_, &QPushButton::toggled, this, [this](bool on) {
     view_->set_target_shown(on);
     legend_->setVisible(on && look_ && !look_->empty());
@@ -272,6 +276,11 @@ void DrillStage::show_stopped(Stop stop, const Message& record, Fault fault) {
 
 void DrillStage::enable_tools(bool on) { tools_->setEnabled(on); }
 
+void DrillStage::show_handpiece(bool on) {
+  handpiece_->setChecked(on);
+  view_->set_handpiece_shown(on);
+}
+
 void DrillStage::hold_mirror(bool on) {
   if (!on) return mirror_hold_->put_away();
   if (cutaway_->isChecked()) cutaway_->setChecked(false);  // a tooth cut open is no tooth in a mouth
@@ -280,9 +289,9 @@ void DrillStage::hold_mirror(bool on) {
 
 bool DrillStage::press_key(int key, Qt::KeyboardModifiers modifiers) {
   if (mirror_hold_->press_key(key, modifiers)) return true;
-  QPushButton* const buttons[] = {turn_, mirror_, cutaway_, above_, target_};
+  QPushButton* const buttons[] = {turn_, mirror_, cutaway_, above_, target_, handpiece_};
   const int index = key - Qt::Key_1;
-  if (modifiers != Qt::NoModifier || index < 0 || index >= 5 || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
+  if (modifiers != Qt::NoModifier || index < 0 || index >= static_cast<int>(std::size(buttons)) || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
   buttons[index]->click();
   return true;
 }
@@ -307,11 +316,13 @@ void DrillStage::place_all() {
     widget->adjustSize();
     widget->move(x, y);
   };
-  // Where the row is too long its keys stand in the tooltips alone.
+  // Where the row is too long its keys stand in the tooltips alone, and at last the handpiece's name too.
+  handpiece_->setText(u' ' + handpiece_->accessibleName());  // as make_button: the style leaves no space after the sign
   int long_row = tools_->sizeHint().width();
   for (const auto& [button, cap] : caps_)
     if (cap->isHidden() && !button->isHidden()) long_row += cap->sizeHint().width() + px(2);
   for (const auto& [button, cap] : caps_) cap->setVisible(!button->isHidden() && long_row <= w - 2 * gap);
+  if (tools_->sizeHint().width() > w - 2 * gap) handpiece_->setText({});
   tools_->adjustSize();
   tools_->move((w - tools_->width()) / 2, gap);
   const QSize depth = depth_->sizeHint(), push = push_->sizeHint();

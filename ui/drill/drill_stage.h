@@ -61,7 +61,8 @@ class DrillStage : public QWidget {
   /// While a question stands over the screen, the pause that it made is not shown besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
-  /// 1 to 5 of the tool bar, and the mirror's keys; false for other keys.
+  void show_handpiece(bool on);
+  /// 1 to 6 of the tool bar, and the mirror's keys; false for other keys.
   bool press_key(int key, Qt::KeyboardModifiers modifiers);
   /// Live values as one sentence, for a screen reader on request.
   QString spoken() const;
@@ -70,6 +71,8 @@ class DrillStage : public QWidget {
 
  Q_SIGNALS:
   void depth_hold_wanted(bool on);
+  /// Shown or put away by somebody.
+  void handpiece_switched(bool shown);
   void go_on();
   void leave();
   void sections_wanted(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid);
@@ -101,7 +104,7 @@ class DrillStage : public QWidget {
   MirrorHold* mirror_hold_;
   QFrame *tools_, *coach_card_, *legend_;
   StopCard* stop_card_;
-  QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;
+  QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_, *handpiece_;
   std::vector<std::pair<QPushButton*, QLabel*>> caps_;  // each tool's key
   Gauge *depth_, *push_;
   QLabel *coach_sign_, *coach_, *wanted_push_, *bur_tag_;

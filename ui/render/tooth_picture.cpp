@@ -6,6 +6,7 @@
 
 #include "ui/render/bur_pass.h"
 #include "ui/render/gl_program.h"
+#include "ui/render/handpiece_pass.h"
 #include "ui/render/mesh_buffers.h"
 #include "ui/render/mirror_pass.h"
 #include "ui/render/overlay_pass.h"
@@ -110,6 +111,7 @@ struct ToothPicture::Inner {
   ToothPass tooth;
   OverlayPass overlay;
   BurPass bur;
+  HandpiecePass handpiece;
   MirrorPass mirror;
   FlatPasses flat;
 
@@ -128,7 +130,7 @@ std::unique_ptr<ToothPicture> ToothPicture::create(std::string* why) {
     std::unique_ptr<ToothPicture> out(new ToothPicture);
     out->inner_ = std::make_unique<Inner>();
     Inner& in = *out->inner_;
-    if (in.tooth.create(reason) && in.overlay.create(reason) && in.bur.create(reason) && in.mirror.create(reason) &&
+    if (in.tooth.create(reason) && in.overlay.create(reason) && in.bur.create(reason) && in.handpiece.create(reason) && in.mirror.create(reason) &&
         in.flat.create(reason))
       return out;
   }
@@ -208,6 +210,7 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
     drawn.triangles += mirrored.triangles;
     drawn.bricks += mirrored.bricks;
   }
+  if (scene.bur && scene.show_handpiece && !scene.cutaway && !scene.mirror) in.handpiece.draw(view, *scene.bur);
   glBindVertexArray(0);
   glUseProgram(0);
   return drawn;

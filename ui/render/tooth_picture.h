@@ -39,6 +39,7 @@ struct Scene3d {
   Colouring colouring = Colouring::tissue;
   bool show_target = true;                // tint of the uncut remainder, the lines, hatching of the over-cut
   std::optional<BurPose> bur;
+  bool show_handpiece = false;            // above the bur; left out of a cutaway, and where a mirror is held, which it would hide
   std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
   std::optional<MouthMirror> mirror;      // reflects all of it but itself; left out of a cutaway
   float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines

@@ -31,6 +31,8 @@ int Settings::volume_percent() const {
 void Settings::set_volume_percent(int percent) { store_.setValue("sound/volume", std::clamp(percent, 0, 100)); }
 bool Settings::muted() const { return store_.value("sound/muted", false).toBool(); }
 void Settings::set_muted(bool muted) { store_.setValue("sound/muted", muted); }
+bool Settings::handpiece_shown() const { return store_.value("view/handpiece", true).toBool(); }
+void Settings::set_handpiece_shown(bool shown) { store_.setValue("view/handpiece", shown); }
 int Settings::idle_minutes() const {
   return std::clamp(store_.value("station/idle_minutes", kUsualIdleMinutes).toInt(), 0, kMostIdleMinutes);
 }

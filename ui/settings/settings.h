@@ -32,6 +32,9 @@ class Settings {
   bool muted() const;
   void set_muted(bool muted);
   static constexpr int kUsualVolumePercent = 50;
+  /// Whether the handpiece is drawn above the bur; it is unless somebody put it away.
+  bool handpiece_shown() const;
+  void set_handpiece_shown(bool shown);
   /// Minutes without input after which the desktop signs out; 0 = never.
   int idle_minutes() const;
   void set_idle_minutes(int minutes);

@@ -233,6 +233,12 @@ void ToothView::set_target_shown(bool on) {
   repaint_soon();
 }
 
+void ToothView::set_handpiece_shown(bool on) {
+  if (on == scene_.show_handpiece) return;
+  scene_.show_handpiece = on;
+  repaint_soon();
+}
+
 bool ToothView::moved_visibly(const std::optional<BurPose>& bur) const {
   const auto& now = scene_.bur;
   if (bur.has_value() != now.has_value()) return true;

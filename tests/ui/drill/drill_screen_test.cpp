@@ -154,7 +154,7 @@ TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_s
   const QTemporaryDir folder;
   Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
   settings.set_volume_percent(30);
-  screen->keep_sound_in(&settings);
+  screen->keep_settings_in(&settings);
   begin("channel-1", {"spindle-electric", "sound"});
   // Where this machine has no output, the panel shows it; the controls are the same with one.
   bool shown = false;
@@ -171,6 +171,20 @@ TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_s
   QTest::keyClick(screen.get(), Qt::Key_M);
   EXPECT_TRUE(QTest::qWaitFor([&] { return settings.muted(); }, kPatienceMs));
   EXPECT_FALSE(slider->isEnabled());
+}
+
+TEST_F(Screen, the_handpiece_is_put_away_by_key_and_stays_away) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  screen->keep_settings_in(&settings);
+  begin("channel-1");
+  EXPECT_TRUE(screen->view()->scene().show_handpiece);
+  QTest::keyClick(screen.get(), Qt::Key_6);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !screen->view()->scene().show_handpiece; }, kPatienceMs));
+  EXPECT_FALSE(settings.handpiece_shown());
+  DrillScreen next(ports);
+  next.keep_settings_in(&settings);
+  EXPECT_FALSE(next.view()->scene().show_handpiece);
 }
 
 TEST_F(Screen, answering_no_continues_the_attempt) {

@@ -183,19 +183,22 @@ void print_all_frames(const Shown& shown, const std::vector<Scene3d>& views) {
 /// What a frame at the target is spent on: each part as the difference to a frame without it, and the same at smaller sizes.
 void print_split(Shown& shown, Scene3d scene) {
   scene.bur = BurPose{.bur = Bur{}, .pivot_mm = scene.camera.centre_mm()};
+  scene.show_handpiece = true;
   const Size whole = shown.size;
   for (const double share : {1.0, 0.85, 0.7, 0.6, 0.5, 0.02}) {
     shown.size = {static_cast<int>(share * whole.width), static_cast<int>(share * whole.height)};
     const double all = measure(shown, scene).cpu_ms;
     Scene3d less = scene;
+    less.show_handpiece = false;
+    const double no_handpiece = measure(shown, less).cpu_ms;
     less.show_target = false;
     const double no_lines = measure(shown, less).cpu_ms;
     less.bur.reset();
     const double no_bur = measure(shown, less).cpu_ms;
     less.camera.set_centre(scene.camera.centre_mm() + Vec3(0.0, 0.0, 1e3));
     const double background = measure(shown, less).cpu_ms;
-    std::printf("  %.2f of each side: %.1f ms; lines %.1f, bur %.1f, tooth %.1f, background %.1f\n", share, all, all - no_lines,
-                no_lines - no_bur, no_bur - background, background);
+    std::printf("  %.2f of each side: %.1f ms; handpiece %.1f, lines %.1f, bur %.1f, tooth %.1f, background %.1f\n", share, all,
+                all - no_handpiece, no_handpiece - no_lines, no_lines - no_bur, no_bur - background, background);
   }
   shown.size = whole;
 }
