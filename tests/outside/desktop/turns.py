@@ -125,7 +125,7 @@ def of_volume(path, program):
     program.press("Publish untried", within=program.find("alert"))
     program.find("label", re.compile(r"^Version 1 is published\."))
     path.at("instructor: after publishing")
-    program.keys("alt+Left")
+    program.press("Library", within=editor)
     program.find(None, "Pages")
 
 

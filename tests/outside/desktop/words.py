@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ET
 SOURCE = os.path.abspath(__file__ + "/../../../..")
 LEAST_LETTERS = 4  # of a text with %1 beside it: fewer fit too much
 OF_QT = {"de": {"File name:": "Dateiname:"}}  # texts of Qt's own dialogs
+LISTED = (" · ", ", ")  # between texts that one label shows, and between names
 PLACE = re.compile(r"%(?:L?\d|n)")
 
 
@@ -93,6 +94,9 @@ class Catalogue:
         first, stop, rest = shown.partition(". ")
         if not out and stop:  # a band shows what happened and more in one label
             out.append(f"{self._meanings(first + '.')[0]} {self._meanings(rest)[0]}")
+        for sign in LISTED:
+            if not out and sign in shown:
+                out.append(sign.join(self._meanings(part)[0] for part in shown.split(sign)))
         return out + [shown]
 
     def shown(self, text):
