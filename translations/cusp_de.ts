@@ -5087,6 +5087,10 @@
         <source>The specimen is made. Look at it, and keep it.</source>
         <translation>Das Präparat ist fertig. Ansehen und behalten.</translation>
     </message>
+    <message>
+        <source>Making the exercise</source>
+        <translation>Übung wird angelegt</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ImportPreview</name>

@@ -366,13 +366,21 @@ void ImportPage::show_made(ImportedSpecimen made, const std::vector<ImportRemark
 }
 
 void ImportPage::keep() {
-  if (!preview_->volume() || preview_->turning()) return;
+  if (work_ || !preview_->volume() || preview_->turning()) return;
   // Files of a CT are often named after the patient.
   const bool ct = image_ && image_->slices > 0;
   const std::string name = ct ? tr("CT").toStdString() : QFileInfo(QString::fromStdString(files_.front().string())).completeBaseName().toStdString();
-  const auto start = exercise_on(*preview_->volume(), name, database_);
-  if (!start) return show_failure(start.error());
-  Q_EMIT edit_wanted(*start);
+  begin_work(tr("Making the exercise"));
+  QThreadPool::globalInstance()->start([volume = preview_->volume(), name, database = database_, work = work_, self = QPointer<ImportPage>(this)] {
+    const auto start = std::make_shared<Result<EditorStart, ImportFailure>>(exercise_on(*volume, name, database));
+    std::error_code ignored;  // a volume that stays wastes disk space only
+    if (work->stop_requested() && *start) std::filesystem::remove_all((*start)->folder, ignored);
+    answer_to(self, work, [self, start] {
+      self->end_work();
+      if (!*start) return self->show_failure(start->error());
+      Q_EMIT self->edit_wanted(**start);
+    });
+  });
 }
 
 }  // namespace cusp::ui

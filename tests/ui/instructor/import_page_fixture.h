@@ -82,6 +82,11 @@ struct ImportPageTest : ::testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !page->preview()->turning(); }, kPatienceMs));
   }
   QPushButton* keep() const { return button(QStringLiteral("Keep it and make an exercise")); }
+  void keep_it() {
+    keep()->click();
+    ASSERT_TRUE(page->busy());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  }
   void choose(const QString& name, Tissue tissue) const {
     QComboBox* b = box(name);
     ASSERT_NE(b, nullptr) << name.toStdString();

@@ -8,6 +8,7 @@
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "tests/ui/instructor/import_page_fixture.h"
+#include "ui/widgets/busy.h"
 #include "ui/text/language.h"
 
 namespace cusp::test {
@@ -38,7 +39,7 @@ TEST_F(ImportPageTest, nested_meshes_of_several_files_become_an_exercise_on_thei
   EXPECT_FALSE(started.has_value()) << "first it is looked at";
   EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("pulp\\W* lies inside \\W*crown")))) << texts().toStdString();
   EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("the innermost wins: \\W*pulp\\W* > \\W*crown")))) << texts().toStdString();
-  keep()->click();
+  keep_it();
   ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "crown");
   EXPECT_EQ(started->draft.protected_parts, std::vector<Protected>{Tissue::pulp});
@@ -67,8 +68,22 @@ TEST_F(ImportPageTest, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_
   make();
   EXPECT_FALSE(started.has_value()) << "the page reports first what was done";
   EXPECT_TRUE(texts().contains(QStringLiteral("hole of "))) << texts().toStdString();
-  keep()->click();
+  keep_it();
   EXPECT_TRUE(started.has_value());
+}
+
+TEST_F(ImportPageTest, keeping_can_be_stopped_and_leaves_no_draft) {
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  open({file("a.stl")});
+  choose(QStringLiteral("What a is made of"), Tissue::enamel);
+  make();
+  keep()->click();
+  Q_EMIT page->findChild<Busy*>()->cancelled();
+  QThreadPool::globalInstance()->waitForDone();
+  QApplication::processEvents();
+  EXPECT_FALSE(page->busy());
+  EXPECT_FALSE(started.has_value());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "")) EXPECT_NE(entry.path().filename(), "specimen.nrrd");
 }
 
 TEST_F(ImportPageTest, a_unit_that_makes_no_tooth_is_asked_again) {
@@ -134,7 +149,7 @@ TEST_F(ImportPageTest, what_was_made_is_turned_before_it_is_kept) {
   turn(QStringLiteral("Turn right"));
   turn(QStringLiteral("Tip back"));
   const VoxelVolume wanted = quarter_turned(quarter_turned(*upright, 2, 1), 0, 1);
-  keep()->click();
+  keep_it();
   ASSERT_TRUE(started.has_value());
   const auto kept = read_nrrd(std::filesystem::path(started->folder) / started->draft.specimen.volume);
   ASSERT_TRUE(kept);

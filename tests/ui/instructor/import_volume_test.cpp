@@ -79,7 +79,7 @@ TEST_F(ImportPageTest, a_ct_shows_its_tissues_live_and_keeps_no_name) {
   for (QCheckBox* b : page->findChildren<QCheckBox*>()) b->setChecked(true);
   make();
   EXPECT_TRUE(texts().contains(QStringLiteral("Nothing about the patient was read."))) << texts().toStdString();
-  keep()->click();
+  keep_it();
   ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "CT");
   EXPECT_EQ(started->draft.protected_parts, std::vector<Protected>{Tissue::pulp}) << "the hollow";
