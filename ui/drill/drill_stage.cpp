@@ -316,13 +316,15 @@ void DrillStage::place_all() {
     widget->adjustSize();
     widget->move(x, y);
   };
-  // Where the row is too long its keys stand in the tooltips alone, and at last the handpiece's name too.
-  handpiece_->setText(u' ' + handpiece_->accessibleName());  // as make_button: the style leaves no space after the sign
+  // Where the row is too long its keys stand in the tooltips alone, then the handpiece's name, and at last all names.
+  for (const auto& [button, cap] : caps_) button->setText(u' ' + button->accessibleName());  // as make_button: the style leaves no space
   int long_row = tools_->sizeHint().width();
   for (const auto& [button, cap] : caps_)
     if (cap->isHidden() && !button->isHidden()) long_row += cap->sizeHint().width() + px(2);
   for (const auto& [button, cap] : caps_) cap->setVisible(!button->isHidden() && long_row <= w - 2 * gap);
   if (tools_->sizeHint().width() > w - 2 * gap) handpiece_->setText({});
+  if (tools_->sizeHint().width() > w - 2 * gap)
+    for (const auto& [button, cap] : caps_) button->setText({});
   tools_->adjustSize();
   tools_->move((w - tools_->width()) / 2, gap);
   const QSize depth = depth_->sizeHint(), push = push_->sizeHint();

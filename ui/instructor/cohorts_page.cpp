@@ -133,6 +133,7 @@ QWidget* CohortsPage::make_students() {
 
 QWidget* CohortsPage::make_assignments() {
   assignments_card_ = new Card(tr("Assigned exercises"), QStringLiteral(" "));
+  assignments_card_->wrap_aside();
   assigned_ = new Table;
   assigned_->setAccessibleName(tr("Assigned exercises"));
   assigned_->setModel(assignments_);

@@ -93,6 +93,12 @@ void Card::set_aside(const QString& aside) {
   if (aside_) aside_->setText(aside);
 }
 
+void Card::wrap_aside() {
+  aside_->setWordWrap(true);
+  aside_->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
+  head_->setStretchFactor(aside_, 1);
+}
+
 Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -44,6 +44,8 @@ class Card : public QFrame {
   QHBoxLayout* head() { return head_; }
   void set_title(const QString& title);
   void set_aside(const QString& aside);
+  /// Lets a long one take lines beside the title. The card's height then depends on its width.
+  void wrap_aside();
 
  private:
   QVBoxLayout* body_;
