@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kNarrow = 1000;     // px at 100 %; three columns need as much
+constexpr int kNarrow = 1040;     // px at 100 %; three columns need as much
 constexpr int kNamedUnknown = 5;  // unknown numbers that the message names
 
 std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
