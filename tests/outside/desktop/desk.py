@@ -5,6 +5,7 @@ and values as a screen reader would. Everything waits for what the screen shows,
 sets when to give up. When a test fails, the screen, what a screen reader would see of it, and the program's own output
 go to the folder that CUSP_DESK_PICTURES names (else beside the other temporary files).
 """
+import atexit
 import os
 import re
 import shutil
@@ -25,8 +26,10 @@ def on_own_bus():
     if os.environ.get("CUSP_DESK_BUS") != "own":
         # XDG_RUNTIME_DIR would lead to the accessibility bus of whoever is logged in here.
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "AT_SPI_BUS_ADDRESS", "XDG_RUNTIME_DIR")}
-        environment.update(CUSP_DESK_BUS="own", NO_AT_BRIDGE="0", GTK_A11Y="none")
+        # The accessibility bus has its socket in the cache folder, and removes it at its end: runs at one time need one each.
+        environment.update(CUSP_DESK_BUS="own", NO_AT_BRIDGE="0", GTK_A11Y="none", XDG_CACHE_HOME=tempfile.mkdtemp(prefix="cusp-bus-"))
         os.execvpe("dbus-run-session", ["dbus-run-session", "--", sys.executable, *sys.argv], environment)
+    atexit.register(shutil.rmtree, os.environ["XDG_CACHE_HOME"], ignore_errors=True)
     global Atspi
     import gi
     gi.require_version("Atspi", "2.0")
