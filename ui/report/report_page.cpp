@@ -62,6 +62,7 @@ void ReportPage::fill() {
   QWidget *old_head = head_, *old_main = main_;
   against_ = nullptr;
   QVBoxLayout* head = container(&head_);
+  head_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // a high window leaves its room below
   head->addWidget(make_score());
   if (QWidget* remarks = make_remarks()) head->addWidget(remarks);
   QVBoxLayout* main = container(&main_);
