@@ -3985,6 +3985,10 @@
         <source>Publishing…</source>
         <translation>Wird veröffentlicht …</translation>
     </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ExchangePage</name>

@@ -112,7 +112,7 @@ void EditorPage::start_autosave() {
 
 EditorPage::~EditorPage() = default;
 
-bool EditorPage::publishing() const { return publish_wait_->running(); }
+bool EditorPage::publishing() const { return publish_wait_->running() && !proving_; }
 
 void EditorPage::show_tooth_form(bool on) {
   left_->setCurrentIndex(on ? 1 : 0);
@@ -154,7 +154,7 @@ void EditorPage::follow_model() {
   version_->set(unchanged ? tr("Version %1, published").arg(model_->published()->version)
                           : tr("Version %1, not published").arg(s.version),
                 unchanged ? Chip::Kind::good : Chip::Kind::plain);
-  if (!publishing()) {
+  if (!publish_wait_->running()) {
     publish_->setText(tr("Publish version %1").arg(s.version));
     publish_->setAccessibleName(publish_->text());
   }

@@ -53,7 +53,7 @@ class EditorPage : public QWidget {
   void try_out();
   /// Lets the reference operator cut the draft at once, and asks for the report of it.
   void try_out_by_reference();
-  /// Opens the sheet that asks before publishing.
+  /// Checks the exercise by attempts at it, off this thread, and opens the sheet that asks before publishing.
   void publish_version();
   /// Saves the draft while the window closes; as a copy if another window has changed it.
   void keep_before_closing();
@@ -95,6 +95,8 @@ class EditorPage : public QWidget {
   void ask_to_replace_theirs();
   void publish_now();
   bool publishing() const;
+  void show_proved(const Scenario& checked, std::vector<Finding> found);
+  void open_sheet();
   void show_published(const Stored<Published>& done);
   void show_failure(const StorageFailure& failure);
   void grow();
@@ -119,7 +121,8 @@ class EditorPage : public QWidget {
   QPushButton* see_theirs_ = nullptr;
   std::unique_ptr<ButtonWait> publish_wait_;
   BackgroundTask publish_task_;
-  bool leaves_ = false;  // once the version is published
+  bool proving_ = false;  // before the sheet opens
+  bool leaves_ = false;   // once the version is published
   Busy* busy_ = nullptr;
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;

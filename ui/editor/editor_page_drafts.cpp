@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QPushButton>
 
+#include "scenarios/checks/checks.h"
 #include "scenarios/format/read.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
@@ -123,7 +124,29 @@ void EditorPage::leave() {
 }
 
 void EditorPage::publish_version() {
-  if (publishing() || !model_->prove()) return;
+  if (publish_wait_->running() || has_error(model_->findings())) return;
+  if (!model_->specimen()) return open_sheet();
+  proving_ = true;
+  publish_wait_->start(tr("Checking…"));
+  publish_task_ = BackgroundTask([self = QPointer(this), checked = model_->scenario(), specimen = model_->specimen()] {
+    const auto found = std::make_shared<std::vector<Finding>>(check_attempts(checked, specimen));
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, checked, found] {
+          if (self) self->show_proved(checked, std::move(*found));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void EditorPage::show_proved(const Scenario& checked, std::vector<Finding> found) {
+  proving_ = false;
+  publish_wait_->finish();
+  if (!(model_->scenario() == checked)) return publish_version();  // edited meanwhile
+  if (model_->prove(std::move(found))) open_sheet();
+}
+
+void EditorPage::open_sheet() {
   auto facts = publish_facts(store_, *model_, ports_.now().toMSecsSinceEpoch() * 1000);
   if (!facts) return show_failure(facts.error());
   auto* sheet = new PublishSheet(std::move(*facts), local(model_->scenario().title), ports_, this);

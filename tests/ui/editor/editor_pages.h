@@ -70,6 +70,12 @@ inline PublishSheet* sheet_of(const EditorPage& page) {
   return nullptr;
 }
 
+/// Opens the sheet; false if a check fails.
+inline bool open_sheet(EditorPage& page) {
+  page.publish_version();
+  return QTest::qWaitFor([&] { return sheet_of(page) != nullptr; }, kGrowsWithinMs);
+}
+
 /// Presses the sheet's button; false if no version is published then.
 inline bool publish_by_sheet(EditorPage& page) {
   QSignalSpy done(&page, &EditorPage::published);

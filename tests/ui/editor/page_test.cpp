@@ -225,7 +225,7 @@ TEST_F(EditorPages, leaving_keeps_the_draft_and_publishing_takes_it_away) {
   EXPECT_EQ(records.store().scenarios.drafts(instructor.actor())->size(), 1u);
   page->model().now_tried(page->model().scenario());
   named<QPushButton>(*page, "Publish version 4")->click();
-  ASSERT_NE(sheet_of(*page), nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sheet_of(*page) != nullptr; }, kGrowsWithinMs));
   EXPECT_FALSE(records.store().scenarios.drafts(instructor.actor())->empty()) << "nothing is published before it is answered";
   ASSERT_TRUE(publish_by_sheet(*page));
   EXPECT_TRUE(records.store().scenarios.drafts(instructor.actor())->empty());

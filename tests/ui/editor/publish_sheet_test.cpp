@@ -41,7 +41,7 @@ struct PublishSheets : EditorPages {
   }
   void publish_tried(EditorPage& page) {
     page.model().now_tried(page.model().scenario());
-    page.publish_version();
+    ASSERT_TRUE(open_sheet(page));
     ASSERT_TRUE(publish_by_sheet(page));
   }
 };
@@ -51,7 +51,7 @@ TEST_F(PublishSheets, ListWhatChangedWithValuesOfNowAndBefore) {
   page->model().set_depth_mm(1.5);
   page->model().end_gesture();
   page->model().set_pass(60);
-  page->publish_version();
+  ASSERT_TRUE(open_sheet(*page));
   const QString text = text_of(*sheet_of(*page));
   EXPECT_TRUE(text.contains(QStringLiteral("Changed since version 3"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Depth: 1.50 mm, was 2.00 mm"))) << text.toStdString();
@@ -64,7 +64,7 @@ TEST_F(PublishSheets, ListWhatChangedWithValuesOfNowAndBefore) {
 TEST_F(PublishSheets, AskOnceMoreBeforeWhatNobodyTriedOutAndOnlyThen) {
   const auto page = open();
   page->model().set_depth_mm(1.5);
-  page->publish_version();
+  ASSERT_TRUE(open_sheet(*page));
   EXPECT_NE(sheet_of(*page)->try_out(), nullptr);
   sheet_of(*page)->publish()->click();
   ASSERT_EQ(asked.size(), 1u);
@@ -100,7 +100,7 @@ TEST_F(PublishSheets, LeadToTheTryOut) {
   const auto page = open();
   page->model().set_depth_mm(1.5);
   QSignalSpy wanted(page.get(), &EditorPage::try_out_wanted);
-  page->publish_version();
+  ASSERT_TRUE(open_sheet(*page));
   sheet_of(*page)->try_out()->click();
   EXPECT_EQ(wanted.count(), 1);
   EXPECT_EQ(sheet_of(*page), nullptr);
@@ -122,7 +122,7 @@ TEST_F(PublishSheets, NameTheCohortsWhoseOpenAssignmentsKeepAnOlderVersion) {
   assign("Year 4", std::nullopt);
   assign("Year 2", now_us - day_us);
   page->model().set_depth_mm(1.6);
-  page->publish_version();
+  ASSERT_TRUE(open_sheet(*page));
   const QString text = text_of(*sheet_of(*page));
   EXPECT_TRUE(text.contains(QStringLiteral("Year 3: Practice, version 4"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Year 4: Practice, version 4"))) << text.toStdString();
@@ -131,11 +131,21 @@ TEST_F(PublishSheets, NameTheCohortsWhoseOpenAssignmentsKeepAnOlderVersion) {
   EXPECT_TRUE(text.contains(QStringLiteral("Assign version 5"))) << text.toStdString();
 }
 
+TEST_F(PublishSheets, ShowWhatWasEditedWhileTheExerciseWasChecked) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->publish_version();
+  EXPECT_EQ(sheet_of(*page), nullptr) << "the checks have a thread of their own";
+  page->model().set_depth_mm(1.7);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sheet_of(*page) != nullptr; }, kGrowsWithinMs));
+  EXPECT_TRUE(text_of(*sheet_of(*page)).contains(QStringLiteral("Depth: 1.70 mm, was 2.00 mm"))) << text_of(*sheet_of(*page)).toStdString();
+}
+
 TEST_F(PublishSheets, PublishWithoutATurnOfTheWindowsEventLoop) {
   const auto page = open();
   page->model().set_depth_mm(1.5);
   page->model().now_tried(page->model().scenario());
-  page->publish_version();
+  ASSERT_TRUE(open_sheet(*page));
   sheet_of(*page)->publish()->click();
   const QDeadlineTimer limit(kGrowsWithinMs);
   while (versions(*page) < 2 && !limit.hasExpired()) QThread::msleep(1);
@@ -147,7 +157,7 @@ TEST_F(PublishSheets, LetThePageLeaveOnceTheVersionStandsAndKeepWhatWasEditedMea
   QSignalSpy back(page.get(), &EditorPage::back_wanted);
   page->model().set_depth_mm(1.5);
   page->model().now_tried(page->model().scenario());
-  page->publish_version();
+  ASSERT_TRUE(open_sheet(*page));
   sheet_of(*page)->publish()->click();
   page->model().set_depth_mm(1.7);
   page->leave();

@@ -153,14 +153,14 @@ TEST_F(TwoWindows, a_window_that_is_closed_before_one_chose_leaves_both) {
 TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_undoing_all_deletes_nothing) {
   QSignalSpy ready(first.get(), &EditorPage::ready);
   ASSERT_TRUE(first->grown() || ready.wait(60'000));
-  first->publish_version();
+  ASSERT_TRUE(open_sheet(*first));
   ASSERT_TRUE(publish_by_sheet(*first));
   EXPECT_EQ(asked, QStringList{QStringLiteral("Publish untried")});
   EXPECT_TRUE(drafts().empty());
   EXPECT_TRUE(save(*second)) << "none was kept when it was opened, and none is now";
   QSignalSpy grown(second.get(), &EditorPage::ready);
   ASSERT_TRUE(second->grown() || grown.wait(60'000));
-  second->publish_version();
+  ASSERT_TRUE(open_sheet(*second));
   PublishSheet* sheet = sheet_of(*second);
   ASSERT_NE(sheet, nullptr);
   EXPECT_EQ(sheet->publish()->text(), QStringLiteral("Publish version 5"));
@@ -169,7 +169,7 @@ TEST_F(TwoWindows, a_draft_that_was_published_in_the_other_window_is_named_and_u
   EXPECT_TRUE(band->text().contains(QStringLiteral("Another window has published version 4")));
   sheet->reject();
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 2u);
-  second->publish_version();
+  ASSERT_TRUE(open_sheet(*second));
   ASSERT_TRUE(publish_by_sheet(*second));
   EXPECT_EQ(records.store().scenarios.versions(second->model().scenario().id)->size(), 3u);
 }
