@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kNarrow = 1040;     // px at 100 %; three columns need as much
+constexpr int kNarrow = 1020;     // px at 100 %; three columns need as much
 constexpr int kNamedUnknown = 5;  // unknown numbers that the message names
 
 std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
@@ -93,7 +93,7 @@ QString CohortsPage::message() const { return band_->isVisibleTo(this) ? band_->
 
 QWidget* CohortsPage::make_list() {
   auto* card = new Card;
-  card->setFixedWidth(px(272));  // the least name beside the longest head of the other column
+  card->setFixedWidth(px(252));  // the least name beside the longest head of the other column
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   list_ = new Table;
   list_->setAccessibleName(tr("Cohorts"));
