@@ -13,7 +13,7 @@ import xml.etree.ElementTree as ET
 SOURCE = os.path.abspath(__file__ + "/../../../..")
 LEAST_LETTERS = 4  # of a text with %1 beside it: fewer fit too much
 OF_QT = {"de": {"File name:": "Dateiname:"}}  # texts of Qt's own dialogs
-LISTED = (" · ", ", ")  # between texts that one label shows, and between names
+LISTED = ("\n", " · ", ", ")  # between texts that one label shows, and between names
 PLACE = re.compile(r"%(?:L?\d|n)")
 
 
