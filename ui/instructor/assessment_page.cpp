@@ -147,8 +147,8 @@ QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
   const auto [bar, row] = make_bar_top();
   connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &AssessmentPage::back_wanted);
   row->addWidget(make_label(title, TextRole::section, Weight::bold));
-  QLabel* about = make_label(aside, TextRole::body, Weight::regular, "text2");
-  about->setWordWrap(true);  // two lines where the window is narrow
+  QLabel* about = make_label(aside, TextRole::caption, Weight::regular, "text2");
+  about->setWordWrap(true);  // up to three lines where the window is narrow
   row->addWidget(about, 1);
   // An assessment is marked without names.
   names_ = make_button(tr("Show names"), ButtonKind::quiet, u"person"_qs);
