@@ -174,7 +174,7 @@ def mark(program, take):
         program.find("table", "Candidates")
     program.press("Release results")
     program.press("Release", within=program.find("alert"))
-    program.find("label", re.compile("2 results released"))
+    program.find("label", re.compile(r"2 result(s|\(s\)) released"))
     school.row_of(program, "Candidates", "confirmed", "yes")
     program.press("Back")
     school.sign_out(program)
