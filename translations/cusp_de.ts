@@ -11323,6 +11323,10 @@ Ihr bester davor</translation>
         <source>It asks for a %1.</source>
         <translation>Sie verlangt: %1.</translation>
     </message>
+    <message>
+        <source>This exercise needs a device that senses %1 axes.</source>
+        <translation>Diese Übung braucht ein Gerät, das %1 Achsen erfasst.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>

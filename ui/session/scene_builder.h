@@ -31,10 +31,11 @@ StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const Devi
 inline int sensed_axes(const DeviceLimits& device) noexcept { return 3 + device.rotation_axes; }
 
 /// Refuses (scene) a tissue of the specimen that the scenario does not describe, no instruments, and values out of the
-/// engine's range; (device_class) a device that the scenario does not admit. Stiffness is cut by stiffness_cut().
+/// engine's range; (device_class) a device that the scenario does not admit; (device_axes) one that senses fewer axes than it
+/// needs. Stiffness is cut by stiffness_cut().
 Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device);
-/// The same with the guard's settings and the share of stiffness of a stored session.
+/// The same with the guard's settings and the share of stiffness of a stored session, whatever axes its device had.
 Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device, const GuardSettings& guard,
                                               double stiffness_share);

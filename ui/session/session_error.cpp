@@ -8,6 +8,7 @@ std::string_view key_of(SessionError code) noexcept {
     case SessionError::scene: return "scene";
     case SessionError::device: return "device";
     case SessionError::device_class: return "device_class";
+    case SessionError::device_axes: return "device_axes";
     case SessionError::scenario: return "scenario";
     case SessionError::storage: return "storage";
     case SessionError::recording_failed: return "recording_failed";

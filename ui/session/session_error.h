@@ -20,7 +20,8 @@ enum class SessionError : std::uint8_t {
   specimen,           // the scenario's volume cannot be made or read; cause: ImportError
   scene,              // where: the key of scenario.json whose value the engine refuses
   device,             // the port did not open; cause: PortError
-  device_class,       // the scenario does not admit this class of device, or it has too few axes; where: the class
+  device_class,       // the scenario does not admit this class of device; where: the class
+  device_axes,        // the device senses fewer axes than the scenario needs; where: its class; detail: how many it needs
   scenario,           // the stored version cannot be read; cause: FormatError
   storage,            // cause: StorageError
   recording_failed,   // the record could not be written; what stands in the database is whole; cause: StorageError
@@ -37,7 +38,7 @@ std::string_view key_of(SessionError code) noexcept;
 struct SessionFailure {
   SessionError code = SessionError::storage;
   std::string where;     // file, key or device; never text for people
-  std::string detail{};  // a library's own message
+  std::string detail{};  // a library's own message, or a number
   /// The code of the module below, where it has one.
   std::variant<std::monostate, StorageError, ImportError, PortError, FormatError> cause{};
 };

@@ -155,6 +155,9 @@ Message describe(const SessionFailure& f) {
     case SessionError::device_class:
       return {Text::tr("This exercise does not admit this device."),
               Text::tr("Connected is: %1. No attempt was started.").arg(device_name(f.where))};
+    case SessionError::device_axes:
+      return {Text::tr("This exercise needs a device that senses %1 axes.").arg(QString::fromStdString(f.detail)),
+              Text::tr("Connected is: %1. No attempt was started.").arg(device_name(f.where))};
     case SessionError::scenario:
       return {Text::tr("The stored exercise cannot be read."), Text::tr("Look at %1. Nothing was changed.").arg(where)};
     case SessionError::storage:

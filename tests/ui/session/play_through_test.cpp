@@ -156,23 +156,38 @@ TEST(PlayThrough, AScenarioThatCouldNotBeReadAgainIsRefusedBeforeAnyRowIsWritten
   EXPECT_TRUE(work.store()->scenarios.library()->empty());
 }
 
+class Mouse : public test::DrillingPort {
+ public:
+  using DrillingPort::DrillingPort;
+  DeviceLimits limits() const override {
+    DeviceLimits limits = DrillingPort::limits();
+    limits.device_class = "pointer";
+    limits.rotation_axes = 0;
+    return limits;
+  }
+};
+
 TEST(PlayThrough, ADeviceThatTheScenarioDoesNotAdmitIsRefused) {
   const Workplace work;
   SessionPlan plan = work.plan();
   plan.scenario.device.admitted = {"falcon"};
-  class Mouse : public test::DrillingPort {
-   public:
-    using DrillingPort::DrillingPort;
-    DeviceLimits limits() const override {
-      DeviceLimits limits = DrillingPort::limits();
-      limits.device_class = "pointer";
-      return limits;
-    }
-  };
   Mouse port(10);
   const auto result = play_through(plan, port);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, SessionError::device_class);
+}
+
+TEST(PlayThrough, ADeviceThatSensesFewerAxesThanTheScenarioNeedsIsRefusedAndNothingIsKept) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.scenario.device.needs_dof = 6;
+  Mouse port(10);
+  const auto result = play_through(plan, port);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, SessionError::device_axes);
+  EXPECT_EQ(result.error().detail, "6");
+  plan.scenario.device.needs_dof = 3;
+  EXPECT_TRUE(play_through(plan, port));
 }
 
 }  // namespace
