@@ -2,33 +2,67 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cusp::scenarios {
+
+namespace {
+
+/// A cell reads voxels from 3 before its lower corner to 4 after it: sharp_edge.h takes the faces of cells two away, whose
+/// stencils reach one further. Of a brick's voxels along an axis the cells below it so read the first four, those above the
+/// last three.
+constexpr int kReadBelow = 4, kReadAbove = 5;  // first voxel that they do not read, first that they read
+enum : unsigned { kFirst = 1, kMiddle = 2, kLast = 4 };
+
+constexpr unsigned part_of(int along) { return along < kReadBelow ? kFirst : along < kReadAbove ? kMiddle : kLast; }
+constexpr unsigned read_by(int neighbour) { return neighbour < 0 ? kFirst : neighbour > 0 ? kLast : kFirst | kMiddle | kLast; }
+/// A bit for each of the 27 parts of a brick that lie within these parts along x, y and z.
+constexpr std::uint32_t parts(unsigned x, unsigned y, unsigned z) {
+  std::uint32_t out = 0;
+  for (int i = 0; i < 27; ++i)
+    if ((x >> i % 3 & y >> i / 3 % 3 & z >> i / 9 & 1u) != 0) out |= std::uint32_t{1} << i;
+  return out;
+}
+constexpr auto kPartOf = [] {
+  std::array<std::uint32_t, kBrickVoxels> out{};
+  for (int o = 0; o < kBrickVoxels; ++o) out[static_cast<std::size_t>(o)] = parts(part_of(o & 7), part_of(o >> 3 & 7), part_of(o >> 6));
+  return out;
+}();
+
+}  // namespace
 
 LiveMetrics::LiveMetrics(std::shared_ptr<const Reference> reference) : reference_(std::move(reference)) { reset(); }
 
 void LiveMetrics::reset() {
   bricks_.clear();
+  cut_.clear();
   reading_ = {};
   reading_.target_measured = reference_->target_mm3() > 0.0;
 }
 
+/// Adds the brick and its neighbours whose cells read what has changed in it.
+void LiveMetrics::note_dirty(const Volume& volume, std::int32_t brick) {
+  const Specimen& specimen = volume.specimen();
+  const std::uint16_t* now = volume.cut_of(brick);
+  if (now == nullptr) return;
+  const auto [it, first] = cut_.try_emplace(brick);
+  if (first) it->second.fill(kSolid);
+  std::uint32_t changed = 0;
+  for (std::size_t o = 0; o < it->second.size(); ++o)
+    if (std::exchange(it->second[o], now[o]) != now[o]) changed |= kPartOf[o];
+  const IVec3 at = specimen.brick_at(brick);
+  for (int z = -1; z <= 1; ++z)
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) {
+        const int b = specimen.brick_index(at + IVec3(x, y, z));
+        if (b >= 0 && (changed & parts(read_by(x), read_by(y), read_by(z))) != 0) dirty_.push_back(b);
+      }
+}
+
 void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> changed) {
   if (changed.empty()) return;
-
-  // A brick's cells read that brick and those beyond its upper faces; a filled voxel's faces read both sides.
-  const Specimen& specimen = volume.specimen();
-  const int above = specimen.reading() == Reading::filled ? 1 : 0;
   dirty_.clear();
-  for (const std::int32_t brick : changed) {
-    const IVec3 at = specimen.brick_at(brick);
-    for (int z = -1; z <= above; ++z)
-      for (int y = -1; y <= above; ++y)
-        for (int x = -1; x <= above; ++x) {
-          const int b = specimen.brick_index(at + IVec3(x, y, z));
-          if (b >= 0) dirty_.push_back(b);
-        }
-  }
+  for (const std::int32_t brick : changed) note_dirty(volume, brick);
   std::sort(dirty_.begin(), dirty_.end());
   dirty_.erase(std::unique(dirty_.begin(), dirty_.end()), dirty_.end());
   for (const int b : dirty_) bricks_[b] = shares_of_brick(*reference_, volume, b);

@@ -34,8 +34,11 @@ class LiveMetrics {
   void reset();
 
  private:
+  void note_dirty(const Volume& volume, std::int32_t brick);
+
   std::shared_ptr<const Reference> reference_;
   std::map<int, RegionShares> bricks_;  // ascending: the sum has the order of measure()
+  std::map<std::int32_t, std::array<std::uint16_t, kBrickVoxels>> cut_;  // [brick]: its cut field at the last update
   std::vector<int> dirty_;
   LiveReading reading_;
 };

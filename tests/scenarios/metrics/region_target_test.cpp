@@ -6,10 +6,13 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
 #include <thread>
 #include <utility>
 
+#include "engine/removal/carve.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/live.h"
@@ -307,6 +310,37 @@ TEST(TreeTarget, LiveScoresAreTheSameBitsHoweverOftenTheMirrorAsks) {
   EXPECT_EQ(read[0].target_removed, get(all, "target_removed").value);
   EXPECT_EQ(read[0].overcut_mm3[static_cast<std::size_t>(Place::beyond_floor)], get(all, "overcut_beyond_floor").value);
   EXPECT_EQ(read[0].removed_mm3[index_of(Tissue::dentine)], get(all, "removed_dentine").value);
+}
+
+/// A voxel's change reaches the cells of bricks on both sides, by the second differences and the faces beside an edge.
+TEST(TreeTarget, LiveScoresOfABursSweepsAreThoseOfTheWhole) {
+  const auto specimen = block();
+  const auto reference = std::make_shared<const Reference>(with_every_group(), specimen);
+  const Bur fissure = catalogue_bur("56")->bur;
+  for (const bool ball : {true, false}) {
+    Volume volume(specimen);
+    LiveMetrics live(reference);
+    std::map<std::int32_t, std::uint32_t> seen;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> tremor(-0.05, 0.05);
+    Vec3 at(-2.0, -0.5, -0.3);
+    for (int n = 0; n < 150; ++n) {
+      const Vec3 next = Vec3(-2.0 + 0.04 * (n % 100), -0.5 + 0.25 * (n / 100), -0.3 - 0.2 * (n % 3)) + Vec3(tremor(random), tremor(random), tremor(random));
+      if (ball) carve_sweep(volume, at, next, 0.4);
+      else carve_sweep(volume, at, next, fissure, Vec3(0, 0, 1));
+      at = next;
+      std::vector<std::int32_t> changed;
+      for (const std::int32_t brick : volume.cut_bricks())
+        if (std::exchange(seen[brick], volume.revision(brick)) != volume.revision(brick)) changed.push_back(brick);
+      live.update(volume, changed);
+      if (n % 50 != 49) continue;
+      LiveMetrics whole(reference);
+      const auto cut = volume.cut_bricks();
+      whole.update(volume, {cut.begin(), cut.end()});
+      EXPECT_EQ(live.reading().removed_mm3, whole.reading().removed_mm3) << n << ball;
+      EXPECT_EQ(live.reading().overcut_mm3, whole.reading().overcut_mm3) << n << ball;
+    }
+  }
 }
 
 TEST(ProtectedPart, ATissueIsDamagedAtItsSeverity) {
