@@ -55,7 +55,7 @@ Outcome<SessionResult> play_through(SessionPlan plan, HapticPort& port, const Pl
     recorder = std::make_unique<Recorder>(std::move(setup.store), setup.session, Recorder::Writing::at_once);
   }
   // A script ends by itself: no time limit, nothing to hold.
-  SessionFollower follower(setup.reference, *setup.mirror_start, {recorder.get(), setup.process, 0.0, {}});
+  SessionFollower follower(setup.reference, *setup.mirror_start, {recorder.get(), setup.process, 0.0, {}, SessionFollower::Scores::for_the_record});
   VirtualLoop loop(port, std::move(*setup.loop_start));
   if (settings.elapsed_us) loop.take_elapsed_from(settings.elapsed_us);
   MirrorSettings mirror_settings;

@@ -25,6 +25,7 @@ SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, con
     : reference_(std::move(reference)),
       recorder_(settings.recorder),
       hold_(std::move(settings.hold)),
+      scores_(settings.scores),
       limit_us_(limit_us(settings.time_limit_s)),
       time_is_up_(start.last().elapsed_us >= limit_us_),
       live_(reference_),
@@ -120,7 +121,8 @@ std::vector<RemovedTissue> SessionFollower::removed() const {
 }
 
 void SessionFollower::on_state(const StepState& state, const StateNews& news) {
-  if (state.last().elapsed_us >= next_scores_us_ || news.first || news.last) {
+  const bool read = scores_ == Scores::for_a_screen && state.last().elapsed_us >= next_scores_us_;
+  if (read || news.first || news.last) {
     next_scores_us_ = state.last().elapsed_us + kScoresUs;
     update_scores(state);
   }

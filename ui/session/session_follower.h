@@ -28,11 +28,14 @@ struct FollowedView {
 
 class SessionFollower final : public MirrorObserver {
  public:
+  /// Who reads the live scores: a screen ten times a second, or the record alone, once a second.
+  enum class Scores : std::uint8_t { for_a_screen, for_the_record };
   struct Settings {
     Recorder* recorder = nullptr;  // null: nothing is kept
     Process process;               // of the part before, when a session is resumed
     double time_limit_s = 0;       // of session time; 0: none
     std::function<void()> hold;    // stops the loop's clock; mirror's thread; may be empty
+    Scores scores = Scores::for_a_screen;
   };
   /// Calls `hold` when the record cannot be written and when the time limit is reached.
   SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Settings settings);
@@ -55,6 +58,7 @@ class SessionFollower final : public MirrorObserver {
   std::shared_ptr<const Reference> reference_;
   Recorder* recorder_;
   std::function<void()> hold_;
+  Scores scores_;
   std::uint64_t limit_us_;  // of session time
   std::atomic<bool> time_is_up_{false};
   LiveMetrics live_;
