@@ -75,29 +75,15 @@ std::vector<BodyVertex> bur_mesh(const Bur& bur) {
   return out;
 }
 
-BurPass::~BurPass() {
-  if (array_ != 0) glDeleteVertexArrays(1, &array_);
-  if (vertices_ != 0) glDeleteBuffers(1, &vertices_);
-}
-
 bool BurPass::create(std::string& why) {
   if (!program_.link("bur", why)) return false;
-  glGenVertexArrays(1, &array_);
-  glGenBuffers(1, &vertices_);
-  glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  describe_body_vertices();
+  body_.create();
   return true;
 }
 
 void BurPass::draw(const FrameView& view, const BurPose& pose) {
-  glBindVertexArray(array_);
   if (!made_ || !(*made_ == pose.bur)) {
-    const std::vector<BodyVertex> mesh = bur_mesh(pose.bur);
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(BodyVertex)), mesh.data(),
-                 GL_STATIC_DRAW);
-    count_ = static_cast<GLsizei>(mesh.size());
+    body_.fill(bur_mesh(pose.bur));
     made_ = pose.bur;
   }
   program_.use();
@@ -108,7 +94,7 @@ void BurPass::draw(const FrameView& view, const BurPose& pose) {
   program_.set("up", view.up);
   program_.set("turn", pose.turning ? -1.0f : 0.0f);
   program_.set("radius", static_cast<float>(std::max(pose.bur.radius_mm, 0.01)));
-  glDrawArrays(GL_TRIANGLES, 0, count_);
+  body_.draw();
 }
 
 }  // namespace cusp::ui

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "ui/render/body_buffer.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/tooth_picture.h"
-#include "ui/render/turned_body.h"
 
 namespace cusp::ui {
 
@@ -15,14 +15,12 @@ std::vector<BodyVertex> bur_mesh(const Bur& bur);
 
 class BurPass {
  public:
-  ~BurPass();
   bool create(std::string& why);
   void draw(const FrameView& view, const BurPose& pose);
 
  private:
   GlProgram program_;
-  GLuint array_ = 0, vertices_ = 0;
-  GLsizei count_ = 0;
+  BodyBuffer body_;
   std::optional<Bur> made_;
 };
 

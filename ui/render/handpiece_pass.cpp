@@ -51,11 +51,6 @@ std::vector<BodyRing> neck_rings() {
   return rings_of(kNeck);
 }
 
-glm::mat4 frame_of(Vec3 origin_mm, Vec3 x, Vec3 z) {
-  const Vec3 y = glm::cross(z, x);
-  return {glm::vec4(glm::vec3(x), 0), glm::vec4(glm::vec3(y), 0), glm::vec4(glm::vec3(z), 0), glm::vec4(glm::vec3(origin_mm), 1)};
-}
-
 }  // namespace
 
 Vec3 neck_side(const FrameView& view, Vec3 axis) {
@@ -79,21 +74,10 @@ std::vector<BodyVertex> handpiece_mesh() {
   return out;
 }
 
-HandpiecePass::~HandpiecePass() {
-  if (array_ != 0) glDeleteVertexArrays(1, &array_);
-  if (vertices_ != 0) glDeleteBuffers(1, &vertices_);
-}
-
 bool HandpiecePass::create(std::string& why) {
   if (!program_.link("handpiece", why)) return false;
-  const std::vector<BodyVertex> mesh = handpiece_mesh();
-  count_ = static_cast<GLsizei>(mesh.size());
-  glGenVertexArrays(1, &array_);
-  glGenBuffers(1, &vertices_);
-  glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(BodyVertex)), mesh.data(), GL_STATIC_DRAW);
-  describe_body_vertices();
+  body_.create();
+  body_.fill(handpiece_mesh());
   return true;
 }
 
@@ -103,7 +87,7 @@ void HandpiecePass::draw(const FrameView& view, const BurPose& pose) {
   const float px_per_mm = 0.5f * std::min(view.view_px.x, view.view_px.y) / view.lamp.w;
   program_.use();
   program_.set("clip_from_world", view.clip_from_world);
-  program_.set("world_from_tool", frame_of(pose.pivot_mm + pose.bur.neck_length_mm * pose.axis, neck_side(view, pose.axis), pose.axis));
+  program_.set("world_from_tool", world_from_frame(pose.pivot_mm + pose.bur.neck_length_mm * pose.axis, neck_side(view, pose.axis), pose.axis));
   program_.set("eye", view.eye);
   program_.set("key_light", view.key_light);
   program_.set("up", view.up);
@@ -111,11 +95,10 @@ void HandpiecePass::draw(const FrameView& view, const BurPose& pose) {
   const float clear = px_per_mm * kClearMm, solid = px_per_mm * kSolidMm;
   program_.set("fade", glm::vec2(clear * clear, 1.0f / (solid * solid - clear * clear)));
   program_.set("most_share", kMostShare);
-  glBindVertexArray(array_);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   // The head comes first: where it hides the neck's begin, the depth test leaves the neck out.
-  glDrawArrays(GL_TRIANGLES, 0, count_);
+  body_.draw();
   glDisable(GL_BLEND);
 }
 

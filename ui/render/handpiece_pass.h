@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "ui/render/body_buffer.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/tooth_picture.h"
-#include "ui/render/turned_body.h"
 
 namespace cusp::ui {
 
@@ -20,15 +20,13 @@ std::vector<BodyVertex> handpiece_mesh();
 
 class HandpiecePass {
  public:
-  ~HandpiecePass();
   bool create(std::string& why);
   /// Blends over what is drawn: after everything else of the frame.
   void draw(const FrameView& view, const BurPose& pose);
 
  private:
   GlProgram program_;
-  GLuint array_ = 0, vertices_ = 0;
-  GLsizei count_ = 0;
+  BodyBuffer body_;
 };
 
 }  // namespace cusp::ui

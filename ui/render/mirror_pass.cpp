@@ -49,8 +49,6 @@ glm::vec4 before_glass(const MouthMirror& mirror) {
 
 MirrorPass::~MirrorPass() {
   if (glass_array_ != 0) glDeleteVertexArrays(1, &glass_array_);
-  if (array_ != 0) glDeleteVertexArrays(1, &array_);
-  if (vertices_ != 0) glDeleteBuffers(1, &vertices_);
 }
 
 bool MirrorPass::create(std::string& why) {
@@ -61,12 +59,8 @@ bool MirrorPass::create(std::string& why) {
   add_body(bodies, handle_rings(), kSides);
   handle_ = {mount_.count, static_cast<GLsizei>(bodies.size()) - mount_.count};
   glGenVertexArrays(1, &glass_array_);
-  glGenVertexArrays(1, &array_);
-  glGenBuffers(1, &vertices_);
-  glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bodies.size() * sizeof(BodyVertex)), bodies.data(), GL_STATIC_DRAW);
-  describe_body_vertices();
+  bodies_.create();
+  bodies_.fill(bodies);
   return true;
 }
 
@@ -112,11 +106,10 @@ void MirrorPass::end_glass(const FrameView& view, const MouthMirror& mirror) {
 
 void MirrorPass::draw_body(Vec3 origin_mm, Vec3 along, Part part) {
   metal_.set("world_from_tool", world_from_body(origin_mm, along));
-  glDrawArrays(GL_TRIANGLES, part.first, part.count);
+  bodies_.draw(part.first, part.count);
 }
 
 void MirrorPass::draw_mount(const FrameView& view, const MouthMirror& mirror) {
-  glBindVertexArray(array_);
   glDisable(GL_CULL_FACE);
   metal_.use();
   metal_.set("clip_from_world", view.clip_from_world);

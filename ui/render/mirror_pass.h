@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include "ui/render/body_buffer.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/mouth_mirror.h"
 
@@ -36,7 +37,8 @@ class MirrorPass {
   void draw_body(Vec3 origin_mm, Vec3 along, Part part);
 
   GlProgram glass_, metal_;
-  GLuint glass_array_ = 0, array_ = 0, vertices_ = 0;
+  GLuint glass_array_ = 0;
+  BodyBuffer bodies_;
   Part mount_, handle_;
 };
 

@@ -1,7 +1,5 @@
 #include "ui/render/turned_body.h"
 
-#include <epoxy/gl.h>
-
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -23,19 +21,14 @@ void add_body(std::vector<BodyVertex>& to, std::span<const BodyRing> rings, int 
   }
 }
 
-void describe_body_vertices() {
-  const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
-  for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(BodyVertex), at(offsetof(BodyVertex, position_mm)));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(BodyVertex), at(offsetof(BodyVertex, normal)));
-  glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(BodyVertex), at(offsetof(BodyVertex, cutting)));
+glm::mat4 world_from_frame(Vec3 origin_mm, Vec3 x, Vec3 z) {
+  const Vec3 y = glm::cross(z, x);
+  return {glm::vec4(glm::vec3(x), 0), glm::vec4(glm::vec3(y), 0), glm::vec4(glm::vec3(z), 0), glm::vec4(glm::vec3(origin_mm), 1)};
 }
 
 glm::mat4 world_from_body(Vec3 origin_mm, Vec3 along) {
   const Vec3 z = glm::normalize(along);
-  const Vec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), z));
-  const Vec3 y = glm::cross(z, x);
-  return {glm::vec4(glm::vec3(x), 0), glm::vec4(glm::vec3(y), 0), glm::vec4(glm::vec3(z), 0), glm::vec4(glm::vec3(origin_mm), 1)};
+  return world_from_frame(origin_mm, glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), z)), z);
 }
 
 }  // namespace cusp::ui

@@ -1,5 +1,5 @@
 /// Bodies of revolution: bur, and the mount and handle of a mirror. Frame of a body: z along its axis, millimetres.
-/// Thread: the one that holds the context, for describe_body_vertices().
+/// Thread: any.
 #pragma once
 
 #include <span>
@@ -25,9 +25,8 @@ struct BodyRing {
 /// Triangles between consecutive rings, counter-clockwise seen from outside; `around` sides.
 void add_body(std::vector<BodyVertex>& to, std::span<const BodyRing> rings, int around);
 
-/// Attributes 0 to 2 of the bound vertex array, from the bound buffer.
-void describe_body_vertices();
-
+/// Puts a body's origin at a place, its x and z axes along directions. x, z: unit, at right angles.
+glm::mat4 world_from_frame(Vec3 origin_mm, Vec3 x, Vec3 z);
 /// Puts a body's origin at a place and its z axis along a direction.
 glm::mat4 world_from_body(Vec3 origin_mm, Vec3 along);
 
