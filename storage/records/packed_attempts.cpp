@@ -4,6 +4,8 @@
 #include <string>
 #include <tuple>
 
+#include "storage/sqlite/row_stream.h"
+
 namespace cusp::storage {
 namespace {
 
@@ -21,23 +23,11 @@ struct PackedPlace {
   std::int64_t period = 0;
 };
 
-/// One stream of rows by scenario, device class and period.
-class PackedRows {
+/// By scenario, device class and period.
+class PackedRows : public RowStream {
  public:
-  PackedRows(Database& db, std::string_view sql) : statement_{db.prepare(sql)} {}
-  Stored<void> next() {
-    auto more = statement_.step();
-    if (!more) return std::unexpected(more.error());
-    there_ = *more;
-    return {};
-  }
-  bool there() const noexcept { return there_; }
+  using RowStream::RowStream;
   std::tuple<Uuid, std::string, std::int64_t> key() const { return {row().uuid(0), row().text(1), row().integer(2)}; }
-  Row row() const noexcept { return statement_.row(); }
-
- private:
-  Statement statement_;
-  bool there_ = false;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "storage/records/effective_grade.h"
 #include "storage/records/packed_attempts.h"
 #include "storage/records/sealing.h"
+#include "storage/sqlite/row_stream.h"
 
 namespace cusp::storage {
 namespace {
@@ -99,25 +100,11 @@ Stored<void> write_counted_result(Database& db, SessionId session) {
                 (*counted)->score, (*counted)->passed, (*counted)->critical);
 }
 
-/// One stream of rows by session; both streams have the columns of kColumns.
-class Rows {
+/// By session; both streams have the columns of kColumns.
+class Rows : public RowStream {
  public:
-  Rows(Database& db, std::string_view sql) : statement_{db.prepare(sql)} {}
-  Stored<void> next() {
-    auto more = statement_.step();
-    if (!more) return std::unexpected(more.error());
-    there_ = *more;
-    if (there_) session_ = row().id<SessionId>(0);
-    return {};
-  }
-  bool there() const noexcept { return there_; }
-  SessionId session() const noexcept { return session_; }
-  Row row() const noexcept { return statement_.row(); }
-
- private:
-  Statement statement_;
-  bool there_ = false;
-  SessionId session_;
+  using RowStream::RowStream;
+  SessionId session() const { return row().id<SessionId>(0); }
 };
 
 int column_of(std::string_view name) {
