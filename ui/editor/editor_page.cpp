@@ -146,10 +146,8 @@ void EditorPage::show_title() {
   title_->setPlaceholderText(local(s.title));
 }
 
-void EditorPage::follow_model() {
+void EditorPage::show_version() {
   const Scenario& s = model_->scenario();
-  show_title();
-  const EditorModel::Standing standing = model_->standing();
   const bool unchanged = model_->unchanged();
   version_->set(unchanged ? tr("Version %1, published").arg(model_->published()->version)
                           : tr("Version %1, not published").arg(s.version),
@@ -158,7 +156,14 @@ void EditorPage::follow_model() {
     publish_->setText(tr("Publish version %1").arg(s.version));
     publish_->setAccessibleName(publish_->text());
   }
-  publish_->setEnabled(standing == EditorModel::Standing::ready);
+  publish_->setEnabled(model_->standing() == EditorModel::Standing::ready);
+}
+
+void EditorPage::follow_model() {
+  const Scenario& s = model_->scenario();
+  show_title();
+  show_version();
+  const EditorModel::Standing standing = model_->standing();
   try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
   reference_->setEnabled(try_->isEnabled() && !reference_job_->running());
   tooth_->setText(isolate(specimen_name(s.specimen)));

@@ -102,6 +102,7 @@ class EditorPage : public QWidget {
   void grow();
   void follow_model();
   void show_title();
+  void show_version();
   void show_undo();
   void show_first_check();
   void put_target_on_top();
