@@ -4409,6 +4409,10 @@
         <source>It pushes away from you</source>
         <translation>Er drückt von Ihnen weg</translation>
     </message>
+    <message>
+        <source>Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).</source>
+        <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::FalconNow</name>
@@ -4570,10 +4574,6 @@
     <message>
         <source>It moved too little to be measured. Is something in its way? The report has what there is.</source>
         <translation>Er bewegte sich zu wenig, um ihn zu messen. Ist etwas im Weg? Im Bericht steht, was da ist.</translation>
-    </message>
-    <message>
-        <source>Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).</source>
-        <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
     </message>
     <message>
         <source>Not measured yet: damping and delay are assumed, and exercises are no stiffer than %1.</source>

@@ -342,38 +342,28 @@ void FalconPanel::trial_over() {
 /// Takes over what was measured of a real Falcon.
 void FalconPanel::self_test_over() {
   Inner& in = *inner_;
-  const bool real = in.kind == "falcon";
   FalconProfile profile = in.settings.profile(in.name);
   in.has_found = true;
   const auto damping = in.found.damping_ns_per_m(), delay = in.found.delay_ms();
   if (!damping || !delay) {
     in.outcome->setText(tr("It moved too little to be measured. Is something in its way? The report has what there is."));
   } else {
-    const AllowedStiffness before = allowed_stiffness(profile);
+    const double before = allowed_stiffness(profile).n_per_mm;
     profile.damping_ns_per_m = damping;
     profile.delay_ms = delay;
     profile.friction_n = in.found.friction_n();
     profile.moving_kg = in.found.moving_kg();
     profile.encoder_mm = in.found.encoder_mm();
-    const AllowedStiffness after = allowed_stiffness(profile);
-    const auto stiffness = [](double value) { return format({value, {}, QStringLiteral("N/mm"), 2}); };
-    in.outcome->setText(tr("Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).")
-                            .arg(format({*damping, {}, QStringLiteral("N s/m"), 2}),
-                                 format({in.found.friction_n().value_or(0.0), {}, QStringLiteral("N"), 2}),
-                                 format({*delay, {}, QStringLiteral("ms"), 2}),
-                                 format({in.found.encoder_mm().value_or(0.0), {}, QStringLiteral("mm"), 3}),
-                                 stiffness(after.n_per_mm), stiffness(before.n_per_mm)) +
-                        (real ? QString() : u' ' + tr("The figures of an emulated one are not kept.")));
-    if (real) {
+    in.outcome->setText(measured_text(in.found, before, allowed_stiffness(profile).n_per_mm) +
+                        (in.kind == "falcon" ? QString() : u' ' + tr("The figures of an emulated one are not kept.")));
+    if (in.kind == "falcon") {
       in.settings.set_profile(in.name, profile);
       in.settings.set_tested_at(in.name, in.ports.now());
     }
   }
   in.save->show();
-  const DeviceKind* kind = device_kind(in.kind);
-  Q_EMIT tested({.device_class = std::string(kind ? kind->device_class : std::string_view()),
-                 .device = in.name,
-                 .outcome = damping && delay ? TestOutcome::passed : TestOutcome::failed});
+  const auto outcome = damping && delay ? TestOutcome::passed : TestOutcome::failed;
+  Q_EMIT tested({.device_class = std::string(device_kind(in.kind)->device_class), .device = in.name, .outcome = outcome});
 }
 
 void FalconPanel::show_measured() {

@@ -82,6 +82,16 @@ QString end_text(TrialEnd end) {
   return {};
 }
 
+QString measured_text(const falcon::SelfTestResult& found, double stiffness_before, double stiffness_now) {
+  const auto stiffness = [](double value) { return format({value, {}, QStringLiteral("N/mm"), 2}); };
+  return FalconText::tr("Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).")
+      .arg(format({found.damping_ns_per_m().value_or(0.0), {}, QStringLiteral("N s/m"), 2}),
+           format({found.friction_n().value_or(0.0), {}, QStringLiteral("N"), 2}),
+           format({found.delay_ms().value_or(0.0), {}, QStringLiteral("ms"), 2}),
+           format({found.encoder_mm().value_or(0.0), {}, QStringLiteral("mm"), 3}), stiffness(stiffness_now),
+           stiffness(stiffness_before));
+}
+
 QString device_title(const std::string& kind, const std::string& name) {
   if (kind == "falcon") return (u"Falcon "_qs + isolate(QString::fromStdString(name))).trimmed();
   if (kind == "emulated-falcon") return FalconText::tr("Emulated Falcon, driven by mouse");

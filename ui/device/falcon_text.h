@@ -26,6 +26,8 @@ Message describe_falcon(const PortFailure& failure);
 Message describe_image(const falcon::ImageFailure& failure);
 /// Why a test is over; empty while it is not, and when it was done.
 QString end_text(falcon::TrialEnd end);
+/// What a self-test found, and how stiff exercises may be, in N/mm. Pre: damping and delay were found.
+QString measured_text(const falcon::SelfTestResult& found, double stiffness_before, double stiffness_now);
 
 /// "Falcon FT000001", "Emulated Falcon, driven by mouse", "Mouse and keys".
 QString device_title(const std::string& kind, const std::string& name);
