@@ -1628,6 +1628,18 @@
         <source>German</source>
         <translation>Deutsch</translation>
     </message>
+    <message>
+        <source>The tooth lies %1 degrees off its frame. Beyond %2 nobody knows its mesial side: turn the file.</source>
+        <translation>Der Zahn liegt um %1 Grad verdreht. Über %2 ist seine mesiale Seite nicht bekannt: die Datei drehen.</translation>
+    </message>
+    <message>
+        <source>The tooth’s long axis leans by %1 degrees, at most %2 are usual: turn the file.</source>
+        <translation>Die Längsachse des Zahns neigt sich um %1 Grad, üblich sind höchstens %2: die Datei drehen.</translation>
+    </message>
+    <message>
+        <source>A landmark does not lie on the tooth. It may be another file’s.</source>
+        <translation>Eine Landmarke liegt nicht auf dem Zahn. Vielleicht gehört sie zu einer anderen Datei.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -2658,6 +2670,18 @@
     <message>
         <source>Only say what would go, and what stays and why</source>
         <translation>Nur sagen, was entfernt würde, und was warum bleibt</translation>
+    </message>
+    <message>
+        <source>the tooth is turned from its frame</source>
+        <translation>der Zahn ist verdreht</translation>
+    </message>
+    <message>
+        <source>the tooth is tilted</source>
+        <translation>der Zahn ist gekippt</translation>
+    </message>
+    <message>
+        <source>a landmark does not lie on the tooth (%1)</source>
+        <translation>eine Landmarke liegt nicht auf dem Zahn (%1)</translation>
     </message>
 </context>
 <context>
@@ -10482,6 +10506,10 @@ Ihr bester davor</translation>
         <source>%1, %2</source>
         <extracomment>%1: level of an exercise, %2: time that it takes.</extracomment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 names no kind or state of a landmark: %2.</source>
+        <translation>%1 nennt weder Art noch Stand einer Landmarke: %2.</translation>
     </message>
     <message>
         <source>%1 names no level of an exercise: %2.</source>

@@ -29,6 +29,7 @@ std::string_view key_of(FormatError code) noexcept {
     case FormatError::unknown_severity: return "unknown_severity";
     case FormatError::unknown_hardness: return "unknown_hardness";
     case FormatError::unknown_level: return "unknown_level";
+    case FormatError::unknown_landmark: return "unknown_landmark";
     case FormatError::unknown_bur: return "unknown_bur";
     case FormatError::unknown_builtin: return "unknown_builtin";
     case FormatError::foreign_file: return "foreign_file";

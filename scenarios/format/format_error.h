@@ -35,6 +35,7 @@ enum class FormatError : std::uint8_t {
   unknown_severity,
   unknown_hardness,   // of a leaf lesion
   unknown_level,
+  unknown_landmark,   // its kind or its state
   unknown_bur,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key
   // Of an exercise file (scenarios/library/exercise_file.h):

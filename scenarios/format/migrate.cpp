@@ -24,6 +24,7 @@ constexpr std::string_view kTargetKeys[] = {"shape",  "paths",            "width
 constexpr std::string_view kLeewayKeys[] = {"floor_mm", "side_mm"};
 constexpr std::string_view kProtectedKeys[] = {"tissue"};  // the object's one key stands for format 1's bare text
 constexpr const char* kLaterKeys[] = {"level", "expected_time_s"};  // of the document itself
+constexpr const char* kLandmarks = "landmarks";                      // of the specimen
 constexpr std::string_view kCriterionKeys[] = {"metric", "weight", "bands"};
 
 /// First key of an object that is not of the list; none where it is no object.
@@ -54,6 +55,9 @@ Result<void, FormatFailure> refuse_later_words(const json& document) {
   };
   for (const char* key : kLaterKeys)
     if (document.contains(key)) return fail(FormatError::unknown_key, json_text::pointer_step(key));
+  const json* specimen = find(document, "specimen");
+  if (specimen != nullptr && specimen->is_object() && specimen->contains(kLandmarks))
+    return fail(FormatError::unknown_key, std::string("/specimen/") + kLandmarks);
   if (auto done = check(find(document, "target"), "/target", kTargetKeys); !done) return done;
   if (auto done = check(find(document, "leeway"), "/leeway", kLeewayKeys); !done) return done;
   const json* rubric = find(document, "rubric");
@@ -108,6 +112,7 @@ void migrate_rubric(json& rubric) { rename_metric(rubric, kOldRemainder, kRemain
 std::optional<json> in_format_1(const json& document) {
   for (const char* key : kLaterKeys)
     if (document.contains(key)) return std::nullopt;
+  if (document["specimen"].contains(kLandmarks)) return std::nullopt;
   json out = document;
   json& target = out["target"];
   if (target["kind"] != "outline") return std::nullopt;

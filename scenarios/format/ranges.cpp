@@ -27,6 +27,8 @@ constexpr auto kRanges = std::to_array<NumberRange>({
     {"/specimen/fdi", "", 11, 48, false, "FDI numbers of permanent teeth"},
     {"/specimen/seed", "", 0, 9007199254740991.0, false, "2^53 - 1: every JSON reader keeps it"},
     {"/specimen/voxel_mm", "mm", 0.04, 1, false, "the finest grid of a molar that fits memory; coarser no bur is resolved"},
+    {"/specimen/landmarks/fdi", "", 11, 48, false, "FDI numbers of permanent teeth"},
+    {"/specimen/landmarks/marks/*/points_mm/*/*", "mm", -1000, 1000, false, kPlace},
     {"/specimen/lesions/*/radius_mm", "mm", 0.2, 4, false, "two voxels to half a crown (scenarios/teeth/caries.h)"},
     {"/specimen/lesions/*/depth_mm", "mm", 0, 5, false, "from enamel alone to the pulp (scenarios/teeth/caries.h)"},
     {"/specimen/lesions/*/softness", "", 0, 1, false, "a share"},

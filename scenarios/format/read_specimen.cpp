@@ -25,6 +25,45 @@ LesionSource read_lesion(const Value& value) {
   return out;
 }
 
+template <class Key, std::size_t n>
+auto among(const std::array<std::string_view, n>& keys) {
+  return [&keys](std::string_view key) -> std::optional<Key> {
+    const auto at = std::ranges::find(keys, key);
+    return at == keys.end() ? std::nullopt : std::optional(static_cast<Key>(at - keys.begin()));
+  };
+}
+
+Landmark read_landmark(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  Landmark out;
+  out.kind = object.need("kind").key(FormatError::unknown_landmark, among<MarkKind>(kMarkKeys));
+  object.maybe("name", [&](const Value& v) { out.name = v.text(1, 64); });
+  out.state = object.need("state").key(FormatError::unknown_landmark, among<MarkState>(kMarkStateKeys));
+  const PointCount count = point_count(out.kind);
+  object.need("points_mm").list(count.least, count.most, [&](const Value& v) { out.points_mm.push_back(v.point()); });
+  object.nothing_else();
+  return out;
+}
+
+int read_fdi(const Value& value) {
+  const int fdi = value.integer({11, 48});
+  if (fdi != 0 && !is_fdi(fdi)) value.refuse(FormatError::out_of_range, "FDI");
+  return fdi;
+}
+
+SpecimenLandmarks read_landmarks(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  SpecimenLandmarks out;
+  object.maybe("fdi", [&](const Value& v) { out.fdi = read_fdi(v); });
+  object.need("marks").list(0, kMostMarks, [&](const Value& v) {
+    Landmark mark = read_landmark(v);
+    if (out.find(mark.kind, mark.name) != nullptr) v.refuse(FormatError::duplicate_value, std::string(key_of(mark.kind)) + " " + mark.name);
+    out.marks.push_back(std::move(mark));
+  });
+  object.nothing_else();
+  return out;
+}
+
 }  // namespace
 
 Tissue read_tissue(const Value& value) {
@@ -41,13 +80,12 @@ SpecimenSource read_specimen(const Value& value) {
     const Value name = object.need("volume");
     out.volume = name.text(1, 255);
     if (name.node().is_string() && !is_plain_file_name(out.volume)) name.refuse(FormatError::bad_file_name, out.volume);
+    object.maybe("landmarks", [&](const Value& v) { out.landmarks = read_landmarks(v); });
   } else {
     out.generator = object.need("generator").key(FormatError::unknown_generator, one_of(kGeneratorKeys));
   }
   if (out.generator == "tooth") {
-    const Value fdi = object.need("fdi");
-    out.fdi = fdi.integer({11, 48});
-    if (out.fdi != 0 && !is_fdi(out.fdi)) fdi.refuse(FormatError::out_of_range, "FDI");
+    out.fdi = read_fdi(object.need("fdi"));
     object.maybe("seed", [&](const Value& v) { out.seed = v.seed(); });
     object.maybe("typodont", [&](const Value& v) { out.typodont = v.yes(); });
     object.maybe("around", [&](const Value& list) {

@@ -12,6 +12,7 @@
 #include "engine/base/ids.h"
 #include "engine/base/vec.h"
 #include "engine/scene/scene.h"
+#include "scenarios/format/landmark.h"
 #include "scenarios/format/region.h"
 #include "scenarios/modules.h"
 
@@ -38,6 +39,7 @@ struct SpecimenSource {
   bool typodont = false;            // tooth: of plastic, as in a training model
   std::vector<std::string> around;  // tooth: what stands about it, keys of kAroundKeys
   std::vector<LesionSource> lesions;
+  SpecimenLandmarks landmarks;      // of a tooth from a file
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 

@@ -24,6 +24,8 @@ namespace {
 constexpr double kLeastRadiusVoxels = 3.0;
 /// Points of 100: a criterion of less does not show (scenarios/grading/maxima.h).
 constexpr double kLeastShare = 0.05;
+/// A landmark lies on the tooth; one placed by eye misses it by less, mm [M].
+constexpr double kBesideMm = 1.0;
 
 void errors_first(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
@@ -43,6 +45,7 @@ class Checks {
     instruments();
     check_target(s_, facts_, out_);
     leeway();
+    landmarks();
     rubric();
     if (facts_ != nullptr) specimen();
     errors_first(out_);
@@ -155,6 +158,23 @@ class Checks {
     }
     if (below(s_.leeway.side_mm, s_.specimen.voxel_mm)) {
       warn("/leeway/side_mm", "leeway_below_voxel", {{"value", s_.leeway.side_mm}, {"limit", s_.specimen.voxel_mm}});
+    }
+  }
+
+  /// A proposal for another file, or a tooth that lies askew in its own.
+  void landmarks() {
+    const SpecimenLandmarks& all = s_.specimen.landmarks;
+    const double turned = std::abs(turn_deg(all).value_or(0.0)), tilted = tilt_deg(all).value_or(0.0);
+    if (turned > kMostTurnedDeg) warn("/specimen/landmarks", "tooth_turned", {{"value", turned}, {"limit", kMostTurnedDeg}});
+    if (tilted > kMostTiltedDeg) warn("/specimen/landmarks", "tooth_tilted", {{"value", tilted}, {"limit", kMostTiltedDeg}});
+    if (facts_ == nullptr) return;
+    for (std::size_t i = 0; i < all.marks.size(); ++i) {
+      const Landmark& mark = all.marks[i];
+      if (mark.kind == MarkKind::long_axis || mark.kind == MarkKind::mesial_axis) continue;
+      const bool inside = std::ranges::all_of(mark.points_mm, [&](Vec3 p) {
+        return glm::all(glm::greaterThan(p, facts_->low_mm - kBesideMm)) && glm::all(glm::lessThan(p, facts_->high_mm + kBesideMm));
+      });
+      if (!inside) error(at("/specimen/landmarks/marks", i), "landmark_outside", {}, std::string(key_of(mark.kind)));
     }
   }
 

@@ -42,10 +42,12 @@ SpecimenFacts facts_of(const VoxelVolume& volume);
 /// bands_not_ordered,
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
-///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside, voxel_mismatch;
+///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside,
+///   voxel_mismatch, landmark_outside (more than 1 mm beside the tooth's box);
 /// warnings: feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
 ///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that
-///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
+///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
+///   tooth_turned (by its landmarks: measures by side are not measurable), tooth_tilted (by its long axis); with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 
 /// Read, then validate(scenario), then what the schema minds besides, errors first. A text that does not read yields its

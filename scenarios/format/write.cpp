@@ -23,10 +23,30 @@ Json json_of(const LocalText& text) {
 }
 
 template <class Json>
+Json json_of(const SpecimenLandmarks& landmarks) {
+  Json out = Json::object();
+  if (landmarks.fdi != 0) out["fdi"] = landmarks.fdi;
+  Json marks = Json::array();
+  for (const Landmark& mark : landmarks.marks) {
+    Json one = Json::object();
+    one["kind"] = key_of(mark.kind);
+    if (!mark.name.empty()) one["name"] = mark.name;
+    one["state"] = key_of(mark.state);
+    Json points = Json::array();
+    for (const Vec3& p : mark.points_mm) points.push_back(json_of<Json>(p));
+    one["points_mm"] = std::move(points);
+    marks.push_back(std::move(one));
+  }
+  out["marks"] = std::move(marks);
+  return out;
+}
+
+template <class Json>
 Json json_of(const SpecimenSource& specimen) {
   Json out = Json::object();
   if (specimen.generator.empty()) {
     out["volume"] = specimen.volume;
+    if (!specimen.landmarks.empty()) out["landmarks"] = json_of<Json>(specimen.landmarks);
   } else {
     out["generator"] = specimen.generator;
   }

@@ -5,8 +5,8 @@
 /// axial_past_junction_least, _mean, _most (mm): how far the axial wall lies in dentine, from the dentino-enamel junction at
 /// right angles to the target's wall; below 0: so much enamel is left on it. Of the wall below the mean height of the pulpal floor, if
 /// one was cut: above it the box's wall stands in occlusal enamel.
-/// Needs: a target with a gingival floor or an axial wall by name, a banded volume, that face cut; for the first a grown tooth, for the
-/// last enamel and dentine.
+/// Needs: a target with a gingival floor or an axial wall by name, a banded volume, that face cut; for the first the CEJ (of a grown
+/// tooth, or marked), for the last enamel and dentine.
 #pragma once
 
 #include <optional>

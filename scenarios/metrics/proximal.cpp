@@ -241,7 +241,7 @@ ProximalForm proximal_form(const CutFaces& faces, const std::vector<MarginPoint>
   ProximalForm out;
   const std::vector<NamedMargin> named = named_margin(margin, reference.shape());
   out.floor_mesiodistal = floor_mesiodistal(faces, named, reference);
-  if (reference.mesial_x() == 0 || volume.specimen().reading() == Reading::filled) return out;
+  if (!reference.is_grown() || volume.specimen().reading() == Reading::filled) return out;
   Proximal proximal(reference, volume);
   if (!proximal.any_prepared()) return out;
   const double border = kNeighbourVoxels * volume.grid().voxel_mm, place = std::sqrt(2.0) * reference.point_sigma_mm();

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/landmarks/landmarks.h"
+#include "scenarios/landmarks/propose.h"
 #include "scenarios/metrics/region_classifier.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tooth.h"
@@ -37,8 +39,8 @@ TissueSet only(Tissue tissue) noexcept {
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
     : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), leeway_(scenario.leeway), pulp_(specimen_, only(Tissue::pulp)),
       fdi_(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0), seed_(scenario.specimen.seed),
-      heat_(has_phenomenon(scenario.phenomena, "heat")),
-      mesial_x_(scenarios::mesial_x(fdi_)) {
+      marked_(scenario.specimen.landmarks), heat_(has_phenomenon(scenario.phenomena, "heat")),
+      mesial_x_(fdi_ != 0 ? scenarios::mesial_x(fdi_) : mesial_x_of(marked_)) {
   for (const Criterion& c : scenario.rubric.criteria) asked_.push_back(c.metric);
   for (const std::string& key : scenario.rubric.critical) asked_.push_back(key);
   for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
@@ -93,10 +95,18 @@ const TissueShape& Reference::dentine() const {
 
 const ToothLandmarks* Reference::landmarks() const {
   std::call_once(later_->landmarks_once, [&] {
-    if (fdi_ == 0) return;
+    if (fdi_ == 0) {
+      if (!marked_.marks.empty()) later_->landmarks = as_grown(marked_);
+      return;
+    }
     if (auto found = tooth_landmarks({.fdi = fdi_, .seed = seed_})) later_->landmarks = std::move(*found);
   });
   return later_->landmarks ? &*later_->landmarks : nullptr;
+}
+
+double Reference::landmark_sigma_mm(MarkKind kind) const noexcept {
+  const auto proposed = [kind](const Landmark& one) { return one.kind == kind && one.state == MarkState::proposed; };
+  return std::ranges::any_of(marked_.marks, proposed) ? proposal_error(kind, specimen_->grid().voxel_mm) : 0.0;
 }
 
 double Reference::surface_sigma_mm() const noexcept {

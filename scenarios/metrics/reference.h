@@ -44,8 +44,10 @@ class Reference {
   const TargetShape& shape() const noexcept { return shape_; }
   const Leeway& leeway() const noexcept { return leeway_; }
   const BorderSurface& pulp() const noexcept { return pulp_; }
-  /// 1 if mesial lies along +x, -1 if along -x, 0 if the specimen is no tooth of a known number.
+  /// 1 if mesial lies along +x, -1 if along -x, 0 if the specimen is no tooth of a known number, or a turned one (scenarios/landmarks).
   int mesial_x() const noexcept { return mesial_x_; }
+  /// Of the tooth generator: a neighbour has codes of its own, and the tooth stands about the frame's origin.
+  bool is_grown() const noexcept { return fdi_ != 0; }
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
@@ -60,8 +62,10 @@ class Reference {
   const VoxelIndex& shell() const;
   /// Sound and carious dentine, with its signed distance. As above.
   const TissueShape& dentine() const;
-  /// Of the grown tooth; nullptr where the specimen is none. As above.
+  /// Of the grown tooth, or those that a tooth from a file is marked with; nullptr where there are none. As above.
   const ToothLandmarks* landmarks() const;
+  /// How well a landmark is known: 0 of a grown tooth and of what the author set.
+  double landmark_sigma_mm(MarkKind kind) const noexcept;
   double surface_sigma_mm() const noexcept;  // of a face's mean place
   double point_sigma_mm() const noexcept;    // of one place
 
@@ -87,6 +91,7 @@ class Reference {
   std::shared_ptr<Later> later_ = std::make_shared<Later>();
   int fdi_ = 0;  // 0: no grown tooth
   std::uint64_t seed_ = 0;
+  SpecimenLandmarks marked_;  // of a tooth from a file
   bool heat_ = false;
   int mesial_x_ = 0;
 };

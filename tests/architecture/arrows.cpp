@@ -40,7 +40,7 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
     {"engine", {"base", "volume", "tool", "scene", "contact", "removal", "step", "loop", "mirror", "lab"}},
     {"device", {"pointer", "scripted", "falcon", "hid", "inverse", "."}},
     {"scenarios",
-     {"tissues", "burs", "teeth", "format", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",
+     {"tissues", "burs", "teeth", "format", "landmarks", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",
       "checks", "templates", "audit"}},
     {"storage", {"base", "sqlite", "records", "backup", "repositories", "cache", "summary", "export", "exchange", "retention", "."}},
     {"ui",

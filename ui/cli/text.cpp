@@ -65,6 +65,9 @@ QString reason(const Finding& f) {
   if (c == "text_of_template") return CliText::tr("the text is still that of the exercise it was copied from (%1)").arg(text(f.detail));
   if (c == "text_other_tooth") return CliText::tr("the title names another tooth (%1)").arg(text(f.detail));
   if (c == "text_figure") return CliText::tr("the text names a length that the target has not (%1)").arg(text(f.detail));
+  if (c == "tooth_turned") return CliText::tr("the tooth is turned from its frame");
+  if (c == "tooth_tilted") return CliText::tr("the tooth is tilted");
+  if (c == "landmark_outside") return CliText::tr("a landmark does not lie on the tooth (%1)").arg(text(f.detail));
   if (c == "nothing_can_be_cut") return CliText::tr("nothing can be cut");
   if (c == "schema") return text(f.detail);
   return text(c);

@@ -202,6 +202,15 @@ QString check_message(const Finding& f) {
   }
   if (c == u"expected_beyond_limit")
     return CheckText::tr("The expected time, %1, is longer than the time limit, %2.").arg(format_clock(value), format_clock(limit));
+  if (c == u"tooth_turned") {
+    return CheckText::tr("The tooth lies %1 degrees off its frame. Beyond %2 nobody knows its mesial side: turn the file.")
+        .arg(format_number(value, 0), format_number(limit, 0));
+  }
+  if (c == u"tooth_tilted") {
+    return CheckText::tr("The tooth’s long axis leans by %1 degrees, at most %2 are usual: turn the file.")
+        .arg(format_number(value, 0), format_number(limit, 0));
+  }
+  if (c == u"landmark_outside") return CheckText::tr("A landmark does not lie on the tooth. It may be another file’s.");
   if (c == u"nothing_can_be_cut") return CheckText::tr("Nothing of this tooth can be cut.");
   return CheckText::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
 }

@@ -58,6 +58,28 @@ TEST(ContentHash, ChangesWithEveryValueAndWithNothingElse) {
   EXPECT_EQ(content_hash(same), content_hash(scenario));
 }
 
+TEST(ContentHash, ChangesWithEveryValueOfALandmark) {
+  const Scenario scenario = marked_scenario();
+  std::set<ContentHash> seen{content_hash(scenario)};
+  const auto differs = [&](auto change) {
+    Scenario other = scenario;
+    change(other.specimen.landmarks);
+    EXPECT_TRUE(seen.insert(content_hash(other)).second);
+  };
+  differs([](SpecimenLandmarks& l) { l.fdi = 0; });
+  differs([](SpecimenLandmarks& l) { l.fdi = 46; });
+  differs([](SpecimenLandmarks& l) { l.marks.pop_back(); });
+  differs([](SpecimenLandmarks& l) { std::swap(l.marks[0], l.marks[1]); });
+  differs([](SpecimenLandmarks& l) { l.marks[2].kind = MarkKind::contour; });
+  differs([](SpecimenLandmarks& l) { l.marks[3].name = "mesial"; });
+  differs([](SpecimenLandmarks& l) { l.marks[3].state = MarkState::proposed; });
+  differs([](SpecimenLandmarks& l) { l.marks[8].points_mm[2].y = 1e-9; });
+  Scenario without = scenario;
+  without.specimen.landmarks = {};
+  EXPECT_EQ(hashed_json(without).find("landmarks"), std::string::npos) << "an exercise without them keeps its hash";
+  EXPECT_TRUE(seen.insert(content_hash(without)).second);
+}
+
 TEST(CanonicalJson, IsSortedWithoutBlanksAndShortest) {
   EXPECT_EQ(
       *canonical_json(R"( {"b" : [1.0, 0.10, 1e2, -0.0, 1E-7, 18446744073709551615], "a": {"ü": "\u00fc\n\/"}} )"),

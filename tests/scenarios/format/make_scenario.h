@@ -135,11 +135,28 @@ class ScenarioMaker {
         break;
       case 2:
         out.volume = "tooth.nrrd";
+        if (coin()) out.landmarks = landmarks();
         break;
       default:
         out.generator = "tooth";
         out.fdi = 10 * (1 + pick(4)) + 1 + pick(8);
         out.seed = coin() ? 0 : random_() >> 11;
+    }
+    return out;
+  }
+
+  SpecimenLandmarks landmarks() {
+    SpecimenLandmarks out;
+    if (coin()) out.fdi = 10 * (1 + pick(4)) + 1 + pick(8);
+    for (std::size_t kind = 0; kind < kMarkKeys.size(); ++kind) {
+      if (coin()) continue;
+      Landmark& mark = out.marks.emplace_back();
+      mark.kind = static_cast<MarkKind>(kind);
+      if (coin()) mark.name = text();
+      mark.state = coin() ? MarkState::set : MarkState::proposed;
+      const PointCount count = point_count(mark.kind);
+      const int more = count.most > count.least ? pick(5) : 0;
+      for (int i = static_cast<int>(count.least) + more; i > 0; --i) mark.points_mm.push_back(point());
     }
     return out;
   }
@@ -161,6 +178,25 @@ inline Scenario sound_scenario() {
   s.target.outline.corner_radius_mm = 0.7;
   s.rubric.criteria = {{"target_removed", 60, {80, 90, 97, 100, 100, 100}},
                        {"depth_mean", 40, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
+  return s;
+}
+
+/// The sound scenario on a tooth from a file, with a landmark of each kind.
+inline Scenario marked_scenario() {
+  Scenario s = sound_scenario();
+  s.specimen.generator.clear();
+  s.specimen.volume = "tooth.nrrd";
+  s.specimen.landmarks.fdi = 36;
+  for (std::size_t kind = 0; kind < kMarkKeys.size(); ++kind) {
+    Landmark& mark = s.specimen.landmarks.marks.emplace_back();
+    mark.kind = static_cast<MarkKind>(kind);
+    mark.state = kind % 2 == 0 ? MarkState::proposed : MarkState::set;
+    if (mark.kind == MarkKind::pit) mark.name = "central";
+    for (std::size_t i = 0; i < point_count(mark.kind).least; ++i) {
+      const double along = static_cast<double>(i);
+      mark.points_mm.push_back(mark.kind == MarkKind::mesial_axis ? Vec3(along, 0, 0) : Vec3(0, 0, along));
+    }
+  }
   return s;
 }
 

@@ -110,6 +110,11 @@ json with_everything() {
   return out;
 }
 
+/// The scenario in which a number of that path stands: landmarks are of a file, all else of a grown tooth.
+json with_everything_at(std::string_view path) {
+  return path.starts_with("/specimen/landmarks") ? json::parse(write_scenario(marked_scenario())) : with_everything();
+}
+
 /// The first place of with_everything() that a path means; of a region's numbers that in the first part that has it.
 std::string first_place(std::string path) {
   for (std::size_t at; (at = path.find('*')) != std::string::npos;) path[at] = '0';
@@ -124,7 +129,7 @@ std::string first_place(std::string path) {
 }
 
 std::vector<Finding> findings_with(const std::string& place, const json& value) {
-  json document = with_everything();
+  json document = with_everything_at(place);
   document[json::json_pointer(place)] = value;
   return validate_text(document.dump());
 }
@@ -141,8 +146,8 @@ TEST(Ranges, TheLastValueInsideIsTakenAndTheFirstOutsideRefusedWithItsPlaceAndRa
   for (const NumberRange& row : number_ranges()) {
     const std::string place = first_place(std::string(row.path));
     SCOPED_TRACE(place);
-    const bool whole = with_everything().at(json::json_pointer(place)).is_number_integer() &&
-                       (place == "/format" || place == "/version" || place.ends_with("/needs_dof") || place == "/specimen/fdi" ||
+    const bool whole = with_everything_at(place).at(json::json_pointer(place)).is_number_integer() &&
+                       (place == "/format" || place == "/version" || place.ends_with("/needs_dof") || place.ends_with("/fdi") ||
                         place == "/specimen/seed");
     const auto value = [&](double v) { return whole ? json(static_cast<std::int64_t>(v)) : json(v); };
     const double step = whole ? 1.0 : 1e-6 * std::max(1.0, std::fabs(row.most - row.least));
@@ -183,6 +188,7 @@ TEST(Ranges, KnowEveryNumberThatAScenarioHolds) {
     }
   };
   walk(walk, with_everything(), "");
+  walk(walk, json::parse(write_scenario(marked_scenario())), "");
   EXPECT_EQ(range_of("/tissues/x/speed_mm_s"), nullptr);
   EXPECT_EQ(range_of("/tissues"), nullptr);
   EXPECT_EQ(range_of(""), nullptr);

@@ -1,0 +1,51 @@
+#include "scenarios/landmarks/landmarks.h"
+
+#include <cmath>
+
+namespace cusp::scenarios {
+
+namespace {
+
+/// The place of a landmark, or nullptr.
+const Vec3* place_of(const SpecimenLandmarks& landmarks, MarkKind kind, std::string_view name) noexcept {
+  const Landmark* mark = landmarks.find(kind, name);
+  return mark == nullptr || mark->points_mm.empty() ? nullptr : &mark->points_mm.front();
+}
+
+/// Distance across the crown, between two of its places.
+double extent(const Vec3* a, const Vec3* b) noexcept {
+  return a == nullptr || b == nullptr ? 0.0 : std::hypot(a->x - b->x, a->y - b->y);
+}
+
+}  // namespace
+
+ToothLandmarks as_grown(const SpecimenLandmarks& landmarks) {
+  ToothLandmarks out;
+  for (const Landmark& mark : landmarks.marks) {
+    if (mark.points_mm.empty()) continue;
+    if (mark.kind == MarkKind::cusp_tip) out.cusp_tips.push_back({mark.name, mark.points_mm.front()});
+    if (mark.kind == MarkKind::pit) out.pits.push_back({mark.name, mark.points_mm.front()});
+    if (mark.kind == MarkKind::fissure) out.fissures.push_back({mark.name, mark.points_mm});
+    if (mark.kind == MarkKind::marginal_ridge) out.marginal_ridges.push_back({mark.name, mark.points_mm});
+    if (mark.kind == MarkKind::cej) out.cej = mark.points_mm;
+  }
+  const Vec3* const mesial = place_of(landmarks, MarkKind::contact, "mesial");
+  const Vec3* const distal = place_of(landmarks, MarkKind::contact, "distal");
+  if (mesial != nullptr) out.mesial_contact = *mesial;
+  if (distal != nullptr) out.distal_contact = *distal;
+  out.dims.mesiodistal = extent(mesial, distal);
+  out.dims.buccolingual = extent(place_of(landmarks, MarkKind::contour, "buccal"), place_of(landmarks, MarkKind::contour, "lingual"));
+  if (const Vec3* pit = place_of(landmarks, MarkKind::pit, "central")) {
+    out.central = *pit;
+  } else if (const SurfaceLine* groove = out.fissure("central"); groove != nullptr && !groove->points_mm.empty()) {
+    out.central = groove->points_mm[groove->points_mm.size() / 2];
+  }
+  return out;
+}
+
+int mesial_x_of(const SpecimenLandmarks& landmarks) noexcept {
+  const auto turned = turn_deg(landmarks);
+  return turned && std::fabs(*turned) <= kMostTurnedDeg ? mesial_x(landmarks.fdi) : 0;
+}
+
+}  // namespace cusp::scenarios
