@@ -2672,6 +2672,26 @@
         <translation>Nur sagen, was entfernt würde, und was warum bleibt</translation>
     </message>
     <message>
+        <source>The file does not hold what the template needs: %1.</source>
+        <translation>Die Datei enthält nicht, was die Vorlage braucht: %1.</translation>
+    </message>
+    <message>
+        <source>The tooth lies %1 degrees off: x has to be mesial or distal, y buccal, z occlusal.</source>
+        <translation>Der Zahn liegt um %1 Grad verdreht: x muss mesial oder distal sein, y bukkal, z okklusal.</translation>
+    </message>
+    <message>
+        <source>%1 is no tooth’s number.</source>
+        <translation>%1 ist keine Zahnnummer.</translation>
+    </message>
+    <message>
+        <source>%1 holds no tooth.</source>
+        <translation>%1 enthält keinen Zahn.</translation>
+    </message>
+    <message>
+        <source>A tooth of your own (NRRD), its landmarks proposed; it is copied to DIR</source>
+        <translation>Ein eigener Zahn (NRRD), seine Landmarken werden vorgeschlagen; er wird nach DIR kopiert</translation>
+    </message>
+    <message>
         <source>the tooth is turned from its frame</source>
         <translation>der Zahn ist verdreht</translation>
     </message>

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <set>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/templates/outline_paths.h"
+#include "scenarios/templates/scope.h"
 
 namespace cusp::scenarios {
 
@@ -32,7 +34,9 @@ class Filler {
     if (node.is_number()) return node.get<double>();
     const auto value = evaluate(node.get<std::string>(), scope_);
     if (value) return *value;
-    refuse({FitError::bad_template, where, value.error().where});
+    const Failure<ExpressionError>& why = value.error();
+    if (why.code == ExpressionError::unknown_name && is_of_tooth(why.where)) refuse({FitError::missing_landmark, why.where, {}});
+    else refuse({FitError::bad_template, where, why.where});
     return 0.0;
   }
   Json paths(const Json& node, double floor, const std::string& where);
@@ -117,6 +121,52 @@ LesionSource lesion_of(const Json& one) {
   return out;
 }
 
+/// The tooth that a template asks the generator for, and the same as JSON.
+SpecimenSource grown_source(const Json& body, const Json& common, const FitRequest& request, Filler& filler, Json& out) {
+  SpecimenSource source;
+  source.generator = "tooth";
+  source.fdi = request.fdi;
+  source.seed = request.seed;
+  source.around = body.at("around").get<std::vector<std::string>>();
+  source.voxel_mm = common.at("voxel_mm").get<double>();
+  out = {{"generator", "tooth"}, {"fdi", source.fdi}, {"seed", source.seed}, {"voxel_mm", source.voxel_mm}};
+  if (!source.around.empty()) out["around"] = source.around;
+  if (!body.contains("lesions")) return source;
+  out["lesions"] = filler.filled(body.at("lesions"), "/lesions");
+  for (const Json& one : out["lesions"]) source.lesions.push_back(lesion_of(one));
+  return source;
+}
+
+/// Whose the codes from 16 on are.
+enum class Codes : std::uint8_t { of_generator, of_file };
+
+/// Each with the templates' figures; one that they do not name has its usual ones.
+Json tissues_json(const std::vector<Tissue>& tissues, const Json& common, Codes names) {
+  Json out = Json::array();
+  for (const Tissue tissue : tissues) {
+    const std::string key(key_of_scenario_tissue(tissue));
+    const bool known = names == Codes::of_generator || index_of(tissue) < kTissueKeys.size();
+    Json one = known ? common.at("tissues").value(key, Json::object()) : Json::object();
+    one["tissue"] = key;
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+/// Protects no tissue that a file does not hold.
+void spare_what_is_held(const std::vector<Tissue>& tissues, Json& out) {
+  const auto is_held = [&tissues](const std::string& key) {
+    return std::ranges::any_of(tissues, [&key](Tissue t) { return key_of_scenario_tissue(t) == key; });
+  };
+  Json spared = Json::array(), critical = Json::array();
+  for (const Json& one : out["protected"])
+    if (!one.contains("tissue") || is_held(one["tissue"].get<std::string>())) spared.push_back(one);
+  for (const Json& event : out["rubric"]["critical"])
+    if (event != "pulp_exposure" || is_held("pulp")) critical.push_back(event);
+  out["protected"] = std::move(spared);
+  out["rubric"]["critical"] = std::move(critical);
+}
+
 /// A text or a key, or its parts: strings, and objects with "when" and "text".
 std::string joined(const Json& node, Filler& filler) {
   if (node.is_string()) return node.get<std::string>();
@@ -159,26 +209,15 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   out["briefing"] = texts(body.at("briefing"), request, scope, filler);
   out["level"] = joined(body.at("level"), filler);
   out["expected_time_s"] = filler.filled(body.at("expected_time_s"), "/expected_time_s");
-  SpecimenSource source;
-  source.generator = "tooth";
-  source.fdi = request.fdi;
-  source.seed = request.seed;
-  source.around = body.at("around").get<std::vector<std::string>>();
-  source.voxel_mm = common.at("voxel_mm").get<double>();
-  out["specimen"] = {{"generator", "tooth"}, {"fdi", source.fdi}, {"seed", source.seed}, {"voxel_mm", source.voxel_mm}};
-  if (!source.around.empty()) out["specimen"]["around"] = source.around;
-  if (body.contains("lesions")) {
-    out["specimen"]["lesions"] = filler.filled(body.at("lesions"), "/lesions");
-    for (const Json& one : out["specimen"]["lesions"]) source.lesions.push_back(lesion_of(one));
+  std::vector<Tissue> tissues;
+  if (request.imported) {
+    out["specimen"] = {{"volume", request.imported->volume}, {"voxel_mm", request.imported->voxel_mm}};
+    tissues = request.imported->tissues;
+  } else {
+    const SpecimenSource source = grown_source(body, common, request, filler, out["specimen"]);
+    tissues = tissues_of(source);
   }
-  out["tissues"] = Json::array();
-  for (const Tissue tissue : tissues_of(source)) {
-    const std::size_t code = index_of(tissue);
-    const std::string key = code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code);
-    Json one = common.at("tissues").at(key);
-    one["tissue"] = key;
-    out["tissues"].push_back(std::move(one));
-  }
+  out["tissues"] = tissues_json(tissues, common, request.imported ? Codes::of_file : Codes::of_generator);
   out["instruments"] = body.at("instruments");
   for (const char* key : {"device", "method", "phenomena", "limits", "tolerance"}) out[key] = common.at(key);
   for (const char* key : {"target", "leeway", "protected", "rubric"}) out[key] = Json();
@@ -187,6 +226,7 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   out["protected"] = filler.filled(body.at("protected"), "/protected");
   out["rubric"] = filler.filled(Json{{"pass", body.at("rubric").at("pass")}, {"criteria", body.at("rubric").at("criteria")}}, "/rubric");
   out["rubric"]["critical"] = body.at("rubric").at("critical");
+  if (request.imported) spare_what_is_held(tissues, out);
   if (filler.failure()) return std::unexpected(*filler.failure());
   return out;
 }

@@ -22,6 +22,9 @@ std::optional<Vec3> side_pit(const ToothLandmarks& landmarks, std::string_view n
   return end;
 }
 
+/// No landmark lies at the frame's origin, within the root: there it is not marked.
+std::optional<Vec3> marked(Vec3 p) noexcept { return p == Vec3(0.0) ? std::nullopt : std::optional(p); }
+
 void add(Scope& scope, const std::string& name, Vec3 p) {
   scope[name + ".x"] = p.x;
   scope[name + ".y"] = p.y;
@@ -43,25 +46,33 @@ ToothLandmarks mesial_forward(ToothLandmarks landmarks, int fdi) {
   return landmarks;
 }
 
-Result<Scope, FitFailure> scope_of(const ToothLandmarks& landmarks, int fdi) {
-  const auto mesial = side_pit(landmarks, "mesial", 1.0), distal = side_pit(landmarks, "distal", -1.0);
-  if (!mesial || !distal || landmarks.pits.empty()) return fail(FitError::missing_landmark, "pit");
-  if (landmarks.cej.empty()) return fail(FitError::missing_landmark, "cej");
+Scope scope_of(const ToothLandmarks& landmarks, int fdi) {
   Scope out;
   out["molar"] = is_molar(fdi) ? 1.0 : 0.0;
   out["upper"] = fdi < 30 ? 1.0 : 0.0;
-  out["bl"] = landmarks.dims.buccolingual;
-  out["md"] = landmarks.dims.mesiodistal;
-  add(out, "central", landmarks.central);
-  add(out, "contact.mesial", landmarks.mesial_contact);
-  add(out, "contact.distal", landmarks.distal_contact);
-  add(out, "pit.mesial", *mesial);
-  add(out, "pit.distal", *distal);
-  out["fossa.z"] = std::ranges::min(landmarks.pits, {}, [](const SurfacePlace& one) { return one.at_mm.z; }).at_mm.z;
+  if (landmarks.dims.buccolingual > 0.0) out["bl"] = landmarks.dims.buccolingual;
+  if (landmarks.dims.mesiodistal > 0.0) out["md"] = landmarks.dims.mesiodistal;
+  const auto place = [&out](const std::string& name, const std::optional<Vec3>& p) {
+    if (p) add(out, name, *p);
+  };
+  place("central", marked(landmarks.central));
+  place("contact.mesial", marked(landmarks.mesial_contact));
+  place("contact.distal", marked(landmarks.distal_contact));
+  place("pit.mesial", side_pit(landmarks, "mesial", 1.0));
+  place("pit.distal", side_pit(landmarks, "distal", -1.0));
+  if (!landmarks.pits.empty())
+    out["fossa.z"] = std::ranges::min(landmarks.pits, {}, [](const SurfacePlace& one) { return one.at_mm.z; }).at_mm.z;
+  if (landmarks.cej.empty()) return out;
   const auto [back, front] = std::ranges::minmax_element(landmarks.cej, {}, [](const Vec3& p) { return p.x; });
   out["cej.distal.z"] = back->z;
   out["cej.mesial.z"] = front->z;
   return out;
+}
+
+bool is_of_tooth(std::string_view name) noexcept {
+  if (name == "bl" || name == "md") return true;
+  constexpr std::string_view kPlaces[] = {"central.", "contact.", "pit.", "fossa.", "cej."};
+  return std::ranges::any_of(kPlaces, [name](std::string_view start) { return name.starts_with(start); });
 }
 
 void mirror_x(Region& region) {

@@ -3,7 +3,7 @@
 ///
 /// molar (1 or 0), upper (1 or 0), bl, md (extents of the crown), central.x .y .z (the central pit, or the middle of the
 /// central groove), fossa.z (the lowest pit), contact.mesial.x .y .z, contact.distal.x .y .z, cej.mesial.z, cej.distal.z,
-/// pit.mesial.x .y, pit.distal.x .y.
+/// pit.mesial.x .y, pit.distal.x .y. A tooth from a file has those that its landmarks say.
 #pragma once
 
 #include "engine/base/result.h"
@@ -16,8 +16,11 @@ namespace cusp::scenarios {
 /// A tooth's landmarks with mesial along +x.
 [[nodiscard]] ToothLandmarks mesial_forward(ToothLandmarks landmarks, int fdi);
 
-/// Fails (missing_landmark) where the tooth has no pit or no CEJ. Pre: mesial_forward().
-[[nodiscard]] Result<Scope, FitFailure> scope_of(const ToothLandmarks& landmarks, int fdi);
+/// Without the names whose landmarks the tooth has not. Pre: mesial_forward().
+[[nodiscard]] Scope scope_of(const ToothLandmarks& landmarks, int fdi);
+
+/// Whether an expression's name is one of a tooth: where the scope lacks it, a landmark is missing.
+[[nodiscard]] bool is_of_tooth(std::string_view name) noexcept;
 
 /// A target of the table's frame on a tooth of quadrants 2 and 4: x and the names of its sides change over.
 void mirror_x(Region& region);

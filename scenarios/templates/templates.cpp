@@ -1,9 +1,12 @@
 #include "scenarios/templates/templates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/format/read.h"
+#include "scenarios/landmarks/landmarks.h"
 #include "scenarios/templates/fill.h"
 #include "scenarios/templates/scope.h"
 #include "scenarios/teeth/tooth.h"
@@ -68,17 +71,46 @@ struct Ground {
   Scope scope;
 };
 
-Result<Ground, FitFailure> ground_of(std::string_view key, int fdi, std::uint64_t seed) {
-  const Entry* const of = entry(key);
-  if (of == nullptr) return fail(FitError::unknown_template, std::string(key));
-  const int place = fdi % 10, quadrant = fdi / 10;
-  if (quadrant < 1 || quadrant > 4 || place < 4 || place > 8) return fail(FitError::unsuitable_tooth, std::to_string(fdi));
-  const auto grown = tooth_landmarks({.fdi = fdi, .seed = seed});
-  if (!grown) return fail(FitError::unsuitable_tooth, std::to_string(fdi));
-  ToothLandmarks landmarks = mesial_forward(*grown, fdi);
-  auto scope = scope_of(landmarks, fdi);
-  if (!scope) return std::unexpected(scope.error());
-  return Ground{*of, std::move(landmarks), std::move(*scope)};
+/// What a template needs and a file does not hold: a file's own tissues have no names that an exercise knows neighbours by.
+Result<void, FitFailure> check_tissues(const Json& body, const ImportedTooth& tooth) {
+  if (!body.at("around").empty()) return fail(FitError::missing_tissue, body.at("around").front().get<std::string>());
+  const bool carious = std::ranges::find(tooth.tissues, Tissue::carious_dentine) != tooth.tissues.end();
+  if (body.contains("lesions") && !carious) return fail(FitError::missing_tissue, std::string(key_of_scenario_tissue(Tissue::carious_dentine)));
+  return {};
+}
+
+Result<ToothLandmarks, FitFailure> landmarks_of(const Json& body, const FitRequest& request) {
+  if (!request.imported) {
+    auto grown = tooth_landmarks({.fdi = request.fdi, .seed = request.seed});
+    if (!grown) return fail(FitError::unsuitable_tooth, std::to_string(request.fdi));
+    return std::move(*grown);
+  }
+  SpecimenLandmarks marked = request.imported->landmarks;
+  marked.fdi = request.fdi;
+  if (!marked.find(MarkKind::mesial_axis)) return fail(FitError::missing_landmark, std::string(key_of(MarkKind::mesial_axis)));
+  const double turned = std::fabs(turn_deg(marked).value_or(180.0)), tilted = tilt_deg(marked).value_or(0.0);
+  if (turned > kMostTurnedDeg || tilted > kMostTiltedDeg)
+    return fail(FitError::turned_tooth, std::to_string(static_cast<int>(std::max(turned, tilted) + 0.5)));
+  if (const auto held = check_tissues(body, *request.imported); !held) return std::unexpected(held.error());
+  return as_grown(marked);
+}
+
+Result<Ground, FitFailure> ground_of(const FitRequest& request) {
+  const Entry* const of = entry(request.key);
+  if (of == nullptr) return fail(FitError::unknown_template, request.key);
+  const int place = request.fdi % 10, quadrant = request.fdi / 10;
+  if (quadrant < 1 || quadrant > 4 || place < 4 || place > 8) return fail(FitError::unsuitable_tooth, std::to_string(request.fdi));
+  auto found = landmarks_of(of->body, request);
+  if (!found) return std::unexpected(found.error());
+  ToothLandmarks landmarks = mesial_forward(std::move(*found), request.fdi);
+  Scope scope = scope_of(landmarks, request.fdi);
+  return Ground{*of, std::move(landmarks), std::move(scope)};
+}
+
+/// An expression of a template that gave nothing.
+FitFailure failure_of(const Failure<ExpressionError>& why, std::string where) {
+  if (why.code == ExpressionError::unknown_name && is_of_tooth(why.where)) return {FitError::missing_landmark, why.where, {}};
+  return {FitError::bad_template, std::move(where), why.where};
 }
 
 /// Adds the parameters to the scope: as asked for, or by default.
@@ -95,7 +127,7 @@ Result<void, FitFailure> add_parameters(const ExerciseTemplate& of, const std::m
         return fail(FitError::out_of_range, one.key, Json(one.least).dump() + ".." + Json(one.most).dump());
     } else {
       const auto computed = evaluate(one.value, scope);
-      if (!computed) return fail(FitError::bad_template, "/parameters/" + one.key, computed.error().where);
+      if (!computed) return std::unexpected(failure_of(computed.error(), "/parameters/" + one.key));
       value = std::clamp(*computed, one.least, one.most);
     }
     scope[one.key] = value;
@@ -115,7 +147,7 @@ std::span<const ExerciseTemplate> exercise_templates() {
 }
 
 Result<std::map<std::string, double>, FitFailure> template_defaults(std::string_view key, int fdi, std::uint64_t seed) {
-  auto ground = ground_of(key, fdi, seed);
+  auto ground = ground_of({.key = std::string(key), .fdi = fdi, .seed = seed});
   if (!ground) return std::unexpected(ground.error());
   if (auto added = add_parameters(ground->of.head, {}, ground->scope); !added) return std::unexpected(added.error());
   std::map<std::string, double> out;
@@ -124,7 +156,7 @@ Result<std::map<std::string, double>, FitFailure> template_defaults(std::string_
 }
 
 Result<Scenario, FitFailure> fit_template(const FitRequest& request) {
-  auto ground = ground_of(request.key, request.fdi, request.seed);
+  auto ground = ground_of(request);
   if (!ground) return std::unexpected(ground.error());
   if (auto added = add_parameters(ground->of.head, request.values, ground->scope); !added) return std::unexpected(added.error());
   auto filled = fill_template(ground->of.body, Json::parse(embedded::template_common), request, ground->landmarks, ground->scope);
@@ -132,6 +164,10 @@ Result<Scenario, FitFailure> fit_template(const FitRequest& request) {
   auto scenario = read_scenario(filled->dump());
   if (!scenario) return fail(FitError::does_not_fit, scenario.error().where, std::string(key_of(scenario.error().code)));
   if (mesial_x(request.fdi) < 0) mirror_x(scenario->target);
+  if (request.imported) {
+    scenario->specimen.landmarks = request.imported->landmarks;
+    scenario->specimen.landmarks.fdi = request.fdi;
+  }
   return std::move(*scenario);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,16 +39,27 @@ enum class FitError : std::uint8_t {
   unsuitable_tooth,   // where: the number; no premolar or molar
   unknown_parameter,  // where: its key
   out_of_range,       // where: the parameter; detail: "0.8..2.5"
-  missing_landmark,   // where: what the tooth has none of
+  missing_landmark,   // where: what the tooth has none of: "cej.mesial.z", a fissure's name
+  missing_tissue,     // a tooth from a file; where: tissue or surroundings that it lacks
+  turned_tooth,       // a tooth from a file; where: degrees that it is turned or tilted from its frame
   does_not_fit,       // where: JSON pointer into the exercise; detail: code of the format's refusal
   bad_template,       // a broken build; where: JSON pointer or expression
 };
 using FitFailure = Failure<FitError>;
 inline constexpr std::string_view key_of(FitError error) noexcept {
   constexpr std::string_view kKeys[] = {"unknown_template", "unsuitable_tooth", "unknown_parameter", "out_of_range",
-                                        "missing_landmark", "does_not_fit",     "bad_template"};
+                                        "missing_landmark", "missing_tissue",
+                                        "turned_tooth",     "does_not_fit",     "bad_template"};
   return kKeys[static_cast<std::size_t>(error)];
 }
+
+/// A tooth from a file: what of its specimen an exercise states.
+struct ImportedTooth {
+  std::string volume;  // plain file name
+  double voxel_mm = 0.1;
+  std::vector<Tissue> tissues;  // that it holds
+  SpecimenLandmarks landmarks;
+};
 
 struct FitRequest {
   std::string key;
@@ -55,6 +67,7 @@ struct FitRequest {
   std::uint64_t seed = 0;              // of the tooth (scenarios/teeth/tooth.h)
   std::map<std::string, double> values{};  // of parameters; those left out have their defaults
   ScenarioId id{};                     // of the exercise
+  std::optional<ImportedTooth> imported{};  // instead of a grown tooth; its number is `fdi`, whatever its landmarks say
 };
 
 /// The default of each parameter of a template on a tooth, within its range. Fails as fit_template() does. Some 40 ms.

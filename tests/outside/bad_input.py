@@ -140,6 +140,12 @@ def databases(desk):
                                    ("class II without a box", ("class-2-adhesive", "--tooth", "36", "--set", "mesial=0"), ("/target",))):
         refused(desk, what, "template", "fit", *arguments, "--out", desk.path("fitted"), names=names)
     check(not os.path.exists(desk.path("fitted", "scenario.json")), "a refused template was written")
+    for what, arguments, names in (("a volume that is none", ("class-1-adhesive", "--tooth", "36", "--volume", desk.path("text.db")), ("text.db",)),
+                                   ("a missing volume", ("class-1-adhesive", "--tooth", "36", "--volume", desk.path("none.nrrd")), ("none.nrrd",)),
+                                   ("a block for a tooth", ("class-1-adhesive", "--tooth", "36", "--volume", desk.path("paper.nrrd")), ("mesial_axis",)),
+                                   ("a volume for no tooth", ("class-1-adhesive", "--tooth", "99", "--volume", desk.path("paper.nrrd")), ("99",))):
+        refused(desk, what, "template", "fit", *arguments, "--out", desk.path("fitted"), names=names)
+    check(not os.path.exists(desk.path("fitted", "tooth.nrrd")), "a refused template left a volume")
     refused(desk, "template into a file", "template", "fit", "class-1-adhesive", "--tooth", "36", "--out", desk.path("text.db"))
     refused(desk, "missing exercise", "grade", desk.path("none.json"), "--operator", "reference", names=("none.json",))
     refused(desk, "folder that is a file", "play", scenario, "--script", script, "--out", desk.path("text.db"), names=("text.db",))
@@ -159,6 +165,7 @@ def usage(desk):
                       ("grade", "channel-1", "--operator", "reference", "--volume", "x.nrrd"), ("template",), ("template", "fit"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36"), ("template", "fit", "class-1-adhesive", "--out", "x"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth", "--out", "x"),
+                      ("template", "fit", "class-1-adhesive", "--tooth", "36", "--seed", "2", "--volume", "x.nrrd", "--out", "x"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth=2mm", "--out", "x"),
                       ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--operator", "reference")):
         status, _, err = desk.run(*arguments)

@@ -94,6 +94,11 @@ with Desk(sys.argv[1]) as desk:
     made = desk.json("template", "fit", "class-1-adhesive", "--tooth", "45", "--set", "depth=1.5", "--out", desk.path("made"))
     check(made["scenario"] == desk.path("made", "scenario.json"), str(made))
     check(desk.json("validate", desk.path("made")) == {"valid": True, "findings": []}, "a fitted exercise has no finding")
+    # A tooth of one's own, by landmarks that the program proposes.
+    check(desk.run("specimen", "tooth", "--fdi", "46", "--seed", "3", "--voxel-mm", "0.2", "-o", desk.path("own.nrrd"))[0] == 0, "a tooth is made")
+    own = desk.json("template", "fit", "class-1-adhesive", "--tooth", "46", "--volume", desk.path("own.nrrd"), "--out", desk.path("own"))
+    check("cej" in own["proposed"] and "pit central" in own["proposed"] and os.path.exists(desk.path("own", "tooth.nrrd")), str(own))
+    check([f["severity"] for f in desk.json("validate", desk.path("own"))["findings"] if f["severity"] == "error"] == [], "it has no error")
     # Another rubric may ask for what the exercise's own does not measure.
     with open(desk.path("rubric.json"), "w", encoding="utf-8") as f:
         json.dump({"pass": 50, "critical": [], "criteria": [{"metric": "overcut_beyond_pulpal_floor", "weight": 1, "bands": BANDS}]}, f)

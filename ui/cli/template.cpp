@@ -1,10 +1,15 @@
-// cusp template list, cusp template fit KEY --tooth N [--set name=value ...] --out DIR
+// cusp template list, cusp template fit KEY --tooth N [--volume FILE] [--set name=value ...] --out DIR
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
+#include "scenarios/import/nrrd.h"
+#include "scenarios/import/quarter_turn.h"
+#include "scenarios/landmarks/propose.h"
 #include "scenarios/templates/templates.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/text.h"
@@ -18,7 +23,7 @@ namespace cusp::ui {
 namespace {
 
 struct TemplateOptions {
-  std::string key, out;
+  std::string key, volume, out;
   int tooth = 36;
   std::uint64_t seed = 0;
   std::vector<std::string> set;  // name=value
@@ -33,6 +38,8 @@ QString describe_fit(const FitFailure& failure) {
     case FitError::unknown_parameter: return CliText::tr("The template has no parameter %1.").arg(where);
     case FitError::out_of_range: return CliText::tr("%1 has to be within %2.").arg(where, detail);
     case FitError::missing_landmark: return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
+    case FitError::missing_tissue: return CliText::tr("The file does not hold what the template needs: %1.").arg(where);
+    case FitError::turned_tooth: return CliText::tr("The tooth lies %1 degrees off: x has to be mesial or distal, y buccal, z occlusal.").arg(where);
     case FitError::does_not_fit: return CliText::tr("These values make no exercise: %1 (%2).").arg(where, detail);
     case FitError::bad_template: break;
   }
@@ -76,20 +83,61 @@ int list(const JsonOption& json) {
   return kDone;
 }
 
+constexpr const char* kToothFile = "tooth.nrrd";
+
+/// A tooth from a file, turned by quarters until its sides are those of its frame, and its proposed landmarks.
+struct OwnTooth {
+  VoxelVolume volume;
+  SpecimenLandmarks landmarks;
+};
+
+Result<OwnTooth, Message> own_tooth(const std::string& file, int fdi) {
+  auto volume = read_nrrd(file);
+  if (!volume) return std::unexpected(describe(volume.error()));
+  auto landmarks = propose_landmarks(*volume, fdi);
+  if (!landmarks && landmarks.error().code == ProposeError::unknown_fdi) return std::unexpected(Message{CliText::tr("%1 is no tooth’s number.").arg(fdi), {}});
+  if (!landmarks) return std::unexpected(Message{CliText::tr("%1 holds no tooth.").arg(QString::fromStdString(file)), {}});
+  const int quarters = static_cast<int>(std::lround(turn_deg(*landmarks).value_or(0.0) / 90.0));
+  if (quarters == 0) return OwnTooth{std::move(*volume), std::move(*landmarks)};
+  VoxelVolume turned = quarter_turned(*volume, 2, -quarters);
+  auto again = propose_landmarks(turned, fdi);
+  return OwnTooth{std::move(turned), std::move(again.value())};
+}
+
+/// The kinds of the landmarks that were proposed.
+nlohmann::ordered_json proposed_json(const SpecimenLandmarks& landmarks) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const Landmark& mark : landmarks.marks) out.push_back(mark.name.empty() ? std::string(key_of(mark.kind)) : std::string(key_of(mark.kind)) + " " + mark.name);
+  return out;
+}
+
 int fit(const TemplateOptions& o) {
-  const std::filesystem::path file = std::filesystem::path(o.out) / "scenario.json";
-  if (const auto no = refuse_outputs({file, o.json.file})) return failed(*no);
+  const std::filesystem::path file = std::filesystem::path(o.out) / "scenario.json", tooth_file = std::filesystem::path(o.out) / kToothFile;
+  if (const auto no = refuse_outputs({file, tooth_file, o.json.file})) return failed(*no);
   FitRequest request;
   request.key = o.key;
   request.fdi = o.tooth;
   request.seed = o.seed;
   request.id = ScenarioId::make();
   for (const std::string& text : o.set) request.values.insert(assignment_of(text).value());
+  std::optional<OwnTooth> own;
+  if (!o.volume.empty()) {
+    auto read = own_tooth(o.volume, o.tooth);
+    if (!read) return failed(read.error());
+    own = std::move(*read);
+    request.imported = ImportedTooth{kToothFile, own->volume.grid.voxel_mm, facts_of(own->volume).tissues, own->landmarks};
+  }
   const auto scenario = fit_template(request);
   if (!scenario) return failed(describe_fit(scenario.error()));
   if (!writable_folder(o.out) || !write_whole(file, write_scenario(*scenario)))
     return failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())));
-  if (!o.json.write({{"scenario", file.string()}, {"id", scenario->id.text()}})) return kFailed;
+  nlohmann::ordered_json json = {{"scenario", file.string()}, {"id", scenario->id.text()}};
+  if (own) {
+    if (auto written = write_nrrd(own->volume, tooth_file); !written) return failed(describe(written.error()));
+    json["volume"] = tooth_file.string();
+    json["proposed"] = proposed_json(own->landmarks);
+  }
+  if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) print_line(file.string());
   return kDone;
 }
@@ -106,7 +154,10 @@ void add_template(CLI::App& program, Job& job) {
   CLI::App* fitted = verb->add_subcommand("fit", help(CliText::tr("Write the exercise of a template on a tooth: scenario.json in DIR")));
   fitted->add_option("KEY", o->key, help(CliText::tr("The template's key")))->required();
   fitted->add_option("--tooth", o->tooth, help(CliText::tr("FDI number of a premolar or molar")))->required();
-  fitted->add_option("--seed", o->seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
+  CLI::Option* seed = fitted->add_option("--seed", o->seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
+  fitted->add_option("--volume", o->volume, help(CliText::tr("A tooth of your own (NRRD), its landmarks proposed; it is copied to DIR")))
+      ->type_name("FILE")
+      ->excludes(seed);
   fitted->add_option("--set", o->set, help(CliText::tr("A parameter's value; may be given many times")))
       ->type_name("NAME=VALUE")
       ->check([](const std::string& text) { return assignment_of(text) ? std::string() : text; });

@@ -71,6 +71,8 @@ QString fit_message(const ExerciseTemplate& chosen, const FitFailure& failure) {
       return TemplateDialog::tr("These values together make no exercise. Values nearer to their defaults do.");
     case FitError::unknown_template:
     case FitError::unknown_parameter:
+    case FitError::missing_tissue:  // of a tooth from a file, which this dialog does not offer
+    case FitError::turned_tooth:
     case FitError::bad_template: break;
   }
   return TemplateDialog::tr("The template cannot be used: it is broken at %1.").arg(isolate(where));

@@ -9,6 +9,7 @@
 #include "scenarios/landmarks/propose.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/teeth/tooth.h"
+#include "scenarios/templates/templates.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
 
@@ -106,6 +107,53 @@ TEST_F(Imported, WhatTheAuthorSetIsTakenAsKnown) {
   SpecimenLandmarks marks = proposed();
   for (Landmark& one : marks.marks) one.state = MarkState::set;
   EXPECT_EQ(measured(of_file(marks), "gingival_above_cej").uncertainty, measured(grown(), "gingival_above_cej").uncertainty);
+}
+
+ImportedTooth imported(SpecimenLandmarks landmarks) {
+  return {"tooth.nrrd", 0.2, {Tissue::enamel, Tissue::dentine, Tissue::cementum, Tissue::pulp}, std::move(landmarks)};
+}
+
+TEST_F(Imported, ATemplateFitsItWhereItsLandmarksSuffice) {
+  const auto own = fit_template({.key = "class-1-adhesive", .fdi = 46, .seed = 3});
+  const auto file = fit_template({.key = "class-1-adhesive", .fdi = 46, .imported = imported(proposed())});
+  ASSERT_TRUE(own && file) << (file ? "" : file.error().where);
+  EXPECT_EQ(file->specimen.volume, "tooth.nrrd");
+  EXPECT_EQ(file->specimen.landmarks.fdi, 46);
+  EXPECT_NEAR(file->target.outline.top_mm, own->target.outline.top_mm, proposal_error(MarkKind::pit, 0.2)) << "from the lowest pit";
+  EXPECT_EQ(file->target.outline.depth_mm, own->target.outline.depth_mm);
+}
+
+TEST_F(Imported, ATemplateNamesWhatIsMissing) {
+  const auto failure = [](const char* key, const ImportedTooth& tooth) {
+    const auto fitted = fit_template({.key = key, .fdi = 46, .imported = tooth});
+    return fitted ? std::string("fits") : std::string(key_of(fitted.error().code)) + " " + fitted.error().where;
+  };
+  const auto without = [](MarkKind kind, const char* name) {
+    SpecimenLandmarks marks = proposed();
+    std::erase_if(marks.marks, [&](const Landmark& one) { return one.kind == kind && (*name == '\0' || one.name == name); });
+    return imported(marks);
+  };
+  EXPECT_EQ(failure("class-1-adhesive", without(MarkKind::contact, "mesial")), "missing_landmark contact.mesial.x");
+  EXPECT_EQ(failure("class-1-adhesive", without(MarkKind::pit, "")), "missing_landmark fossa.z");
+  EXPECT_EQ(failure("class-1-adhesive", without(MarkKind::fissure, "")), "missing_landmark central*");
+  EXPECT_EQ(failure("class-1-adhesive", without(MarkKind::mesial_axis, "")), "missing_landmark mesial_axis");
+  EXPECT_EQ(failure("class-1-adhesive", without(MarkKind::cej, "")), "fits") << "it asks for none";
+  EXPECT_EQ(failure("class-1-adhesive", imported({})), "missing_landmark mesial_axis");
+  EXPECT_EQ(failure("class-2-adhesive", imported(proposed())), "missing_tissue neighbours");
+  EXPECT_EQ(failure("caries-fissure", imported(proposed())), "missing_tissue carious_dentine");
+  SpecimenLandmarks turned = proposed();
+  for (Landmark& one : turned.marks)
+    if (one.kind == MarkKind::mesial_axis) one.points_mm[1] = one.points_mm[0] + Vec3(0, 1, 0);
+  EXPECT_EQ(failure("class-1-adhesive", imported(turned)), "turned_tooth 90");
+}
+
+TEST_F(Imported, ATemplateProtectsNoPulpThatAFileDoesNotHold) {
+  ImportedTooth shell = imported(proposed());
+  std::erase(shell.tissues, Tissue::pulp);
+  const auto fitted = fit_template({.key = "class-1-adhesive", .fdi = 46, .imported = shell});
+  ASSERT_TRUE(fitted);
+  EXPECT_TRUE(fitted->protected_parts.empty());
+  EXPECT_TRUE(fitted->rubric.critical.empty());
 }
 
 }  // namespace
