@@ -22,7 +22,7 @@ class FaceSink : public SolidSink {
     const Vec3 cross = 0.5 * glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double area = std::sqrt(glm::dot(cross, cross));
     if (!(area > 0.0)) return;
-    CutFace out{(corners[0] + corners[1] + corners[2]) / 3.0, cross * (mm2 / area), Vec3(0.0)};
+    CutFace out{(corners[0] + corners[1] + corners[2]) / 3.0, cross * (mm2 / area), Vec3(0.0), corners};
     const FieldPoint cut = cells_.at(volume_, Field::cut, out.middle_mm);
     if (!cut.known) return;
     out.normal = cut.normal;

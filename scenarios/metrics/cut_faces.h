@@ -19,6 +19,7 @@ struct CutFace {
   Vec3 middle_mm{0.0};
   Vec3 area_mm2{0.0};  // vector: along the normal into the void, as long as the triangle's area
   Vec3 normal{0.0};    // of the cut field there: a sliver of a triangle has none of its own
+  std::array<Vec3, 3> corners_mm{};
 };
 
 /// Faces of one volume.

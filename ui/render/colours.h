@@ -30,6 +30,10 @@ inline constexpr Colour kTargetCasing = colour_of(0x16191E);
 inline constexpr Colour kLeewayLine = colour_of(0x2F68C4);
 inline constexpr Colour kLeewayCasing = colour_of(0xFFFFFF, 0.75f);
 inline constexpr Colour kOverCut = colour_of(0xE0700F);
+/// What a chosen measure is about: darker than any colour below it, and striped.
+inline constexpr Colour kEvidence = colour_of(0x0B5C63, 0.75f);
+inline constexpr Colour kEvidenceLine = colour_of(0x0B5C63);
+inline constexpr Colour kEvidenceCasing = colour_of(0xFFFFFF, 0.85f);
 
 /// Body of a tooth: linear light (red, green, blue), measured against photographs by eye. vertex_look mixes them.
 struct LinearLight {

@@ -96,7 +96,10 @@ Result<Picture, PictureFailure> draw_here(const Volume& volume, const PictureReq
     const int side = 2 * std::clamp(request.closeup_px, 16, 2048);
     const auto onto = Framebuffer::create({side, side}, Multisampling::off, &why);
     if (!onto) return fail(PictureError::drawing, "OpenGL", why);
-    for (const Vec3& place : request.closeups_mm) out.closeups.push_back(draw_closeup(*picture, *onto, meshes, scene, place));
+    for (std::size_t i = 0; i < request.closeups_mm.size(); ++i) {
+      picture->set_marks(i < request.closeup_marks.size() ? request.closeup_marks[i] : SurfaceMarks{});
+      out.closeups.push_back(draw_closeup(*picture, *onto, meshes, scene, request.closeups_mm[i]));
+    }
   }
   if (const std::string failed = context->failed_call(); !failed.empty()) return fail(PictureError::drawing, "OpenGL", failed);
   return out;

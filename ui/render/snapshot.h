@@ -31,6 +31,7 @@ struct PictureRequest {
   PresetView view = PresetView::working;
   std::vector<Vec3> places_mm;  // whose position in the picture is wanted
   std::vector<Vec3> closeups_mm;  // a picture of its own each, from a side where nothing hides the place
+  std::vector<SurfaceMarks> closeup_marks;  // as many as close-ups, or none: painted in each
   int closeup_px = 360;           // side of a close-up, which shows kCloseupMm from its middle to its edge
 };
 inline constexpr double kCloseupMm = 3.0;

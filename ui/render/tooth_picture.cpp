@@ -7,6 +7,7 @@
 #include "ui/render/bur_pass.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/handpiece_pass.h"
+#include "ui/render/mark_pass.h"
 #include "ui/render/mesh_buffers.h"
 #include "ui/render/mirror_pass.h"
 #include "ui/render/overlay_pass.h"
@@ -109,7 +110,8 @@ struct ToothPicture::Inner {
   MeshBuffers mesh, scenery;
   Box scenery_bounds;
   ToothPass tooth;
-  OverlayPass overlay;
+  MarkPass marks;
+  OverlayPass overlay, mark_lines;
   BurPass bur;
   HandpiecePass handpiece;
   MirrorPass mirror;
@@ -130,7 +132,7 @@ std::unique_ptr<ToothPicture> ToothPicture::create(std::string* why) {
     std::unique_ptr<ToothPicture> out(new ToothPicture);
     out->inner_ = std::make_unique<Inner>();
     Inner& in = *out->inner_;
-    if (in.tooth.create(reason) && in.overlay.create(reason) && in.bur.create(reason) && in.handpiece.create(reason) && in.mirror.create(reason) &&
+    if (in.tooth.create(reason) && in.marks.create(reason) && in.overlay.create(reason) && in.mark_lines.create(reason) && in.bur.create(reason) && in.handpiece.create(reason) && in.mirror.create(reason) &&
         in.flat.create(reason))
       return out;
   }
@@ -148,6 +150,10 @@ void ToothPicture::set_scenery(const SceneryLook* scenery) {
   for (const BakedPatch& patch : scenery->patches()) inner_->scenery.put(patch);
 }
 void ToothPicture::set_lines(const std::vector<OverlayLine>& lines) { inner_->overlay.set(lines); }
+void ToothPicture::set_marks(const SurfaceMarks& marks) {
+  inner_->marks.set(marks.triangles);
+  inner_->mark_lines.set(marks.lines);
+}
 void ToothPicture::set_section(const SectionImage& image) { inner_->flat.set_section(image); }
 
 DrawStats ToothPicture::Inner::draw_solids(const FrameView& view, const Scene3d& scene, glm::vec4 clip) {
@@ -202,6 +208,10 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
   if (scene.cutaway) {
     in.flat.lid(view);
     glEnable(GL_CULL_FACE);
+  }
+  if (!scene.cutaway) {
+    in.marks.draw(view);
+    in.mark_lines.draw(view);
   }
   if (scene.bur) in.bur.draw(view, *scene.bur);
   if (scene.show_target && !scene.cutaway) in.overlay.draw(view);

@@ -17,6 +17,7 @@
 #include "ui/render/patch_store.h"
 #include "ui/render/scenery_look.h"
 #include "ui/render/section.h"
+#include "ui/render/surface_marks.h"
 
 namespace cusp::ui {
 
@@ -62,6 +63,8 @@ class ToothPicture {
   void set_scenery(const SceneryLook* scenery);
   /// Lines at the surface (target, leeway, handles' guides).
   void set_lines(const std::vector<OverlayLine>& lines);
+  /// What a measure is about, over the tooth; left out of a cutaway.
+  void set_marks(const SurfaceMarks& marks);
   /// Picture that closes the cutaway; drawn on its plane.
   void set_section(const SectionImage& image);
 

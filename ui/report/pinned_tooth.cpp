@@ -10,8 +10,10 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
+#include "scenarios/metrics/evidence_patch.h"
 #include "ui/render/target_look.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
@@ -80,6 +82,25 @@ class PinLeader : public QWidget {
   QLineF line_;
 };
 
+/// The patches of an attempt's measures, made when the first of them is asked for. Any thread.
+class PatchSource {
+ public:
+  PatchSource(std::shared_ptr<const Volume> volume, const Scenario& scenario) : volume_(std::move(volume)), scenario_(scenario) {}
+  SurfaceMarks marks_of(const std::string& metric) const {
+    const std::lock_guard lock(mutex_);
+    if (!patches_) {
+      patches_.emplace(std::make_shared<const Reference>(scenario_, volume_->specimen_ptr()), volume_);
+    }
+    return ui::marks_of(patches_->of(metric));
+  }
+
+ private:
+  std::shared_ptr<const Volume> volume_;
+  Scenario scenario_;
+  mutable std::mutex mutex_;  // guards what follows
+  mutable std::optional<EvidencePatches> patches_;
+};
+
 PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent)
     : QWidget(parent), volume_(std::move(volume)), view_(new ToothView(this)), leader_(new PinLeader(this)), ring_(new Ring(this)),
       card_(new QLabel(this)), waiting_(new QLabel(tr("The tooth is being drawn"), this)) {
@@ -100,6 +121,7 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
   if (volume_) {
     QTimer::singleShot(Busy::kDelayMs, this, &PinnedTooth::show_waiting);
     build_mesh(scenario);
+    patches_ = std::make_shared<const PatchSource>(volume_, scenario);
     // Growing the rest of a jaw takes seconds; the tooth is shown meanwhile.
     QThreadPool::globalInstance()->start([self = QPointer(this), source = scenario.specimen] {
       auto scenery = scenery_of(source);
@@ -165,7 +187,24 @@ void PinnedTooth::turn_back() {
   place_pin();
 }
 
-void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more) {
+void PinnedTooth::compute_patch(const std::string& metric) {
+  metric_ = metric;
+  marks_ = {};
+  view_->set_marks({});
+  if (!patches_ || metric.empty()) return;
+  QThreadPool::globalInstance()->start([self = QPointer(this), patches = patches_, metric] {
+    auto marks = std::make_shared<SurfaceMarks>(patches->marks_of(metric));
+    QMetaObject::invokeMethod(qApp, [self, marks, metric] {
+      if (!self || self->metric_ != metric) return;  // another row was chosen meanwhile
+      self->marks_ = *marks;
+      self->view_->set_marks(std::move(*marks));
+      Q_EMIT self->marks_came();
+    }, Qt::QueuedConnection);
+  });
+}
+
+void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more, const std::string& metric) {
+  if (metric != metric_) compute_patch(metric);
   place_ = place_mm;
   text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped());
   face_place();

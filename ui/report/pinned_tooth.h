@@ -13,11 +13,13 @@
 #include "ui/render/scenery_look.h"
 #include "ui/render/tooth_picture.h"
 #include "ui/render/place_view.h"
+#include "ui/render/surface_marks.h"
 
 class QLabel;
 
 namespace cusp::ui {
 
+class PatchSource;
 class PinLeader;
 class ToothView;
 
@@ -29,7 +31,8 @@ class PinnedTooth : public QWidget {
  public:
   PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent = nullptr);
   void set_colouring(Colouring colouring);
-  void pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more);
+  /// `metric`: its patch is painted once it is computed, in the background; empty: none.
+  void pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more, const std::string& metric = {});
   /// Of a pinned place: hidden, it turns the tooth all the same.
   enum class Pin { shown, hidden };
   void show_pin(Pin pin);
@@ -43,15 +46,19 @@ class PinnedTooth : public QWidget {
   bool tooth_shown() const { return tooth_shown_; }
   /// Neighbours and gums; null: none, or not yet.
   std::shared_ptr<const SceneryLook> scenery() const { return scenery_; }
+  /// Of the pinned measure, as far as it has a patch; empty until it is computed.
+  const SurfaceMarks& marks() const { return marks_; }
 
  Q_SIGNALS:
   void scenery_came();
+  void marks_came();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void build_mesh(const Scenario& scenario);
+  void compute_patch(const std::string& metric);
   void face_place();
   void place_pin();
   /// After Busy::kDelayMs, until the mesh stands.
@@ -66,6 +73,9 @@ class PinnedTooth : public QWidget {
   QWidget* ring_;
   QLabel* card_;
   QLabel* waiting_;  // null once the mesh stands
+  std::shared_ptr<const PatchSource> patches_;
+  SurfaceMarks marks_;
+  std::string metric_;  // whose patch is wanted
   std::optional<Vec3> place_;
   Pin pin_ = Pin::shown;
   bool tooth_shown_ = false;

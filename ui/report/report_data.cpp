@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scenarios/grading/grader.h"
+#include "scenarios/metrics/evidence_patch.h"
 #include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 #include "ui/render/target_look.h"
@@ -179,7 +180,7 @@ std::vector<Advice> next_time(const ReportData& data) {
     const CriterionGrade& c = grade.criteria[reason.criterion];
     if (c.reason_code == "little_drilled") continue;
     out.push_back({lost_text(c, reason.lost), reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
-                   c.points < c.points_max / 2});
+                   c.points < c.points_max / 2, c.id});
   }
   return out;
 }
@@ -246,6 +247,10 @@ DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& or
   request.scenery = scenery_of(result.scenario.specimen);
   request.places_mm = order.places_mm;
   request.closeups_mm = order.closeups_mm;
+  if (!order.closeup_metrics.empty()) {
+    const EvidencePatches patches(std::make_shared<const Reference>(result.scenario, result.volume->specimen_ptr()), result.volume);
+    for (const std::string& metric : order.closeup_metrics) request.closeup_marks.push_back(marks_of(patches.of(metric)));
+  }
   const auto picture = draw_tooth(*result.volume, request);
   if (!picture) return std::unexpected(picture.error());
   ToothDrawing out{image_of(*picture), places_of(*picture), {}};

@@ -60,6 +60,7 @@ struct Advice {
   QString why, what_to_do;       // one sentence each, or empty
   std::optional<Vec3> place_mm;  // where on the tooth
   bool grave = false;            // a critical event, or a loss of more than half of the points
+  std::string metric{};          // of the criterion; empty for a critical event
 };
 /// Critical events first, then the largest losses. Leaves out criteria that count only with the target; counted_text() names them
 /// in one sentence.
@@ -89,6 +90,7 @@ struct DrawingOrder {
   int side_px = 1200;
   std::vector<Vec3> places_mm{};    // marked on the picture
   std::vector<Vec3> closeups_mm{};  // each also in a picture of its own
+  std::vector<std::string> closeup_metrics{};  // as many, or none: whose patch is painted there; empty: none
 };
 /// Draws without a window, in about one second; the first of a jaw takes longer.
 DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order);

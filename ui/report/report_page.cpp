@@ -255,7 +255,7 @@ void ReportPage::choose(int row) {
   const CriterionGrade& c = model_->criterion(row);
   const Measure& m = c.measure;
   const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
-  tooth_->pin(m.where_mm, metric_name(c.id) + u": "_qs + value, reason_text(c));
+  tooth_->pin(m.where_mm, metric_name(c.id) + u": "_qs + value, reason_text(c), c.id);
   Q_EMIT criterion_chosen();
 }
 

@@ -274,7 +274,9 @@ DrawingOrder order_for_paper(const ReportData& data, int side_px) {
     const bool marked = shown++ < kAdviceShown;
     if (!advice.place_mm) continue;
     if (marked) out.places_mm.push_back(*advice.place_mm);
-    if (out.closeups_mm.size() < kCloseupsShown) out.closeups_mm.push_back(*advice.place_mm);
+    if (out.closeups_mm.size() == kCloseupsShown) continue;
+    out.closeups_mm.push_back(*advice.place_mm);
+    out.closeup_metrics.push_back(advice.metric);
   }
   return out;
 }

@@ -100,6 +100,7 @@ void ToothView::order_frame() {
     for (const auto& [brick, patch] : store_.patches()) order.patches.push_back(patch);
   if (std::exchange(changed_.scenery, false)) order.scenery = scenery_;
   if (std::exchange(changed_.lines, false)) order.lines = lines_;
+  if (std::exchange(changed_.marks, false)) order.marks = marks_;
   if (std::exchange(changed_.section, false)) order.section = section_;
   order.spare = std::exchange(spare_, QImage());
   painter_->draw(std::move(order));
@@ -220,6 +221,13 @@ void ToothView::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
 void ToothView::set_lines(std::vector<OverlayLine> lines) {
   lines_ = std::move(lines);
   changed_.lines = true;
+  repaint_soon();
+}
+
+void ToothView::set_marks(SurfaceMarks marks) {
+  if (marks.empty() && marks_.empty()) return;
+  marks_ = std::move(marks);
+  changed_.marks = true;
   repaint_soon();
 }
 

@@ -44,6 +44,8 @@ class ToothView : public QWidget {
   /// What stands about the tooth, to be looked at; null: nothing.
   void set_scenery(std::shared_ptr<const SceneryLook> scenery);
   void set_lines(std::vector<OverlayLine> lines);
+  /// What a measure is about, painted over the tooth; empty: nothing.
+  void set_marks(SurfaceMarks marks);
   void set_colouring(Colouring colouring);
   void set_target_shown(bool on);
   /// Above the bur; off unless it is called.
@@ -104,7 +106,7 @@ class ToothView : public QWidget {
  private:
   /// What the next frame shows otherwise than the last one.
   struct Changed {
-    bool scenery = true, lines = true, section = true, mesh = true;
+    bool scenery = true, lines = true, marks = true, section = true, mesh = true;
   };
   void repaint_soon();
   void order_frame();
@@ -126,6 +128,7 @@ class ToothView : public QWidget {
   std::shared_ptr<PatchFeed> feed_;
   std::shared_ptr<const SceneryLook> scenery_;
   std::vector<OverlayLine> lines_;
+  SurfaceMarks marks_;
   std::optional<SectionImage> section_;
   Changed changed_;
   FrameStats* stats_ = nullptr;

@@ -73,6 +73,7 @@ class ViewPainter::Canvas {
     }
     if (order.scenery) picture_->set_scenery(order.scenery->get());
     if (order.lines) picture_->set_lines(*order.lines);
+    if (order.marks) picture_->set_marks(*order.marks);
     if (order.section) picture_->set_section(*order.section);
   }
 

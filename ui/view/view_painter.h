@@ -29,6 +29,7 @@ struct FrameOrder {
   std::shared_ptr<PatchFeed> feed;            // then what waits there, a bounded number of bytes; may be null
   std::optional<std::shared_ptr<const SceneryLook>> scenery;
   std::optional<std::vector<OverlayLine>> lines;
+  std::optional<SurfaceMarks> marks;
   std::optional<SectionImage> section;
   QImage spare;                               // reused where its size fits
 };

@@ -107,6 +107,7 @@ TEST(ReportPdf, has_a_second_page_with_a_picture_of_each_lost_place) {
   const DrawnTooth tooth = draw_report_tooth(data.result, order);
   ASSERT_TRUE(tooth) << tooth.error().detail;
   ASSERT_EQ(tooth->closeups.size(), order.closeups_mm.size());
+  ASSERT_EQ(order.closeup_metrics.size(), order.closeups_mm.size());
   ASSERT_TRUE(write_report_pdf(file, data, tooth));
   EXPECT_EQ(images_in(file).filter(QStringLiteral(" image ")).size(), 1 + static_cast<qsizetype>(order.closeups_mm.size()));
   const std::string text = text_in(file);

@@ -135,6 +135,19 @@ TEST(PinnedTooth, its_card_stands_clear_of_the_place_and_a_line_leads_to_it) {
   EXPECT_FALSE(tooth.leader());
 }
 
+TEST(PinnedTooth, paints_the_patch_of_the_measure_that_is_pinned_and_of_no_other) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
+  tooth.pin(std::nullopt, QStringLiteral("Not removed"), {}, "uncut_remainder");
+  EXPECT_TRUE(tooth.marks().empty()) << "computed in the background";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !tooth.marks().empty(); }, 60'000));
+  const auto target = load_builtin("channel-1")->target.outline;
+  for (const auto& t : tooth.marks().triangles)
+    for (const Vec3f& p : t) ASSERT_GT(p.z, target.top_mm - target.depth_mm - 0.2) << "what stands in the target lies above its floor";
+  tooth.pin(std::nullopt, QStringLiteral("Time"), {}, "time");
+  EXPECT_TRUE(tooth.marks().empty());
+}
+
 TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {
   const Pit pit;
   PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
