@@ -30,7 +30,7 @@ inline constexpr Colour kTargetCasing = colour_of(0x16191E);
 inline constexpr Colour kLeewayLine = colour_of(0x2F68C4);
 inline constexpr Colour kLeewayCasing = colour_of(0xFFFFFF, 0.75f);
 inline constexpr Colour kOverCut = colour_of(0xE0700F);
-/// What a chosen measure is about: darker than any colour below it, and striped.
+/// What a chosen measure is about: stripes of this and of white (mark.frag.glsl).
 inline constexpr Colour kEvidence = colour_of(0x0B5C63, 0.75f);
 inline constexpr Colour kEvidenceLine = colour_of(0x0B5C63);
 inline constexpr Colour kEvidenceCasing = colour_of(0xFFFFFF, 0.85f);

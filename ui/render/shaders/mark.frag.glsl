@@ -3,7 +3,7 @@ uniform vec4 ink;
 uniform float stripe_px;
 out vec4 colour;
 void main() {
-  // Stripes: the colour below stays to be seen, and the patch is told from any colour of the map.
+  // Ink and white by turns, so that the patch stands out of the darkest and the palest colour of the map.
   float along = mod(gl_FragCoord.x + gl_FragCoord.y, 2.0 * stripe_px);
-  colour = vec4(ink.rgb, along < stripe_px ? ink.a : 0.35 * ink.a);
+  colour = along < stripe_px ? ink : vec4(1.0, 1.0, 1.0, 0.5 * ink.a);
 }
