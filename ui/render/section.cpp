@@ -43,6 +43,16 @@ double solid_at(const Field& volume, Reading reading, Vec3 p) {
   return sum;
 }
 
+float line(double distance_px, double half_width_px) {
+  return static_cast<float>(std::clamp(half_width_px + 0.5 - std::abs(distance_px), 0.0, 1.0));
+}
+
+constexpr double kLeastSlope = 0.2;  // [M]
+
+/// How fast a distance rises in the plane, a pixel a pixel: a wall that lies nearly in the plane would draw a wide line. Not below
+/// kLeastSlope, where noise would tear the line.
+double slope_in_plane(double rise_right, double rise_up) { return std::clamp(std::hypot(rise_right, rise_up), kLeastSlope, 1.0); }
+
 /// A field of the plane, asked at every fourth pixel and interpolated: a distance changes slowly.
 class PlaneField {
  public:
@@ -60,6 +70,13 @@ class PlaneField {
     const float fx = static_cast<float>(x % kStep) / kStep, fy = static_cast<float>(y % kStep) / kStep;
     const auto v = [&](int i, int j) { return values_[static_cast<std::size_t>((cy + j) * columns_ + cx + i)]; };
     return (v(0, 0) * (1 - fx) + v(1, 0) * fx) * (1 - fy) + (v(0, 1) * (1 - fx) + v(1, 1) * fx) * fy;
+  }
+  /// How much of a line along the field's border covers a pixel, 0 to 1.
+  float line_at(int x, int y, double px_per_mm, double half_width_px) const {
+    const double d_px = at(x, y) * px_per_mm;
+    if (line(d_px, half_width_px) <= 0) return 0;
+    const auto rise = [&](int i, int j) { return (at(x + i, y + j) - at(x, y)) * px_per_mm; };
+    return line(d_px / slope_in_plane(rise(1, 0), rise(0, 1)), half_width_px);
   }
 
  private:
@@ -80,13 +97,34 @@ double bur_distance(const Bur& bur, Vec3 from_pivot, Vec3 axis) {
   return std::min(d, rod(bur.neck_length_mm, bur.neck_length_mm + bur.shank_length_mm, bur.shank_radius_mm));
 }
 
-float line(double distance_px, double half_width_px) {
-  return static_cast<float>(std::clamp(half_width_px + 0.5 - std::abs(distance_px), 0.0, 1.0));
-}
-
 }  // namespace
 
 namespace {
+
+constexpr Colour kGhostLight = kDifference[2];
+constexpr double kGhostHalfPx = 0.9;  // of the line's width
+constexpr double kGhostRimPx = 1.5;  // where its wall meets the specimen's own surface no line is drawn
+
+Reading reading_of(const Specimen& specimen) { return specimen.reading(); }
+Reading reading_of(const Volume& volume) { return volume.specimen().reading(); }
+
+/// Distance to the surface in pixels, below 0 in tissue. `v`: the voxel at `p`, which is in voxels; where it is whole or empty and
+/// the field a distance, nothing is interpolated.
+template <class Field>
+double surface_px(const Field& field, IVec3 v, Vec3 p, double voxel_px) {
+  const bool filled = reading_of(field) == Reading::filled;
+  double s = field.s(v) / 65535.0;
+  if ((s > 0.0 && s < 1.0) || filled) s = solid_at(field, reading_of(field), p);
+  return (0.5 - s) * 2 * (filled ? 1.0 : kBandVoxels) * voxel_px;
+}
+
+/// A wall of the ghost over `c`, in dashes of two colours: it shows on tissue and on either theme.
+Colour over_ghost(Colour c, const Volume& ghost, const SectionPlane& plane, IVec3 v, Vec3 p, double voxel_px, int dash) {
+  const double d = surface_px(ghost, v, p, voxel_px);
+  if (line(d, kGhostHalfPx) <= 0 || surface_px(ghost.specimen(), v, p, voxel_px) > -kGhostRimPx) return c;
+  const auto rise = [&](Vec3 way) { return surface_px(ghost, v, p + way / voxel_px, voxel_px) - d; };
+  return over(c, dash % 8 < 4 ? kTargetCasing : kGhostLight, line(d / slope_in_plane(rise(plane.right), rise(plane.up)), kGhostHalfPx));
+}
 
 /// The bur's metal and outline over `c`.
 Colour over_bur(Colour c, const SectionSettings& settings, Vec3 at_mm) {
@@ -126,11 +164,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       const Vec3 p = (at - grid.origin_mm) / grid.voxel_mm;
       const IVec3 v(static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5)),
                     static_cast<int>(std::floor(p.z + 0.5)));
-      double s = volume.s(v) / 65535.0;
-      if ((s > 0.0 && s < 1.0) || volume.specimen().reading() == Reading::filled) s = solid_at(volume, volume.specimen().reading(), p);
-      // Distance to the surface in pixels, below 0 in tissue.
-      const double d_px = volume.specimen().reading() == Reading::filled ? (0.5 - s) * voxel_px * 2
-                                                                         : (0.5 - s) * 2 * kBandVoxels * voxel_px;
+      const double d_px = surface_px(volume, v, p, voxel_px);
       Colour c{0, 0, 0, 0};
       // Where the specimen has or had tissue its voxels know better; round it the scenery continues.
       if (!scenery.empty() && volume.specimen().s(v) < kHalf) {
@@ -143,13 +177,14 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
         c = over(c, settings.edge, 0.85f * line(d_px, 0.6));
       } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) > 0) {
         // What was taken away as it should be, to where the specimen's surface was.
-        const double was_px = (solid_at(volume.specimen(), volume.specimen().reading(), p) - 0.5) * 2 * kBandVoxels * voxel_px;
+        const double was_px = -surface_px(volume.specimen(), v, p, voxel_px);
         c = over(c, kTargetLine, 0.10f * static_cast<float>(std::clamp(was_px + 0.5, 0.0, 1.0)));
       }
       if (settings.bur) c = over_bur(c, settings, at);
       if (volume.specimen().s(v) > 0) {  // the target goes up without end; its lines end just above the specimen
-        if (!leeway.empty() && (x + y) % 9 < 6) c = over(c, kLeewayLine, line(leeway.at(x, y) * px_per_mm, 0.6));
-        if (!target.empty()) c = over(c, kTargetLine, line(target.at(x, y) * px_per_mm, 0.9));
+        if (!leeway.empty() && (x + y) % 9 < 6) c = over(c, kLeewayLine, leeway.line_at(x, y, px_per_mm, 0.6));
+        if (!target.empty()) c = over(c, kTargetLine, target.line_at(x, y, px_per_mm, 0.9));
+        if (settings.ghost) c = over_ghost(c, *settings.ghost, settings.plane, v, p, voxel_px, 2 * x + 3 * y);
       }
       out.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)] =
           packed(c);

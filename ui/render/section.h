@@ -40,6 +40,7 @@ struct SectionSettings {
   /// Signed distances to the target and to the outer side of its leeway (below 0 inside); empty: none drawn.
   std::function<double(Vec3 mm)> target;
   std::function<double(Vec3 mm)> leeway;
+  std::shared_ptr<const Volume> ghost;         // another cut of the same specimen, whose walls are drawn dashed; null: none
   std::shared_ptr<const SceneryLook> scenery;  // drawn where the specimen never had tissue; null: none
   std::optional<Bur> bur;
   Vec3 pivot_mm{0.0};

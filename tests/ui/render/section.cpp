@@ -8,6 +8,7 @@
 #include "engine/tool/heads.h"
 #include "engine/tool/swept.h"
 
+#include "tests/engine/volume/carved.h"
 #include "tests/ui/render/ball.h"
 #include "ui/render/bur_pass.h"
 
@@ -44,6 +45,46 @@ TEST(Section, the_core_has_the_colour_of_its_tissue_and_outside_is_clear) {
   const Colour enamel = tissue_colours()[index_of(Tissue::enamel)];
   EXPECT_NEAR(at(80, 80 - 38) & 255u, enamel.r * 255, 1);  // 1.14 mm up
   EXPECT_EQ(at(2, 2) >> 24, 0u);
+}
+
+TEST(Section, the_walls_of_another_cut_are_drawn_in_dashes_of_two_colours) {
+  const Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
+  SectionSettings settings = through_the_middle();
+  auto other = std::make_shared<Volume>(volume.specimen_ptr());
+  carved::carve(*other, [](Vec3 p) { return 0.6 - p.z; });
+  settings.ghost = other;
+  const SectionImage plain = draw_section(volume, through_the_middle()), image = draw_section(volume, settings);
+  // 0.6 mm up is 20 px above the middle row 79.5; the ball is 1.37 mm or 45 px wide there.
+  int light = 0, dark = 0, elsewhere = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint32_t p = image.rgba[static_cast<std::size_t>(y * image.width + x)];
+      if (p == plain.rgba[static_cast<std::size_t>(y * image.width + x)]) continue;
+      if (std::abs(y - 59.5) > 2.0) ++elsewhere;
+      if (y != 59) continue;
+      ((p & 255u) > 128u ? light : dark)++;
+    }
+  EXPECT_EQ(elsewhere, 0);
+  EXPECT_GT(light, 30);
+  EXPECT_GT(dark, 30);
+  EXPECT_NEAR(light + dark, 2 * 45, 6) << "no line on the specimen's own surface";
+}
+
+TEST(Section, a_line_is_no_wider_where_its_wall_lies_nearly_in_the_plane) {
+  const Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
+  // Rows of the middle column that a wall changes; it leans by so much out of the plane's normal.
+  const auto rows_of_a_wall = [&volume](double lean) {
+    SectionSettings settings = through_the_middle();
+    const SectionImage plain = draw_section(volume, settings);
+    settings.target = [lean](Vec3 p) { return std::sin(lean) * (p.z - 0.3) + std::cos(lean) * p.x; };
+    const SectionImage image = draw_section(volume, settings);
+    int rows = 0;
+    for (int y = 0; y < image.height; ++y) rows += image.rgba[static_cast<std::size_t>(y * image.width + 80)] != plain.rgba[static_cast<std::size_t>(y * image.width + 80)];
+    return rows;
+  };
+  const int upright = rows_of_a_wall(std::numbers::pi / 2), leaning = rows_of_a_wall(0.3);
+  EXPECT_GT(upright, 1);
+  EXPECT_LE(leaning, upright + 2) << "1 / sin 0.3 = 3.4 times as wide by its distance in space";
 }
 
 TEST(Section, the_bur_is_drawn_where_its_pivot_is) {
