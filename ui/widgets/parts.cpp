@@ -103,6 +103,7 @@ Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent),
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
+  const QFontMetrics plain(font_of(TextRole::body)), bold(font_of(TextRole::body, Weight::bold));
   for (int i = 0; i < names.size(); ++i) {
     auto* button = new QPushButton(names[i]);
     button->setCheckable(true);
@@ -114,6 +115,8 @@ Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent),
                                                           : u"segment_middle"_qs);
     group_->addButton(button, i);
     row->addWidget(button, 1);
+    // The chosen one is bold, which its size hint does not know.
+    button->setMinimumWidth(button->sizeHint().width() + bold.horizontalAdvance(names[i]) - plain.horizontalAdvance(names[i]));
   }
   if (!names.isEmpty()) group_->button(0)->setChecked(true);
   connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool on) {
