@@ -8063,6 +8063,66 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Mesiodistal</source>
+        <translation>Mesiodistal</translation>
+    </message>
+    <message>
+        <source>Buccolingual</source>
+        <translation>Bukkolingual</translation>
+    </message>
+    <message>
+        <source>Way of the section</source>
+        <translation>Richtung des Schnitts</translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation>Ort des Schnitts</translation>
+    </message>
+    <message>
+        <source>Lengthwise</source>
+        <translation>Längs</translation>
+    </message>
+    <message>
+        <source>Crosswise</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation>palatinal</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>lingual</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>mesial</translation>
+    </message>
+    <message>
+        <source>distal</source>
+        <translation>distal</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>bukkal</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>Where a section goes; %1 is a length, %2 a side of the tooth.</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Through the middle</source>
+        <translation>Durch die Mitte</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::SectionView</name>
     <message>
         <source>Section at the bur</source>
@@ -9100,6 +9160,14 @@ Ihr bester davor</translation>
     <message>
         <source>Tolerance zone</source>
         <translation>Toleranzzone</translation>
+    </message>
+    <message>
+        <source>Cut the tooth open and move the section through it</source>
+        <translation>Den Zahn aufschneiden und den Schnitt durch ihn bewegen</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
     </message>
 </context>
 <context>

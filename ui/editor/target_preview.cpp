@@ -61,6 +61,7 @@ TargetPreview make_preview(const PreviewWish& wish) {
   if (wish.carved) settings.deviation = {};
   out.patches = std::make_shared<PatchFeed>(std::move(settings));
   out.patches->build_all(volume);
+  out.shown = std::make_shared<const Volume>(std::move(volume));
   return out;
 }
 

@@ -23,6 +23,7 @@ struct PreviewWish {
 struct TargetPreview {
   std::shared_ptr<PatchFeed> patches;
   std::vector<OverlayLine> lines;
+  std::shared_ptr<const Volume> shown;  // that the patches are of
 };
 
 /// The outlines alone: fast enough to follow a drag.

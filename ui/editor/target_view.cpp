@@ -13,6 +13,7 @@
 #include "ui/editor/depth_arrow.h"
 #include "ui/editor/handle_knob.h"
 #include "ui/editor/target_preview.h"
+#include "ui/view/section_bar.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/line_sample.h"
@@ -79,7 +80,9 @@ void TargetView::make_tools() {
   carved->setCheckable(true);
   carved->setChecked(true);
   carved->setToolTip(tr("Show the tooth as it is when the target is met"));
-  for (QPushButton* button : {turn, above, carved}) {
+  QPushButton* section = make_button(tr("Section"), ButtonKind::quiet, u"layers"_qs);
+  make_section(*section);
+  for (QPushButton* button : {turn, above, carved, section}) {
     row->addWidget(button);
     tool_texts_.emplace_back(button, button->text());
     if (button->toolTip().isEmpty()) button->setToolTip(button->accessibleName());
@@ -138,6 +141,7 @@ void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
   if (!there) {
     view_->set_lines({});
     view_->set_scenery(nullptr);
+    preview_.reset();
     place_all();
     return;
   }
@@ -153,13 +157,17 @@ void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
 
 void TargetView::show_scenery() {
   const SpecimenSource& source = grown_->source;
+  scenery_.reset();
   if (std::ranges::find(source.around, "jaw") == source.around.end()) return view_->set_scenery(nullptr);
   QThreadPool::globalInstance()->start([source, self = QPointer<TargetView>(this)] {
     auto scenery = scenery_of(source);
     QMetaObject::invokeMethod(
         qApp,
         [self, source, scenery] {
-          if (self && self->grown_ && self->grown_->source == source) self->view_->set_scenery(scenery);
+          if (!self || !self->grown_ || self->grown_->source != source) return;
+          self->scenery_ = scenery;
+          self->view_->set_scenery(scenery);
+          self->cut_section();
         },
         Qt::QueuedConnection);
   });
@@ -185,6 +193,7 @@ void TargetView::follow_model() {
     lines_wanted_ = true;
     rest_.start();
     run_next();
+    cut_section();
   }
   place_all();
 }
@@ -211,7 +220,11 @@ void TargetView::run_next() {
           // The answer is out of date if another tooth came first.
           if (self->grown_ && self->grown_->whole == whole) {
             self->view_->set_lines(made->lines);
-            if (made->patches) self->view_->set_feed(made->patches);
+            if (made->patches) {
+              self->view_->set_feed(made->patches);
+              self->preview_ = made->shown;
+              self->cut_section();
+            }
           }
           self->run_next();
         },
@@ -262,7 +275,9 @@ void TargetView::place_all() {
   hint_->setWordWrap(hint_->fontMetrics().horizontalAdvance(hint_->text()) > width() - px(48));
   hint_->setFixedWidth(hint_->wordWrap() ? std::max(0, width() - px(24)) : hint_->sizeHint().width());
   hint_->adjustSize();
-  hint_->move(px(12), height() - hint_->height() - px(12));
+  place_section();
+  const int foot = section_->isVisibleTo(this) ? section_->y() : height();
+  hint_->move(px(12), foot - hint_->height() - px(12));
   if (centre_) {
     centre_->adjustSize();
     // Below a tooth with handles, else in the middle.

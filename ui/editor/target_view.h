@@ -1,6 +1,6 @@
 /// The tooth with the handles of the target. Each handle is a widget with focus, name and value: the left button drags it, arrow
 /// keys move it by 0.05 mm, with Shift by 0.01 mm. Elsewhere the left button turns the tooth. Outlines follow a drag at once, the
-/// cavity after a pause. Thread: GUI; the pool makes the meshes.
+/// cavity after a pause. A section goes through the tooth as it is shown. Thread: GUI; the pool makes the meshes.
 #pragma once
 
 #include <QTimer>
@@ -21,6 +21,8 @@ namespace cusp::ui {
 
 class DepthArrow;
 class HandleKnob;
+class SceneryLook;
+class SectionBar;
 class ToothView;
 
 class TargetView : public QWidget {
@@ -33,6 +35,7 @@ class TargetView : public QWidget {
   /// Null hides the handles: no specimen is grown yet.
   void set_specimen(std::shared_ptr<const GrownSpecimen> grown);
   ToothView* view() const { return view_; }
+  SectionBar* section() const { return section_; }
   /// A widget in the middle: progress, or the cause of a failure.
   void set_centre(QWidget* widget);
 
@@ -44,6 +47,9 @@ class TargetView : public QWidget {
   void make_tools();
   void fit_tools();
   void make_legend();
+  void make_section(QPushButton& button);
+  void cut_section();
+  void place_section();
   void follow_model();
   void place_all();
   void place_handles();
@@ -58,6 +64,7 @@ class TargetView : public QWidget {
   EditorModel& model_;
   ToothView* view_;
   QFrame *tools_, *legend_;
+  SectionBar* section_;
   std::vector<std::pair<QPushButton*, QString>> tool_texts_;
   QLabel *depth_tag_, *width_tag_, *hint_;
   DepthArrow* arrow_;
@@ -65,6 +72,8 @@ class TargetView : public QWidget {
   std::vector<HandleKnob*> knobs_;  // in the order of handles_of(); the others are hidden
   std::vector<TargetHandle> handles_;
   std::shared_ptr<const GrownSpecimen> grown_;
+  std::shared_ptr<const Volume> preview_;          // that the view shows; null: not yet
+  std::shared_ptr<const SceneryLook> scenery_;     // of the same tooth; null: none, or not yet
   std::optional<SpecimenSource> looked_at_;
   Region shown_;
   Leeway shown_leeway_;
