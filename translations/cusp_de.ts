@@ -7931,6 +7931,29 @@
         <source>Before and after</source>
         <translation>Vorher und nachher</translation>
     </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut the tooth open and compare its walls with the reference preparation</source>
+        <translation>Den Zahn aufschneiden und seine Wände mit der Referenzpräparation vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::ReportSection</name>
+    <message>
+        <source>Reference preparation</source>
+        <translation>Referenzpräparation</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Tolerance zone</source>
+        <translation>Toleranzzone</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::RightsRow</name>

@@ -215,8 +215,13 @@ void PinnedTooth::show_pin(Pin pin) {
   place_pin();
 }
 
+void PinnedTooth::set_cut_open(bool open) {
+  cut_open_ = open;
+  open ? place_pin() : face_place();
+}
+
 void PinnedTooth::face_place() {
-  if (place_ && tooth_shown_) {
+  if (place_ && tooth_shown_ && !cut_open_) {
     const Camera to = look_at_place(view_->camera(), meshes(), *place_);
     inside_ = !seen_from(to, meshes(), *place_);
     view_->set_camera(to);
@@ -227,7 +232,7 @@ void PinnedTooth::face_place() {
 void PinnedTooth::place_pin() {
   const bool wanted = place_ && tooth_shown_ && pin_ == Pin::shown;
   const auto at = wanted ? view_->project(*place_) : std::nullopt;
-  const bool seen = at && seen_from(view_->camera(), meshes(), *place_);
+  const bool seen = at && (cut_open_ || seen_from(view_->camera(), meshes(), *place_));
   ring_->setVisible(seen);
   leader_->setVisible(seen);
   card_->setVisible(wanted);

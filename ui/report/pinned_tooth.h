@@ -36,6 +36,9 @@ class PinnedTooth : public QWidget {
   /// Of a pinned place: hidden, it turns the tooth all the same.
   enum class Pin { shown, hidden };
   void show_pin(Pin pin);
+  /// A section goes through the tooth and through each pinned place: nothing hides the place, and the view does not turn to it.
+  void set_cut_open(bool open);
+  const std::optional<Vec3>& place_mm() const { return place_; }
   void turn_back();
   /// False without a place, and while something hides it.
   bool ring_shown() const;
@@ -80,6 +83,7 @@ class PinnedTooth : public QWidget {
   Pin pin_ = Pin::shown;
   bool tooth_shown_ = false;
   bool inside_ = false;  // no view shows the place
+  bool cut_open_ = false;
   QString text_;         // of the card, rich text
 };
 

@@ -8,6 +8,7 @@
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/pinned_tooth.h"
+#include "ui/report/report_section.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/bar_top.h"
 #include "ui/widgets/chip.h"
@@ -256,6 +257,7 @@ void ReportPage::choose(int row) {
   const Measure& m = c.measure;
   const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
   tooth_->pin(m.where_mm, metric_name(c.id) + u": "_qs + value, reason_text(c), c.id);
+  if (section_) section_->go_through(m.where_mm);
   Q_EMIT criterion_chosen();
 }
 

@@ -22,6 +22,7 @@ class AgainstBefore;
 class BeforeAfter;
 class DeviationLegend;
 class PinnedTooth;
+class ReportSection;
 class Segments;
 class Table;
 
@@ -57,6 +58,10 @@ class ReportPage : public QWidget {
   QWidget* make_bar(TryAgain again, const QString& back_name);
   QWidget* make_tooth();
   QWidget* make_tools(QWidget& legend);
+  struct TeethButtons {
+    QPushButton &drilled, &both;
+  };
+  QPushButton* make_section(const TeethButtons& others);
   void fit_tools(int width);
   void fill();
   void show_state();
@@ -78,6 +83,7 @@ class ReportPage : public QWidget {
   Table* table_ = nullptr;
   PinnedTooth* tooth_ = nullptr;
   BeforeAfter* teeth_ = nullptr;  // holds the tooth
+  ReportSection* section_ = nullptr;  // null without a tooth
   QGridLayout* tools_ = nullptr;
   std::vector<QWidget*> shown_;  // the tools, in the order of reading
   AgainstBefore* against_ = nullptr;  // if an attempt came before

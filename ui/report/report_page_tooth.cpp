@@ -8,6 +8,7 @@
 #include "ui/report/before_after.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_page.h"
+#include "ui/report/report_section.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -34,6 +35,15 @@ QWidget* ReportPage::make_tooth() {
   legend_row->setContentsMargins(px(12), px(10), px(12), px(8));
   legend_row->addWidget(new DeviationLegend);
   column->addWidget(legend_box);
+  if (data_.result.volume) {
+    auto* section_box = new QFrame;
+    section_box->setProperty("kind", u"bar_bottom"_qs);
+    auto* section_column = new QVBoxLayout(section_box);
+    section_column->setContentsMargins(px(12), px(4), px(12), px(8));
+    section_ = new ReportSection(*tooth_, data_.result.volume, data_.result.scenario);
+    section_column->addWidget(section_);
+    column->addWidget(section_box);
+  }
   make_tools(*legend_box)->move(px(12), px(12));
   return left;
 }
@@ -56,6 +66,7 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
   difference->setChecked(true);
   QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
   shown_ = {difference, drilled, both, turn};
+  if (section_) shown_.insert(shown_.end() - 1, make_section({.drilled = *drilled, .both = *both}));
   fit_tools(px(kToothWidth));
   connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
   connect(difference, &QPushButton::toggled, &legend, &QWidget::setVisible);
@@ -64,6 +75,24 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
   connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
   tools->raise();
   return tools;
+}
+
+/// Cuts the one tooth open, in the colours of its tissues.
+QPushButton* ReportPage::make_section(const TeethButtons& others) {
+  QPushButton* out = make_button(tr("Section"), ButtonKind::quiet);
+  out->setCheckable(true);
+  out->setToolTip(tr("Cut the tooth open and compare its walls with the reference preparation"));
+  connect(out, &QPushButton::toggled, section_, [this, &drilled = others.drilled](bool on) {
+    section_->set_open(on);
+    section_->parentWidget()->setVisible(on);
+    if (on) drilled.setChecked(true);
+  });
+  connect(&others.both, &QPushButton::toggled, out, [out](bool on) {
+    if (on) out->setChecked(false);
+    out->setDisabled(on);
+  });
+  section_->parentWidget()->hide();
+  return out;
 }
 
 /// One line of buttons, or two where the tooth has less than their width.

@@ -140,6 +140,9 @@ def of_report(album, program):
     album.take(program, "report", rests_s=8)
     school.row_of(program, "Criteria", "Target removed")[0].click()
     album.take(program, "report-place")
+    program.press("Section", school.CHOICE)
+    album.take(program, "report-section", rests_s=4)
+    program.press("Section", school.CHOICE)
     program.press("Before and after", school.CHOICE)
     album.take(program, "report-before-after", rests_s=4)
     program.press("Save as PDF")
@@ -182,6 +185,8 @@ def of_editor(album, program):
     for tab in TABS:
         program.press(tab, "page tab")
         album.take(program, "editor-" + tab.lower())
+    program.press("Section", school.CHOICE)
+    album.take(program, "editor-section")
     program.keys("alt+Left")
     school.page(program, "Library")
 
