@@ -97,6 +97,26 @@ TEST(ReportPdf, holds_the_picture_of_the_tooth) {
   EXPECT_EQ(text_in(file).find("could not be drawn"), std::string::npos);
 }
 
+TEST(ReportPdf, has_a_picture_of_each_lost_place_of_the_longest_rubric_on_its_second_page) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = whole_block();
+  ASSERT_TRUE(data.result.volume);
+  const CriterionGrade lost = data.result.grade.criteria.at(1);
+  ASSERT_TRUE(lost.measure.where_mm);
+  constexpr std::size_t kLongest = 17;  // criteria of the template of a classical class II
+  for (std::size_t i = 1; i < kLongest; ++i) data.result.grade.criteria.push_back(lost);
+  const DrawingOrder order = order_for_paper(data, 120);
+  EXPECT_EQ(order.closeups_mm.size(), kLongest);
+  const DrawnTooth tooth = draw_report_tooth(data.result, order);
+  ASSERT_TRUE(tooth) << tooth.error().detail;
+  ASSERT_TRUE(write_report_pdf(file, data, tooth));
+  EXPECT_EQ(images_in(file).filter(QStringLiteral(" image ")).size(), 1 + static_cast<qsizetype>(kLongest));
+  QFile written(QString::fromStdString(file.string()));
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(written.readAll().contains("/Count 2"));
+}
+
 TEST(ReportPdf, has_a_second_page_with_a_picture_of_each_lost_place) {
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
