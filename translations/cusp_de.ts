@@ -4258,6 +4258,40 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::ExerciseUse</name>
+    <message>
+        <source>No student has a graded attempt yet.</source>
+        <translation>Noch kein bewerteter Versuch von Studierenden.</translation>
+    </message>
+    <message>
+        <source>%1, %2, median %3 points.</source>
+        <extracomment>%1: &quot;12 students&quot;, %2: &quot;40 graded attempts&quot;, %3: points, of 100</extracomment>
+        <translation>%1, %2, Median %3 Punkte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n Student/in</numerusform>
+            <numerusform>%n Studierende</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n graded attempt(s)</source>
+        <translation>
+            <numerusform>%n bewerteter Versuch</numerusform>
+            <numerusform>%n bewertete Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Assigned now: %1.</source>
+        <translation>Jetzt zugewiesen: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ExercisesPage</name>
     <message>
         <source>Exercises</source>

@@ -232,6 +232,23 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::ExerciseUse</name>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n student</numerusform>
+            <numerusform>%n students</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n graded attempt(s)</source>
+        <translation>
+            <numerusform>%n graded attempt</numerusform>
+            <numerusform>%n graded attempts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ExercisesPage</name>
     <message numerus="yes">
         <source>%n exercise(s) cannot be read.</source>

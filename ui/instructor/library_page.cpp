@@ -15,11 +15,13 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
+#include "ui/instructor/exercise_use.h"
 #include "ui/instructor/withdrawal.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/menu_button.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -67,6 +69,9 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   below_->addWidget(none);
   card->body()->addWidget(below_);
   outer->addWidget(card, 1);
+  use_ = make_label({}, TextRole::body, Weight::regular, "text2");
+  use_->setWordWrap(true);
+  outer->addWidget(use_);
   connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
   connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
@@ -151,6 +156,18 @@ void LibraryPage::fit_buttons() {
   copy_->setEnabled(index >= 0);
   save_->setEnabled(index >= 0);
   withdraw_->setEnabled(index >= 0 && model_->row(index).withdrawable);
+  show_use();
+}
+
+/// Of the chosen exercise, by name: the line stands apart from its row.
+void LibraryPage::show_use() {
+  const int index = table_->chosen_row();
+  use_->clear();
+  if (index < 0) return;
+  const Scenario& shown = model_->row(index).shown();
+  const auto use = use_of(store_, actor_, shown.id, ports_.now().toMSecsSinceEpoch() * 1000);
+  if (!use) return show_failure(use.error());
+  use_->setText(u"<b>%1</b>: %2"_qs.arg(isolate(local(shown.title)).toHtmlEscaped(), use_text(*use).toHtmlEscaped()));
 }
 
 void LibraryPage::discard_draft() {

@@ -17,6 +17,7 @@
 
 class QAction;
 class QLineEdit;
+class QLabel;
 class QMenu;
 class QPushButton;
 class QStackedWidget;
@@ -68,6 +69,7 @@ class LibraryPage : public QWidget {
  private:
   void read();
   void fit_buttons();
+  void show_use();
   void make_search();
   /// Shows the rows whose name or tooth has the text.
   void filter();
@@ -100,6 +102,7 @@ class LibraryPage : public QWidget {
   QStackedWidget* below_ = nullptr;  // the table, or that no exercise fits
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
+  QLabel* use_ = nullptr;  // who uses the chosen exercise
   BackgroundTask work_;
   bool working_ = false;
   QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;
