@@ -638,6 +638,16 @@
             <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Versuchen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, less than a minute left</source>
+        <extracomment>%1: a share in per cent</extracomment>
+        <translation>%1, weniger als eine Minute übrig</translation>
+    </message>
+    <message>
+        <source>%1, about %2 min left</source>
+        <extracomment>%1: a share in per cent, %2: a number</extracomment>
+        <translation>%1, noch etwa %2 min</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BandPicture</name>

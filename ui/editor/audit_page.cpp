@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/text/audit_text.h"
 #include "ui/widgets/busy.h"
@@ -30,9 +31,20 @@ QString signed_number(double value, int decimals) {
   return value > 0 && text != format_number(0, decimals) ? u'+' + text : text;
 }
 
+constexpr double kLeastShare = 0.04, kLeastElapsed_s = 5.0;  // from which the rest is reckoned [M]
+
 const char* ink_of(Verdict verdict) { return verdict == Verdict::not_needed ? "look" : "text2"; }
 
 }  // namespace
+
+QString share_and_rest(double share, double elapsed_s) {
+  const QString percent = QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%';
+  if (share < kLeastShare || elapsed_s < kLeastElapsed_s) return percent;
+  const double rest_min = elapsed_s * (1.0 - share) / share / 60.0;
+  //: %1: a share in per cent, %2: a number
+  if (rest_min < 1.0) return AuditPage::tr("%1, less than a minute left").arg(percent);
+  return AuditPage::tr("%1, about %2 min left").arg(percent, QLocale().toString(static_cast<int>(std::ceil(rest_min))));
+}
 
 AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::string& folder)> runner_of, QWidget* parent)
     : QWidget(parent), model_(model), runner_of_(std::move(runner_of)), job_(new AuditJob(this)) {
@@ -82,7 +94,7 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
 
 void AuditPage::follow_job() {
   connect(job_, &AuditJob::progressed, this, [this](double share) {
-    if (busy_) busy_->set_progress(share, QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%');
+    if (busy_) busy_->set_progress(share, share_and_rest(share, static_cast<double>(since_.elapsed()) / 1000));
   });
   connect(job_, &AuditJob::done, this, [this](const std::shared_ptr<const AuditReport>& report) {
     stop();
@@ -115,6 +127,7 @@ void AuditPage::measure() {
     job_->cancel();
     stop();
   });
+  since_.start();
   job_->start(measured_, {}, runner_of_(model_.folder()));
 }
 

@@ -2,6 +2,7 @@
 /// taking the leanest is one step of undo. Thread: GUI.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 #include <memory>
 
@@ -16,6 +17,9 @@ class QVBoxLayout;
 namespace cusp::ui {
 
 class Busy;
+
+/// "35 %, about 2 min left": by what the share took so far. Without the rest while too little has run to name it.
+QString share_and_rest(double share, double elapsed_s);
 
 class AuditPage : public QWidget {
   Q_OBJECT
@@ -41,6 +45,7 @@ class AuditPage : public QWidget {
   Busy* busy_ = nullptr;
   std::shared_ptr<const AuditReport> report_;
   Scenario measured_;  // the exercise of the report
+  QElapsedTimer since_;  // the audit began
   QLabel *about_, *aside_, *leanest_title_, *leanest_, *legend_;
   QPushButton *measure_, *use_;
   QWidget* table_ = nullptr;

@@ -107,6 +107,14 @@ TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
   EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
 }
 
+TEST(AuditPage, names_the_rest_by_what_the_share_took) {
+  const QChar space(0x00A0);
+  EXPECT_EQ(share_and_rest(0.02, 30), QStringLiteral("2%1%").arg(space)) << "too little has run";
+  EXPECT_EQ(share_and_rest(0.3, 2), QStringLiteral("30%1%").arg(space));
+  EXPECT_EQ(share_and_rest(0.25, 60), QStringLiteral("25%1%, about 3 min left").arg(space));
+  EXPECT_EQ(share_and_rest(0.9, 60), QStringLiteral("90%1%, less than a minute left").arg(space));
+}
+
 TEST(AuditPage, an_audit_that_is_stopped_leaves_the_page_as_it_was) {
   EditorModel model(draft());
   std::atomic<bool> began{false}, ended{false};
