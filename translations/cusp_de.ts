@@ -8369,6 +8369,18 @@
         <source>Pages</source>
         <translation>Seiten</translation>
     </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>In the left hand</source>
+        <translation>In der linken Hand</translation>
+    </message>
+    <message>
+        <source>In the right hand</source>
+        <translation>In der rechten Hand</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::SignIn</name>

@@ -262,6 +262,7 @@ void Desktop::show_shell(const QString& page_key) {
   connect(shell, &Shell::theme_toggled, this,
           [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
   connect(shell, &Shell::scale_chosen, this, &Desktop::set_scale);
+  shell->keep_hand_in(settings_);
   connect(shell, &Shell::help_wanted, this, [this] { shell_->show_page(u"help"_qs); });
   connect(shell, &Shell::signed_out, this, &Desktop::sign_out);
   connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/settings/settings.h"
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -152,6 +153,7 @@ QPushButton* Shell::make_account_button(const Account& account) {
 
 QMenu* Shell::make_account_menu(const Account& account, QWidget* button) {
   auto* menu = new QMenu(button);
+  account_menu_ = menu;
   QMenu* size = menu->addMenu(tr("Size of everything"));
   auto* sizes = new QActionGroup(size);
   for (const int percent : {100, 125, 150, 175, 200}) {
@@ -168,6 +170,20 @@ QMenu* Shell::make_account_menu(const Account& account, QWidget* button) {
   QAction* out = menu->addAction(icon(u"sign_out"_qs), tr("Sign out"));
   connect(out, &QAction::triggered, this, &Shell::signed_out);
   return menu;
+}
+
+void Shell::keep_hand_in(Settings& settings) {
+  auto* menu = new QMenu(tr("Handpiece"), account_menu_);
+  auto* hands = new QActionGroup(menu);
+  for (const bool left : {false, true}) {
+    QAction* action = menu->addAction(left ? tr("In the left hand") : tr("In the right hand"));
+    action->setCheckable(true);
+    action->setChecked(left == settings.left_handed());
+    hands->addAction(action);
+    connect(action, &QAction::triggered, this, [&settings, left] { settings.set_left_handed(left); });
+  }
+  const QList<QAction*> entries = account_menu_->actions();
+  account_menu_->insertMenu(entries.at(entries.size() - 2), menu);  // above the rule before signing out
 }
 
 QWidget* Shell::make_sidebar() {

@@ -44,6 +44,8 @@ class Shell : public QWidget {
   /// A band over the pages that stays: what is the matter with the records.
   void show_notice(const Message& message);
   const QVector<NavEntry>& entries() const { return entries_; }
+  /// Offers in the account's menu which hand holds the handpiece, and keeps the choice there. `settings` outlives this.
+  void keep_hand_in(class Settings& settings);
   /// Moves the focus to the next of top bar, sidebar and page.
   void next_pane();
 
@@ -65,6 +67,7 @@ class Shell : public QWidget {
   QVector<NavEntry> entries_;
   QString key_;
   QWidget *top_ = nullptr, *side_ = nullptr;
+  QMenu* account_menu_ = nullptr;
   QLabel *device_sign_ = nullptr, *device_ = nullptr;
   Band* notice_;
   QButtonGroup* group_;

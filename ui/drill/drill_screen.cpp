@@ -163,6 +163,7 @@ DrillScreen::~DrillScreen() {
 void DrillScreen::keep_settings_in(Settings* settings) {
   inner_->sound->keep_in(settings);
   inner_->stage->show_handpiece(settings->handpiece_shown());
+  inner_->stage->view()->set_hand(settings->left_handed() ? HandSide::left : HandSide::right);
   connect(inner_->stage, &DrillStage::handpiece_switched, this, [settings](bool shown) { settings->set_handpiece_shown(shown); });
 }
 bool DrillScreen::running() const { return inner_->attempt && inner_->attempt->session && !inner_->over; }

@@ -36,7 +36,7 @@ class DrillScreen : public QWidget {
   void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
   class ToothView* view() const;
-  /// Where the drilling sound's volume and mute are kept, and whether the handpiece is drawn; outlives the screen. Without: the usual
+  /// Where the drilling sound's volume and mute are kept, and whether the handpiece is drawn and in which hand; outlives the screen. Without: the usual
   /// ones, not kept.
   void keep_settings_in(class Settings* settings);
 

@@ -53,9 +53,10 @@ std::vector<BodyRing> neck_rings() {
 
 }  // namespace
 
-Vec3 neck_side(const FrameView& view, Vec3 axis) {
+Vec3 neck_side(const FrameView& view, Vec3 axis, HandSide hand) {
   const auto across = [axis](Vec3 way) { return way - glm::dot(way, axis) * axis; };
-  Vec3 side = across(0.9 * Vec3(view.right) + 0.45 * Vec3(view.to_eye));
+  const double sideways = hand == HandSide::right ? 0.9 : -0.9;
+  Vec3 side = across(sideways * Vec3(view.right) + 0.45 * Vec3(view.to_eye));
   if (glm::length(side) < 0.3) side = across(Vec3(view.up));  // the bur lies along that way
   return glm::normalize(side);
 }
@@ -81,13 +82,13 @@ bool HandpiecePass::create(std::string& why) {
   return true;
 }
 
-void HandpiecePass::draw(const FrameView& view, const BurPose& pose) {
+void HandpiecePass::draw(const FrameView& view, const BurPose& pose, HandSide hand) {
   const glm::vec4 tip = view.clip_from_world * glm::vec4(glm::vec3(pose.pivot_mm), 1.0f);
   if (tip.w <= 0) return;
   const float px_per_mm = 0.5f * std::min(view.view_px.x, view.view_px.y) / view.lamp.w;
   program_.use();
   program_.set("clip_from_world", view.clip_from_world);
-  program_.set("world_from_tool", world_from_frame(pose.pivot_mm + pose.bur.neck_length_mm * pose.axis, neck_side(view, pose.axis), pose.axis));
+  program_.set("world_from_tool", world_from_frame(pose.pivot_mm + pose.bur.neck_length_mm * pose.axis, neck_side(view, pose.axis, hand), pose.axis));
   program_.set("eye", view.eye);
   program_.set("key_light", view.key_light);
   program_.set("up", view.up);

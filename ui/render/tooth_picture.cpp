@@ -220,7 +220,7 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
     drawn.triangles += mirrored.triangles;
     drawn.bricks += mirrored.bricks;
   }
-  if (scene.bur && scene.show_handpiece && !scene.cutaway && !scene.mirror) in.handpiece.draw(view, *scene.bur);
+  if (scene.bur && scene.show_handpiece && !scene.cutaway && !scene.mirror) in.handpiece.draw(view, *scene.bur, scene.hand);
   glBindVertexArray(0);
   glUseProgram(0);
   return drawn;

@@ -26,6 +26,9 @@ enum class Colouring : std::uint8_t {
   deviation,  // difference map of the report
 };
 
+/// From which side the handpiece reaches the tooth, as the viewer sees it.
+enum class HandSide : std::uint8_t { right, left };
+
 struct BurPose {
   Bur bur;
   Vec3 pivot_mm{0.0};
@@ -41,6 +44,7 @@ struct Scene3d {
   bool show_target = true;                // tint of the uncut remainder, the lines, hatching of the over-cut
   std::optional<BurPose> bur;
   bool show_handpiece = false;            // above the bur; left out of a cutaway, and where a mirror is held, which it would hide
+  HandSide hand = HandSide::right;        // that holds the handpiece
   std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
   std::optional<MouthMirror> mirror;      // reflects all of it but itself; left out of a cutaway
   float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines

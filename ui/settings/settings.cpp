@@ -33,6 +33,8 @@ bool Settings::muted() const { return store_.value("sound/muted", false).toBool(
 void Settings::set_muted(bool muted) { store_.setValue("sound/muted", muted); }
 bool Settings::handpiece_shown() const { return store_.value("view/handpiece", true).toBool(); }
 void Settings::set_handpiece_shown(bool shown) { store_.setValue("view/handpiece", shown); }
+bool Settings::left_handed() const { return store_.value("view/left_handed", false).toBool(); }
+void Settings::set_left_handed(bool left) { store_.setValue("view/left_handed", left); }
 int Settings::idle_minutes() const {
   return std::clamp(store_.value("station/idle_minutes", kUsualIdleMinutes).toInt(), 0, kMostIdleMinutes);
 }

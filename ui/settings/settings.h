@@ -35,6 +35,9 @@ class Settings {
   /// Whether the handpiece is drawn above the bur; it is unless somebody put it away.
   bool handpiece_shown() const;
   void set_handpiece_shown(bool shown);
+  /// Whether the left hand holds the handpiece.
+  bool left_handed() const;
+  void set_left_handed(bool left);
   /// Minutes without input after which the desktop signs out; 0 = never.
   int idle_minutes() const;
   void set_idle_minutes(int minutes);

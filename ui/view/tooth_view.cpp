@@ -247,6 +247,12 @@ void ToothView::set_handpiece_shown(bool on) {
   repaint_soon();
 }
 
+void ToothView::set_hand(HandSide hand) {
+  if (hand == scene_.hand) return;
+  scene_.hand = hand;
+  repaint_soon();
+}
+
 bool ToothView::moved_visibly(const std::optional<BurPose>& bur) const {
   const auto& now = scene_.bur;
   if (bur.has_value() != now.has_value()) return true;

@@ -50,6 +50,7 @@ class ToothView : public QWidget {
   void set_target_shown(bool on);
   /// Above the bur; off unless it is called.
   void set_handpiece_shown(bool on);
+  void set_hand(HandSide hand);
   void set_bur(const std::optional<BurPose>& bur);
   /// Asked at the start of every frame, so that the bur is drawn where it is then; replaces set_bur.
   void set_bur_source(std::function<std::optional<BurPose>()> source) { bur_source_ = std::move(source); }

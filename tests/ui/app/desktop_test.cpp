@@ -6,10 +6,12 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
@@ -52,6 +54,18 @@ struct DesktopTest : ::testing::Test {
     return keys;
   }
 };
+
+TEST_F(DesktopTest, the_accounts_menu_puts_the_handpiece_into_the_other_hand) {
+  const Account instructor = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  open(records.file());
+  desktop->sign_in(instructor);
+  const auto hands = desktop->shell()->findChild<QPushButton*>(QStringLiteral("account"))->menu()->findChildren<QAction*>();
+  const auto left = std::ranges::find(hands, QStringLiteral("In the left hand"), &QAction::text);
+  ASSERT_NE(left, hands.end());
+  EXPECT_FALSE((*left)->isChecked());
+  (*left)->trigger();
+  EXPECT_TRUE(settings.left_handed());
+}
 
 TEST_F(DesktopTest, a_self_test_on_the_device_page_is_kept_with_its_tester) {
   const Account instructor = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});

@@ -187,6 +187,17 @@ TEST_F(Screen, the_handpiece_is_put_away_by_key_and_stays_away) {
   EXPECT_FALSE(next.view()->scene().show_handpiece);
 }
 
+TEST_F(Screen, the_handpiece_is_in_the_hand_that_the_settings_name) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  screen->keep_settings_in(&settings);
+  EXPECT_EQ(screen->view()->scene().hand, HandSide::right);
+  settings.set_left_handed(true);
+  DrillScreen next(ports);
+  next.keep_settings_in(&settings);
+  EXPECT_EQ(next.view()->scene().hand, HandSide::left);
+}
+
 TEST_F(Screen, answering_no_continues_the_attempt) {
   begin("channel-1");
   answer = false;

@@ -20,21 +20,25 @@ FrameView looking(glm::vec3 right, glm::vec3 up, glm::vec3 to_eye) {
   return out;
 }
 
-TEST(Handpiece, has_its_neck_at_the_viewers_right_and_across_the_bur) {
+TEST(Handpiece, has_its_neck_at_the_side_of_the_hand_and_across_the_bur) {
   const FrameView view = looking({1, 0, 0}, {0, 0.5f, 0.8660254f}, {0, -0.8660254f, 0.5f});
   for (const Vec3 axis : {Vec3(0, 0, 1), glm::normalize(Vec3(0.4, 0.2, 1)), glm::normalize(Vec3(-1, 1, 0.2))}) {
-    const Vec3 side = neck_side(view, axis);
-    EXPECT_NEAR(glm::length(side), 1.0, 1e-12);
-    EXPECT_NEAR(glm::dot(side, axis), 0.0, 1e-12);
-    EXPECT_GT(glm::dot(side, Vec3(view.right)), 0.0);
+    for (const HandSide hand : {HandSide::right, HandSide::left}) {
+      const Vec3 side = neck_side(view, axis, hand);
+      EXPECT_NEAR(glm::length(side), 1.0, 1e-12);
+      EXPECT_NEAR(glm::dot(side, axis), 0.0, 1e-12);
+      EXPECT_EQ(glm::dot(side, Vec3(view.right)) > 0.0, hand == HandSide::right);
+    }
   }
 }
 
 TEST(Handpiece, has_a_side_for_its_neck_where_the_bur_lies_along_it) {
   const FrameView view = looking({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   const Vec3 axis = glm::normalize(Vec3(0.9, 0, 0.45));
-  EXPECT_NEAR(glm::dot(neck_side(view, axis), axis), 0.0, 1e-12);
-  EXPECT_NEAR(glm::length(neck_side(view, axis)), 1.0, 1e-12);
+  for (const HandSide hand : {HandSide::right, HandSide::left}) {
+    EXPECT_NEAR(glm::dot(neck_side(view, axis, hand), axis), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(neck_side(view, axis, hand)), 1.0, 1e-12);
+  }
 }
 
 TEST(Handpiece, begins_above_the_burs_neck_and_reaches_beyond_any_picture) {
