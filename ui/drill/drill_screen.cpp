@@ -284,7 +284,8 @@ void DrillScreen::look() {
   in.live = in.attempt->session->view();
   in.sound->follow(in.live, *in.attempt->session->scene());
   in.stage->view()->follow_bur(kFollow);
-  in.stage->follow_bur(in.live.output.proxy_mm);
+  const Vec3 bur_mm = in.live.output.proxy_mm;
+  in.stage->follow_bur(bur_mm, in.input && !stands_still(in.live) ? in.input->hand_mm(bur_mm) : std::nullopt);
   if (in.input) in.input->follow_bur(in.live.output.proxy_mm, above_floor_mm(in.live, *in.attempt));
   if (auto image = in.attempt->feed->take_panel()) in.panel->section()->show_image(*image);
   if (auto image = in.attempt->feed->take_lid()) in.stage->show_cutaway(std::move(*image));

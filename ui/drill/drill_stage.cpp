@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "ui/drill/compass.h"
+#include "ui/drill/hand_ghost.h"
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/mirror_hold.h"
 #include "ui/session/bur_depth.h"
@@ -50,6 +51,7 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   setMinimumSize(px(480), px(320));
   view_ = new ToothView(this);
   mirror_hold_ = new MirrorHold(*view_);
+  hand_ghost_ = new HandGhost(*view_, this);
   make_tools();
   make_gauges();
   make_coach();
@@ -232,10 +234,13 @@ void DrillStage::show_depth_held(bool on) {
   announce(hold_, on ? tr("Depth held") : tr("Depth free"));
 }
 
+double DrillStage::bur_radius_mm() const {
+  return burs_.empty() ? 0.0 : burs_[std::min<std::size_t>(live_.output.bur, burs_.size() - 1)].radius_mm;
+}
+
 void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   live_ = live;
-  const double radius =
-      burs_.empty() ? 0.0 : burs_[std::min<std::size_t>(live.output.bur, burs_.size() - 1)].radius_mm;
+  const double radius = bur_radius_mm();
   show_depth(live, radius);
   push_->set_value(live.output.contact && !stands_still(live) ? live.push_n : 0.0);
   Stop stop = Stop::none;

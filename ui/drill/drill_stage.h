@@ -27,6 +27,7 @@ inline constexpr int kStageGap = 12;  // between what stands over the view and i
 
 class Compass;
 class Gauge;
+class HandGhost;
 class MirrorHold;
 
 class DrillStage : public QWidget {
@@ -54,8 +55,9 @@ class DrillStage : public QWidget {
   void show_wanted_push(double newtons);
   /// Whether the mouse holds the bur's depth.
   void show_depth_held(bool on);
-  /// Moves the tag at the bur; it has the coach's figure while something is worth a look.
-  void follow_bur(Vec3 pivot_mm);
+  /// Moves the tag at the bur, which has the coach's figure while something is worth a look, and the ghost of the mouse's hand.
+  /// `hand_mm`: at the bur's depth; nullopt: the mouse does not drill.
+  void follow_bur(Vec3 pivot_mm, const std::optional<Vec3>& hand_mm);
   void show_cutaway(SectionImage image);
   void show_stopped(Stop stop, const Message& record = {}, Fault fault = Fault::none);
   /// While a question stands over the screen, the pause that it made is not shown besides.
@@ -92,6 +94,7 @@ class DrillStage : public QWidget {
   void want_sections();
   void hold_mirror(bool on);
   double required_depth_mm() const;
+  double bur_radius_mm() const;
   void scale_depth(double seen_mm);
   /// Band and limit of the depth gauge about the required depth.
   void show_required(double depth_mm);
@@ -102,6 +105,7 @@ class DrillStage : public QWidget {
 
   ToothView* view_;
   MirrorHold* mirror_hold_;
+  HandGhost* hand_ghost_;
   QFrame *tools_, *coach_card_, *legend_;
   StopCard* stop_card_;
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_, *handpiece_;

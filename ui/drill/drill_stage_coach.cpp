@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/drill/drill_stage.h"
+#include "ui/drill/hand_ghost.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
@@ -36,7 +37,8 @@ void DrillStage::make_coach() {
   bur_tag_->hide();
 }
 
-void DrillStage::follow_bur(Vec3 pivot_mm) {
+void DrillStage::follow_bur(Vec3 pivot_mm, const std::optional<Vec3>& hand_mm) {
+  hand_ghost_->follow(hand_mm, {.at_mm = pivot_mm, .radius_mm = bur_radius_mm()});
   const CoachTone tone = tone_of(shown_, leeway_);
   const auto at = tone == CoachTone::good ? std::nullopt : view_->project(pivot_mm);
   bur_tag_->setVisible(at.has_value());

@@ -159,6 +159,12 @@ void PointerInput::follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_m
   hand_.set_floor(above_floor_mm ? std::optional(pivot_mm - axis_ * *above_floor_mm) : std::nullopt);
 }
 
+std::optional<Vec3> PointerInput::hand_mm(Vec3 pivot_mm) const {
+  if (!enabled_ || (!button_ && !space_)) return std::nullopt;
+  const Vec3 hand = hand_.wish().target_mm;
+  return hand + glm::dot(pivot_mm - hand, axis_) * axis_;
+}
+
 void PointerInput::hold_depth(bool on) {
   held_ = on && drilled_mm_;
   hand_.hold_depth(held_ ? drilled_mm_ : std::nullopt);

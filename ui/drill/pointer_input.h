@@ -31,6 +31,8 @@ class PointerInput : public QObject {
 
   /// Where the bur stands, and how far above the floor of the target: a sweeping push goes no deeper. nullopt: no floor there.
   void follow_bur(Vec3 pivot_mm, std::optional<double> above_floor_mm);
+  /// Where the hand is at the bur's depth; nullopt unless it drills.
+  std::optional<Vec3> hand_mm(Vec3 pivot_mm) const;
   /// Holds the depth at which the bur stood while it drilled last, or no longer. Before the first drilling nothing is held.
   void hold_depth(bool on);
 
