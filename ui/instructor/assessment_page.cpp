@@ -159,7 +159,7 @@ QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
   row->addWidget(names_);
   row->addWidget(make_gradebook_button());
   release_ = make_button(tr("Release results"), ButtonKind::primary, u"eye"_qs);
-  release_->setVisible(assignment_.kind == SessionKind::assessment && may(actor_.role, Action::assign));
+  if (assignment_.kind != SessionKind::assessment || !may(actor_.role, Action::assign)) release_->hide();
   connect(release_, &QPushButton::clicked, this, &AssessmentPage::release_all);
   row->addWidget(release_);
   return bar;
@@ -171,7 +171,7 @@ QPushButton* AssessmentPage::make_gradebook_button() {
   auto* menu = new QMenu(button);
   menu->addAction(tr("For Moodle"), this, [this] { export_gradebook(Gradebook::moodle); });
   menu->addAction(tr("For Canvas"), this, [this] { export_gradebook(Gradebook::canvas); });
-  button->setVisible(may(actor_.role, Action::export_results));
+  if (!may(actor_.role, Action::export_results)) button->hide();
   return put_menu(button, menu);
 }
 

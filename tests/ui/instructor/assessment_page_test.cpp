@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QLayout>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -63,6 +64,20 @@ class Candidates : public testing::Test {
   Ports ports;
   QString asked;
 };
+
+TEST_F(Candidates, ButtonOfTheGradebookHasRoomForItsText) {
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  page.show();
+  int with_menu = 0;
+  for (const QPushButton* button : page.findChildren<QPushButton*>()) {
+    if (!button->isVisible() || button->layout() == nullptr) continue;
+    ++with_menu;
+    EXPECT_EQ(button->accessibleName(), QStringLiteral("Gradebook"));
+    EXPECT_GE(button->width(), button->layout()->sizeHint().width());
+    EXPECT_GT(button->width(), button->fontMetrics().horizontalAdvance(button->accessibleName()));
+  }
+  EXPECT_EQ(with_menu, 1);
+}
 
 TEST_F(Candidates, AreListedByNumberWithoutNamesAndWhoHasNotBegunToo) {
   const AssessmentPage page(records.store(), examiner, assignment.id, ports);
