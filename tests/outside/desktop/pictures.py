@@ -293,7 +293,7 @@ def walk(binary, folder, look):
         fill_screen(program, look)
         album.take(program, "first-start")
         school.first_start(program, album.take)
-        album.take(program, "sign-in")
+        album.take(program, "sign-in", rests_s=10)  # its tooth is drawn in the background
         of_student(album, program)
         of_instructor(album, program)
         of_administrator(album, program)
