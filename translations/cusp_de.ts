@@ -640,12 +640,11 @@
     </message>
     <message>
         <source>%1, less than a minute left</source>
-        <extracomment>%1: a share in per cent</extracomment>
+        <extracomment>%1: a share in per cent, %2: a number</extracomment>
         <translation>%1, weniger als eine Minute übrig</translation>
     </message>
     <message>
         <source>%1, about %2 min left</source>
-        <extracomment>%1: a share in per cent, %2: a number</extracomment>
         <translation>%1, noch etwa %2 min</translation>
     </message>
 </context>
@@ -9247,6 +9246,30 @@ Ihr bester davor</translation>
     <message>
         <source>Section</source>
         <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 across, %2 along, %3 high</source>
+        <translation>%1 quer, %2 längs, %3 hoch</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Other end</source>
+        <translation>Anderes Ende</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius at the other end</source>
+        <translation>Radius am anderen Ende</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
     </message>
 </context>
 <context>

@@ -25,13 +25,13 @@ class KnobForReaders : public QAccessibleWidget {
   explicit KnobForReaders(HandleKnob* knob) : QAccessibleWidget(knob, QAccessible::Slider), knob_(*knob) {}
   QStringList actionNames() const override {
     QStringList names = QAccessibleWidget::actionNames();
-    if (knob_.handle().kind != TargetHandle::Kind::point) names << increaseAction() << decreaseAction();
+    if (!knob_.handle().is_place()) names << increaseAction() << decreaseAction();
     return names;
   }
   void doAction(const QString& name) override {
     const bool more = name == increaseAction();
     if (!more && name != decreaseAction()) return QAccessibleWidget::doAction(name);
-    const bool down = knob_.handle().kind == TargetHandle::Kind::depth;
+    const bool down = knob_.handle().is_floor();
     const auto [less_key, more_key] = down ? std::pair{Qt::Key_Up, Qt::Key_Down} : std::pair{Qt::Key_Left, Qt::Key_Right};
     QKeyEvent press(QEvent::KeyPress, more ? more_key : less_key, Qt::NoModifier);
     QCoreApplication::sendEvent(&knob_, &press);
@@ -62,7 +62,7 @@ HandleKnob::HandleKnob(TargetView& stage, int) : QWidget(&stage), stage_(stage) 
 void HandleKnob::fit_mask() {
   const int edge = hasFocus() ? 0 : (px(kWhole) - px(kBody)) / 2;
   const QRect area = rect().adjusted(edge, edge, -edge, -edge);
-  setMask(handle_.kind == TargetHandle::Kind::depth ? QRegion(area, QRegion::Ellipse) : QRegion(area));
+  setMask(handle_.is_floor() ? QRegion(area, QRegion::Ellipse) : QRegion(area));
 }
 
 void HandleKnob::set_handle(const TargetHandle& handle, const QString& name, const QString& value) {
@@ -81,7 +81,7 @@ void HandleKnob::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   const double edge = (px(kWhole) - px(kBody)) / 2.0;
   const QRectF body = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
-  const bool round = handle_.kind == TargetHandle::Kind::depth;
+  const bool round = handle_.is_floor();
   const auto fill = [&](const QRectF& area, const QColor& colour) {
     p.setPen(Qt::NoPen);
     p.setBrush(colour);
@@ -100,7 +100,7 @@ void HandleKnob::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
   stage_.model_.end_gesture();
   start_ = handle_;
-  start_target_ = stage_.model_.outline();
+  start_part_ = stage_.model_.chosen();
   start_at_ = mapToParent(event->position());
   dragging_ = true;
 }
@@ -108,6 +108,7 @@ void HandleKnob::mousePressEvent(QMouseEvent* event) {
 void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_) return;
   const QPointF now = mapToParent(event->position());
+  if (!start_.of_outline()) return stage_.drag_part(start_, start_part_, {start_at_, now});
   Vec3 to = start_.at_mm;
   if (start_.kind == TargetHandle::Kind::depth) {
     const auto from = stage_.view_->project(start_.at_mm), below = stage_.view_->project(start_.at_mm - Vec3(0, 0, 1));
@@ -122,7 +123,7 @@ void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
     if (!a || !b) return;
     to += *b - *a;
   }
-  stage_.apply(start_, start_target_, to);
+  stage_.apply(start_, start_part_.outline, to);
 }
 
 void HandleKnob::mouseReleaseEvent(QMouseEvent*) {
@@ -141,6 +142,12 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
   if (x == 0 && y == 0) return QWidget::keyPressEvent(event);
   const double step = event->modifiers() & Qt::ShiftModifier ? kFineStepMm : kStepMm;
   if (!event->isAutoRepeat()) stage_.model_.end_gesture();
+  if (handle_.of_outline()) return step_outline({x, y}, step);
+  stage_.step_part(handle_, {x, y}, step);
+}
+
+void HandleKnob::step_outline(glm::ivec2 keys, double step) {
+  const auto [x, y] = std::pair{keys.x, keys.y};
   Vec3 to = handle_.at_mm;
   const Outline target = stage_.model_.outline();
   switch (handle_.kind) {
@@ -163,6 +170,7 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
     case TargetHandle::Kind::size_x: to.x += (x + y) * step / 2; break;
     case TargetHandle::Kind::size_y: to.y += (x + y) * step / 2; break;
     case TargetHandle::Kind::depth: to.z += (x + y) * step; break;
+    default: return;
   }
   stage_.apply(handle_, target, to);
 }

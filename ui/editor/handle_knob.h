@@ -29,9 +29,10 @@ class HandleKnob : public QWidget {
 
  private:
   void fit_mask();
+  void step_outline(glm::ivec2 keys, double step_mm);
   TargetView& stage_;
   TargetHandle handle_, start_;
-  Outline start_target_;
+  Region start_part_;
   QPointF start_at_;
   bool dragging_ = false;
 };

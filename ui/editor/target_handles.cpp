@@ -90,6 +90,7 @@ Outline moved(const Outline& target, const TargetHandle& handle, Vec3 to) {
       t.depth_mm = decimal(at_least(t.top_mm - to.z));
       settle_on_floor(t);
       break;
+    default: break;
   }
   return t;
 }

@@ -10,10 +10,18 @@
 namespace cusp::ui {
 
 struct TargetHandle {
-  enum class Kind { point, width, size_x, size_y, depth };
+  enum class Kind {
+    point, width, size_x, size_y, depth,                             // of an outline
+    place, end, radius, end_radius, extent_x, extent_y, floor        // of any other shape (part_handles.h)
+  };
   Kind kind = Kind::point;
   std::size_t path = 0, point = 0;  // of a point; of the first path where several meet
   Vec3 at_mm{0.0};                  // on the reference plane; for the depth on the floor
+  Vec3 along{0.0};                  // unit: the one way in which a radius, an extent and a floor move; 0: any way
+  bool of_outline() const { return kind <= Kind::depth; }
+  /// It has no size: more and less mean nothing.
+  bool is_place() const { return kind == Kind::point || kind == Kind::place || kind == Kind::end; }
+  bool is_floor() const { return kind == Kind::depth || kind == Kind::floor; }
   friend bool operator==(const TargetHandle&, const TargetHandle&) = default;
 };
 

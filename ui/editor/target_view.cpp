@@ -12,6 +12,7 @@
 
 #include "ui/editor/depth_arrow.h"
 #include "ui/editor/handle_knob.h"
+#include "ui/editor/part_handles.h"
 #include "ui/editor/target_preview.h"
 #include "ui/view/section_bar.h"
 #include "ui/view/tooth_view.h"
@@ -242,6 +243,7 @@ void TargetView::apply(const TargetHandle& handle, const Outline& from, Vec3 to)
     case TargetHandle::Kind::point:
       model_.set_outline(t, u"handle/%1/%2"_qs.arg(handle.path).arg(handle.point));
       break;
+    default: break;
   }
 }
 
@@ -271,7 +273,7 @@ void TargetView::place_all() {
   // Beside the tools, or below them in a narrow window.
   const bool beside = tools_->geometry().right() + px(12) + legend_->width() <= width() - px(12);
   legend_->move(width() - legend_->width() - px(12), beside ? px(12) : tools_->geometry().bottom() + px(8));
-  hint_->setVisible(model_.has_outline());
+  hint_->setVisible(grown_ && (model_.has_outline() || !handles_of_part(model_.chosen()).empty()));
   hint_->setWordWrap(hint_->fontMetrics().horizontalAdvance(hint_->text()) > width() - px(48));
   hint_->setFixedWidth(hint_->wordWrap() ? std::max(0, width() - px(24)) : hint_->sizeHint().width());
   hint_->adjustSize();
@@ -291,17 +293,23 @@ void TargetView::place_all() {
 
 void TargetView::place_handles() {
   const Outline& t = model_.outline();
-  handles_ = grown_ && model_.has_outline() ? handles_of(t) : std::vector<TargetHandle>();
+  handles_.clear();
+  if (grown_) handles_ = model_.has_outline() ? handles_of(t) : handles_of_part(model_.chosen());
   while (knobs_.size() < handles_.size()) knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
   depth_tag_->hide();
   width_tag_->hide();
-  if (handles_.empty()) arrow_->hide();
+  if (handles_.empty() || !model_.has_outline()) arrow_->hide();
   for (std::size_t i = 0; i < knobs_.size(); ++i) {
     HandleKnob* knob = knobs_[i];
     const auto at = i < handles_.size() ? view_->project(handles_[i].at_mm) : std::nullopt;
     knob->setVisible(at.has_value());
     if (!at) continue;
     const TargetHandle& h = handles_[i];
+    knob->move((*at - QPointF(knob->width() / 2.0, knob->height() / 2.0)).toPoint());
+    if (!h.of_outline()) {
+      name_part_handle(*knob, h);
+      continue;
+    }
     QString name, value;
     QLabel* tag = nullptr;
     switch (h.kind) {
@@ -332,9 +340,9 @@ void TargetView::place_handles() {
         tag->setText(tr("%1 deep").arg(value));
         if (const auto top = view_->project({h.at_mm.x, h.at_mm.y, t.top_mm})) arrow_->span(*at, *top);
         break;
+      default: break;
     }
     knob->set_handle(h, name, value);
-    knob->move((*at - QPointF(knob->width() / 2.0, knob->height() / 2.0)).toPoint());
     if (tag) {
       tag->adjustSize();
       tag->show();

@@ -58,6 +58,13 @@ class TargetView : public QWidget {
   void show_scenery();
   void run_next();
   void apply(const TargetHandle& handle, const Outline& from, Vec3 to_mm);
+  struct Way {
+    QPointF from, to;  // of the widget
+  };
+  void drag_part(const TargetHandle& handle, const Region& from, const Way& way);
+  /// `keys`: steps to the right and up.
+  void step_part(const TargetHandle& handle, glm::ivec2 keys, double step_mm);
+  void name_part_handle(HandleKnob& knob, const TargetHandle& handle) const;
   /// Place on the reference plane under a position of the widget.
   std::optional<Vec3> on_plane(QPointF at) const;
 

@@ -58,7 +58,7 @@ TEST_F(ComposedTarget, a_shape_that_is_chosen_in_the_list_has_its_own_numbers) {
   list->setCurrentItem(ball);
   EXPECT_EQ(page->model().part(), PartPath{1});
   EXPECT_FALSE(named<NumberField>(*page, "Depth")->isVisible());
-  EXPECT_TRUE(knobs_of(*page->findChild<TargetView*>()).empty());
+  EXPECT_EQ(knobs_of(*page->findChild<TargetView*>()).size(), 2u) << "place and radius";
   named<NumberField>(*page, "Radius")->setValue(0.75);
   named<NumberField>(*page, "Place: Height")->setValue(-0.5);
   const Region& changed = page->model().scenario().target.parts[1];

@@ -1,0 +1,21 @@
+/// The handles of a shape that is no outline, and the shape after one of them was moved. Frame: specimen, z up. Millimetres. Pure
+/// functions.
+#pragma once
+
+#include <vector>
+
+#include "scenarios/format/scenario.h"
+#include "ui/editor/target_handles.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+
+/// Place and, as far as the shape has them, other end, radii, two extents and floor. None of a node, of an outline, and of a shape that
+/// is of the specimen's voxels.
+std::vector<TargetHandle> handles_of_part(const Region& part);
+
+/// The shape after a handle was moved: a place and an end go there, a radius and an extent reach there on both sides, and a floor moves
+/// under a top that stays. Rounds to kHandleStepMm. Pre: the handle is one of handles_of_part(part).
+Region moved_part(const Region& part, const TargetHandle& handle, Vec3 to_mm);
+
+}  // namespace cusp::ui
