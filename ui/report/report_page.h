@@ -11,7 +11,6 @@
 #include "ui/widgets/ports.h"
 
 class QBoxLayout;
-class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -84,7 +83,7 @@ class ReportPage : public QWidget {
   PinnedTooth* tooth_ = nullptr;
   BeforeAfter* teeth_ = nullptr;  // holds the tooth
   ReportSection* section_ = nullptr;  // null without a tooth
-  QGridLayout* tools_ = nullptr;
+  QBoxLayout* tools_ = nullptr;  // lines of buttons
   std::vector<QWidget*> shown_;  // the tools, in the order of reading
   AgainstBefore* against_ = nullptr;  // if an attempt came before
   Band* band_ = nullptr;

@@ -1,7 +1,6 @@
 // The report's left half: the tooth, what is shown of it, and the legend.
 
 #include <QBoxLayout>
-#include <QGridLayout>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -53,7 +52,7 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
   auto* tools = new QFrame(teeth_);
   tools->setProperty("kind", u"card"_qs);
   tools->setAutoFillBackground(true);
-  tools_ = new QGridLayout(tools);
+  tools_ = new QVBoxLayout(tools);
   tools_->setContentsMargins(px(4), px(4), px(4), px(4));
   tools_->setSpacing(px(4));
   QPushButton* difference = make_button(tr("Difference"), ButtonKind::quiet);
@@ -66,8 +65,9 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
   difference->setChecked(true);
   QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
   shown_ = {difference, drilled, both, turn};
-  if (section_) shown_.insert(shown_.end() - 1, make_section({.drilled = *drilled, .both = *both}));
+  if (section_) shown_.insert(shown_.begin() + 2, make_section({.drilled = *drilled, .both = *both}));
   fit_tools(px(kToothWidth));
+  for (std::size_t i = 0; i + 1 < shown_.size(); ++i) QWidget::setTabOrder(shown_[i], shown_[i + 1]);
   connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
   connect(difference, &QPushButton::toggled, &legend, &QWidget::setVisible);
   connect(both, &QPushButton::toggled, teeth_,
@@ -95,14 +95,24 @@ QPushButton* ReportPage::make_section(const TeethButtons& others) {
   return out;
 }
 
-/// One line of buttons, or two where the tooth has less than their width.
+/// As many lines of buttons as the tooth's width needs.
 void ReportPage::fit_tools(int width) {
-  int whole = px(12) * 2 + px(4);
-  for (QWidget* button : shown_) whole += button->sizeHint().width() + px(4);
-  const int across = whole <= width ? static_cast<int>(shown_.size()) : 2;
-  for (QWidget* button : shown_) tools_->removeWidget(button);
-  for (int i = 0; i < static_cast<int>(shown_.size()); ++i)
-    tools_->addWidget(shown_[static_cast<std::size_t>(i)], i / across, i % across);
+  const int most = width - px(12) * 2 - px(4);
+  while (QLayoutItem* old = tools_->takeAt(0)) delete old;
+  QBoxLayout* line = nullptr;
+  int used = 0;
+  for (QWidget* button : shown_) {
+    const int needed = button->sizeHint().width() + px(4);
+    if (line == nullptr || used + needed > most) {
+      line = new QHBoxLayout;
+      line->setSpacing(px(4));
+      tools_->addLayout(line);
+      used = 0;
+    }
+    line->addWidget(button, 0, Qt::AlignLeading);
+    used += needed;
+  }
+  for (int i = 0; i < tools_->count(); ++i) static_cast<QBoxLayout*>(tools_->itemAt(i)->layout())->addStretch();
   tools_->activate();
   tools_->parentWidget()->adjustSize();
 }

@@ -21,6 +21,7 @@
 namespace cusp::ui {
 namespace {
 
+constexpr int kSidePx = 12;                           // at 100 %
 constexpr double kPictureMm = 24.0, kMmPerPx = 0.05;  // a tooth is 25 mm high
 constexpr double kBelowTopMm = 6.0;                   // the picture's middle, which then holds crown and cervix
 constexpr double kPitch = 0.35;                       // radians: the plane and a little of the floor beyond it
@@ -47,17 +48,18 @@ SectionImage picture_of(const SectionBar::Cut& cut, const SectionPlane& plane) {
 SectionBar::SectionBar(ToothView& view, QWidget* parent) : QFrame(parent), view_(view) {
   setAccessibleName(tr("Section"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(px(12), px(8), px(12), px(8));
+  column->setContentsMargins(px(kSidePx), px(8), px(kSidePx), px(8));
   column->setSpacing(px(6));
-  auto* head = new QHBoxLayout;
+  head_ = new QHBoxLayout;
+  head_->setSpacing(px(4));
   ways_ = new Segments({tr("Mesiodistal"), tr("Buccolingual")});  // of a tooth: the longer names
   ways_->setAccessibleName(tr("Way of the section"));
   ways_->choose(static_cast<int>(way_));
-  head->addWidget(ways_);
+  head_->addWidget(ways_);
   place_ = make_label({}, TextRole::body, Weight::bold);
   place_->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
-  head->addWidget(place_, 1);
-  column->addLayout(head);
+  head_->addWidget(place_, 1);
+  column->addLayout(head_);
   auto* row = new QHBoxLayout;
   row->setSpacing(px(8));
   low_ = make_label({}, TextRole::caption, Weight::regular, "text2");
@@ -205,7 +207,20 @@ void SectionBar::show_place() {
   high_->setText(high);
   low_->setVisible(fdi_ != 0);
   high_->setVisible(fdi_ != 0);
+  fit_head();
   Q_EMIT moved();
+}
+
+void SectionBar::fit_head() {
+  const int inside = width() - 2 * px(kSidePx);
+  const bool beside = ways_->minimumSizeHint().width() + px(kSidePx) + place_->sizeHint().width() <= inside;
+  head_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  place_->setAlignment((beside ? Qt::AlignTrailing : Qt::AlignLeading) | Qt::AlignVCenter);
+}
+
+void SectionBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit_head();
 }
 
 /// One picture at a time: a drag asks for the newest alone.

@@ -13,6 +13,7 @@
 #include "ui/render/scenery_look.h"
 #include "ui/render/section.h"
 
+class QBoxLayout;
 class QLabel;
 class QSlider;
 
@@ -61,6 +62,9 @@ class SectionBar : public QFrame {
   /// A picture of the newest wish closes the cutaway.
   void shown();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   Vec3 across() const;
   void measure();
@@ -68,10 +72,12 @@ class SectionBar : public QFrame {
   void face();
   void follow_camera();
   void show_place();
+  void fit_head();
   void draw();
   void take(SectionImage image);
 
   ToothView& view_;
+  QBoxLayout* head_;  // ways and place: beside each other where they fit
   Segments* ways_;
   QSlider* slider_;
   QLabel *place_, *low_, *high_;

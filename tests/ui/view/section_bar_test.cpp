@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
@@ -13,6 +14,7 @@
 #include "ui/session/scene_builder.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -97,6 +99,23 @@ TEST_F(SectionOfABlock, stays_where_it_was_moved_when_another_cut_comes) {
   changed.target.outline.depth_mm += 0.2;
   bar.show_cut(changed);
   EXPECT_DOUBLE_EQ(bar.place_mm(), 0.4);
+}
+
+TEST_F(SectionOfABlock, shows_its_whole_texts_in_a_narrow_view) {
+  bar.set_tooth(36);
+  bar.choose(SectionBar::Way::mesiodistal);
+  bar.slider()->setValue(-12);
+  bar.show();
+  for (const int width : {320, 600}) {
+    bar.setFixedWidth(width);
+    bar.adjustSize();
+    EXPECT_EQ(bar.width(), width);
+    for (const QLabel* label : bar.findChildren<QLabel*>()) EXPECT_GE(label->width(), label->sizeHint().width()) << width << ": " << label->text().toStdString();
+    for (const QAbstractButton* button : bar.findChildren<QAbstractButton*>()) {
+      const QFontMetrics bold(font_of(TextRole::body, Weight::bold));
+      EXPECT_GT(button->width(), bold.horizontalAdvance(button->text())) << width << ": " << button->text().toStdString();
+    }
+  }
 }
 
 TEST_F(SectionOfABlock, names_the_sides_of_a_tooth) {
