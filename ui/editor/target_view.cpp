@@ -273,13 +273,13 @@ void TargetView::place_all() {
   // Beside the tools, or below them in a narrow window.
   const bool beside = tools_->geometry().right() + px(12) + legend_->width() <= width() - px(12);
   legend_->move(width() - legend_->width() - px(12), beside ? px(12) : tools_->geometry().bottom() + px(8));
-  hint_->setVisible(grown_ && (model_.has_outline() || !handles_of_part(model_.chosen()).empty()));
+  const bool has_handles = model_.has_outline() || !handles_of_part(model_.chosen()).empty();
+  hint_->setVisible(grown_ && has_handles && !section_->is_open());  // a narrow view has room for one of them
   hint_->setWordWrap(hint_->fontMetrics().horizontalAdvance(hint_->text()) > width() - px(48));
   hint_->setFixedWidth(hint_->wordWrap() ? std::max(0, width() - px(24)) : hint_->sizeHint().width());
   hint_->adjustSize();
   place_section();
-  const int foot = section_->isVisibleTo(this) ? section_->y() : height();
-  hint_->move(px(12), foot - hint_->height() - px(12));
+  hint_->move(px(12), height() - hint_->height() - px(12));
   if (centre_) {
     centre_->adjustSize();
     // Below a tooth with handles, else in the middle.

@@ -220,6 +220,11 @@ void PinnedTooth::set_cut_open(bool open) {
   open ? place_pin() : face_place();
 }
 
+void PinnedTooth::set_head(int height_px) {
+  head_px_ = height_px;
+  place_pin();
+}
+
 void PinnedTooth::face_place() {
   if (place_ && tooth_shown_ && !cut_open_) {
     const Camera to = look_at_place(view_->camera(), meshes(), *place_);
@@ -252,7 +257,7 @@ void PinnedTooth::place_pin() {
   const double foot = height() - px(8) - card_->height();
   const bool below = at->y() + px(kClear) <= foot;
   const double x = std::clamp(at->x() - card_->width() / 2.0, px(8.0), std::max(px(8.0), width() - card_->width() - px(8.0)));
-  card_->move(qRound(x), qRound(below ? foot : px(kHead)));
+  card_->move(qRound(x), qRound(below ? foot : std::max(px(kHead), head_px_ + px(8))));
   const QPointF end(card_->geometry().center().x(), below ? card_->y() : card_->geometry().bottom());
   const QLineF whole(*at, end);
   leader_->span(whole.pointAt(std::min(1.0, px(11) / std::max(whole.length(), 1.0))), end);

@@ -39,6 +39,8 @@ class PinnedTooth : public QWidget {
   /// A section goes through the tooth and through each pinned place: nothing hides the place, and the view does not turn to it.
   void set_cut_open(bool open);
   const std::optional<Vec3>& place_mm() const { return place_; }
+  /// What stands over the view's head, from its top: the card keeps below.
+  void set_head(int height_px);
   void turn_back();
   /// False without a place, and while something hides it.
   bool ring_shown() const;
@@ -84,6 +86,7 @@ class PinnedTooth : public QWidget {
   bool tooth_shown_ = false;
   bool inside_ = false;  // no view shows the place
   bool cut_open_ = false;
+  int head_px_ = 0;
   QString text_;         // of the card, rich text
 };
 

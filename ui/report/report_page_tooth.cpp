@@ -115,6 +115,7 @@ void ReportPage::fit_tools(int width) {
   for (int i = 0; i < tools_->count(); ++i) static_cast<QBoxLayout*>(tools_->itemAt(i)->layout())->addStretch();
   tools_->activate();
   tools_->parentWidget()->adjustSize();
+  tooth_->set_head(tools_->parentWidget()->geometry().bottom());
 }
 
 }  // namespace cusp::ui
