@@ -164,7 +164,8 @@ def mark(program, take):
         program.keys("Return")
         program.find(None, "Marking")
         desk.check(not any(school.STUDENT[0] in w for w in program.texts()), "the name of the candidate shows to who marks")
-        program.press("Mark this attempt", school.CHOICE)
+        if not program.find(school.CHOICE, "Mark this attempt").has("CHECKED"):  # a high window has the card open
+            program.press("Mark this attempt", school.CHOICE)
         if row == 0:
             change_points(program)
             take(program, "marking")
