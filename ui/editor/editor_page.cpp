@@ -58,7 +58,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   follow_grower();
   follow_reference();
   start_autosave();
-  setFocusProxy(tabs_);
+  setFocusProxy(tabs_->tabBar());  // not the tabs, which hand the focus on: a page's proxy goes once it has the focus
   follow_model();
   show_undo();
   grow();

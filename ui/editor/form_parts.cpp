@@ -80,6 +80,26 @@ QPushButton* make_wrapping_link(const QString& text) {
   return link;
 }
 
+namespace {
+
+void collect_stops(const QLayout& layout, std::vector<QWidget*>& out) {
+  for (int i = 0; i < layout.count(); ++i) {
+    QLayoutItem* item = layout.itemAt(i);
+    QWidget* widget = item->widget();
+    if (widget != nullptr && (widget->focusPolicy() & Qt::TabFocus)) out.push_back(widget);
+    const QLayout* inside = widget != nullptr ? widget->layout() : item->layout();
+    if (inside != nullptr) collect_stops(*inside, out);
+  }
+}
+
+}  // namespace
+
+void tab_by_layout(QWidget& form) {
+  std::vector<QWidget*> stops;
+  collect_stops(*form.layout(), stops);
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) QWidget::setTabOrder(stops[i], stops[i + 1]);
+}
+
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside) {
   auto* row = new QHBoxLayout;
   row->addWidget(make_label(title, TextRole::section, Weight::bold), 1);

@@ -35,6 +35,8 @@ class NumberBox : public NumberField {
 QLabel* add_row(QBoxLayout* column, const QString& label, QWidget* field);
 /// A checkable link of any length: its text takes as many lines as the width needs. `text` is its accessible name too.
 QPushButton* make_wrapping_link(const QString& text);
+/// Tab goes through the form in the order of its layout: rows that were made later would come last.
+void tab_by_layout(QWidget& form);
 /// A section's title with quiet text at the right.
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside = nullptr);
 

@@ -175,6 +175,7 @@ void PointsForm::make_bands(std::size_t index) {
   row.bands = new BandsForm(model_, index);
   row.column->addWidget(row.bands);
   row.bands->follow_model();
+  tab_by_layout(*this);
 }
 
 void PointsForm::build_rows() {
@@ -192,6 +193,7 @@ void PointsForm::build_rows() {
     built_.push_back(model_.scenario().rubric.criteria[i].metric);
     if (rows_[i].open->isChecked()) make_bands(i);
   }
+  tab_by_layout(*this);
 }
 
 void PointsForm::follow_model() {

@@ -295,7 +295,10 @@ void TargetView::place_handles() {
   const Outline& t = model_.outline();
   handles_.clear();
   if (grown_) handles_ = model_.has_outline() ? handles_of(t) : handles_of_part(model_.chosen());
-  while (knobs_.size() < handles_.size()) knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
+  while (knobs_.size() < handles_.size()) {
+    knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
+    section_->tab_after(knobs_.back());  // it stands below the tooth
+  }
   depth_tag_->hide();
   width_tag_->hide();
   if (handles_.empty() || !model_.has_outline()) arrow_->hide();

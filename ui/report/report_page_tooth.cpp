@@ -8,6 +8,7 @@
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_page.h"
 #include "ui/report/report_section.h"
+#include "ui/view/section_bar.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -68,6 +69,7 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
   if (section_) shown_.insert(shown_.begin() + 2, make_section({.drilled = *drilled, .both = *both}));
   fit_tools(px(kToothWidth));
   for (std::size_t i = 0; i + 1 < shown_.size(); ++i) QWidget::setTabOrder(shown_[i], shown_[i + 1]);
+  if (section_) section_->bar()->tab_after(shown_.back());
   connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
   connect(difference, &QPushButton::toggled, &legend, &QWidget::setVisible);
   connect(both, &QPushButton::toggled, teeth_,

@@ -80,7 +80,6 @@ SectionBar::SectionBar(ToothView& view, QWidget* parent) : QFrame(parent), view_
     draw();
   });
   connect(&view_, &ToothView::camera_changed, this, &SectionBar::follow_camera);
-  setFocusProxy(slider_);
   set_tooth(0);
   hide();
 }
@@ -152,6 +151,13 @@ void SectionBar::close() {
   hide();
   view_.set_cutaway(std::nullopt);
   view_.set_camera(*before_);
+}
+
+void SectionBar::tab_after(QWidget* before) {
+  for (QWidget* stop : {static_cast<QWidget*>(ways_->button(0)), static_cast<QWidget*>(ways_->button(1)), static_cast<QWidget*>(slider_)}) {
+    QWidget::setTabOrder(before, stop);
+    before = stop;
+  }
 }
 
 void SectionBar::choose(Way way) {

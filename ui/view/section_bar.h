@@ -45,6 +45,8 @@ class SectionBar : public QFrame {
   void open();
   void close();
   bool is_open() const { return open_; }
+  /// Tab comes here from that widget of the same window.
+  void tab_after(QWidget* before);
   /// Moves the plane through this place. If it lies at a wall, the plane takes the way that meets the wall at right angles.
   void go_through(Vec3 mm);
 
