@@ -85,6 +85,7 @@ Scenario read_document(const json& document, Problems& problems) {
   out.briefing = root.need("briefing").texts();
   root.maybe("level", [&](const Value& v) { out.level = v.key(FormatError::unknown_level, level_from_key); });
   root.maybe("expected_time_s", [&](const Value& v) { out.expected_time_s = v.number({0, 86400}); });
+  root.maybe("self_assessment", [&](const Value& v) { out.self_assessment = v.yes(); });
   out.specimen = read_specimen(root.need("specimen"));
   read_tissues_and_burs(root, out);
   read_device(root.need("device"), out);

@@ -129,6 +129,7 @@ struct Scenario {
   LocalText title, briefing;
   std::optional<Level> level;             // nullopt: not stated
   double expected_time_s = 0;             // that a student needs; 0: not stated; no criterion
+  bool self_assessment = false;           // the student rates each criterion before the result is shown
   SpecimenSource specimen;
   std::vector<ScenarioTissue> tissues;
   std::vector<Bur> instruments;

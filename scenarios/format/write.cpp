@@ -211,6 +211,7 @@ Json json_of(const Scenario& scenario) {
   out["briefing"] = json_of<Json>(scenario.briefing);
   if (scenario.level) out["level"] = kLevelKeys[static_cast<std::size_t>(*scenario.level)];
   if (scenario.expected_time_s != 0.0) out["expected_time_s"] = scenario.expected_time_s;
+  if (scenario.self_assessment) out["self_assessment"] = true;
   out["specimen"] = json_of<Json>(scenario.specimen);
   Json tissues = Json::array();
   for (const ScenarioTissue& tissue : scenario.tissues) {

@@ -47,6 +47,7 @@ TEST(ContentHash, ChangesWithEveryValueAndWithNothingElse) {
   differs([](Scenario& s) { s.title["en"] += "."; });
   differs([](Scenario& s) { s.level = Level::beginner; });
   differs([](Scenario& s) { s.expected_time_s = 600; });
+  differs([](Scenario& s) { s.self_assessment = true; });
   differs([](Scenario& s) { s.target.outline.depth_mm = std::nextafter(2.0, 3.0); });
   differs([](Scenario& s) { s.rubric.criteria[0].weight += 1e-9; });
   differs([](Scenario& s) { std::swap(s.rubric.criteria[0], s.rubric.criteria[1]); });

@@ -93,6 +93,23 @@ TEST(ScenarioFile, StatesALevelAndAnExpectedTimeOrNone) {
   }
 }
 
+TEST(ScenarioFile, AsksForAnOwnAssessmentOnlyWhereItSaysSo) {
+  const auto silent = read_scenario(sound().dump());
+  ASSERT_TRUE(silent);
+  EXPECT_FALSE(silent->self_assessment);
+  EXPECT_FALSE(json::parse(write_scenario(*silent)).contains("self_assessment"));  // hashes stay
+  json document = sound();
+  document["self_assessment"] = true;
+  EXPECT_TRUE(check_schema(document.dump()).empty());
+  const auto scenario = read_scenario(document.dump());
+  ASSERT_TRUE(scenario);
+  EXPECT_TRUE(scenario->self_assessment);
+  EXPECT_EQ(json::parse(write_scenario(*scenario)), document);
+  for (const json& other : {json(1), json("yes"), json()}) {
+    EXPECT_EQ(with("/self_assessment", other).code, FormatError::wrong_type);
+  }
+}
+
 TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
   json document = sound();
   document["tissues"] = {{{"tissue", "enamel"}}, {{"tissue", "dentine"}, {"speed_mm_s", 7}}};
