@@ -812,6 +812,14 @@
         <source>The reference operator cuts this exercise in half a minute</source>
         <translation>Die Referenz präpariert diese Übung in einer halben Minute</translation>
     </message>
+    <message>
+        <source>Own assessment</source>
+        <translation>Selbsteinschätzung</translation>
+    </message>
+    <message>
+        <source>asked for before the result</source>
+        <translation>wird vor dem Ergebnis erfragt</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BurText</name>
@@ -1358,6 +1366,10 @@
     <message>
         <source>%1: removed</source>
         <translation>%1: entfernt</translation>
+    </message>
+    <message>
+        <source>Own assessment before the result</source>
+        <translation>Selbsteinschätzung vor dem Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -3069,6 +3081,26 @@
         <source>%1 (changed)</source>
         <translation>%1 (geändert)</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>rated as it was measured</source>
+        <translation>so eingeschätzt, wie gemessen wurde</translation>
+    </message>
+    <message>
+        <source>rated higher than it was measured</source>
+        <translation>höher eingeschätzt, als gemessen wurde</translation>
+    </message>
+    <message>
+        <source>rated lower than it was measured</source>
+        <translation>niedriger eingeschätzt, als gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Own rating</source>
+        <translation>Eigenes Urteil</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DepartedCard</name>
@@ -3767,6 +3799,10 @@
     <message>
         <source>Expected time</source>
         <translation>Erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>Own assessment</source>
+        <translation>Selbsteinschätzung</translation>
     </message>
 </context>
 <context>
@@ -5053,6 +5089,30 @@
         <source>attempt</source>
         <translation>Versuch</translation>
     </message>
+    <message>
+        <source>Own assessment</source>
+        <translation>Selbsteinschätzung</translation>
+    </message>
+    <message>
+        <source>Own less measured</source>
+        <translation>Selbst minus gemessen</translation>
+    </message>
+    <message>
+        <source>%1: own %2, measured %3</source>
+        <extracomment>Of an attempt: its date, points by own assessment, measured points.</extracomment>
+        <translation>%1: selbst %2, gemessen %3</translation>
+    </message>
+    <message>
+        <source>as measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rated attempt(s), the last %1 points from what was measured.</source>
+        <translation>
+            <numerusform>%n eingeschätzter Versuch, der letzte %1 Punkte vom Gemessenen entfernt.</numerusform>
+            <numerusform>%n eingeschätzte Versuche, der letzte %1 Punkte vom Gemessenen entfernt.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ImportPage</name>
@@ -6279,6 +6339,10 @@
         <source>Points by attempt</source>
         <translation>Punkte je Versuch</translation>
     </message>
+    <message>
+        <source>Own assessment less measured</source>
+        <translation>Selbsteinschätzung minus gemessen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PackCard</name>
@@ -7365,6 +7429,14 @@
         <source>Measuring</source>
         <translation>Wird gemessen</translation>
     </message>
+    <message>
+        <source>Own assessment before the result</source>
+        <translation>Selbsteinschätzung vor dem Ergebnis</translation>
+    </message>
+    <message>
+        <source>The student rates each criterion before the result is shown</source>
+        <translation>Studierende schätzen jedes Kriterium ein, bevor das Ergebnis gezeigt wird</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PublishSheet</name>
@@ -7827,6 +7899,17 @@
         <source>%1, its cuts made at once: time, force and heat are not measured</source>
         <translation>%1, auf einmal präpariert: Zeit, Kraft und Wärme sind nicht gemessen</translation>
     </message>
+    <message>
+        <source>Own assessment: skipped</source>
+        <translation>Selbsteinschätzung: übersprungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Own assessment: %1 of 100 on %n rated criterion(s), measured %2</source>
+        <translation>
+            <numerusform>Selbsteinschätzung: %1 von 100 bei %n eingeschätzten Kriterium, gemessen %2</numerusform>
+            <numerusform>Selbsteinschätzung: %1 von 100 bei %n eingeschätzten Kriterien, gemessen %2</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -8193,6 +8276,58 @@
     <message>
         <source>Section at the bur</source>
         <translation>Schnitt am Bohrer</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::SelfAssessmentPage</name>
+    <message>
+        <source>Own assessment</source>
+        <translation>Selbsteinschätzung</translation>
+    </message>
+    <message>
+        <source>How did it go?</source>
+        <translation>Wie ist es gelungen?</translation>
+    </message>
+    <message>
+        <source>Rate each criterion before you see what was measured. It earns and costs no points.</source>
+        <translation>Schätzen Sie jedes Kriterium ein, bevor Sie sehen, was gemessen wurde. Das bringt und kostet keine Punkte.</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>Kriterien</translation>
+    </message>
+    <message>
+        <source>Full points: %1</source>
+        <translation>Volle Punkte: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>The records then say that you rated nothing</source>
+        <translation>Die Aufzeichnungen halten dann fest, dass Sie nichts eingeschätzt haben</translation>
+    </message>
+    <message>
+        <source>Show the result</source>
+        <translation>Ergebnis zeigen</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rated. Keys 1, 2 and 3 rate a row and go on.</source>
+        <extracomment>Of an own assessment: %1 of %2 criteria have a rating.</extracomment>
+        <translation>%1 von %2 eingeschätzt. Die Tasten 1, 2 und 3 bewerten eine Zeile und gehen weiter.</translation>
+    </message>
+    <message>
+        <source>Go on without it</source>
+        <translation>Ohne sie weiter</translation>
     </message>
 </context>
 <context>
@@ -11286,13 +11421,6 @@ Ihr bester davor</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n statement(s) of examiners</source>
-        <translation>
-            <numerusform>%n Erklärung von Prüfenden</numerusform>
-            <numerusform>%n Erklärungen von Prüfenden</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n people</source>
         <translation>
             <numerusform>%n Person</numerusform>
@@ -11544,6 +11672,25 @@ Ihr bester davor</translation>
     <message>
         <source>This exercise needs a device that senses %1 axes.</source>
         <translation>Diese Übung braucht ein Gerät, das %1 Achsen erfasst.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) about attempts</source>
+        <translation>
+            <numerusform>%n Aussage zu Versuchen</numerusform>
+            <numerusform>%n Aussagen zu Versuchen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>partly met</source>
+        <translation>teilweise erfüllt</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation>nicht erfüllt</translation>
     </message>
 </context>
 <context>

@@ -267,6 +267,13 @@
             <numerusform>%n attempts, the last with %1 points.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n rated attempt(s), the last %1 points from what was measured.</source>
+        <translation>
+            <numerusform>%n rated attempt, the last %1 points from what was measured.</numerusform>
+            <numerusform>%n rated attempts, the last %1 points from what was measured.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ImportPage</name>
@@ -507,6 +514,13 @@
             <numerusform>and %n more times</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Own assessment: %1 of 100 on %n rated criterion(s), measured %2</source>
+        <translation>
+            <numerusform>Own assessment: %1 of 100 on %n rated criterion, measured %2</numerusform>
+            <numerusform>Own assessment: %1 of 100 on %n rated criteria, measured %2</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StartPage</name>
@@ -587,13 +601,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n statement(s) of examiners</source>
-        <translation>
-            <numerusform>%n statement of an examiner</numerusform>
-            <numerusform>%n statements of examiners</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n people</source>
         <translation>
             <numerusform>%n person</numerusform>
@@ -640,6 +647,13 @@
         <translation>
             <numerusform>self-test at most %n day old</numerusform>
             <numerusform>self-test at most %n days old</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n statement(s) about attempts</source>
+        <translation>
+            <numerusform>%n statement about attempts</numerusform>
+            <numerusform>%n statements about attempts</numerusform>
         </translation>
     </message>
 </context>

@@ -10,8 +10,8 @@
 namespace cusp::storage {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKinds = {"comment",      "override_points", "override_critical",
-                                                    "confirmation", "release",         "withdrawal"};
+constexpr std::array<std::string_view, 7> kKinds = {"comment", "override_points", "override_critical", "confirmation",
+                                                    "release", "withdrawal",      "self_assessment"};
 
 /// Every column that the signature covers, then key and signature.
 constexpr std::string_view kSigned =

@@ -21,6 +21,7 @@ enum class StatementKind : std::uint8_t {
   confirmation,       // an examiner saw the result as it stands
   release,            // the student may read the result
   withdrawal,         // of another statement of this session
+  self_assessment,    // the student's own rating of each criterion, before the result is shown (self_assessment.h)
 };
 std::string_view key_of(StatementKind kind) noexcept;
 

@@ -135,7 +135,37 @@ Stored<SignedStatement> Statements::withdraw(const Actor& actor, SessionId sessi
     if (target == standing.end()) {
       return transaction.refuse({StorageError::not_found, "statements", made.withdraws.text()});
     }
+    if (target->kind == StatementKind::self_assessment) {
+      return transaction.refuse({StorageError::not_allowed, std::string(key_of(target->kind)), made.session.text()});
+    }
     if (auto allowed = require(actor, right_for(target->kind)); !allowed) transaction.refuse(allowed.error());
+  });
+}
+
+Stored<SignedStatement> Statements::assess_own(const Actor& actor, SessionId session, const SelfAssessment& own) {
+  if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
+  SignedStatement s{.session = session, .kind = StatementKind::self_assessment};
+  s.text = text_of(own);
+  if (!good_text(s.text)) return fail(StorageError::bad_value, "text");
+  return state(actor, std::move(s), [&](Transaction& transaction, SignedStatement& made) {
+    const auto student = transaction.first("SELECT student FROM sessions WHERE id = ?1",
+                                           [](Row row) { return row.id<UserId>(0); }, made.session);
+    if (student && *student != actor.id) return transaction.refuse({StorageError::not_allowed, "own_session"});
+    const auto all = statements_of(transaction.database(), made.session);
+    const auto grades = grades_of(transaction.database(), made.session);
+    if (!all || !grades) return transaction.refuse(all ? grades.error() : all.error());
+    const auto refuse_for = [&](std::string_view what) {
+      transaction.refuse({StorageError::wrong_state, std::string(what), made.session.text()});
+    };
+    if (std::ranges::any_of(*all, [&](const SignedStatement& o) { return o.kind == made.kind; })) return refuse_for(key_of(made.kind));
+    if (release_of(*all)) return refuse_for("released");
+    if (grades->empty()) return;
+    made.grade = grades->back().number;
+    for (const auto& [criterion, rating] : own.ratings) {
+      const auto& graded = grades->back().grade.criteria;
+      const auto found = std::ranges::find(graded, criterion, &CriterionGrade::id);
+      if (found == graded.end()) return transaction.refuse({StorageError::bad_value, "criterion", criterion});
+    }
   });
 }
 
@@ -148,6 +178,16 @@ Stored<std::vector<SignedStatement>> Statements::of(const Actor& actor, SessionI
   if (auto allowed = require_reading(actor, (*row)->first); !allowed) return std::unexpected(allowed.error());
   if (!(*row)->second && !may(actor.role, Action::see_all_results)) return std::vector<SignedStatement>{};
   return statements_of(c_.db, session);
+}
+
+Stored<std::optional<SelfAssessment>> Statements::self_assessment(const Actor& actor, SessionId session) {
+  const auto student = c_.db.first("SELECT student FROM sessions WHERE id = ?1", [](Row row) { return row.id<UserId>(0); }, session);
+  if (!student) return std::unexpected(student.error());
+  if (!*student) return fail(StorageError::not_found, "sessions", session.text());
+  if (auto allowed = require_reading(actor, **student); !allowed) return std::unexpected(allowed.error());
+  const auto statements = statements_of(c_.db, session);
+  if (!statements) return std::unexpected(statements.error());
+  return self_assessment_of(*statements);
 }
 
 }  // namespace cusp::storage

@@ -1,5 +1,6 @@
-/// What examiners and instructors state about a session: comments, overrides, confirmation, release, withdrawal. Each is a
-/// signed row that stays (storage/records/statement_rows.h). Every write refuses while the session runs (wrong_state).
+/// What examiners and instructors state about a session: comments, overrides, confirmation, release, withdrawal; and what its
+/// student states: the own assessment. Each is a signed row that stays (storage/records/statement_rows.h). Every write refuses
+/// while the session runs (wrong_state).
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "storage/base/rights.h"
 #include "storage/records/context.h"
 #include "storage/records/effective_grade.h"
+#include "storage/records/self_assessment.h"
 
 namespace cusp::storage {
 
@@ -40,11 +42,18 @@ class Statements {
   /// Needs assign. wrong_state (where = released) if it is, (where = confirmation) while the result is failed and unconfirmed,
   /// (where = grade) without a grade.
   Stored<SignedStatement> release(const Actor& actor, SessionId session);
-  /// Needs the right of what it takes back. not_found unless that statement is in force in this session. Needs a reason.
+  /// By the session's student, once. not_allowed (where = own_session) for another actor; wrong_state (where = self_assessment) if
+  /// there is one, (where = released) once the student may read the result of an assessment; bad_value (where = criterion) for one
+  /// that the grade does not have. An empty one says that the student skipped it.
+  Stored<SignedStatement> assess_own(const Actor& actor, SessionId session, const SelfAssessment& own);
+  /// Needs the right of what it takes back. not_found unless that statement is in force in this session. Needs a reason. An own
+  /// assessment stays: not_allowed (where = self_assessment).
   Stored<SignedStatement> withdraw(const Actor& actor, SessionId session, const Uuid& statement, const std::string& reason);
 
   /// Oldest first. A student reads those of own, released sessions; others need see_all_results.
   Stored<std::vector<SignedStatement>> of(const Actor& actor, SessionId session);
+  /// nullopt: none, or erased. A student reads the own ones, also while the result is withheld; others need see_all_results.
+  Stored<std::optional<SelfAssessment>> self_assessment(const Actor& actor, SessionId session);
 
  private:
   /// Checks and completes the statement within the transaction that writes it.

@@ -18,7 +18,7 @@ constexpr std::string_view kSelectOld =
     "(SELECT max(at) FROM session_events e WHERE e.session = s.id AND e.kind = 'finished'), "
     "(SELECT max(at) FROM session_events e WHERE e.session = s.id), "
     "EXISTS (SELECT 1 FROM grades g WHERE g.session = s.id), "
-    "EXISTS (SELECT 1 FROM statements t WHERE t.session = s.id AND t.kind NOT IN ('comment', 'withdrawal')), "
+    "EXISTS (SELECT 1 FROM statements t WHERE t.session = s.id AND t.kind NOT IN ('comment', 'withdrawal', 'self_assessment')), "
     "(SELECT links FROM session_heads h WHERE h.session = s.id) "
     "FROM session_summaries m INDEXED BY summaries_by_time JOIN sessions s ON s.id = m.session "
     "WHERE m.listed = 1 AND m.started_at <= ?1 AND EXISTS (SELECT 1 FROM trace_chunks c WHERE c.session = s.id)";

@@ -3,8 +3,9 @@
 #include <string>
 
 namespace cusp::storage {
+namespace {
 
-Stored<void> migrate(Database& database, std::span<const std::string_view> migrations) {
+Stored<void> run_each(Database& database, std::span<const std::string_view> migrations) {
   const auto newest = static_cast<int>(migrations.size());
   while (true) {
     Transaction transaction(database);
@@ -23,6 +24,20 @@ Stored<void> migrate(Database& database, std::span<const std::string_view> migra
     transaction.run("PRAGMA user_version = " + std::to_string(*version + 1));
     if (auto done = transaction.commit(); !done) return done;
   }
+}
+
+}  // namespace
+
+Stored<void> migrate(Database& database, std::span<const std::string_view> migrations) {
+  if (database.schema_version() == static_cast<int>(migrations.size())) return {};
+  const auto enforced = database.first("PRAGMA foreign_keys", [](Row row) { return row.flag(0); });
+  if (!enforced) return std::unexpected(enforced.error());
+  // A migration may make a table anew, and a row of a damaged file may refer to none: verification names it afterwards.
+  if (auto done = database.run("PRAGMA foreign_keys = OFF"); !done) return done;
+  auto done = run_each(database, migrations);
+  if (!enforced->value_or(false)) return done;
+  const auto again = database.run("PRAGMA foreign_keys = ON");
+  return done ? again : done;
 }
 
 }  // namespace cusp::storage

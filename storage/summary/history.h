@@ -11,6 +11,7 @@
 
 #include "storage/records/context.h"
 #include "storage/records/effective_grade.h"
+#include "storage/records/self_assessment.h"
 #include "storage/repositories/comments.h"
 #include "storage/repositories/grades.h"
 #include "storage/repositories/metrics.h"
@@ -93,6 +94,14 @@ struct ExerciseStanding {
   std::optional<HistoryRow> best, last;  // graded attempts; best by score, the earlier of two equal ones
 };
 
+/// A graded attempt that its student has rated.
+struct RatedAttempt {
+  SessionId session{};
+  std::int64_t started_utc_us = 0;
+  int attempt = 1;
+  RatedPoints points;  // none of the criteria is rated: 0 of them
+};
+
 struct NewestComment {
   Comment comment;
   std::int64_t started_utc_us = 0;  // of its session
@@ -126,6 +135,8 @@ class History {
   /// resumed on a device of the row's class, or graded as it stands.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
+  /// The student's graded attempts at a scenario with one device class that have an own assessment which was not skipped; oldest first.
+  Stored<std::vector<RatedAttempt>> rated_attempts(const Actor& actor, UserId student, ScenarioId scenario, const std::string& device_class);
   /// Of the newest listed session that has one.
   Stored<std::optional<NewestComment>> newest_comment(const Actor& actor, UserId student);
 

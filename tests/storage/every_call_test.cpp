@@ -125,6 +125,10 @@ std::vector<Operation> operations_on_sessions() {
        [](Store& s, const Rows& r) {
          return outcome(s.statements.override_points(r.instructor, r.graded, "target_removed", 20, "Worn."));
        }},
+      {"rate an own attempt",
+       [](Store& s, const Rows& r) {
+         return outcome(s.statements.assess_own(r.student, r.graded, {{{"target_removed", OwnRating::partly}}}));
+       }},
       {"confirm", [](Store& s, const Rows& r) { return outcome(s.statements.confirm(r.instructor, r.graded)); }},
       {"withdraw a version",
        [](Store& s, const Rows& r) { return outcome(s.scenarios.withdraw(r.instructor, r.version.id)); }},

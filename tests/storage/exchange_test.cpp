@@ -49,11 +49,14 @@ TEST_F(ExchangeTest, results_arrive_with_chain_grade_and_statements_and_verify_u
   const Account omar = make_student(*station, "20260002", "Omar Haddad");
   const SessionId session = attempt(omar, 62);
   const Account examiner = make_instructor(*station, "haas");
+  const SelfAssessment own{{{"target_removed", OwnRating::partly}}};
+  must(station->statements.assess_own(omar.actor(), session, own));
   must(station->statements.override_points(examiner.actor(), session, "target_removed", 20, "The block was worn."));
   const ReadIn read = at_office(results());
   EXPECT_EQ(read.outcome, ReadOutcome::read);
   EXPECT_EQ(read.counts.sessions, 1u);
-  EXPECT_EQ(read.counts.statements, 1u);
+  EXPECT_EQ(read.counts.statements, 2u);
+  EXPECT_EQ(must(office->statements.self_assessment(chief, session)), own);
   EXPECT_TRUE(must(verify_session(office->context(), session)).intact());
   EXPECT_EQ(whole(*office), "");
   const auto here = must(station->history.details(keeper, session)), there = must(office->history.details(chief, session));

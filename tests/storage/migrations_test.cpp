@@ -46,6 +46,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "0411b8f137ffe94e2a5c44630e29349cc449cdeb83aa04ce0027596d90c0eb8c",
       "5dc47524cb7ee80974a4db6a7c58bc47112c6970f6fa812aecde53f8bb40541c",
       "7a2ecdc9062cea0403ad0da32c44510064b621f28cbff05c0eba9248f5a2f4a1",
+      "77321b2ba2641bdb671ddfcc498c89871c3a14b34845b20157236e2b67727305",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -155,6 +156,53 @@ TEST(Migrations, an_assessment_of_schema_7_admits_every_device_in_the_usual_text
   EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
   must(store->database().run("UPDATE assignments SET device_classes = NULL, self_test_days = 7 WHERE kind = 'practice'"));
   EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
+}
+
+/// A graded attempt with an override and a comment, as the program of schema 11 wrote and signed them.
+TEST(Migrations, an_attempt_of_schema_11_holds_its_statements_and_takes_an_own_assessment) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(11)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0011.sql")));
+  }
+  const auto store = open(folder / "a.db");
+  const auto whole = [&] {
+    std::string out;
+    for (const ChainFinding& f : must(verify_store(store->context())).findings)
+      if (f.code != FindingCode::counter_missing) out += std::string(key_of(f.code)) + ' ' + f.table + ' ' + f.what + '\n';
+    return out;
+  };
+  EXPECT_EQ(whole(), "");
+  const Account student = must(store->accounts.find_number("20267314"));
+  const auto rows = must(store->history.list(student.actor()));
+  ASSERT_EQ(rows.size(), 1u);
+  const SessionId session = rows[0].session;
+  EXPECT_EQ(rows[0].score, 70);
+  const Actor everybodys{UserId{}, Role::administrator};
+  const auto statements = must(store->statements.of(everybodys, session));
+  ASSERT_EQ(statements.size(), 2u);
+  EXPECT_EQ(statements[0].text, "The block was worn.");
+  EXPECT_EQ(statements[1].text, "Well done.");
+  EXPECT_EQ(must(store->sessions.find(session)).header.guard.limit_n, 3.3);
+  must(store->statements.assess_own(student.actor(), session, {{{"target_removed", OwnRating::met}}}));
+  EXPECT_EQ(whole(), "");
+  EXPECT_EQ(code_of(store->database().run("INSERT INTO statement_texts VALUES (zeroblob(16), zeroblob(32), '')")), StorageError::not_found)
+      << "references are enforced again";
+}
+
+TEST(Migrations, a_statement_whose_session_is_gone_stops_no_migration_and_is_named_afterwards) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(11)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0011.sql")));
+    must(db.run("PRAGMA foreign_keys = OFF"));
+    must(db.run("DELETE FROM sessions"));
+  }
+  const auto store = open(folder / "a.db");
+  std::vector<std::string> tables;
+  for (const ChainFinding& f : must(verify_store(store->context())).findings) tables.push_back(f.table);
+  EXPECT_NE(std::ranges::find(tables, "sessions"), tables.end());
+  EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM statements", [](Row row) { return row.integer(0); })), 2);
 }
 
 }  // namespace

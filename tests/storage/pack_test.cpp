@@ -38,6 +38,7 @@ struct PackTest : ::testing::Test {
   void hand_in() {
     must(store->sessions.finish(session, volume_after(12), "student"));
     must(store->grades.save(session, small_grade(41, false), {}));
+    must(store->statements.assess_own(lena.actor(), session, {{{"target_removed", OwnRating::partly}}}));
     must(store->statements.override_points(instructor, session, "target_removed", 20, "The block was worn."));
     must(store->statements.confirm(instructor, session));
     complete_session(*store, omar, version);
@@ -69,7 +70,8 @@ TEST_F(PackTest, an_extract_opens_alone_verifies_and_shows_the_same_result) {
   const auto here = must(store->history.details(instructor, session)), there = must(alone->history.details(instructor, session));
   EXPECT_EQ(there.row.score, here.row.score);
   EXPECT_EQ(there.grade->grade.score, here.grade->grade.score);
-  EXPECT_EQ(must(alone->statements.of(instructor, session)).size(), 2u);
+  EXPECT_EQ(must(alone->statements.of(instructor, session)).size(), 3u);
+  EXPECT_EQ(must(alone->statements.self_assessment(instructor, session)), (SelfAssessment{{{"target_removed", OwnRating::partly}}}));
   EXPECT_EQ(must(alone->traces.inputs(session)).size(), 12u);
   EXPECT_EQ(must(alone->assignments.find(exam.id)).kind, SessionKind::assessment);
 }

@@ -153,6 +153,7 @@ std::vector<Screen> student_screens() {
          must(s.history.scenarios(own, own.id));
          const auto page = must(s.history.page(own, {}, {}, kPage));
          if (!page.rows.empty()) must(s.history.list(own, {.scenario = page.rows[0].scenario, .device_class = "pointer"}));
+         if (!page.rows.empty()) must(s.history.rated_attempts(own, own.id, page.rows[0].scenario, page.rows[0].device_class));
          must(s.history.attempts(own, own.id, m.versions[0].scenario));
        }},
   };

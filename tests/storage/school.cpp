@@ -99,6 +99,7 @@ SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVe
   must(store.traces.append(session, second_from(1)));
   must(store.sessions.finish(session, volume_after(12), "student"));
   must(store.grades.save(session, small_grade(50, false), {}));
+  must(store.statements.assess_own(student.actor(), session, {{{"target_removed", OwnRating::partly}}}));
   must(store.statements.override_points(examiner, session, "target_removed", 20, "The block was worn."));
   const SignedStatement said = must(store.statements.comment(examiner, session, "Not yours."));
   must(store.statements.withdraw(examiner, session, said.id, "Another student's."));

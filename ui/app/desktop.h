@@ -96,6 +96,8 @@ class Desktop : public QMainWindow {
   void sit(const AssignedAssessment& assessment);
   /// Resumes an attempt that broke off, from where it stood.
   void resume_attempt(const SessionId& session);
+  /// After an attempt: its report, or that it is handed in. Where the exercise says so, who drilled it rates it first.
+  void end_attempt(const std::shared_ptr<const SessionResult>& result, const std::optional<Exercise>& exercise);
   void open_report(const SessionId& session);
   /// Grades an attempt that broke off as it stands, keeps that grade and shows it.
   void grade_interrupted(const SessionId& session);
@@ -142,6 +144,7 @@ class Desktop : public QMainWindow {
   void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
   /// Removes a page that another one has covered. What lies below is not made anew, as back() does.
   void drop(QWidget* covered);
+  bool awaits_own_assessment(const SessionResult& result);
   void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
   void show_report(const std::shared_ptr<const SessionResult>& result, ReportData gathered, const std::optional<Exercise>& exercise);
   /// gather_report() on a thread and a store of their own, then then(gathered), unless the page `shown` is gone or a later call came.

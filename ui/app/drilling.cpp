@@ -135,7 +135,7 @@ void Desktop::show_drilling(const Exercise& exercise, SessionPlan plan, const QS
   DrillScreen* screen = open_drilling(plan, text);
   connect(screen, &DrillScreen::finished, this, [this, exercise](std::shared_ptr<const SessionResult> result) {
     back();
-    show_result(std::move(result), exercise);
+    end_attempt(result, exercise);
   });
 }
 

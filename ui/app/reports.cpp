@@ -12,6 +12,7 @@
 #include "ui/report/report_page.h"
 #include "ui/session/records_task.h"
 #include "ui/session/replay.h"
+#include "ui/student/self_assessment_page.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 
@@ -48,20 +49,24 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
     auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, reader, keep));
     QMetaObject::invokeMethod(
         qApp,
-        [this, opened, waiting] {
+        [this, opened, keep, waiting] {
           // Whoever signed out meanwhile has taken the page with them.
           if (!waiting || page() != waiting) return;
           if (!opened->result) {
             show_failure(opened->message);
             return drop(waiting);
           }
-          if (!store_->history.may_read_result(account_->actor(), opened->result->session)) {
-            show_handed_in(opened->result->session);
-            return drop(waiting);
-          }
           std::optional<Exercise> exercise;
           if (const auto list = load_exercises(*store_)) {
             if (const Exercise* found = list->find(opened->result->scenario.id)) exercise = *found;
+          }
+          if (keep == Keep::grade && awaits_own_assessment(*opened->result)) {
+            end_attempt(opened->result, exercise);
+            return drop(waiting);
+          }
+          if (!store_->history.may_read_result(account_->actor(), opened->result->session)) {
+            show_handed_in(opened->result->session);
+            return drop(waiting);
           }
           show_report(opened->result, std::move(opened->report), exercise);
           drop(waiting);
@@ -99,6 +104,33 @@ void Desktop::gather(const std::shared_ptr<const SessionResult>& result, QWidget
         },
         Qt::QueuedConnection);
   });
+}
+
+bool Desktop::awaits_own_assessment(const SessionResult& result) {
+  if (!account_ || !store_ || reading_only_ || result.session.is_nil() || !result.scenario.self_assessment) return false;
+  const auto session = store_->sessions.find(result.session);
+  if (!session || session->student != account_->id) return false;
+  const auto given = store_->statements.self_assessment(account_->actor(), result.session);
+  return given && !*given;
+}
+
+void Desktop::end_attempt(const std::shared_ptr<const SessionResult>& result, const std::optional<Exercise>& exercise) {
+  if (!awaits_own_assessment(*result)) return show_result(result, exercise);
+  const auto session = store_->sessions.find(result->session);
+  if (session && session->header.large_text) use_text(TextSize::large);
+  const bool readable = store_->history.may_read_result(account_->actor(), result->session).has_value();
+  auto* page = new SelfAssessmentPage(result->scenario, readable ? SelfAssessmentPage::Then::result : SelfAssessmentPage::Then::handed_in);
+  const auto go_on = [this, page, result, exercise] {
+    show_result(result, exercise);
+    drop(page);
+  };
+  connect(page, &SelfAssessmentPage::passed_over, this, go_on);
+  connect(page, &SelfAssessmentPage::decided, this, [this, page, result, go_on](const SelfAssessment& own) {
+    const auto stated = store_->statements.assess_own(account_->actor(), result->session, own);
+    if (!stated) return page->show_failure(describe(stated.error()));
+    go_on();
+  });
+  push(page);
 }
 
 void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise) {

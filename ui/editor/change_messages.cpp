@@ -59,6 +59,7 @@ constexpr Named kNames[] = {
     {"/specimen", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Tooth")},
     {"/limits/time_s", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Time limit")},
     {"/expected_time_s", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Expected time")},
+    {"/self_assessment", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Own assessment before the result")},
     {"/level", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Level")},
     {"/title/*", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Title, %1")},
     {"/briefing/*", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Briefing, %1")},

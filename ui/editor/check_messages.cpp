@@ -219,7 +219,7 @@ EditorPlace place_of(const Finding& f) {
   const std::string& p = f.path;
   if (p.starts_with("/title") || p.starts_with("/briefing") || p == "/level" || p == "/expected_time_s") return EditorPlace::title;
   if (p.starts_with("/instruments")) return EditorPlace::burs;
-  if (p.starts_with("/rubric")) return EditorPlace::points;
+  if (p.starts_with("/rubric") || p == "/self_assessment") return EditorPlace::points;
   if (p.starts_with("/phenomena")) return EditorPlace::tissues;
   if (p.starts_with("/specimen") || p.starts_with("/tissues") || p.starts_with("/protected")) return EditorPlace::tooth;
   return EditorPlace::shape;

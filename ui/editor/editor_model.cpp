@@ -101,6 +101,7 @@ bool EditorModel::tried() const {
   same.briefing = scenario_.briefing;
   same.level = scenario_.level;
   same.expected_time_s = scenario_.expected_time_s;
+  same.self_assessment = scenario_.self_assessment;
   return same == scenario_;
 }
 
@@ -160,6 +161,9 @@ bool EditorModel::set_level(std::optional<Level> level) {
   return edit(tr("Level"), u"level"_qs, [&](Scenario& s) { s.level = level; });
 }
 
+bool EditorModel::set_own_assessment(OwnAssessment own) {
+  return edit(tr("Own assessment"), u"self_assessment"_qs, [&](Scenario& s) { s.self_assessment = own == OwnAssessment::asked; });
+}
 bool EditorModel::set_expected_time_s(double seconds) {
   return edit(tr("Expected time"), u"expected_time"_qs, [&](Scenario& s) { s.expected_time_s = seconds; });
 }

@@ -44,6 +44,8 @@ class EditorModel : public QObject {
   bool set_briefing(const std::string& language, const QString& text);
   bool set_level(std::optional<Level> level);
   bool set_expected_time_s(double seconds);  // 0: not stated
+  enum class OwnAssessment : std::uint8_t { not_asked, asked };
+  bool set_own_assessment(OwnAssessment own);
   /// A specimen brings its tissues; the critical ones among them (scenarios/tissues) are protected. New pulp brings the rule that
   /// opening it fails the attempt. If the grown specimen shows pulp inside the target (an endodontic access), set_facts() removes
   /// that rule within the same step.
@@ -125,7 +127,7 @@ class EditorModel : public QObject {
   /// The same, with what was measured. Cuts of the competent and the novice are no try-out.
   void now_tried(TryOut fresh);
   const TryOuts& try_outs() const { return try_outs_; }
-  /// Whether it was drilled with the present values. Texts, level and expected time are of no account.
+  /// Whether it was drilled with the present values. Texts, level, expected time and own assessment are of no account.
   bool tried() const;
   /// Call after publishing. The next edit begins the next version; undo starts empty.
   void now_published(const Scenario& version);

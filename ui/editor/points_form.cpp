@@ -93,6 +93,12 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
   connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", EditorModel::listed(on)); });
+  own_ = new QCheckBox(tr("Own assessment before the result"));
+  own_->setToolTip(tr("The student rates each criterion before the result is shown"));
+  column->addWidget(own_);
+  connect(own_, &QCheckBox::toggled, this, [this](bool on) {
+    model_.set_own_assessment(on ? EditorModel::OwnAssessment::asked : EditorModel::OwnAssessment::not_asked);
+  });
   QLabel* note = make_label(tr("Bands of depth move with the target’s depth. Those offered for form, box, margin, contact and caries "
                                "are not all verified."),
                              TextRole::caption, Weight::regular, "text2");
@@ -215,7 +221,8 @@ void PointsForm::follow_model() {
   pass_->show_value(s.rubric.pass);
   const bool pulp = has_tissue(s, Tissue::pulp);
   const bool heat = has_phenomenon(s.phenomena, "heat");
-  const QSignalBlocker quiet(pulp_), quieter(metric_), still(dry_);
+  const QSignalBlocker quiet(pulp_), quieter(metric_), still(dry_), silent(own_);
+  own_->setChecked(s.self_assessment);
   dry_->setVisible(heat);
   dry_->setChecked(std::ranges::find(s.rubric.critical, "dry_cutting") != s.rubric.critical.end());
   pulp_->setEnabled(pulp);

@@ -41,7 +41,7 @@ class PointsForm : public QWidget {
   EditorModel& model_;
   QLabel* sum_;
   NumberBox* pass_;
-  QCheckBox *pulp_, *dry_;
+  QCheckBox *pulp_, *dry_, *own_;
   QComboBox* metric_;
   QPushButton *add_, *measure_;
   QLabel* measured_;

@@ -13,6 +13,7 @@ bool measures_alike(const Scenario& played, const Scenario& present) {
   same.briefing = present.briefing;
   same.level = present.level;
   same.expected_time_s = present.expected_time_s;
+  same.self_assessment = present.self_assessment;
   same.time_limit_s = present.time_limit_s;
   same.rubric = present.rubric;
   return same == present;

@@ -27,6 +27,39 @@ QString CriteriaModel::change(int row) const {
   return found == changes_.end() ? QString() : found->text;
 }
 
+std::optional<OwnRating> CriteriaModel::own_rating(int row) const {
+  if (!own_) return std::nullopt;
+  const auto found = own_->ratings.find(criterion(row).id);
+  return found == own_->ratings.end() ? std::nullopt : std::optional(found->second);
+}
+
+QVariant CriteriaModel::own_data(int row, int role) const {
+  const auto own = own_rating(row);
+  const QString against = own_against_measured(row);
+  const QString text = own ? own_rating_name(*own) : u"–"_qs;
+  switch (role) {
+    case Qt::DisplayRole: return text;
+    case QuietRole: return !own;
+    case Qt::ToolTipRole: return against;
+    case Qt::AccessibleTextRole: return against.isEmpty() ? text : tr("%1, %2").arg(text, against);
+    case IconInkRole: return static_cast<int>(Ink::text2);
+    case IconRole: {
+      const OwnRating measured = measured_rating(criterion(row));
+      if (against.isEmpty() || *own == measured) return QString();
+      return *own < measured ? u"chevron_up"_qs : u"chevron_down"_qs;
+    }
+    default: return {};
+  }
+}
+
+QString CriteriaModel::own_against_measured(int row) const {
+  const auto own = own_rating(row);
+  if (!own || !criterion(row).measure.measured || neutral(row)) return {};
+  const OwnRating measured = measured_rating(criterion(row));
+  if (*own == measured) return tr("rated as it was measured");
+  return *own < measured ? tr("rated higher than it was measured") : tr("rated lower than it was measured");
+}
+
 bool CriteriaModel::neutral(int row) const {
   const CriterionGrade& c = criterion(row);
   return c.reason_code == "little_drilled" || !(c.points_max > 0);
@@ -43,6 +76,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
   const CriterionGrade& c = criterion(index.row());
   const Measure& m = c.measure;
   const bool marked = m.measured && c.points_max > 0;
+  if (index.column() == kOwn) return own_data(index.row(), role);
   switch (role) {
     case Qt::TextAlignmentRole:
       if (index.column() == kYours || index.column() == kPoints) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
@@ -121,6 +155,7 @@ QVariant CriteriaModel::headerData(int section, Qt::Orientation orientation, int
     case kYours: return tr("Yours");
     case kWanted: return tr("Full points");
     case kPoints: return tr("Points");
+    case kOwn: return tr("Own rating");
     default: return QString();
   }
 }

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenarios/grading/grade.h"
 #include "scenarios/grading/maxima.h"
+#include "storage/records/self_assessment.h"
 #include "ui/modules.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/table.h"
@@ -23,12 +26,14 @@ class CriteriaModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kSign, kName, kYours, kWanted, kPoints, kPlace, kColumns };
+  enum Column { kSign, kName, kYours, kWanted, kPoints, kOwn, kPlace, kColumns };
   CriteriaModel(const Grade& grade, const Rubric& rubric, std::vector<PointsChange> changes = {}, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// Beside the points; a table without one hides the column kOwn.
+  void set_own(std::optional<SelfAssessment> own) { own_ = std::move(own); }
   /// A narrow table has neither bars nor ±. The card of the chosen row still gives the ±.
   enum class Detail { whole, narrow };
   void set_detail(Detail detail);
@@ -43,10 +48,15 @@ class CriteriaModel : public QAbstractTableModel {
   /// No points were lost here, or none could be: the table shows a dash.
   bool neutral(int row) const;
   QString text_of(const QModelIndex& index) const;
+  std::optional<OwnRating> own_rating(int row) const;
+  QVariant own_data(int row, int role) const;
+  /// How it compares with what was measured; empty if nothing was measured or marked.
+  QString own_against_measured(int row) const;
   Grade grade_;
   std::vector<ScaledPoints> points_;
   Rubric rubric_;
   std::vector<PointsChange> changes_;
+  std::optional<SelfAssessment> own_;
   Detail detail_ = Detail::whole;
 };
 

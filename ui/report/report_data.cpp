@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/evidence_patch.h"
@@ -41,7 +42,8 @@ namespace {
 QString remark_head(const SignedStatement& s, const Grade& stored) {
   switch (s.kind) {
     case StatementKind::comment:
-    case StatementKind::withdrawal: return {};
+    case StatementKind::withdrawal:
+    case StatementKind::self_assessment: return {};
     case StatementKind::override_points: {
       const auto criterion = std::ranges::find(stored.criteria, s.criterion, &CriterionGrade::id);
       const double before = criterion == stored.criteria.end() ? 0 : criterion->points;
@@ -69,6 +71,7 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
   }
   if (!statements || !details.grade) return out;
   for (const SignedStatement& s : in_force(*statements)) {
+    if (s.kind == StatementKind::self_assessment) continue;  // it stands beside the criteria
     if (s.grade && *s.grade != details.grade->stored.number) continue;
     const bool of_procedure = s.kind == StatementKind::confirmation || s.kind == StatementKind::release;
     if (of_procedure && !may(reader.role, Action::comment)) continue;
@@ -120,6 +123,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (details) {
     data.remarks = remarks_of(*store, *reader, *details);
     data.released = details->row.released;
+    if (auto own = store->statements.self_assessment(*reader, result.session)) data.own = std::move(*own);
     // An assessment is marked without the name.
     data.student = details->row.kind == SessionKind::assessment && details->session.assignment
                        ? ReportText::tr("Candidate %1")
@@ -229,6 +233,14 @@ QStringList burs_used_text(const ReportData& data) {
     lines += ReportText::tr("Bur %1: %2").arg(bur_text(burs[i]), spans.join(ReportText::tr(", ")));
   }
   return lines;
+}
+
+QString own_assessment_text(const ReportData& data) {
+  if (!data.own) return {};
+  if (data.own->skipped()) return ReportText::tr("Own assessment: skipped");
+  const RatedPoints points = rated_points(*data.own, data.result.grade);
+  return ReportText::tr("Own assessment: %1 of 100 on %n rated criterion(s), measured %2", nullptr, points.criteria)
+      .arg(format_points(std::round(points.own)), format_points(std::round(points.measured)));
 }
 
 DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order) {

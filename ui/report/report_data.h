@@ -43,6 +43,7 @@ struct ReportData {
   std::optional<EffectiveGrade> counts;  // with what examiners changed; none without records
   std::vector<PointsChange> changes;     // by examiners, of points that count
   std::vector<Remark> remarks;           // oldest first
+  std::optional<SelfAssessment> own;     // the student's own assessment; none without one
   bool released = true;                  // false: an assessment whose result the student does not see yet
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;
@@ -73,6 +74,9 @@ QString circumstances_text(const ReportData& data);
 
 /// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; empty without records.
 QStringList burs_used_text(const ReportData& data);
+
+/// "Own assessment: 75 of 100 on 8 rated criteria, measured 82", or that it was skipped; empty without one.
+QString own_assessment_text(const ReportData& data);
 
 /// A place on the tooth seen close by.
 struct CloseUp {

@@ -211,7 +211,9 @@ QWidget* ReportPage::make_score() {
   QLabel* circumstances = make_label(circumstances_text(data_), TextRole::caption, Weight::regular, "text2");
   circumstances->setWordWrap(true);
   text->addWidget(circumstances);
-  for (const QString& used : burs_used_text(data_)) {
+  QStringList further = burs_used_text(data_);
+  if (const QString own = own_assessment_text(data_); !own.isEmpty()) further.prepend(own);
+  for (const QString& used : further) {
     QLabel* label = make_label(used, TextRole::caption, Weight::regular, "text2");
     label->setWordWrap(true);
     text->addWidget(label);
@@ -239,9 +241,11 @@ QWidget* ReportPage::make_criteria() {
   card->setAccessibleName(tr("Criteria"));
   card->body()->setContentsMargins(px(kTableSide), px(6), px(kTableSide), px(6));
   model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, data_.changes, this);
+  model_->set_own(data_.own);
   table_ = new Table;
   table_->setAccessibleName(tr("Criteria"));
   table_->setModel(model_);
+  table_->setColumnHidden(CriteriaModel::kOwn, !data_.own || data_.own->skipped());
   table_->set_stretch_column(CriteriaModel::kName);
   table_->setTextElideMode(Qt::ElideMiddle);  // names differ at their end: floor or walls
   table_->setWordWrap(true);

@@ -57,6 +57,7 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
                       .arg(score, format_points(g.score_max), format_points(g.pass_mark)), {right, w - width}, {12, Weight::bold, g.passed ? t.good : t.bad});
   paper.skip(2);
   paper.write(circumstances_text(d), {right, w - width}, {11, Weight::regular, t.text2});
+  if (const QString own = own_assessment_text(d); !own.isEmpty()) paper.write(own, {right, w - width}, {11, Weight::regular, t.text2});
   for (const QString& used : burs_used_text(d)) paper.write(used, {right, w - width}, {11, Weight::regular, t.text2});
   paper.skip(14);
   for (const CriticalEvent& event : d.critical) {
@@ -123,16 +124,18 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
 }
 
 void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
-  const CriteriaModel model(d.result.grade, d.result.scenario.rubric, d.changes);
+  CriteriaModel model(d.result.grade, d.result.scenario.rubric, d.changes);
+  model.set_own(d.own);
+  const bool rated = d.own && !d.own->skipped();
   const QRectF page = paper.page();
-  const double widths[] = {0.36, 0.22, 0.2, 0.22};
-  const int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints};
-  const auto cell = [&](int i) {
+  const std::vector<double> widths = rated ? std::vector{0.32, 0.19, 0.17, 0.19, 0.13} : std::vector{0.36, 0.22, 0.2, 0.22};
+  constexpr int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints, CriteriaModel::kOwn};
+  const auto cell = [&](std::size_t i) {
     double x = page.left();
-    for (int j = 0; j < i; ++j) x += widths[j] * page.width();
+    for (std::size_t j = 0; j < i; ++j) x += widths[j] * page.width();
     return QRectF(x, paper.y(), widths[i] * page.width() - paper.u(10), paper.u(18));
   };
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < widths.size(); ++i) {
     const bool at_right = i == 1 || i == 3;
     paper.painter().setFont(paper.font(10.5, Weight::bold));
     paper.painter().setPen(t.text2);
@@ -144,7 +147,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   for (int row = 0; row < model.rowCount(); ++row) {
     paper.skip(3);
     const CriterionGrade& c = model.criterion(row);
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
       const QModelIndex at = model.index(row, columns[i]);
       QString text = model.data(at, Qt::DisplayRole).toString();
       const QString second = model.data(at, SecondRole).toString();

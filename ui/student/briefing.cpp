@@ -174,6 +174,7 @@ void Briefing::add_facts(QVBoxLayout& text) {
   fact(tr("Time limit"), s.time_limit_s > 0 ? tr("%1 at most").arg(format_clock(s.time_limit_s))
                                       : tr("none; time earns no points"));
   fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
+  if (s.self_assessment) fact(tr("Own assessment"), tr("asked for before the result"));
   for (const std::string& critical : s.rubric.critical) fact(tr("Fails the attempt"), critical_name(critical));
   text.addLayout(facts);
 }

@@ -101,4 +101,37 @@ ChartData score_by_attempt(const std::vector<HistoryRow>& attempts) {
   return d;
 }
 
+ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
+  ChartData d;
+  d.title = ChartText::tr("Own assessment");
+  double widest = 20;
+  int last = 4;
+  ChartSeries own;
+  own.name = ChartText::tr("Own less measured");
+  own.draw = ChartSeries::Draw::line_dots;
+  for (const RatedAttempt& a : attempts) {
+    if (a.points.criteria == 0) continue;
+    const double difference = a.points.own - a.points.measured;
+    widest = std::max(widest, std::abs(difference));
+    last = std::max(last, a.attempt);
+    //: Of an attempt: its date, points by own assessment, measured points.
+    const QString label = ChartText::tr("%1: own %2, measured %3")
+                              .arg(format_day_time(local_time(a.started_utc_us)), format_points(std::round(a.points.own)),
+                                   format_points(std::round(a.points.measured)));
+    own.points += {static_cast<double>(a.attempt), std::round(difference), label, false};
+  }
+  const double step = widest <= 40 ? 20 : 50, most = step * std::ceil(widest / step), step_x = std::max(1.0, round_step(last, 10));
+  d.x = {ChartText::tr("attempt"), 0, step_x * std::ceil((last + 0.5) / step_x), step_x, 0};
+  d.y = {ChartText::tr("points"), -most, most, step, 0};
+  d.mark = 0;
+  d.mark_text = ChartText::tr("as measured");
+  if (!own.points.isEmpty()) {
+    own.points.last().strong = true;
+    d.summary = ChartText::tr("%n rated attempt(s), the last %1 points from what was measured.", nullptr, static_cast<int>(own.points.size()))
+                    .arg(format_number(own.points.last().y, 0));
+  }
+  d.series += own;
+  return d;
+}
+
 }  // namespace cusp::ui

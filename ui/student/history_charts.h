@@ -16,4 +16,7 @@ ChartData time_and_score(const std::vector<HistoryRow>& attempts);
 /// Points against the number of the attempt.
 ChartData score_by_attempt(const std::vector<HistoryRow>& attempts);
 
+/// Own assessment less what was measured, in points of 100, against the number of the attempt. Oldest first.
+ChartData own_against_measured(const std::vector<RatedAttempt>& attempts);
+
 }  // namespace cusp::ui

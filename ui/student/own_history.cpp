@@ -60,12 +60,15 @@ QBoxLayout* OwnHistory::make_charts() {
   charts->setSpacing(px(16));
   by_attempt_ = new Chart;
   by_time_ = new Chart;
-  for (auto [chart, title] : {std::pair{by_attempt_, tr("Points by attempt")}, std::pair{by_time_, tr("Time and score")}}) {
+  by_rating_ = new Chart;
+  for (auto [chart, title] : {std::pair{by_attempt_, tr("Points by attempt")}, std::pair{by_time_, tr("Time and score")},
+                              std::pair{by_rating_, tr("Own assessment less measured")}}) {
     auto* card = new Card(title);
     card->body()->addWidget(chart);
     card->setFixedHeight(px(250));
     charts->addWidget(card, 1);
   }
+  by_rating_->parentWidget()->hide();
   return charts;
 }
 
@@ -112,6 +115,9 @@ void OwnHistory::draw(const HistoryRow& newest) {
   if (!drawn) return;
   by_attempt_->set_data(score_by_attempt(*drawn));
   by_time_->set_data(time_and_score(*drawn));
+  const auto rated = store_.history.rated_attempts(student_, student_.id, newest.scenario, newest.device_class);
+  by_rating_->parentWidget()->setVisible(rated && !rated->empty());
+  if (rated) by_rating_->set_data(own_against_measured(*rated));
 }
 
 }  // namespace cusp::ui

@@ -38,6 +38,7 @@ class OwnHistory : public QWidget {
   Table* table_ = nullptr;
   QComboBox* exercise_ = nullptr;
   Chart *by_attempt_ = nullptr, *by_time_ = nullptr;
+  Chart* by_rating_ = nullptr;  // its card shows with an attempt that was rated
 };
 
 }  // namespace cusp::ui

@@ -15,7 +15,7 @@ int shown(std::uint64_t count) { return static_cast<int>(count); }
 QString counts_text(const ExchangeCounts& c) {
   QStringList parts;
   if (c.sessions > 0) parts += Text::tr("%n attempt(s)", nullptr, shown(c.sessions));
-  if (c.statements > 0) parts += Text::tr("%n statement(s) of examiners", nullptr, shown(c.statements));
+  if (c.statements > 0) parts += Text::tr("%n statement(s) about attempts", nullptr, shown(c.statements));
   if (c.accounts > 0) parts += Text::tr("%n people", nullptr, shown(c.accounts));
   if (c.versions > 0) parts += Text::tr("%n exercise(s)", nullptr, shown(c.versions));
   if (c.assignments > 0) parts += Text::tr("%n assignment(s)", nullptr, shown(c.assignments));

@@ -189,4 +189,13 @@ QString advice_text(const CriterionGrade& g) {
   return Text::tr("Take away more of it.");
 }
 
+QString own_rating_name(OwnRating rating) {
+  switch (rating) {
+    case OwnRating::met: return Text::tr("met");
+    case OwnRating::partly: return Text::tr("partly met");
+    case OwnRating::not_met: return Text::tr("not met");
+  }
+  return {};
+}
+
 }  // namespace cusp::ui

@@ -6,6 +6,7 @@
 
 #include "scenarios/format/scenario.h"
 #include "scenarios/grading/changes.h"
+#include "storage/records/self_assessment.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -26,6 +27,8 @@ QString lost_text(const CriterionGrade& grade, double lost);
 /// The one sentence about criteria that count only as far as the target was cut; empty where all of it was, or where no
 /// criterion counts so. The grade's criteria carry their mark (mark_counted_with_target).
 QString counted_text(const Grade& grade, const Rubric& rubric);
+/// "met", "partly met", "not met": a student's own rating of a criterion.
+QString own_rating_name(OwnRating rating);
 /// A grade that was made anew against the stored one: its evaluator, its points, and the criteria that differ.
 QString changes_text(const GradeChanges& changes);
 /// What to do next time, for a criterion that lost points by what was done; empty for the others.

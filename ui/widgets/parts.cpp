@@ -99,7 +99,7 @@ void Card::wrap_aside() {
   head_->setStretchFactor(aside_, 1);
 }
 
-Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
+Segments::Segments(const QStringList& names, QWidget* parent, Begin begin) : QWidget(parent), group_(new QButtonGroup(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -118,7 +118,7 @@ Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent),
     // The chosen one is bold, which its size hint does not know.
     button->setMinimumWidth(button->sizeHint().width() + bold.horizontalAdvance(names[i]) - plain.horizontalAdvance(names[i]));
   }
-  if (!names.isEmpty()) group_->button(0)->setChecked(true);
+  if (!names.isEmpty() && begin == Begin::first_chosen) group_->button(0)->setChecked(true);
   connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool on) {
     if (on) Q_EMIT changed(id);
   });

@@ -59,8 +59,9 @@ class Segments : public QWidget {
   Q_OBJECT
 
  public:
-  explicit Segments(const QStringList& names, QWidget* parent = nullptr);
-  int chosen() const;
+  enum class Begin : std::uint8_t { first_chosen, none_chosen };
+  explicit Segments(const QStringList& names, QWidget* parent = nullptr, Begin begin = Begin::first_chosen);
+  int chosen() const;  // -1: none yet
   void choose(int index);
   QAbstractButton* button(int index) const;
 

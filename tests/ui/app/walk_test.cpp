@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QAccessible>
+#include <QButtonGroup>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
@@ -30,6 +31,7 @@
 #include "ui/replay/reference_page.h"
 #include "ui/report/report_page.h"
 #include "ui/student/briefing.h"
+#include "ui/student/self_assessment_page.h"
 #include "ui/text/language.h"
 #include "ui/view/section_bar.h"
 
@@ -43,12 +45,14 @@ QString spoken_name(QWidget* widget) {
   return face ? face->text(QAccessible::Name) : QString();
 }
 
-/// What the Tab key is to reach. Of a group of which one is chosen Tab reaches that one, and the arrow keys the rest.
+/// What the Tab key is to reach. Of a group of which one is chosen Tab reaches that one, and the arrow keys the rest; of a group
+/// without a choice it reaches each.
 bool is_stop(const QWidget& widget) {
   if (!widget.isVisible() || !widget.isEnabled() || !(widget.focusPolicy() & Qt::TabFocus) || widget.focusProxy()) return false;
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
   const bool in_group = button && button->isCheckable() && (button->autoExclusive() || button->group());
-  return !in_group || button->isChecked();
+  const bool open = in_group && button->group() && button->group()->checkedButton() == nullptr;
+  return !in_group || open || button->isChecked();
 }
 
 QRect on(const QWidget& window, const QWidget& widget) { return {widget.mapTo(&window, QPoint()), widget.size()}; }
@@ -153,6 +157,9 @@ struct Walk : ::testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([&] { return reference->ready(); }, 60'000));
     visit(desktop, "reference");
     desktop.back();
+    desktop.back();
+    desktop.push(new SelfAssessmentPage(*load_builtin("class-2-46-mo"), SelfAssessmentPage::Then::result));
+    visit(desktop, "own assessment");
     desktop.back();
     desktop.push(new ReportPage(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back")));
     visit(desktop, "report");

@@ -128,6 +128,28 @@ TEST_F(Marking, IsOneLineInALowWindowUntilItIsOpened) {
   }
 }
 
+TEST_F(Marking, AnOwnAssessmentStandsBesideTheCriteriaForStudentAndExaminer) {
+  ReportPage without(gathered(lena), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  EXPECT_TRUE(without.table()->isColumnHidden(CriteriaModel::kOwn));
+  EXPECT_TRUE(own_assessment_text(without.data()).isEmpty());
+  const std::string first = without.data().result.grade.criteria[0].id;
+  ASSERT_TRUE(records.store().statements.assess_own(lena.actor(), session, {{{first, OwnRating::partly}}}));
+  for (const Account& reader : {lena, examiner}) {
+    ReportPage page(gathered(reader), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+    EXPECT_FALSE(page.table()->isColumnHidden(CriteriaModel::kOwn)) << reader.number;
+    EXPECT_EQ(page.table()->model()->index(0, CriteriaModel::kOwn).data().toString(), QStringLiteral("partly met"));
+    EXPECT_EQ(own_assessment_text(page.data()), QStringLiteral("Own assessment: 50 of 100 on 1 rated criterion, measured 100"));
+    EXPECT_TRUE(page.data().remarks.empty()) << "nothing that an examiner said";
+  }
+}
+
+TEST_F(Marking, ASkippedOwnAssessmentIsNamed) {
+  ASSERT_TRUE(records.store().statements.assess_own(lena.actor(), session, {}));
+  ReportPage page(gathered(examiner), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  EXPECT_TRUE(page.table()->isColumnHidden(CriteriaModel::kOwn));
+  EXPECT_EQ(own_assessment_text(page.data()), QStringLiteral("Own assessment: skipped"));
+}
+
 TEST_F(Marking, PracticeIsNeverReleased) {
   MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
   EXPECT_TRUE(button(card, "Release to the student")->isHidden());

@@ -40,6 +40,22 @@ TEST(CriteriaModel, shows_value_uncertainty_and_points_of_each_criterion) {
   EXPECT_EQ(model.index(0, CriteriaModel::kSign).data(IconRole).toString().toStdString(), "check");
 }
 
+TEST(CriteriaModel, shows_the_own_rating_beside_the_points_and_how_it_differs) {
+  CriteriaModel model(test::sample_grade(81), {});  // the target is full, of the depth less than half
+  const auto own = [&](int row, int role = Qt::DisplayRole) { return model.index(row, CriteriaModel::kOwn).data(role).toString().toStdString(); };
+  EXPECT_EQ(own(0), "–");
+  model.set_own(SelfAssessment{{{model.criterion(0).id, OwnRating::met}, {model.criterion(1).id, OwnRating::partly}}});
+  EXPECT_EQ(own(0), "met");
+  EXPECT_EQ(own(0, IconRole), "");
+  EXPECT_EQ(own(0, Qt::ToolTipRole), "rated as it was measured");
+  EXPECT_EQ(own(1), "partly met");
+  EXPECT_EQ(own(1, IconRole), "chevron_up");
+  EXPECT_EQ(own(1, Qt::AccessibleTextRole), "partly met, rated higher than it was measured");
+  model.set_own(SelfAssessment{{{model.criterion(0).id, OwnRating::not_met}}});
+  EXPECT_EQ(own(0, IconRole), "chevron_down");
+  EXPECT_EQ(own(1), "–");
+}
+
 TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
   Grade grade = test::sample_grade(81);
   grade.criteria[1].measure.measured = false;
