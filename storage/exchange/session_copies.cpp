@@ -35,6 +35,7 @@ constexpr std::array kCopies = {
     "INSERT OR IGNORE INTO final_volumes SELECT * FROM source.final_volumes WHERE session = ?1",
     "INSERT OR IGNORE INTO grades SELECT * FROM source.grades WHERE session = ?1",
     "INSERT OR IGNORE INTO criteria SELECT * FROM source.criteria WHERE session = ?1",
+    "INSERT OR IGNORE INTO graded_criteria SELECT * FROM source.graded_criteria WHERE session = ?1",
     "INSERT OR IGNORE INTO session_chain SELECT * FROM source.session_chain WHERE session = ?1",
     "INSERT OR IGNORE INTO session_heads SELECT * FROM source.session_heads WHERE session = ?1",
     "INSERT OR IGNORE INTO thinned_traces SELECT * FROM source.thinned_traces WHERE session = ?1",
@@ -71,6 +72,8 @@ Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::fu
 
 void copy_session(Transaction& to, SessionId session) {
   for (const char* copy : kCopies) to.run(copy, session);
+  const auto header = to.first("SELECT header FROM source.sessions WHERE id = ?1", [](Row row) { return hash_from_hex(row.text(0)); }, session);
+  if (header && *header) to.run("INSERT OR IGNORE INTO blobs SELECT * FROM source.blobs WHERE hash = ?1", **header);
 }
 
 }  // namespace cusp::storage

@@ -1,8 +1,10 @@
 #include "storage/records/grade_rows.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/format/keys.h"
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 namespace {
@@ -19,9 +21,8 @@ std::vector<std::string> texts_of(const std::string& text) {
   return out;
 }
 
-std::map<std::string, double> numbers_of(const std::string& text) {
+std::map<std::string, double> numbers_of(const json& in) {
   std::map<std::string, double> out;
-  const json in = json::parse(text, nullptr, false);
   if (!in.is_object()) return out;
   for (const auto& [key, value] : in.items()) {
     if (value.is_number()) out[key] = value.get<double>();
@@ -61,11 +62,64 @@ CriterionGrade criterion_of(Row row) {
   c.points = row.real(11);
   c.points_max = row.real(12);
   c.reason_code = row.text(13);
-  c.reason_args = numbers_of(row.text(14));
+  c.reason_args = numbers_of(json::parse(row.text(14), nullptr, false));
+  return c;
+}
+
+double number_or_nan(const json& value) { return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(); }
+
+/// Places in the array of a criterion.
+enum Place : std::size_t { kId, kMetric, kMeasured, kValue, kUncertainty, kUnit, kWhereMm, kBand, kPoints, kPointsMax, kReason, kArgs };
+
+/// An array: it packs smaller and reads faster than an object with names.
+json json_of(const CriterionGrade& c) {
+  const Measure& m = c.measure;
+  const json where_mm = m.where_mm ? json{m.where_mm->x, m.where_mm->y, m.where_mm->z} : json();
+  return json::array({c.id, m.metric == c.id ? "" : m.metric, m.measured, m.value, m.uncertainty, m.unit, where_mm, c.band, c.points,
+                      c.points_max, c.reason_code, c.reason_args});
+}
+
+/// Throws where the JSON is of another form. Its names are today's from here on.
+CriterionGrade criterion_of(const json& in) {
+  CriterionGrade c;
+  const auto& id = in.at(kId).get_ref<const std::string&>();
+  const auto& metric = in.at(kMetric).get_ref<const std::string&>();
+  c.id = scenarios::present_metric(id);
+  c.measure.metric = scenarios::present_metric(metric.empty() ? id : metric);
+  c.measure.measured = in.at(kMeasured).get<bool>();
+  c.measure.value = number_or_nan(in.at(kValue));
+  c.measure.uncertainty = number_or_nan(in.at(kUncertainty));
+  c.measure.unit = in.at(kUnit).get<std::string>();
+  if (const json& at = in.at(kWhereMm); !at.is_null()) c.measure.where_mm = Vec3(at.at(0), at.at(1), at.at(2));
+  c.band = in.at(kBand).get<std::string>();
+  c.points = number_or_nan(in.at(kPoints));
+  c.points_max = number_or_nan(in.at(kPointsMax));
+  c.reason_code = in.at(kReason).get<std::string>();
+  c.reason_args = numbers_of(in.at(kArgs));
   return c;
 }
 
 }  // namespace
+
+std::vector<std::byte> packed_criteria(const std::vector<CriterionGrade>& criteria) {
+  json all = json::array();
+  for (const CriterionGrade& c : criteria) all.push_back(json_of(c));
+  const std::string text = all.dump(-1, ' ', false, json::error_handler_t::replace);
+  return pack(std::as_bytes(std::span(text)));
+}
+
+Stored<std::vector<CriterionGrade>> criteria_from(std::span<const std::byte> packed) {
+  const auto bytes = unpack(packed);
+  if (!bytes) return std::unexpected(bytes.error());
+  try {
+    const auto* text = reinterpret_cast<const char*>(bytes->data());
+    std::vector<CriterionGrade> out;
+    for (const json& one : json::parse(text, text + bytes->size())) out.push_back(criterion_of(one));
+    return out;
+  } catch (const json::exception&) {
+    return fail(StorageError::bad_trace, "graded_criteria");
+  }
+}
 
 Stored<std::vector<StoredGrade>> grades_of(Database& db, SessionId session) {
   auto grades = db.all(
@@ -84,6 +138,15 @@ Stored<std::vector<StoredGrade>> grades_of(Database& db, SessionId session) {
   for (StoredGrade& grade : *grades) {
     for (const auto& [number, criterion] : *criteria) {
       if (number == grade.number) grade.grade.criteria.push_back(criterion);
+    }
+  }
+  const auto packed = db.all("SELECT row, packed FROM graded_criteria WHERE session = ?1",
+                             [](Row row) { return std::pair{static_cast<int>(row.integer(0)), criteria_from(row.bytes(1))}; }, session);
+  if (!packed) return std::unexpected(packed.error());
+  for (StoredGrade& grade : *grades) {
+    for (const auto& [number, of_grade] : *packed) {
+      // What cannot be read is damage: the verifier reports it, and the grade stands without its criteria.
+      if (number == grade.number && of_grade) grade.grade.criteria = *of_grade;
     }
   }
   return grades;

@@ -1,7 +1,10 @@
-/// A session's stored grades: rows of `grades` and `criteria`. Thread: the database's own.
+/// A session's stored grades: rows of `grades`, and their criteria. Those of a grade are one row of `graded_criteria`, compressed JSON;
+/// before schema 13 each was a row of `criteria`. Thread: the database's own.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scenarios/grading/grade.h"
@@ -18,6 +21,11 @@ struct StoredGrade {
   std::int64_t graded_utc_us = 0;
   int number = 0;  // 0 = the first grade of this session
 };
+
+/// What `graded_criteria` holds of a grade.
+std::vector<std::byte> packed_criteria(const std::vector<CriterionGrade>& criteria);
+/// bad_trace if `packed` is none.
+Stored<std::vector<CriterionGrade>> criteria_from(std::span<const std::byte> packed);
 
 /// Oldest first, each with its criteria.
 Stored<std::vector<StoredGrade>> grades_of(Database& db, SessionId session);

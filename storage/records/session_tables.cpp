@@ -33,6 +33,8 @@ constexpr Columns of(SessionTable table) noexcept {
       return {"criteria",
               "session, row, grade, id, metric, measured, value, uncertainty, unit, where_x_mm, where_y_mm, "
               "where_z_mm, band, points, points_max, reason_code, reason_args"};
+    case SessionTable::graded_criteria:
+      return {"graded_criteria", "session, row, packed"};
   }
   return {};
 }

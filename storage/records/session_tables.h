@@ -19,12 +19,14 @@ enum class SessionTable : std::uint64_t {
   removed_tissues = 6,
   final_volumes = 7,
   grades = 8,
-  criteria = 9,
+  criteria = 9,          // of grades before schema 13
+  graded_criteria = 10,  // of later ones: a row has the number of its grade
 };
 inline constexpr std::array kSessionTables = {
     SessionTable::sessions,      SessionTable::session_events, SessionTable::trace_chunks,
     SessionTable::key_states,    SessionTable::metrics,        SessionTable::removed_tissues,
     SessionTable::final_volumes, SessionTable::grades,         SessionTable::criteria,
+    SessionTable::graded_criteria,
 };
 
 std::string_view name_of(SessionTable table) noexcept;

@@ -169,6 +169,7 @@ class SessionVerifier {
     }
     check_unpacks("SELECT row, state FROM key_states WHERE session = ?1", "key_states");
     check_unpacks("SELECT row, cuts FROM final_volumes WHERE session = ?1", "final_volumes");
+    check_unpacks("SELECT row, packed FROM graded_criteria WHERE session = ?1", "graded_criteria");
   }
 
   void check_unpacks(const char* sql, const char* table) {
@@ -184,20 +185,25 @@ class SessionVerifier {
     }
   }
 
-  /// The scenario version and the specimen that the session names are the ones it started with.
+  void check_blob(const Hash256& hash) {
+    const auto packed = db_.first("SELECT packed FROM blobs WHERE hash = ?1", [](Row row) { return row.blob(0); }, hash);
+    if (!packed) return find(FindingCode::unreadable, "blobs");
+    if (!*packed) return find(FindingCode::row_missing, "blobs");
+    const auto bytes = unpack(**packed);
+    if (!bytes || blake2b_256(*bytes) != hash) find(FindingCode::row_changed, "blobs");
+  }
+
+  /// The scenario version, the specimen and the header that the session names are the ones it started with.
   void check_references() {
     struct Names {
       Hash256 version, json, specimen;
-      std::optional<Hash256> version_now, json_now;
-      std::vector<std::byte> packed;
-      bool has_specimen;
+      std::optional<Hash256> version_now, json_now, header;
     };
     const auto names = db_.first(
-        "SELECT s.version_hash, s.json_hash, s.specimen_blob, v.content_hash, v.json, b.packed, b.hash IS NOT NULL "
-        "FROM sessions s LEFT JOIN scenario_versions v ON v.id = s.version "
-        "LEFT JOIN blobs b ON b.hash = s.specimen_blob WHERE s.id = ?1",
+        "SELECT s.version_hash, s.json_hash, s.specimen_blob, v.content_hash, v.json, s.header "
+        "FROM sessions s LEFT JOIN scenario_versions v ON v.id = s.version WHERE s.id = ?1",
         [](Row row) {
-          Names n{row.hash(0), row.hash(1), row.hash(2), std::nullopt, std::nullopt, row.blob(5), row.flag(6)};
+          Names n{row.hash(0), row.hash(1), row.hash(2), {}, {}, hash_from_hex(row.text(5))};
           if (!row.is_null(3)) n.version_now = row.hash(3);
           if (!row.is_null(4)) n.json_now = blake2b_256(row.bytes(4));
           return n;
@@ -211,10 +217,8 @@ class SessionVerifier {
     } else if (*n.version_now != n.version || *n.json_now != n.json) {
       find(FindingCode::row_changed, "scenario_versions");
     }
-    if (n.specimen == Hash256{}) return;
-    if (!n.has_specimen) return find(FindingCode::row_missing, "blobs");
-    const auto bytes = unpack(n.packed);
-    if (!bytes || blake2b_256(*bytes) != n.specimen) find(FindingCode::row_changed, "blobs");
+    if (n.specimen != Hash256{}) check_blob(n.specimen);
+    if (n.header) check_blob(*n.header);
   }
 
   struct Entry {

@@ -5,6 +5,7 @@
 #include "storage/records/chain_writer.h"
 #include "storage/records/session_summary.h"
 #include "storage/records/thinned_traces.h"
+#include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"
 
@@ -12,6 +13,16 @@ namespace cusp::storage {
 namespace {
 
 using nlohmann::json;
+
+/// The calibration of the session's device.
+std::string calibration_of(Transaction& transaction, SessionId session) {
+  const auto column = transaction.first("SELECT header FROM sessions WHERE id = ?1", [](Row row) { return row.text(0); }, session);
+  if (!column || !transaction.ok()) return {};
+  const auto header = read_header(transaction.database(), *column);
+  if (header) return header->calibration;
+  transaction.refuse(header.error());
+  return {};
+}
 
 std::string dump(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
@@ -35,27 +46,14 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
   transaction.run(
       "INSERT INTO grades (session, row, at, sequence, grader, score, score_max, pass_mark, passed, critical, "
       "rubric_hash, evaluator, engine_version, device_class, calibration) "
-      "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, engine_version, device_class, "
-      "coalesce(json_extract(header, '$.calibration'), '') FROM sessions WHERE id = ?1",
+      "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, engine_version, device_class, ?13 "
+      "FROM sessions WHERE id = ?1",
       session, number, c_.clock(), sequence, grader ? grader->id : UserId{}, grade.score, grade.score_max,
-      grade.pass_mark, grade.passed, dump(json(grade.critical)), rubric_hash, grade.evaluator);
+      grade.pass_mark, grade.passed, dump(json(grade.critical)), rubric_hash, grade.evaluator,
+      calibration_of(transaction, session));
   chain.add(SessionTable::grades, number, -1);
-  std::uint64_t row = next_row(transaction, SessionTable::criteria, session);
-  for (const CriterionGrade& c : grade.criteria) {
-    std::optional<double> x, y, z;
-    if (c.measure.where_mm) {
-      x = c.measure.where_mm->x;
-      y = c.measure.where_mm->y;
-      z = c.measure.where_mm->z;
-    }
-    transaction.run(
-        "INSERT INTO criteria (session, row, grade, id, metric, measured, value, uncertainty, unit, where_x_mm, "
-        "where_y_mm, where_z_mm, band, points, points_max, reason_code, reason_args) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17)",
-        session, row, number, c.id, c.measure.metric, c.measure.measured, c.measure.value, c.measure.uncertainty,
-        c.measure.unit, x, y, z, c.band, c.points, c.points_max, c.reason_code, dump(json(c.reason_args)));
-    chain.add(SessionTable::criteria, row++, -1);
-  }
+  transaction.run("INSERT INTO graded_criteria (session, row, packed) VALUES (?1, ?2, ?3)", session, number, packed_criteria(grade.criteria));
+  chain.add(SessionTable::graded_criteria, number, -1);
   chain.add(SessionTable::session_events, insert_event(c_, transaction, session, EventKind::graded, "", end),
             end.second());
   chain.finish();

@@ -1,6 +1,9 @@
 #include "storage/repositories/session_header.h"
 
 #include <nlohmann/json.hpp>
+#include <span>
+
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 
@@ -100,6 +103,28 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
+}
+
+std::string keep_header(Transaction& transaction, const SessionHeader& header) {
+  const std::string json = header_to_json(header);
+  const Hash256 hash = blake2b_256(json);
+  transaction.run("INSERT INTO blobs (hash, packed) VALUES (?1, ?2) ON CONFLICT DO NOTHING", hash, pack(std::as_bytes(std::span(json))));
+  return hex(hash);
+}
+
+Stored<SessionHeader> read_header(Database& db, const std::string& column) {
+  std::string json = column;
+  if (const auto hash = hash_from_hex(column)) {
+    const auto packed = db.first("SELECT packed FROM blobs WHERE hash = ?1", [](Row row) { return row.blob(0); }, *hash);
+    if (!packed) return std::unexpected(packed.error());
+    if (!*packed) return fail(StorageError::corrupt, "sessions", "header");
+    const auto bytes = unpack(**packed);
+    if (!bytes || blake2b_256(*bytes) != *hash) return fail(StorageError::corrupt, "sessions", "header");
+    json.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  }
+  auto header = header_from_json(json);
+  if (!header) return fail(StorageError::corrupt, "sessions", "header");
+  return std::move(*header);
 }
 
 }  // namespace cusp::storage

@@ -121,7 +121,7 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       "device_class, engine_version, specimen_blob, header, started_at, sequence) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
       id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
-      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header_to_json(h), now,
+      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, keep_header(transaction, h), now,
       sequence);
   const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.operator_name, {});
   ChainWriter chain(c_, transaction, id);
@@ -203,7 +203,7 @@ Stored<Session> Sessions::find(SessionId id) {
   struct Found {
     Session session;
     std::optional<SessionKind> kind;
-    std::optional<SessionHeader> header;
+    std::string header;
   };
   const auto found = c_.db.first(
       "SELECT id, student, version, version_hash, kind, assignment, hand, started_at, header FROM sessions WHERE id = "
@@ -218,16 +218,18 @@ Stored<Session> Sessions::find(SessionId id) {
         if (!row.is_null(5)) f.session.assignment = row.id<AssignmentId>(5);
         f.session.operator_name = row.text(6);
         f.session.started_utc_us = row.integer(7);
-        f.header = header_from_json(row.text(8));
+        f.header = row.text(8);
         return f;
       },
       id);
   if (!found) return std::unexpected(found.error());
   if (!*found) return fail(StorageError::not_found, "sessions", id.text());
-  if (!(*found)->kind || !(*found)->header) return fail(StorageError::corrupt, "sessions", id.text());
+  auto header = read_header(c_.db, (*found)->header);
+  if (!(*found)->kind || (!header && header.error().code == StorageError::corrupt)) return fail(StorageError::corrupt, "sessions", id.text());
+  if (!header) return std::unexpected(header.error());
   Session session = (*found)->session;
   session.kind = *(*found)->kind;
-  session.header = *(*found)->header;
+  session.header = std::move(*header);
   return session;
 }
 

@@ -1,6 +1,7 @@
 #include "tests/storage/many_sessions.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "storage/records/audit_writer.h"
@@ -59,8 +60,16 @@ Grade grade_of_ten(double score) {
   Grade grade = small_grade(score, score >= 70);
   grade.critical.clear();
   for (int i = 2; i < 10; ++i) {
-    grade.criteria.push_back(grade.criteria[1]);
-    grade.criteria.back().id += '_' + std::to_string(i);
+    CriterionGrade c = grade.criteria[1];
+    c.id = c.measure.metric = c.id + '_' + std::to_string(i);
+    // Figures of full length, as measures have: JSON of short ones would pack too well.
+    const double own = i;
+    c.measure.value = 2 + std::sin(own);
+    c.measure.uncertainty = 0.05 + 0.01 * std::cos(own);
+    c.measure.where_mm = Vec3(std::sin(own + 1), std::sin(own + 2), std::sin(own + 3));
+    c.points = 5 + 4 * std::sin(own + 4);
+    c.reason_args = {{"limit", 2.0}, {"lost", 10 - c.points}, {"value", c.measure.value}};
+    grade.criteria.push_back(c);
   }
   return grade;
 }
@@ -119,7 +128,7 @@ class Copier {
     for (Statement* plain : {&chunk_, &metric_, &removed_, &volume_}) step_once(plain->bind(id, from));
     if (is_graded(i)) {
       step_once(grade_.bind(id, from, at, sequence_ + 5, drilled.score));
-      step_once(criterion_.bind(id, from));
+      step_once(criteria_.bind(id, from));
     }
     if (rows_ == CopiedRows::all) link(id, drilled.student.id, at, chains_[number], is_graded(i) ? 3 : 2);
     sequence_ += is_graded(i) ? 8 : 5;
@@ -191,9 +200,7 @@ class Copier {
   Statement grade_ = c_.db.prepare(
       "INSERT INTO grades SELECT ?1, row, ?3, ?4, grader, ?5, score_max, pass_mark, ?5 >= pass_mark, critical, rubric_hash, evaluator, "
       "engine_version, device_class, calibration FROM grades WHERE session = ?2");
-  Statement criterion_ = c_.db.prepare(
-      "INSERT INTO criteria SELECT ?1, row, grade, id, metric, measured, value, uncertainty, unit, where_x_mm, where_y_mm, where_z_mm, "
-      "band, points, points_max, reason_code, reason_args FROM criteria WHERE session = ?2");
+  Statement criteria_ = c_.db.prepare("INSERT INTO graded_criteria SELECT ?1, row, packed FROM graded_criteria WHERE session = ?2");
   Statement chain_link_ = c_.db.prepare("INSERT INTO session_chain VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)");
   Statement head_ = c_.db.prepare("INSERT INTO session_heads VALUES (?1, ?2, ?3, ?4, ?5)");
   Statement seal_ = c_.db.prepare("INSERT INTO audit_log VALUES (?1, ?2, ?3, ?4, 'session_sealed', ?5, ?6, zeroblob(32))");

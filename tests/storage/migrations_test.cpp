@@ -47,6 +47,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "5dc47524cb7ee80974a4db6a7c58bc47112c6970f6fa812aecde53f8bb40541c",
       "7a2ecdc9062cea0403ad0da32c44510064b621f28cbff05c0eba9248f5a2f4a1",
       "77321b2ba2641bdb671ddfcc498c89871c3a14b34845b20157236e2b67727305",
+      "1142289534135523c7c5426070c548ce7d6e930ef7aa5d1fff7fec53904b0392",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)

@@ -4,6 +4,7 @@
 
 #include "storage/records/chain_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/records/session_summary.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/trace_codec.h"
 #include "tests/modules.h"
@@ -110,6 +111,33 @@ void add_key_state_row(Store& store, SessionId session, const KeyState& state) {
   chain.add(SessionTable::key_states, row, trace_end(transaction, session).second());
   chain.finish();
   must(transaction.commit());
+}
+
+void add_old_grade(Store& store, SessionId session, const Grade& grade) {
+  StorageContext& context = store.context();
+  Transaction transaction(store.database());
+  const std::uint64_t number = next_row(transaction, SessionTable::grades, session);
+  transaction.run(
+      "INSERT INTO grades SELECT id, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, '[]', ?10, ?11, engine_version, device_class, '' FROM sessions WHERE id = ?1",
+      session, number, context.clock(), context.next_sequence(transaction), UserId{}, grade.score, grade.score_max, grade.pass_mark,
+      grade.passed, Hash256{}, grade.evaluator);
+  ChainWriter chain(context, transaction, session);
+  chain.add(SessionTable::grades, number, -1);
+  std::uint64_t row = next_row(transaction, SessionTable::criteria, session);
+  for (const CriterionGrade& c : grade.criteria) {
+    const Vec3 at = c.measure.where_mm.value_or(Vec3{});
+    transaction.run(
+        "INSERT INTO criteria VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, '{\"limit\":2.0}')", session, row,
+        number, c.id, c.measure.metric, c.measure.measured, c.measure.value, c.measure.uncertainty, c.measure.unit, at.x, at.y, at.z, c.band,
+        c.points, c.points_max, c.reason_code);
+    chain.add(SessionTable::criteria, row++, -1);
+  }
+  const TraceEnd end = trace_end(transaction, session);
+  chain.add(SessionTable::session_events, insert_event(context, transaction, session, EventKind::graded, "", end), end.second());
+  chain.finish();
+  follow_event(transaction, session);
+  log_session(context, transaction, UserId{}, session, key_of(EventKind::graded));
+  must(commit_sealed(context, transaction));
 }
 
 void add_comment_row(Store& store, const Actor& author, SessionId session, const std::string& text) {

@@ -46,6 +46,8 @@ NewSession new_session(const Account& student, const ScenarioVersion& version);
 RecordedSecond second_from(std::uint64_t first_tick, std::size_t count = 12);
 /// A row of key_states at the end of the trace, chained, as older programs wrote them.
 void add_key_state_row(Store& store, SessionId session, const KeyState& state);
+/// A grade as programs before schema 13 wrote it: each criterion a row of `criteria` with an entry of its own in the chain.
+void add_old_grade(Store& store, SessionId session, const Grade& grade);
 /// A row of the table `comments`, sealed, as older programs wrote it, at tick 12.
 void add_comment_row(Store& store, const Actor& author, SessionId session, const std::string& text);
 FinalVolume volume_after(std::uint64_t tick);

@@ -171,11 +171,27 @@ TEST_F(SessionsTest, a_grade_of_format_1_is_read_by_the_present_names_of_its_met
   Grade old = small_grade();
   old.criteria[0].id = old.criteria[0].measure.metric = "undercut";
   must(store->grades.save(id, old, {}, make_instructor(*store).actor()));
-  const StoredGrade read = *must(store->grades.newest(id));
-  EXPECT_EQ(read.grade.criteria[0].id, "uncut_remainder");
-  EXPECT_EQ(read.grade.criteria[0].measure.metric, "uncut_remainder");
-  EXPECT_EQ(read.grade.criteria[1].id, old.criteria[1].id);
+  add_old_grade(*store, id, old);
+  const auto grades = must(store->grades.all(id));
+  ASSERT_EQ(grades.size(), 3u);
+  for (const StoredGrade& read : {grades[1], grades[2]}) {
+    EXPECT_EQ(read.grade.criteria[0].id, "uncut_remainder");
+    EXPECT_EQ(read.grade.criteria[0].measure.metric, "uncut_remainder");
+    EXPECT_EQ(read.grade.criteria[1].id, old.criteria[1].id);
+    EXPECT_EQ(read.grade.criteria[1].reason_args.at("limit"), 2.0);
+  }
   EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM criteria WHERE id = 'undercut'", [](Row row) { return row.integer(0); })), 1);
+}
+
+TEST_F(SessionsTest, keep_a_header_once_and_each_reads_its_own) {
+  NewSession wanted = new_session(student, version);
+  const SessionId first = must(store->sessions.start(student.actor(), wanted)).id, second = must(store->sessions.start(student.actor(), wanted)).id;
+  wanted.header.calibration = "2026-11-20";
+  const SessionId other = must(store->sessions.start(student.actor(), wanted)).id;
+  EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM blobs", [](Row row) { return row.integer(0); })), 2);
+  EXPECT_EQ(must(store->sessions.find(first)).header.calibration, "");
+  EXPECT_EQ(must(store->sessions.find(second)).header.guard.limit_n, wanted.header.guard.limit_n);
+  EXPECT_EQ(must(store->sessions.find(other)).header.calibration, "2026-11-20");
 }
 
 TEST_F(SessionsTest, an_interrupted_session_is_resumed_or_graded_as_it_stands) {

@@ -24,6 +24,7 @@ std::map<std::string, std::string> shared_records(Store& store) {
       {"final_volumes", "SELECT * FROM final_volumes" + ended + " ORDER BY session, row"},
       {"grades", "SELECT * FROM grades" + ended + " ORDER BY session, row"},
       {"criteria", "SELECT * FROM criteria" + ended + " ORDER BY session, row"},
+      {"graded_criteria", "SELECT * FROM graded_criteria" + ended + " ORDER BY session, row"},
       {"session_chain", "SELECT * FROM session_chain" + ended + " ORDER BY session, position"},
       {"session_heads", "SELECT * FROM session_heads" + ended + " ORDER BY session"},
       {"thinned_traces", "SELECT * FROM thinned_traces ORDER BY session"},

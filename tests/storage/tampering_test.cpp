@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "storage/records/session_tables.h"
+#include "storage/records/trace_codec.h"
 #include "tests/modules.h"
 #include "tests/storage/sample.h"
 
@@ -137,6 +138,7 @@ class TamperingTest : public ::testing::Test {
 };
 
 TEST_F(TamperingTest, one_byte_changed_in_any_row_of_a_session_is_found_and_named) {
+  add_old_grade(*store, session, small_grade());
   for (const SessionTable table : kSessionTables) {
     const bool own = table == SessionTable::sessions;
     change_every_byte(std::string(name_of(table)), own ? "id" : "session", own ? "" : "row");
@@ -166,6 +168,7 @@ TEST_F(TamperingTest, the_columns_of_the_chain_are_all_the_columns_there_are) {
 }
 
 TEST_F(TamperingTest, a_row_taken_out_is_missing) {
+  add_old_grade(*store, session, small_grade());
   for (const SessionTable table : kSessionTables) {
     const bool own = table == SessionTable::sessions;
     must(db().run("BEGIN"));
@@ -200,7 +203,7 @@ TEST_F(TamperingTest, a_tail_cut_off_with_its_links_shows_against_the_signed_hea
                "WHERE session = ?1 AND table_number = 8)",
                session));
   must(db().run("DELETE FROM grades WHERE session = ?1", session));
-  must(db().run("DELETE FROM criteria WHERE session = ?1", session));
+  must(db().run("DELETE FROM graded_criteria WHERE session = ?1", session));
   must(db().run("DELETE FROM session_events WHERE session = ?1 AND kind = 'graded'", session));
   const auto result = must(verify_session(store->context(), session));
   ASSERT_EQ(result.findings.size(), 1u);
@@ -309,6 +312,19 @@ TEST_F(TamperingTest, every_session_that_any_table_mentions_is_verified) {
   EXPECT_EQ(must(sessions_to_verify(store->context())), std::vector{session});
   must(db().run("DELETE FROM sessions"));
   EXPECT_EQ(must(sessions_to_verify(store->context())), std::vector{session});
+}
+
+TEST_F(TamperingTest, a_header_that_was_changed_or_lost_is_named) {
+  const std::vector<std::byte> forged(90, std::byte{8});
+  for (const char* sql : {"UPDATE blobs SET packed = ?1", "DELETE FROM blobs WHERE packed <> ?1"}) {
+    must(db().run("BEGIN"));
+    must(db().run(sql, pack(forged)));
+    const auto result = must(verify_session(store->context(), session));
+    EXPECT_EQ(code_of(store->sessions.find(session)), StorageError::corrupt);
+    must(db().run("ROLLBACK"));
+    ASSERT_EQ(result.findings.size(), 1u) << sql;
+    EXPECT_EQ(result.findings[0].table, "blobs");
+  }
 }
 
 }  // namespace

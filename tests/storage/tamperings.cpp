@@ -127,7 +127,7 @@ std::optional<Tampering> Tamperer::remove(Database& db, const std::string& table
   if (table == "blobs") {
     const auto used =
         must(db.first("SELECT hash IN (SELECT specimen_blob FROM sessions UNION SELECT blob FROM "
-                      "version_files) FROM blobs WHERE " +
+                      "version_files) OR lower(hex(hash)) IN (SELECT header FROM sessions) FROM blobs WHERE " +
                           row,
                       [](Row r) { return r.flag(0); }));
     if (!used.value_or(true)) t.kind = "delete unnamed";
