@@ -3024,6 +3024,17 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::CriteriaCard</name>
+    <message>
+        <source>By criterion</source>
+        <translation>Nach Kriterium</translation>
+    </message>
+    <message>
+        <source>the newest %1 attempts that fit, the hardest first</source>
+        <translation>die neuesten %1 passenden Versuche, das schwerste zuerst</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::CriteriaModel</name>
     <message>
         <source>An edge of the marking is nearer than the figure is known.</source>
@@ -3100,6 +3111,25 @@
     <message>
         <source>Own rating</source>
         <translation>Eigenes Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::CriterionFiguresModel</name>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Points, mean</source>
+        <translation>Punkte, Mittel</translation>
+    </message>
+    <message>
+        <source>With full points</source>
+        <translation>Mit vollen Punkten</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -7290,6 +7320,42 @@
     <message>
         <source>Appeal pack (*.cusppack)</source>
         <translation>Einspruchsakte (*.cusppack)</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Kohorte</translation>
+    </message>
+    <message>
+        <source>Drilled by</source>
+        <translation>Präpariert von</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Students</source>
+        <translation>Studierende</translation>
+    </message>
+    <message>
+        <source>Staff</source>
+        <translation>Personal</translation>
+    </message>
+    <message>
+        <source>All cohorts</source>
+        <translation>Alle Kohorten</translation>
+    </message>
+    <message>
+        <source>All versions</source>
+        <translation>Alle Versionen</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
     </message>
 </context>
 <context>

@@ -13,11 +13,13 @@ namespace {
 
 using Attempts = std::vector<PackedAttempt>;
 
+constexpr int kWithoutVersion = 9;  // arguments
+
 std::uint64_t at_most(std::int64_t value, std::uint64_t most) noexcept {
   return value < 0 ? 0 : std::min(static_cast<std::uint64_t>(value), most);
 }
 
-PackedAttempt attempt_of(sqlite3_value** values) noexcept {
+PackedAttempt attempt_of(sqlite3_value** values, int count) noexcept {
   PackedAttempt a;
   a.started_utc_us = sqlite3_value_int64(values[0]);
   const void* student = sqlite3_value_blob(values[1]);
@@ -26,8 +28,10 @@ PackedAttempt attempt_of(sqlite3_value** values) noexcept {
   a.score = sqlite3_value_double(values[2]);
   const bool no_mark = sqlite3_value_type(values[3]) == SQLITE_NULL;
   a.pass_mark = no_mark ? std::numeric_limits<double>::quiet_NaN() : sqlite3_value_double(values[3]);
-  a.rest = at_most(sqlite3_value_int64(values[4]), PackedAttempt::kMostElapsedUs) << 24 |
-           at_most(sqlite3_value_int64(values[5]), PackedAttempt::kMostAttempt) << 8 |
+  const std::int64_t version = count > kWithoutVersion ? sqlite3_value_int64(values[kWithoutVersion]) : 0;
+  a.rest = at_most(sqlite3_value_int64(values[4]), PackedAttempt::kMostElapsedUs) << PackedAttempt::kElapsedBit |
+           at_most(version, PackedAttempt::kMostVersion) << PackedAttempt::kVersionBit |
+           at_most(sqlite3_value_int64(values[5]), PackedAttempt::kMostAttempt) << PackedAttempt::kAttemptBit |
            (sqlite3_value_int64(values[6]) != 0 ? PackedAttempt::kPassed : 0) |
            (sqlite3_value_int64(values[7]) != 0 ? PackedAttempt::kScripted : 0) |
            (sqlite3_value_int64(values[8]) != 0 ? PackedAttempt::kReleased : 0);
@@ -35,12 +39,12 @@ PackedAttempt attempt_of(sqlite3_value** values) noexcept {
 }
 
 /// SQLite keeps a pointer for each group, null at first.
-void add(sqlite3_context* context, int, sqlite3_value** values) {
+void add(sqlite3_context* context, int count, sqlite3_value** values) {
   auto** group = static_cast<Attempts**>(sqlite3_aggregate_context(context, sizeof(Attempts*)));
   if (group == nullptr) return sqlite3_result_error_nomem(context);
   try {
     if (*group == nullptr) *group = new Attempts;
-    (*group)->push_back(attempt_of(values));
+    (*group)->push_back(attempt_of(values, count));
   } catch (const std::bad_alloc&) {
     sqlite3_result_error_nomem(context);
   }
@@ -58,9 +62,10 @@ void finish(sqlite3_context* context) {
 }  // namespace
 
 void add_pack_attempts(sqlite3* connection) noexcept {
-  constexpr int kArguments = 9;
-  sqlite3_create_function_v2(connection, "pack_attempts", kArguments, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY, nullptr,
-                             nullptr, add, finish, nullptr);
+  for (const int arguments : {kWithoutVersion, kWithoutVersion + 1}) {
+    sqlite3_create_function_v2(connection, "pack_attempts", arguments, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY, nullptr,
+                               nullptr, add, finish, nullptr);
+  }
 }
 
 }  // namespace cusp::storage

@@ -1,6 +1,7 @@
 /// A graded attempt in 48 bytes, and the SQL aggregate that writes many of them into one BLOB:
-///   pack_attempts(started_at, student, score, pass_mark, elapsed_us, attempt, passed, scripted, released)
+///   pack_attempts(started_at, student, score, pass_mark, elapsed_us, attempt, passed, scripted, released, version_number)
 /// gives one PackedAttempt a row, in ascending order of their bytes, so that the same rows give the same BLOB. NULL without a row.
+/// The tenth migration leaves the last argument out; the fourteenth writes its rows anew.
 #pragma once
 
 #include <bit>
@@ -20,12 +21,14 @@ struct PackedAttempt {
   Uuid student{};
   double score = 0;
   double pass_mark = 0;    // NaN = none
-  std::uint64_t rest = 0;  // elapsed µs from bit 24 on, attempt number from bit 8 on, flags; greater numbers count as the greatest
+  std::uint64_t rest = 0;  // numbers from their bits on, below them flags; a number that is too great counts as the greatest
 
   static constexpr std::uint64_t kPassed = 1, kScripted = 2, kReleased = 4;
-  static constexpr std::uint64_t kMostElapsedUs = (std::uint64_t{1} << 40) - 1, kMostAttempt = 0xFFFF;
-  std::uint64_t elapsed_us() const noexcept { return rest >> 24; }
-  int attempt() const noexcept { return static_cast<int>(rest >> 8 & kMostAttempt); }
+  static constexpr int kAttemptBit = 4, kVersionBit = 16, kElapsedBit = 28;
+  static constexpr std::uint64_t kMostAttempt = 0xFFF, kMostVersion = 0xFFF, kMostElapsedUs = (std::uint64_t{1} << 36) - 1;  // 19 h
+  std::uint64_t elapsed_us() const noexcept { return rest >> kElapsedBit; }
+  int attempt() const noexcept { return static_cast<int>(rest >> kAttemptBit & kMostAttempt); }
+  int version_number() const noexcept { return static_cast<int>(rest >> kVersionBit & kMostVersion); }
   bool has(std::uint64_t flag) const noexcept { return (rest & flag) != 0; }
 };
 // The BLOB holds these bytes as they stand.

@@ -16,16 +16,19 @@ constexpr std::size_t kFewStudents = 20;
 Stored<Figures> of_few(Database& db, const HistoryFilter& f, const std::vector<UserId>& students) {
   std::string sql =
       "SELECT student, attempt, score, pass_mark, passed, elapsed_us FROM session_summaries INDEXED BY graded_of_student "
-      "WHERE listed = 1 AND student = ?1 AND score IS NOT NULL AND started_at >= ?6 AND started_at < ?7";
+      "WHERE listed = 1 AND student = ?1 AND score IS NOT NULL AND started_at >= ?7 AND started_at < ?8";
   if (f.scenario) sql += " AND scenario = ?2";
   if (f.device_class) sql += " AND device_class = ?3";
   if (f.passed) sql += " AND passed = ?4";
   if (f.scripted) sql += " AND (operator <> 'person') = ?5";
   if (f.released_alone) sql += " AND released = 1";
+  if (f.version_number) sql += " AND version_number = ?6";
+  if (f.drilled_by == DrilledBy::students) sql += " AND student NOT IN (SELECT id FROM people WHERE role <> 'student')";
   FigureCount count;
   Statement query = db.prepare(sql);
   for (const UserId student : students) {
-    query.bind(student, f.scenario, f.device_class, f.passed, f.scripted, f.from_utc_us.value_or(-kEnd), f.to_utc_us.value_or(kEnd));
+    query.bind(student, f.scenario, f.device_class, f.passed, f.scripted, f.version_number, f.from_utc_us.value_or(-kEnd),
+               f.to_utc_us.value_or(kEnd));
     while (true) {
       const auto there = query.step();
       if (!there) return std::unexpected(there.error());
@@ -63,18 +66,21 @@ Stored<std::vector<Group>> groups_of(Database& db, const HistoryFilter& f) {
 /// The conditions that a packed attempt is compared with; scenario and device class are those of its row.
 class Conditions {
  public:
-  Conditions(const HistoryFilter& f, const std::optional<std::vector<UserId>>& students)
-      : from_{f.from_utc_us.value_or(-kEnd)}, to_{f.to_utc_us.value_or(kEnd)}, any_student_{!students} {
+  /// `left_out`: whose attempts do not count.
+  Conditions(const HistoryFilter& f, const std::optional<std::vector<UserId>>& students, const std::vector<UserId>& left_out)
+      : version_{f.version_number}, from_{f.from_utc_us.value_or(-kEnd)}, to_{f.to_utc_us.value_or(kEnd)}, any_student_{!students} {
     if (students) {
       for (const UserId student : *students) static_cast<void>(students_.number(student));
     }
+    for (const UserId account : left_out) static_cast<void>(left_out_.number(account));
     require(PackedAttempt::kPassed, f.passed);
     require(PackedAttempt::kScripted, f.scripted);
     require(PackedAttempt::kReleased, f.released_alone ? std::optional(true) : std::nullopt);
   }
   bool admits(const PackedAttempt& a) const noexcept {
     return a.started_utc_us >= from_ && a.started_utc_us < to_ && (a.rest & compared_) == wanted_ &&
-           (any_student_ || students_.knows(UserId{a.student}));
+           (!version_ || *version_ == a.version_number()) && (any_student_ || students_.knows(UserId{a.student})) &&
+           (left_out_.size() == 0 || !left_out_.knows(UserId{a.student}));
   }
   std::int64_t first_period() const noexcept { return period_of(from_); }
   std::int64_t last_period() const noexcept { return period_of(to_); }
@@ -84,9 +90,10 @@ class Conditions {
     if (value) compared_ |= flag;
     if (value.value_or(false)) wanted_ |= flag;
   }
+  std::optional<int> version_;
   std::int64_t from_, to_;
   bool any_student_;
-  StudentNumbers students_;
+  StudentNumbers students_, left_out_;
   std::uint64_t compared_ = 0, wanted_ = 0;  // flags
 };
 
@@ -99,7 +106,9 @@ Stored<Figures> read_figures(Database& db, const HistoryFilter& filter) {
   if (*students && (*students)->size() <= kFewStudents) return of_few(db, filter, **students);
   const auto groups = groups_of(db, filter);
   if (!groups) return std::unexpected(groups.error());
-  const Conditions conditions(filter, *students);
+  const auto left_out = filter.drilled_by == DrilledBy::students ? staff_of(db) : Stored<std::vector<UserId>>{};
+  if (!left_out) return std::unexpected(left_out.error());
+  const Conditions conditions(filter, *students, *left_out);
   FigureCount count;
   Statement packed = db.prepare(
       "SELECT attempts FROM packed_attempts WHERE scenario = ?1 AND device_class = ?2 AND period BETWEEN ?3 AND ?4");

@@ -48,19 +48,6 @@ Stored<HistoryRow> one(Database& db, const Actor& actor, SessionId session) {
   return std::move(found->front());
 }
 
-/// The filter, narrowed to what the actor may read.
-Stored<HistoryFilter> readable(const Actor& actor, const HistoryFilter& filter) {
-  HistoryFilter narrowed = filter;
-  if (may(actor.role, Action::see_all_results)) return narrowed;
-  if (filter.student && *filter.student != actor.id) {
-    return fail(StorageError::not_allowed, std::string(key_of(Action::see_all_results)));
-  }
-  narrowed.student = actor.id;
-  // Who passed must not show in what a filter leaves.
-  narrowed.released_alone = narrowed.released_alone || narrowed.passed.has_value();
-  return narrowed;
-}
-
 /// The scenarios and device classes of one student's listed sessions, or of all: each is found by the one before it.
 template <class Value>
 Stored<std::vector<Value>> each_value(Database& db, const char* next, const char* first,

@@ -47,10 +47,15 @@ struct HistoryRow {
   bool released = true;
 };
 
+/// Role of the account that drilled, as it is now.
+enum class DrilledBy : std::uint8_t { students, staff };
+
 struct HistoryFilter {
   std::optional<UserId> student{};
   std::optional<ScenarioId> scenario{};
+  std::optional<int> version_number{};  // of the scenario
   std::optional<CohortId> cohort{};
+  std::optional<DrilledBy> drilled_by{};
   std::optional<std::string> device_class{};
   std::optional<std::int64_t> from_utc_us{}, to_utc_us{};  // started at or after, before
   std::optional<bool> passed{};                            // graded only
@@ -102,6 +107,15 @@ struct RatedAttempt {
   RatedPoints points;  // none of the criteria is rated: 0 of them
 };
 
+/// What the newest attempts that fit a filter say of one criterion.
+struct CriterionFigures {
+  std::string id;
+  int attempts = 0;       // in which it was measured and could bring points
+  int full = 0;           // of them with all its points
+  double mean_share = 0;  // of its points, 0 to 1
+};
+inline constexpr int kMostByCriterion = 500;  // sessions that by_criterion() reads at most
+
 struct NewestComment {
   Comment comment;
   std::int64_t started_utc_us = 0;  // of its session
@@ -119,6 +133,8 @@ class History {
   Stored<std::vector<HistoryRow>> list(const Actor& actor, const HistoryFilter& filter = {});
   /// Of the graded sessions that fit.
   Stored<Figures> figures(const Actor& actor, const HistoryFilter& filter = {});
+  /// Of the graded ones among the newest kMostByCriterion sessions that fit, with the points that count; the hardest criterion first.
+  Stored<std::vector<CriterionFigures>> by_criterion(const Actor& actor, const HistoryFilter& filter);
   Stored<std::vector<PractisedScenario>> scenarios(const Actor& actor, const std::optional<UserId>& student = {});
   /// Of all listed sessions. Needs see_all_results.
   Stored<std::vector<std::string>> device_classes(const Actor& actor);

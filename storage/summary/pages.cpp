@@ -17,7 +17,7 @@ constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
 /// Whether the query names one student. Of many students, each is asked for with the same statement.
 enum class Whose : std::uint8_t { everybody, one_student };
 
-/// ?1 student, ?2 scenario, ?3 device class, ?4 passed, ?5 scripted, ?6 from.
+/// ?1 student, ?2 scenario, ?3 device class, ?4 passed, ?5 scripted, ?6 from, ?10 number of a version.
 std::string conditions(const HistoryFilter& f, Whose whose) {
   std::string sql = " WHERE listed = 1";
   if (whose == Whose::one_student) sql += " AND student = ?1";
@@ -26,6 +26,8 @@ std::string conditions(const HistoryFilter& f, Whose whose) {
   if (f.passed) sql += " AND passed = ?4";
   if (f.scripted) sql += " AND (operator <> 'person') = ?5";
   if (f.released_alone) sql += " AND released = 1";
+  if (f.drilled_by == DrilledBy::students) sql += " AND student NOT IN (SELECT id FROM people WHERE role <> 'student')";
+  if (f.version_number) sql += " AND version_number = ?10";
   return sql + " AND started_at >= ?6";
 }
 
@@ -34,12 +36,12 @@ const char* index_of(const HistoryFilter& f, Whose whose) {
   return whose == Whose::one_student ? "summaries_of_student" : f.scenario ? "summaries_of_scenario" : "summaries_by_time";
 }
 
-/// Besides the conditions: ?7 to ?9 the key that the rows come after, ?10 most rows.
+/// Besides the conditions: ?7 to ?9 the key that the rows come after, ?11 most rows.
 std::string key_query(const HistoryFilter& f, Whose whose) {
   return "SELECT started_at, sequence, session FROM session_summaries INDEXED BY " + std::string(index_of(f, whose)) +
          conditions(f, whose) +
          " AND (started_at, sequence, session) < (?7, ?8, ?9) "
-         "ORDER BY started_at DESC, sequence DESC, session DESC LIMIT ?10";
+         "ORDER BY started_at DESC, sequence DESC, session DESC LIMIT ?11";
 }
 
 /// Asks one statement again and again.
@@ -48,7 +50,7 @@ class KeyQuery {
   KeyQuery(Database& db, const HistoryFilter& f, Whose whose) : f_{f}, statement_{db.prepare(key_query(f, whose))} {}
   Stored<std::vector<HistoryKey>> after(const HistoryKey& key, int limit, const std::optional<UserId>& student = {}) {
     statement_.bind(student, f_.scenario, f_.device_class, f_.passed, f_.scripted, f_.from_utc_us.value_or(-kEver),
-                    key.started_utc_us, key.sequence, key.session, limit);
+                    key.started_utc_us, key.sequence, key.session, f_.version_number, limit);
     std::vector<HistoryKey> keys;
     while (true) {
       const auto more = statement_.step();
@@ -124,6 +126,22 @@ HistoryRow row_of(Row row) {
 
 }  // namespace
 
+Stored<HistoryFilter> readable(const Actor& actor, const HistoryFilter& filter) {
+  HistoryFilter narrowed = filter;
+  if (may(actor.role, Action::see_all_results)) return narrowed;
+  if (filter.student && *filter.student != actor.id) {
+    return fail(StorageError::not_allowed, std::string(key_of(Action::see_all_results)));
+  }
+  narrowed.student = actor.id;
+  // Who passed must not show in what a filter leaves.
+  narrowed.released_alone = narrowed.released_alone || narrowed.passed.has_value();
+  return narrowed;
+}
+
+Stored<std::vector<UserId>> staff_of(Database& db) {
+  return db.all("SELECT id FROM people WHERE role <> 'student' AND guest = 0", [](Row row) { return row.id<UserId>(0); });
+}
+
 Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const HistoryFilter& f) {
   std::optional<std::vector<UserId>> students;
   if (f.student) students = {*f.student};
@@ -147,6 +165,9 @@ Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const Histo
   if (f.cohort) {
     auto done = narrow(db.all("SELECT student FROM cohort_students WHERE cohort = ?1", id, *f.cohort));
     if (!done) return std::unexpected(done.error());
+  }
+  if (f.drilled_by == DrilledBy::staff) {
+    if (auto done = narrow(staff_of(db)); !done) return std::unexpected(done.error());
   }
   return students;
 }

@@ -18,8 +18,14 @@ Stored<std::vector<HistoryKey>> keys_of_page(Database& db, const HistoryFilter& 
 /// The rows of these sessions, in this order, listed or not. A session that has no summary, student or version is left out.
 Stored<std::vector<HistoryRow>> rows_of(Database& db, const std::vector<SessionId>& sessions);
 
+/// Accounts of instructors and administrators.
+Stored<std::vector<UserId>> staff_of(Database& db);
+
 /// Every student whom the filter admits, each once; nullopt: it names none.
 Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const HistoryFilter& filter);
+
+/// The filter, narrowed to what the actor may read.
+Stored<HistoryFilter> readable(const Actor& actor, const HistoryFilter& filter);
 
 /// Of the graded, listed attempts that fit.
 Stored<Figures> read_figures(Database& db, const HistoryFilter& filter);

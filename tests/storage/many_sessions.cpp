@@ -56,24 +56,6 @@ void write_versions(Store& store, ManySessions& m) {
   }
 }
 
-Grade grade_of_ten(double score) {
-  Grade grade = small_grade(score, score >= 70);
-  grade.critical.clear();
-  for (int i = 2; i < 10; ++i) {
-    CriterionGrade c = grade.criteria[1];
-    c.id = c.measure.metric = c.id + '_' + std::to_string(i);
-    // Figures of full length, as measures have: JSON of short ones would pack too well.
-    const double own = i;
-    c.measure.value = 2 + std::sin(own);
-    c.measure.uncertainty = 0.05 + 0.01 * std::cos(own);
-    c.measure.where_mm = Vec3(std::sin(own + 1), std::sin(own + 2), std::sin(own + 3));
-    c.points = 5 + 4 * std::sin(own + 4);
-    c.reason_args = {{"limit", 2.0}, {"lost", 10 - c.points}, {"value", c.measure.value}};
-    grade.criteria.push_back(c);
-  }
-  return grade;
-}
-
 /// Returns the number of candidates.
 int write_assessment(Store& store, ManySessions& m) {
   m.assessment = must(store.assignments.create(
@@ -223,6 +205,24 @@ void write_copies(Store& store, ManySessions& m, int sessions, CopiedRows rows) 
 }
 
 }  // namespace
+
+Grade grade_of_ten(double score) {
+  Grade grade = small_grade(score, score >= 70);
+  grade.critical.clear();
+  for (int i = 2; i < 10; ++i) {
+    CriterionGrade c = grade.criteria[1];
+    c.id = c.measure.metric = c.id + '_' + std::to_string(i);
+    // Figures of full length, as measures have: JSON of short ones would pack too well.
+    const double own = i;
+    c.measure.value = 2 + std::sin(own);
+    c.measure.uncertainty = 0.05 + 0.01 * std::cos(own);
+    c.measure.where_mm = Vec3(std::sin(own + 1), std::sin(own + 2), std::sin(own + 3));
+    c.points = 5 + 4 * std::sin(own + 4);
+    c.reason_args = {{"limit", 2.0}, {"lost", 10 - c.points}, {"value", c.measure.value}};
+    grade.criteria.push_back(c);
+  }
+  return grade;
+}
 
 Drilled as_copy(const ManySessions& m, int i) {
   const auto number = static_cast<std::int64_t>(i);

@@ -41,6 +41,8 @@ struct Drilled {
   double score = 81.5;
   std::optional<AssignmentId> assignment{};
 };
+/// Ten criteria, whose figures have the length of measured ones.
+Grade grade_of_ten(double score);
 /// Started, drilled, finished and graded through the product's calls.
 SessionId drill(Store& store, const Drilled& drilled);
 /// As copy `i`.

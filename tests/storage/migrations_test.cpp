@@ -48,6 +48,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "7a2ecdc9062cea0403ad0da32c44510064b621f28cbff05c0eba9248f5a2f4a1",
       "77321b2ba2641bdb671ddfcc498c89871c3a14b34845b20157236e2b67727305",
       "1142289534135523c7c5426070c548ce7d6e930ef7aa5d1fff7fec53904b0392",
+      "4540a38c5952ea826ce7c2ccbf7b7d2b0189c7ccbdae3ec900c1551fa4733cb3",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "storage/export/csv.h"
+#include "ui/admin/criteria_card.h"
 #include "ui/modules.h"
 #include "ui/student/course.h"
 #include "ui/text/language.h"
@@ -69,6 +70,8 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   body->addWidget(band_);
   body->addWidget(make_figures());
   body->addLayout(make_charts());
+  criteria_ = new CriteriaCard;
+  body->addWidget(criteria_);
   body->addWidget(make_table(), 1);
   fill_filters();
   read();
@@ -107,7 +110,7 @@ QWidget* Performance::make_table() {
   auto* none = new EmptyState(u"chart"_qs, tr("No attempt fits"), tr("Nobody has an attempt that fits these filters, or none is finished yet."),
                               tr("Show all attempts"));
   connect(none, &EmptyState::acted, this, [this] {
-    for (QComboBox* box : {exercise_, result_, device_, period_}) box->setCurrentIndex(0);
+    for (QComboBox* box : choices()) box->setCurrentIndex(0);
     search_->clear();
   });
   below_->addWidget(none);
@@ -130,6 +133,12 @@ QWidget* Performance::make_filters() {
   search_ = make_search_field(tr("Find a student"), px(200));
   row->addWidget(search_);
   exercise_ = make_choice(tr("Exercise"));
+  version_ = make_choice(tr("Version"));
+  cohort_ = make_choice(tr("Cohort"));
+  who_ = make_choice(tr("Drilled by"));
+  who_->addItem(tr("Everybody"));
+  who_->addItem(tr("Students"), static_cast<int>(DrilledBy::students));
+  who_->addItem(tr("Staff"), static_cast<int>(DrilledBy::staff));
   result_ = make_choice(tr("Result"));
   device_ = make_choice(tr("Device"));
   period_ = make_choice(tr("From"));
@@ -138,7 +147,7 @@ QWidget* Performance::make_filters() {
   result_->addItem(tr("Not passed"), false);
   period_->addItem(tr("All dates"));
   for (const int days : {1, 7, 30, 365}) period_->addItem(tr("Last %n day(s)", nullptr, days), days);
-  for (QComboBox* box : {exercise_, result_, device_, period_}) row->addWidget(box);
+  for (QComboBox* box : choices()) row->addWidget(box);
   return bar;
 }
 
@@ -151,14 +160,32 @@ void Performance::fill_filters() {
   if (const auto devices = store_.history.device_classes(reader_)) {
     for (const std::string& device : *devices) device_->addItem(device_name(device), QString::fromStdString(device));
   }
-  for (QComboBox* box : {exercise_, result_, device_, period_}) {
-    connect(box, &QComboBox::currentIndexChanged, this, &Performance::read);
+  cohort_->addItem(tr("All cohorts"));
+  if (const auto cohorts = store_.cohorts.list()) {
+    for (const Cohort& cohort : *cohorts) cohort_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id.text()));
   }
+  fill_versions();
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &Performance::fill_versions);
+  for (QComboBox* box : choices()) connect(box, &QComboBox::currentIndexChanged, this, &Performance::read);
   connect(search_, &QLineEdit::textChanged, this, &Performance::read);
+}
+
+void Performance::fill_versions() {
+  const QSignalBlocker quiet(version_);
+  version_->clear();
+  version_->addItem(tr("All versions"));
+  const auto scenario = ScenarioId::parse(exercise_->currentData().toString().toStdString());
+  version_->setVisible(scenario.has_value());
+  if (!scenario) return;
+  const auto versions = store_.scenarios.versions(*scenario);
+  for (const ScenarioVersion& v : versions ? *versions : std::vector<ScenarioVersion>{}) version_->addItem(tr("Version %1").arg(v.number), v.number);
 }
 
 HistoryFilter Performance::filter() const {
   HistoryFilter f;
+  if (const QVariant number = version_->currentData(); number.isValid()) f.version_number = number.toInt();
+  if (const QString id = cohort_->currentData().toString(); !id.isEmpty()) f.cohort = CohortId::parse(id.toStdString());
+  if (const QVariant who = who_->currentData(); who.isValid()) f.drilled_by = static_cast<DrilledBy>(who.toInt());
   if (const QString id = exercise_->currentData().toString(); !id.isEmpty()) f.scenario = ScenarioId::parse(id.toStdString());
   if (const QVariant passed = result_->currentData(); passed.isValid()) f.passed = passed.toBool();
   if (const QString device = device_->currentData().toString(); !device.isEmpty()) f.device_class = device.toStdString();
@@ -218,6 +245,11 @@ void Performance::read() {
   show_numbers(*figures);
   show_spread(*figures);
   show_learning(*figures);
+  criteria_->setVisible(shown.scenario.has_value());
+  if (!shown.scenario) return;
+  const auto by_criterion = store_.history.by_criterion(reader_, shown);
+  if (!by_criterion) return show_failure(by_criterion.error());
+  criteria_->show_figures(*by_criterion);
 }
 
 void Performance::fetch_for_order(int column, Qt::SortOrder order) {

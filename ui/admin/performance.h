@@ -21,6 +21,7 @@ namespace cusp::ui {
 
 class Band;
 class Chart;
+class CriteriaCard;
 class AttemptsModel;
 class Table;
 
@@ -35,7 +36,11 @@ class Performance : public QWidget {
   Table* table() const { return table_; }
   QLineEdit* search() const { return search_; }
   QComboBox* exercise() const { return exercise_; }
+  QComboBox* version() const { return version_; }
+  QComboBox* cohort() const { return cohort_; }
+  QComboBox* who() const { return who_; }
   QComboBox* result() const { return result_; }
+  CriteriaCard* criteria() const { return criteria_; }
   QComboBox* period() const { return period_; }
 
  public Q_SLOTS:
@@ -57,6 +62,9 @@ class Performance : public QWidget {
   QBoxLayout* make_charts();
   QWidget* make_table();
   void fill_filters();
+  std::vector<QComboBox*> choices() const { return {exercise_, version_, cohort_, who_, result_, device_, period_}; }
+  /// The versions of the chosen exercise.
+  void fill_versions();
   std::optional<HistoryPage> page(const HistoryFilter& filter, const std::optional<HistoryKey>& after);
   /// Fetches the rest of the attempts for another order than the newest first; with too many it keeps that order and says so.
   void fetch_for_order(int column, Qt::SortOrder order);
@@ -73,12 +81,14 @@ class Performance : public QWidget {
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
-  QComboBox *exercise_ = nullptr, *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
+  QComboBox *exercise_ = nullptr, *version_ = nullptr, *cohort_ = nullptr, *who_ = nullptr;
+  QComboBox *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
   QLineEdit* search_ = nullptr;
   static constexpr int kFigures = 4;
   QLabel *figure_[kFigures] = {}, *note_[kFigures] = {};  // each in a card
   QGridLayout* figures_ = nullptr;
   Chart *spread_ = nullptr, *learning_ = nullptr;
+  CriteriaCard* criteria_ = nullptr;  // shows with an exercise
   QBoxLayout* charts_ = nullptr;
 };
 

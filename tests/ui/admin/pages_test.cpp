@@ -10,9 +10,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
+#include "ui/admin/criteria_card.h"
 #include "ui/admin/people_model.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
@@ -35,6 +37,16 @@ QLineEdit* field(QWidget& page, const char* name) {
     if (f->accessibleName() == QLatin1String(name)) return f;
   }
   return nullptr;
+}
+
+std::string plain_text(QString text) {
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  return text.replace(QChar(0x00A0), u' ').toStdString();
+}
+QStringList texts_of(const QComboBox& box) {
+  QStringList out;
+  for (int i = 0; i < box.count(); ++i) out += box.itemText(i);
+  return out;
 }
 
 struct AdminPages : ::testing::Test {
@@ -212,6 +224,53 @@ TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   EXPECT_EQ(bytes.count("\r\n"), 2);  // head and one attempt
   EXPECT_TRUE(bytes.contains("Lena Brandt"));
   EXPECT_FALSE(bytes.contains("Noah Adler"));
+}
+
+TEST_F(AdminPages, performance_narrows_to_a_cohort_a_version_and_students_or_staff) {
+  const Account lena = records.student("1", "Lena Brandt"), omar = records.student("2", "Omar Haddad");
+  records.attempt(lena, "channel-1", 60, 100);
+  records.attempt(omar, "channel-1", 70, 100);
+  records.attempt(records.administrator(), "paper-block", 80, 100);
+  const CohortId cohort = records.store().cohorts.create(records.administrator().actor(), "Year 3")->id;
+  ASSERT_TRUE(records.store().cohorts.add(records.administrator().actor(), cohort, lena.id));
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  const auto rows = [&] { return page.attempts().rowCount(); };
+  EXPECT_EQ(rows(), 3);
+  page.who()->setCurrentIndex(1);
+  EXPECT_EQ(rows(), 2);
+  page.who()->setCurrentIndex(2);
+  EXPECT_EQ(rows(), 1);
+  page.who()->setCurrentIndex(0);
+  EXPECT_EQ(texts_of(*page.cohort()), (QStringList{QStringLiteral("All cohorts"), QStringLiteral("Year 3")}));
+  page.cohort()->setCurrentIndex(1);
+  EXPECT_EQ(rows(), 1);
+  page.cohort()->setCurrentIndex(0);
+  EXPECT_FALSE(page.version()->isVisible()) << "versions are of an exercise";
+  page.exercise()->setCurrentIndex(page.exercise()->findText(QString::fromStdString(load_builtin("channel-1")->title.at("en"))));
+  EXPECT_EQ(rows(), 2);
+  EXPECT_EQ(texts_of(*page.version()), (QStringList{QStringLiteral("All versions"), QStringLiteral("Version 3")}));
+  page.version()->setCurrentIndex(1);
+  EXPECT_EQ(rows(), 2);
+  EXPECT_EQ(page.filter().version_number, 3);
+  page.exercise()->setCurrentIndex(0);
+  EXPECT_FALSE(page.filter().version_number);
+}
+
+TEST_F(AdminPages, performance_shows_an_exercise_by_criterion_the_hardest_first) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 60, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  EXPECT_FALSE(page.criteria()->isVisible());
+  page.exercise()->setCurrentIndex(1);
+  ASSERT_TRUE(page.criteria()->isVisible());
+  const CriterionFiguresModel& model = page.criteria()->model();
+  const auto at = [&](int row, int column) { return plain_text(model.index(row, column).data().toString()); };
+  ASSERT_EQ(model.rowCount(), 2);  // of sample_grade(): one with 4 of 10 points, one with all
+  EXPECT_EQ(at(0, CriterionFiguresModel::kShare), "40 %");
+  EXPECT_EQ(at(0, CriterionFiguresModel::kFull), "0 %");
+  EXPECT_EQ(at(1, CriterionFiguresModel::kShare), "100 %");
+  EXPECT_EQ(at(1, CriterionFiguresModel::kAttempts), "1");
 }
 
 }  // namespace
