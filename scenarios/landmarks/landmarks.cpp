@@ -6,6 +6,9 @@ namespace cusp::scenarios {
 
 namespace {
 
+/// Of kMostTurnedDeg. Measures use no trigonometry of the C library: it differs between processors.
+constexpr double kMostTurnedTangent = 0.15838444032453627;
+
 /// The place of a landmark, or nullptr.
 const Vec3* place_of(const SpecimenLandmarks& landmarks, MarkKind kind, std::string_view name) noexcept {
   const Landmark* mark = landmarks.find(kind, name);
@@ -14,7 +17,9 @@ const Vec3* place_of(const SpecimenLandmarks& landmarks, MarkKind kind, std::str
 
 /// Distance across the crown, between two of its places.
 double extent(const Vec3* a, const Vec3* b) noexcept {
-  return a == nullptr || b == nullptr ? 0.0 : std::hypot(a->x - b->x, a->y - b->y);
+  if (a == nullptr || b == nullptr) return 0.0;
+  const double x = a->x - b->x, y = a->y - b->y;
+  return std::sqrt(x * x + y * y);
 }
 
 }  // namespace
@@ -44,8 +49,12 @@ ToothLandmarks as_grown(const SpecimenLandmarks& landmarks) {
 }
 
 int mesial_x_of(const SpecimenLandmarks& landmarks) noexcept {
-  const auto turned = turn_deg(landmarks);
-  return turned && std::fabs(*turned) <= kMostTurnedDeg ? mesial_x(landmarks.fdi) : 0;
+  const Landmark* axis = landmarks.find(MarkKind::mesial_axis);
+  if (landmarks.fdi == 0 || axis == nullptr || axis->points_mm.size() != 2) return 0;
+  const Vec3 way = axis->points_mm[1] - axis->points_mm[0];
+  const int out = mesial_x(landmarks.fdi);
+  const double along = out * way.x;
+  return along > 0.0 && std::fabs(way.y) <= kMostTurnedTangent * along ? out : 0;
 }
 
 }  // namespace cusp::scenarios

@@ -96,7 +96,8 @@ std::optional<MeasuredLength> gingival_above_cej(const CutFaces& faces, const Re
   const std::vector<CutFace>& floor = faces.of(FaceName::gingival_floor);
   const ToothLandmarks* landmarks = floor.empty() ? nullptr : reference.landmarks();
   if (landmarks == nullptr || landmarks->cej.size() < 3) return std::nullopt;
-  const double known_mm = std::hypot(reference.point_sigma_mm(), reference.landmark_sigma_mm(MarkKind::cej));
+  const double place_mm = reference.point_sigma_mm(), line_mm = reference.landmark_sigma_mm(MarkKind::cej);
+  const double known_mm = std::sqrt(place_mm * place_mm + line_mm * line_mm);
   MeasuredLength out{std::numeric_limits<double>::max(), known_mm, Vec3(0.0)};
   for (const CutFace& face : floor) {
     const double mm = face.middle_mm.z - line_height(landmarks->cej, face.middle_mm);

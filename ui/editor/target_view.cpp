@@ -292,9 +292,8 @@ void TargetView::place_all() {
 }
 
 void TargetView::place_handles() {
-  const Outline& t = model_.outline();
   handles_.clear();
-  if (grown_) handles_ = model_.has_outline() ? handles_of(t) : handles_of_part(model_.chosen());
+  if (grown_) handles_ = model_.has_outline() ? handles_of(model_.outline()) : handles_of_part(model_.chosen());
   while (knobs_.size() < handles_.size()) {
     knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
     section_->tab_after(knobs_.back());  // it stands below the tooth
@@ -309,55 +308,54 @@ void TargetView::place_handles() {
     if (!at) continue;
     const TargetHandle& h = handles_[i];
     knob->move((*at - QPointF(knob->width() / 2.0, knob->height() / 2.0)).toPoint());
-    if (!h.of_outline()) {
-      name_part_handle(*knob, h);
-      continue;
-    }
-    QString name, value;
-    QLabel* tag = nullptr;
-    switch (h.kind) {
-      case TargetHandle::Kind::point:
-        name = t.shape == "box" ? tr("Middle of the box") : tr("Point %1").arg(i + 1);
-        value = tr("%1 across, %2 along").arg(handle_mm(h.at_mm.y), handle_mm(h.at_mm.x));
-        break;
-      case TargetHandle::Kind::width:
-        name = tr("Width");
-        value = handle_mm(t.width_mm);
-        tag = width_tag_;
-        tag->setText(tr("%1 wide").arg(value));
-        break;
-      case TargetHandle::Kind::size_x:
-        name = tr("Length");
-        value = handle_mm(t.box_size_mm.x);
-        break;
-      case TargetHandle::Kind::size_y:
-        name = tr("Width");
-        value = handle_mm(t.box_size_mm.y);
-        tag = width_tag_;
-        tag->setText(tr("%1 wide").arg(value));
-        break;
-      case TargetHandle::Kind::depth:
-        name = tr("Depth");
-        value = handle_mm(t.depth_mm);
-        tag = depth_tag_;
-        tag->setText(tr("%1 deep").arg(value));
-        if (const auto top = view_->project({h.at_mm.x, h.at_mm.y, t.top_mm})) arrow_->span(*at, *top);
-        break;
-      default: break;
-    }
-    knob->set_handle(h, name, value);
-    if (tag) {
-      tag->adjustSize();
-      tag->show();
-      tag->raise();
-    }
+    if (h.of_outline()) name_outline_handle(*knob, i, *at);
+    else name_part_handle(*knob, h);
   }
   for (std::size_t i = 0; i < handles_.size(); ++i) {
-    QLabel* tag = handles_[i].kind == TargetHandle::Kind::depth                                                  ? depth_tag_
-                  : handles_[i].kind == TargetHandle::Kind::width || handles_[i].kind == TargetHandle::Kind::size_y ? width_tag_
-                                                                                                                  : nullptr;
+    QLabel* tag = tag_of(handles_[i].kind);
     if (tag && tag->isVisibleTo(this)) place_tag(tag, knobs_[i]->geometry().center());
   }
+}
+
+/// The label beside a handle of that kind; nullptr where it has none.
+QLabel* TargetView::tag_of(TargetHandle::Kind kind) const {
+  if (kind == TargetHandle::Kind::depth) return depth_tag_;
+  return kind == TargetHandle::Kind::width || kind == TargetHandle::Kind::size_y ? width_tag_ : nullptr;
+}
+
+void TargetView::name_outline_handle(HandleKnob& knob, std::size_t i, QPointF at) {
+  const Outline& t = model_.outline();
+  const TargetHandle& h = handles_[i];
+  QLabel* tag = tag_of(h.kind);
+  QString name, value;
+  switch (h.kind) {
+    case TargetHandle::Kind::point:
+      name = t.shape == "box" ? tr("Middle of the box") : tr("Point %1").arg(i + 1);
+      value = tr("%1 across, %2 along").arg(handle_mm(h.at_mm.y), handle_mm(h.at_mm.x));
+      break;
+    case TargetHandle::Kind::width:
+    case TargetHandle::Kind::size_y:
+      name = tr("Width");
+      value = handle_mm(h.kind == TargetHandle::Kind::width ? t.width_mm : t.box_size_mm.y);
+      tag->setText(tr("%1 wide").arg(value));
+      break;
+    case TargetHandle::Kind::size_x:
+      name = tr("Length");
+      value = handle_mm(t.box_size_mm.x);
+      break;
+    case TargetHandle::Kind::depth:
+      name = tr("Depth");
+      value = handle_mm(t.depth_mm);
+      tag->setText(tr("%1 deep").arg(value));
+      if (const auto top = view_->project({h.at_mm.x, h.at_mm.y, t.top_mm})) arrow_->span(at, *top);
+      break;
+    default: break;
+  }
+  knob.set_handle(h, name, value);
+  if (!tag) return;
+  tag->adjustSize();
+  tag->show();
+  tag->raise();
 }
 
 void TargetView::place_tag(QLabel* tag, QPoint at) {

@@ -65,6 +65,8 @@ class TargetView : public QWidget {
   /// `keys`: steps to the right and up.
   void step_part(const TargetHandle& handle, glm::ivec2 keys, double step_mm);
   void name_part_handle(HandleKnob& knob, const TargetHandle& handle) const;
+  void name_outline_handle(HandleKnob& knob, std::size_t i, QPointF at);
+  QLabel* tag_of(TargetHandle::Kind kind) const;
   /// Place on the reference plane under a position of the widget.
   std::optional<Vec3> on_plane(QPointF at) const;
 
