@@ -89,10 +89,14 @@ QPushButton* ReportPage::make_section(const TeethButtons& others) {
     section_->parentWidget()->setVisible(on);
     if (on) drilled.setChecked(true);
   });
-  connect(&others.both, &QPushButton::toggled, out, [out](bool on) {
+  // Opened before the mesh stands, a section would face nothing.
+  const auto may_open = [out, both = &others.both, tooth = tooth_] { out->setEnabled(tooth->tooth_shown() && !both->isChecked()); };
+  connect(tooth_, &PinnedTooth::tooth_came, out, may_open);
+  connect(&others.both, &QPushButton::toggled, out, [out, may_open](bool on) {
     if (on) out->setChecked(false);
-    out->setDisabled(on);
+    may_open();
   });
+  may_open();
   section_->parentWidget()->hide();
   return out;
 }

@@ -22,7 +22,7 @@ class ReportSection : public QWidget {
   /// `tooth` outlives this. Pre: `volume` is not null.
   ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent = nullptr);
   void set_open(bool open);
-  /// Through a pinned place; through the target's middle without one.
+  /// Through a pinned place; without one the plane stays where it is.
   void go_through(const std::optional<Vec3>& place_mm);
   SectionBar* bar() const { return bar_; }
   /// The walls of the reference preparation are known. They never are if its operator has no path to the target.

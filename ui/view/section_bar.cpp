@@ -102,6 +102,10 @@ void SectionBar::show_cut(Cut cut) {
   const bool other_target = cut.target != cut_.target;
   cut_ = std::move(cut);
   if (other_tooth || other_target) measure();
+  if (other_tooth && open_) {  // the view was turned to the new tooth
+    before_ = view_.camera();
+    face();
+  }
   draw();
 }
 
@@ -112,8 +116,9 @@ void SectionBar::measure() {
   low_mm_ = grid.centre_mm(IVec3(0));
   high_mm_ = grid.centre_mm(grid.size - IVec3(1));
   const TargetShape shape(cut_.target);
-  middle_mm_ = 0.5 * (low_mm_ + high_mm_);
+  middle_mm_ = {0.5 * (low_mm_.x + high_mm_.x), 0.5 * (low_mm_.y + high_mm_.y), high_mm_.z};
   if (!shape.empty()) middle_mm_ = {0.5 * (shape.low() + shape.high()), shape.top_mm()};
+  middle_mm_ = glm::clamp(middle_mm_, low_mm_, high_mm_);  // a half-space has no end
   if (!moved) through_mm_ = middle_mm_;
   fit_slider();
 }

@@ -85,7 +85,7 @@ class SectionBar : public QFrame {
   QLabel *place_, *low_, *high_;
   Cut cut_;
   Vec3 low_mm_{0.0}, high_mm_{0.0};  // of the specimen
-  Vec3 middle_mm_{0.0};           // of the target at its top; without one, of the specimen
+  Vec3 middle_mm_{0.0};           // of the target at its top; without one, of the specimen at its top
   Vec3 through_mm_{0.0};
   Way way_ = Way::buccolingual;
   int fdi_ = 0;

@@ -45,6 +45,17 @@ TEST_F(SectionOfABlock, begins_in_the_middle_of_the_target) {
   EXPECT_TRUE(texts().contains(QStringLiteral("Through the middle")));
 }
 
+TEST_F(SectionOfABlock, holds_the_top_of_the_block_where_the_target_has_no_end) {
+  SectionBar::Cut endless = cut();
+  endless.target = Region{};
+  endless.target.kind = RegionKind::half_space;
+  bar.show_cut(endless);
+  const Grid& grid = whole->grid();
+  const double top_mm = grid.centre_mm(grid.size - IVec3(1)).z;
+  EXPECT_LE(bar.plane().centre_mm.z, top_mm);
+  EXPECT_GE(bar.plane().centre_mm.z, top_mm - 12.0) << "the picture is 24 mm high";
+}
+
 TEST_F(SectionOfABlock, moves_across_its_plane_by_a_tenth_of_a_millimetre_a_step) {
   bar.choose(SectionBar::Way::mesiodistal);
   const SectionPlane before = bar.plane();
