@@ -47,6 +47,7 @@ void MarkPass::draw(const FrameView& view) {
   glDrawArrays(GL_TRIANGLES, 0, count_);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+  glEnable(GL_CULL_FACE);
 }
 
 }  // namespace cusp::ui

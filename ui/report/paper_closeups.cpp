@@ -14,7 +14,7 @@ struct CloseupsText {
 // Pixels of the screen at 100 %.
 constexpr std::size_t kFewAcross = 3, kManyAcross = 4;  // of up to kFewAcross * kFewAcross pictures, and of more
 constexpr double kGap = 14;
-constexpr double kTextHigh = 62;  // of head and reason below a picture
+constexpr double kTextHigh = 62, kNarrowTextHigh = 76;  // of head and reason below a picture, and where more pictures stand in a row
 constexpr double kPlaceRing = 9;  // about the place
 
 void draw_closeup(Paper& paper, const QRectF& where, const CloseUp& closeup) {
@@ -41,19 +41,20 @@ void write_closeups(Paper& paper, const ReportData& data, const std::vector<Clos
   paper.skip(8);
   const double top = paper.y(), gap = paper.u(kGap);
   const bool few = closeups.size() <= kFewAcross * kFewAcross;
+  const double text_high = paper.u(few ? kTextHigh : kNarrowTextHigh);
   const std::size_t across = few ? kFewAcross : kManyAcross;
   const std::size_t down = few ? kFewAcross : (closeups.size() + across - 1) / across;
   const auto columns = static_cast<double>(across), rows = static_cast<double>(down);
   const double text_wide = (page.width() - (columns - 1) * gap) / columns;
-  const double side = std::min(text_wide, (page.bottom() - top - rows * (paper.u(kTextHigh) + gap)) / rows);
+  const double side = std::min(text_wide, (page.bottom() - top - rows * (text_high + gap)) / rows);
   std::size_t i = 0;
   for (const Advice& advice : next_time(data)) {
     if (!advice.place_mm) continue;
     if (i == closeups.size()) break;
     const double x = page.left() + static_cast<double>(i % across) * (text_wide + gap);
-    const double y = top + static_cast<double>(i / across) * (side + paper.u(kTextHigh) + gap);
+    const double y = top + static_cast<double>(i / across) * (side + text_high + gap);
     draw_closeup(paper, QRectF(x, y, side, side), closeups[i++]);
-    Paper below(paper.painter(), QRectF(x, y + side + paper.u(4), text_wide, paper.u(kTextHigh)), paper.u(1));
+    Paper below(paper.painter(), QRectF(x, y + side + paper.u(4), text_wide, text_high), paper.u(1));
     below.write(advice.head, {x, text_wide}, {10.5, Weight::bold, advice.grave ? t.bad : t.text});
     below.write(advice.why, {x, text_wide}, {9.5, Weight::regular, t.text2});
   }

@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QThreadPool>
 #include <QTimer>
+#include <atomic>
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -86,8 +87,12 @@ class PinLeader : public QWidget {
 class PatchSource {
  public:
   PatchSource(std::shared_ptr<const Volume> volume, const Scenario& scenario) : volume_(std::move(volume)), scenario_(scenario) {}
-  SurfaceMarks marks_of(const std::string& metric) const {
+  /// The number of a wish; older ones are given up.
+  int wish() const { return ++newest_; }
+  /// nullopt: another patch was wished for meanwhile.
+  std::optional<SurfaceMarks> marks_of(const std::string& metric, int wished) const {
     const std::lock_guard lock(mutex_);
+    if (wished != newest_) return std::nullopt;
     if (!patches_) {
       patches_.emplace(std::make_shared<const Reference>(scenario_, volume_->specimen_ptr()), volume_);
     }
@@ -97,6 +102,7 @@ class PatchSource {
  private:
   std::shared_ptr<const Volume> volume_;
   Scenario scenario_;
+  mutable std::atomic<int> newest_ = 0;
   mutable std::mutex mutex_;  // guards what follows
   mutable std::optional<EvidencePatches> patches_;
 };
@@ -144,6 +150,7 @@ void PinnedTooth::build_mesh(const Scenario& scenario) {
       delete std::exchange(self->waiting_, nullptr);
       self->turn_back();
       self->face_place();
+      Q_EMIT self->tooth_came();
     }, Qt::QueuedConnection);
   });
 }
@@ -191,14 +198,17 @@ void PinnedTooth::compute_patch(const std::string& metric) {
   metric_ = metric;
   marks_ = {};
   view_->set_marks({});
-  if (!patches_ || metric.empty()) return;
-  QThreadPool::globalInstance()->start([self = QPointer(this), patches = patches_, metric] {
-    auto marks = std::make_shared<SurfaceMarks>(patches->marks_of(metric));
+  if (!patches_) return;
+  const int wished = patches_->wish();
+  if (metric.empty()) return;
+  QThreadPool::globalInstance()->start([self = QPointer(this), patches = patches_, metric, wished] {
+    auto found = patches->marks_of(metric, wished);
+    if (!found) return;
+    auto marks = std::make_shared<SurfaceMarks>(std::move(*found));
     QMetaObject::invokeMethod(qApp, [self, marks, metric] {
       if (!self || self->metric_ != metric) return;  // another row was chosen meanwhile
       self->marks_ = *marks;
       self->view_->set_marks(std::move(*marks));
-      Q_EMIT self->marks_came();
     }, Qt::QueuedConnection);
   });
 }

@@ -56,7 +56,8 @@ class PinnedTooth : public QWidget {
 
  Q_SIGNALS:
   void scenery_came();
-  void marks_came();
+  /// The mesh stands, and the view shows the whole of it or a pinned place.
+  void tooth_came();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
