@@ -148,7 +148,11 @@ EvidencePatch EvidencePatches::surface_of(std::string_view metric) const {
   const TargetShape& shape = reference_->shape();
   EvidencePatch out;
   if (metric.starts_with("overcut_")) {
-    out.triangles = cut_where(*volume_, [&](const Triangle& t) { return is_overcut(metric, shape.near(middle_of(t)), reference_->leeway()); });
+    const double outside = reference_->point_sigma_mm();  // a face on the target's own surface is no over-cut
+    out.triangles = cut_where(*volume_, [&](const Triangle& t) {
+      const Near near = shape.near(middle_of(t));
+      return near.distance_mm > outside && is_overcut(metric, near, reference_->leeway());
+    });
   } else if (metric.starts_with("surface_")) {
     const double limit = limit_mm(metric);
     out.triangles = cut_where(*volume_, [&](const Triangle& t) { return std::fabs(shape.distance_mm(middle_of(t))) > limit; });

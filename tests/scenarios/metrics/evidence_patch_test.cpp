@@ -85,6 +85,9 @@ TEST(EvidencePatch, OfAnOvercutIsTheCutInThatZoneAlone) {
   EXPECT_TRUE(deep.of("overcut_beyond_floor").empty());
   EXPECT_TRUE(all_lie(tolerated, [](Vec3 p) { return p.z < -kTarget.z + 0.05; }));
   EXPECT_GT(mm2_of(tolerated), 0.8 * kTarget.x * kTarget.y);
+  // A cut on the target's surface is none; sharp where the target's line angle is rounded by 0.3 mm, it is.
+  EXPECT_TRUE(all_lie(patches_of({}).of("overcut_leeway_floor"),
+                      [](Vec3 p) { return std::fabs(p.x) > 0.5 * kTarget.x - 0.35 || std::fabs(p.y) > 0.5 * kTarget.y - 0.35; }));
   const EvidencePatches deeper = patches_of({.deeper_mm = 0.5});
   EXPECT_GT(mm2_of(deeper.of("overcut_beyond_floor")), 0.8 * kTarget.x * kTarget.y);
   EXPECT_GT(mm2_of(deeper.of("overcut_beyond_pulpal_floor")), 0.8 * kTarget.x * kTarget.y);
