@@ -45,6 +45,7 @@ std::vector<TargetHandle> handles_of_part(const Region& part) {
     case RegionKind::box:
     case RegionKind::ellipsoid: {
       const Axes axes = axes_of(part);
+      if (!(glm::dot(axes.x, axes.x) + glm::dot(axes.z, axes.z) > 1.5)) return {place};  // a file's axes may span no box
       return {place, at(Kind::extent_x, part.from_mm + 0.5 * part.size_mm.x * axes.x, axes.x),
               at(Kind::extent_y, part.from_mm + 0.5 * part.size_mm.y * axes.y, axes.y),
               at(Kind::floor, part.from_mm - 0.5 * part.size_mm.z * axes.z, -axes.z)};

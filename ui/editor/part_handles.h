@@ -15,7 +15,7 @@ namespace cusp::ui {
 std::vector<TargetHandle> handles_of_part(const Region& part);
 
 /// The shape after a handle was moved: a place and an end go there, a radius and an extent reach there on both sides, and a floor moves
-/// under a top that stays. Rounds to kHandleStepMm. Pre: the handle is one of handles_of_part(part).
+/// under a top that stays. Rounds to kHandleStepMm but for the middle of a box whose floor moves. Pre: the handle is one of handles_of_part(part).
 Region moved_part(const Region& part, const TargetHandle& handle, Vec3 to_mm);
 
 }  // namespace cusp::ui

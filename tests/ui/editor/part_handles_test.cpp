@@ -42,6 +42,16 @@ const TargetHandle* handle_of(const std::vector<TargetHandle>& handles, Kind kin
   return found == handles.end() ? nullptr : &*found;
 }
 
+TEST(PartHandles, of_a_box_whose_axes_span_nothing_are_its_place_alone) {
+  for (const Vec3 z_axis : {Vec3(0.0), Vec3(1, 1, 0)}) {
+    Region part = shapes_with_handles().front();
+    part.z_axis = z_axis;
+    const auto handles = handles_of_part(part);
+    ASSERT_EQ(handles.size(), 1u);
+    EXPECT_EQ(handles[0].kind, Kind::place);
+  }
+}
+
 TEST(PartHandles, stand_where_they_were_moved_to) {
   for (const Region& part : shapes_with_handles()) {
     const auto handles = handles_of_part(part);
