@@ -8,13 +8,14 @@
 namespace cusp::storage {
 namespace {
 
-/// Statements of this station, with keys and authors. ?1: the station. Authors go by name alone (`referred`).
+/// Statements of this station, with keys and authors. ?1: the station. Authors go by name alone (`referred`). An own assessment goes
+/// with its session.
 constexpr std::array kStatementCopies = {
-    "INSERT OR IGNORE INTO station_keys SELECT * FROM source.station_keys WHERE id IN (SELECT key FROM source.statements WHERE station = ?1)",
+    "INSERT OR IGNORE INTO station_keys SELECT * FROM source.station_keys WHERE id IN (SELECT key FROM source.statements WHERE station = ?1 AND kind <> 'self_assessment')",
     "INSERT OR IGNORE INTO people SELECT id, number, name, role, '', '', 1, guest, 0, 0, created_at FROM source.people "
-    "WHERE id IN (SELECT author FROM source.statements WHERE station = ?1)",
-    "INSERT OR IGNORE INTO statements SELECT * FROM source.statements WHERE station = ?1 ORDER BY sequence",
-    "INSERT OR IGNORE INTO statement_texts SELECT * FROM source.statement_texts WHERE statement IN (SELECT id FROM source.statements WHERE station = ?1)",
+    "WHERE id IN (SELECT author FROM source.statements WHERE station = ?1 AND kind <> 'self_assessment')",
+    "INSERT OR IGNORE INTO statements SELECT * FROM source.statements WHERE station = ?1 AND kind <> 'self_assessment' ORDER BY sequence",
+    "INSERT OR IGNORE INTO statement_texts SELECT * FROM source.statement_texts WHERE statement IN (SELECT id FROM source.statements WHERE station = ?1 AND kind <> 'self_assessment')",
 };
 
 constexpr std::array kOfficeCopies = {

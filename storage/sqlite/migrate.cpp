@@ -34,7 +34,9 @@ Stored<void> migrate(Database& database, std::span<const std::string_view> migra
   if (!enforced) return std::unexpected(enforced.error());
   // A migration may make a table anew, and a row of a damaged file may refer to none: verification names it afterwards.
   if (auto done = database.run("PRAGMA foreign_keys = OFF"); !done) return done;
+  if (auto done = database.run("PRAGMA ignore_check_constraints = ON"); !done) return done;
   auto done = run_each(database, migrations);
+  if (const auto checked = database.run("PRAGMA ignore_check_constraints = OFF"); done && !checked) done = checked;
   if (!enforced->value_or(false)) return done;
   const auto again = database.run("PRAGMA foreign_keys = ON");
   return done ? again : done;

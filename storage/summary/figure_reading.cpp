@@ -1,4 +1,5 @@
 // Reads the graded attempts that a filter admits: of a few students by index, else from the packed attempts.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -68,7 +69,7 @@ class Conditions {
  public:
   /// `left_out`: whose attempts do not count.
   Conditions(const HistoryFilter& f, const std::optional<std::vector<UserId>>& students, const std::vector<UserId>& left_out)
-      : version_{f.version_number}, from_{f.from_utc_us.value_or(-kEnd)}, to_{f.to_utc_us.value_or(kEnd)}, any_student_{!students} {
+      : version_{f.version_number.transform([](int n) { return std::min(n, static_cast<int>(PackedAttempt::kMostVersion)); })}, from_{f.from_utc_us.value_or(-kEnd)}, to_{f.to_utc_us.value_or(kEnd)}, any_student_{!students} {
     if (students) {
       for (const UserId student : *students) static_cast<void>(students_.number(student));
     }

@@ -42,7 +42,7 @@ def verify_names(desk):
     session = session_of(desk.path("school.db"))
     whole = [f"DELETE FROM {t} WHERE 1" for t in (
         "sessions", "session_events", "trace_chunks", "key_states", "metrics", "removed_tissues", "final_volumes",
-        "grades", "criteria", "session_chain", "session_heads", "comments")]
+        "grades", "criteria", "graded_criteria", "session_chain", "session_heads", "comments")]
     cases = [
         (whole, ("sessions", session)),
         (["DELETE FROM audit_log", "DELETE FROM audit_head"], ("audit_log",)),

@@ -207,5 +207,20 @@ TEST(Migrations, a_statement_whose_session_is_gone_stops_no_migration_and_is_nam
   EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM statements", [](Row row) { return row.integer(0); })), 2);
 }
 
+TEST(Migrations, a_statement_of_no_kind_stops_no_migration_and_is_named_afterwards) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(11)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0011.sql")));
+    must(db.run("PRAGMA ignore_check_constraints = ON"));
+    must(db.run("UPDATE statements SET kind = 'shout' WHERE kind = 'comment'"));
+  }
+  const auto store = open(folder / "a.db");
+  std::vector<std::string> tables;
+  for (const ChainFinding& f : must(verify_store(store->context())).findings) tables.push_back(f.table);
+  EXPECT_NE(std::ranges::find(tables, "statements"), tables.end());
+  EXPECT_FALSE(store->database().run("UPDATE statements SET kind = 'shout'")) << "checks are enforced again";
+}
+
 }  // namespace
 }  // namespace cusp::test

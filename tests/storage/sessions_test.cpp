@@ -183,6 +183,14 @@ TEST_F(SessionsTest, a_grade_of_format_1_is_read_by_the_present_names_of_its_met
   EXPECT_EQ(*must(store->database().first("SELECT count(*) FROM criteria WHERE id = 'undercut'", [](Row row) { return row.integer(0); })), 1);
 }
 
+TEST_F(SessionsTest, put_a_damaged_header_right_at_the_next_start) {
+  const SessionId first = must(store->sessions.start(student.actor(), new_session(student, version))).id;
+  must(store->database().run("UPDATE blobs SET packed = x'00'"));
+  EXPECT_EQ(code_of(store->sessions.find(first)), StorageError::corrupt);
+  must(store->sessions.start(student.actor(), new_session(student, version)));
+  EXPECT_TRUE(store->sessions.find(first));
+}
+
 TEST_F(SessionsTest, keep_a_header_once_and_each_reads_its_own) {
   NewSession wanted = new_session(student, version);
   const SessionId first = must(store->sessions.start(student.actor(), wanted)).id, second = must(store->sessions.start(student.actor(), wanted)).id;
