@@ -49,7 +49,7 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
     auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, reader, keep));
     QMetaObject::invokeMethod(
         qApp,
-        [this, opened, keep, waiting] {
+        [this, opened, waiting] {
           // Whoever signed out meanwhile has taken the page with them.
           if (!waiting || page() != waiting) return;
           if (!opened->result) {
@@ -60,7 +60,7 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
           if (const auto list = load_exercises(*store_)) {
             if (const Exercise* found = list->find(opened->result->scenario.id)) exercise = *found;
           }
-          if (keep == Keep::grade && awaits_own_assessment(*opened->result)) {
+          if (awaits_own_assessment(*opened->result)) {
             end_attempt(opened->result, exercise);
             return drop(waiting);
           }
@@ -110,6 +110,8 @@ bool Desktop::awaits_own_assessment(const SessionResult& result) {
   if (!account_ || !store_ || reading_only_ || result.session.is_nil() || !result.scenario.self_assessment) return false;
   const auto session = store_->sessions.find(result.session);
   if (!session || session->student != account_->id) return false;
+  // A released assessment takes none (Statements::assess_own).
+  if (session->kind == SessionKind::assessment && store_->history.may_read_result(account_->actor(), result.session)) return false;
   const auto given = store_->statements.self_assessment(account_->actor(), result.session);
   return given && !*given;
 }

@@ -144,7 +144,11 @@ void SelfAssessmentPage::rate_next(int step) {
 
 void SelfAssessmentPage::keyPressEvent(QKeyEvent* event) {
   const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-  if (plain && event->key() >= Qt::Key_1 && event->key() <= Qt::Key_3) return rate_next(event->key() - Qt::Key_1);
+  if (plain && event->key() >= Qt::Key_1 && event->key() <= Qt::Key_3) {
+    // A key that is held since the drilling, or too long, rates no further row.
+    if (!event->isAutoRepeat()) rate_next(event->key() - Qt::Key_1);
+    return;
+  }
   QWidget::keyPressEvent(event);
 }
 

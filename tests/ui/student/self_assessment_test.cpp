@@ -55,6 +55,13 @@ TEST_F(OwnPage, KeysRateARowAndGoOnToTheNext) {
   EXPECT_EQ(decided->ratings.size(), criteria);
 }
 
+TEST_F(OwnPage, AKeyThatIsHeldRatesNoFurtherRow) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  QKeyEvent held(QEvent::KeyPress, Qt::Key_1, Qt::NoModifier, QStringLiteral("1"), true);
+  QApplication::sendEvent(QApplication::focusWidget(), &held);
+  EXPECT_TRUE(page.own().skipped());
+}
+
 TEST_F(OwnPage, SkippingDecidesWithoutARatingAlsoAfterOne) {
   page.row(0)->choose(0);
   button(page, "Skip")->click();
