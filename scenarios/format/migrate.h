@@ -1,6 +1,6 @@
 /// Older formats of scenario.json are brought to the present one before they are read; newer ones are refused.
 /// Format 2 against format 1: the target names its kind ("outline"), `protected` lists objects, the metric "undercut" is called
-/// "uncut_remainder", and level, expected time and the landmarks of a tooth from a file may be stated.
+/// "uncut_remainder", and level, expected time, own assessment and the landmarks of a tooth from a file may be stated.
 #pragma once
 
 #include <optional>

@@ -41,6 +41,8 @@ Landmark read_landmark(const Value& value) {
   out.state = object.need("state").key(FormatError::unknown_landmark, among<MarkState>(kMarkStateKeys));
   const PointCount count = point_count(out.kind);
   object.need("points_mm").list(count.least, count.most, [&](const Value& v) { out.points_mm.push_back(v.point()); });
+  const bool open = out.kind == MarkKind::cej && !out.points_mm.empty() && out.points_mm.front() != out.points_mm.back();
+  if (open) value.refuse(FormatError::out_of_range, "a closed line");
   object.nothing_else();
   return out;
 }

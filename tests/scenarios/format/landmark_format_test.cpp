@@ -60,6 +60,7 @@ TEST(LandmarkFormat, RefusesAKindWithTheWrongNumberOfPoints) {
   EXPECT_EQ(marked_with("/specimen/landmarks/marks/0/points_mm", json::array({p, p, p})).code, FormatError::out_of_range) << "an axis of three";
   EXPECT_EQ(marked_with("/specimen/landmarks/marks/2/points_mm", json::array({p, p})).code, FormatError::out_of_range) << "two tips of one cusp";
   EXPECT_EQ(marked_with("/specimen/landmarks/marks/8/points_mm", json::array({p, p, p})).code, FormatError::out_of_range) << "a CEJ of a line";
+  EXPECT_EQ(marked_with("/specimen/landmarks/marks/8/points_mm", json::array({p, p, p, {1, 0, 0}})).code, FormatError::out_of_range) << "an open CEJ";
 }
 
 TEST(LandmarkFormat, RefusesOneThatIsNamedTwiceAndALongList) {

@@ -158,6 +158,7 @@ class ScenarioMaker {
       const PointCount count = point_count(mark.kind);
       const int more = count.most > count.least ? pick(5) : 0;
       for (int i = static_cast<int>(count.least) + more; i > 0; --i) mark.points_mm.push_back(point());
+      if (mark.kind == MarkKind::cej) mark.points_mm.back() = mark.points_mm.front();
     }
     return out;
   }
@@ -197,6 +198,7 @@ inline Scenario marked_scenario() {
       const double along = static_cast<double>(i);
       mark.points_mm.push_back(mark.kind == MarkKind::mesial_axis ? Vec3(along, 0, 0) : Vec3(0, 0, along));
     }
+    if (mark.kind == MarkKind::cej) mark.points_mm.back() = mark.points_mm.front();
   }
   return s;
 }
