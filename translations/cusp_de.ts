@@ -3030,8 +3030,8 @@
         <translation>Nach Kriterium</translation>
     </message>
     <message>
-        <source>the newest %1 attempts that fit, the hardest first</source>
-        <translation>die neuesten %1 passenden Versuche, das schwerste zuerst</translation>
+        <source>graded ones of the newest %1 attempts that fit, the hardest first</source>
+        <translation>bewertete unter den neuesten %1 passenden Versuchen, das schwerste zuerst</translation>
     </message>
 </context>
 <context>

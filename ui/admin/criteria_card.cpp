@@ -61,7 +61,7 @@ QVariant CriterionFiguresModel::headerData(int section, Qt::Orientation orientat
 
 CriteriaCard::CriteriaCard(QWidget* parent) : Card(CriteriaCard::tr("By criterion"), {}, parent), model_(new CriterionFiguresModel(this)), table_(new Table) {
   setAccessibleName(tr("By criterion"));
-  set_aside(tr("the newest %1 attempts that fit, the hardest first").arg(format_number(kMostByCriterion, 0)));
+  set_aside(tr("graded ones of the newest %1 attempts that fit, the hardest first").arg(format_number(kMostByCriterion, 0)));
   table_->setAccessibleName(tr("By criterion"));
   table_->setModel(model_);
   table_->set_stretch_column(CriterionFiguresModel::kName);
