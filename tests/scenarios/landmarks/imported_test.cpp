@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "scenarios/landmarks/landmarks.h"
 #include "scenarios/landmarks/propose.h"
@@ -101,6 +102,17 @@ TEST_F(Imported, ATurnedToothHasNoSides) {
     if (one.kind == MarkKind::mesial_axis) one.points_mm[1] = one.points_mm[0] + Vec3(-1, 0.5, 0);  // 27 degrees
   EXPECT_EQ(mesial_x_of(marks), 0);
   EXPECT_FALSE(measured(of_file(marks), "wall_angle_buccal").measured);
+}
+
+TEST_F(Imported, AToothHasSidesUpToTheTurnThatValidateNames) {
+  SpecimenLandmarks marks = proposed();
+  for (const double turn : {kMostTurnedDeg - 0.01, kMostTurnedDeg + 0.01})
+    for (const double side : {-1.0, 1.0}) {
+      for (Landmark& one : marks.marks)
+        if (one.kind == MarkKind::mesial_axis) one.points_mm[1] = one.points_mm[0] + Vec3(-1.0, side * std::tan(turn * std::numbers::pi / 180.0), 0);
+      EXPECT_NEAR(std::fabs(*turn_deg(marks)), turn, 1e-9);
+      EXPECT_EQ(mesial_x_of(marks) != 0, turn < kMostTurnedDeg) << turn;
+    }
 }
 
 TEST_F(Imported, WhatTheAuthorSetIsTakenAsKnown) {
