@@ -79,11 +79,11 @@ bool cut_along(const Plan& plan, const Bur& bur, Volume& volume) {
   return cut_banded(plan, bur, volume) && drop_severed(volume);
 }
 
-std::optional<Plan> plan_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen) {
-  if (name == "reference") return plan_target(scenario, specimen);
+std::optional<Plan> plan_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen, PlanCancel cancel) {
+  if (name == "reference") return plan_target(scenario, specimen, {}, cancel);
   const auto fault = fault_by_name(name);
   if (!fault || *fault == OperatorFault::shaky || *fault == OperatorFault::dry) return std::nullopt;
-  return plan_target(scenario, specimen, errors_of(*fault, scenario, specimen));
+  return plan_target(scenario, specimen, errors_of(*fault, scenario, specimen), cancel);
 }
 
 }  // namespace cusp::scenarios

@@ -20,6 +20,7 @@ namespace cusp::scenarios {
 
 /// The plan of an operator whose cuts alone differ: "reference" (the target itself), and the paths of "competent", "novice",
 /// "too_deep", "too_shallow", "off_outline", "pulp" (faults.h). nullopt for any other name.
-[[nodiscard]] std::optional<Plan> plan_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen);
+[[nodiscard]] std::optional<Plan> plan_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen,
+                                               PlanCancel cancel = nullptr);
 
 }  // namespace cusp::scenarios

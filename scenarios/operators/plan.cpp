@@ -281,7 +281,7 @@ double share_left(const Plan& plan, const Scenario& scenario, const std::shared_
 }
 
 /// Each bur's plan is cut; the widest bur is taken of those that leave about the least.
-Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetShape& shape, const PlanErrors& errors) {
+Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetShape& shape, const PlanErrors& errors, PlanCancel cancel) {
   std::vector<std::uint16_t> burs(scenario.instruments.size());
   std::iota(burs.begin(), burs.end(), std::uint16_t{0});
   std::ranges::stable_sort(burs, std::greater{}, [&](std::uint16_t bur) { return scenario.instruments[bur].radius_mm; });
@@ -293,7 +293,8 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   double least = kMuch;
   for (const std::uint16_t bur : burs) {
     const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm);
-    Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style);
+    Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style, cancel);
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return {};
     if (plan.strokes.empty()) continue;
     plan.bur = bur;
     const double left = share_left(plan, scenario, borrowed, poses);
@@ -319,11 +320,11 @@ void add_way_to_pulp(const Scenario& scenario, const Specimen& specimen, Plan& p
   plan.strokes.push_back({Vec3(pulp->x, pulp->y, above), false});
 }
 
-Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors) {
+Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors, PlanCancel cancel) {
   const TargetShape shape(scenario.target, lent(specimen));
   if (shape.empty() || scenario.instruments.empty()) return {};
   Plan plan = shape.upright() != nullptr ? plan_outline(scenario, specimen, shape, errors)
-                                         : plan_tree(scenario, specimen, shape, errors);
+                                         : plan_tree(scenario, specimen, shape, errors, cancel);
   if (errors.drill_to_pulp && !plan.strokes.empty()) add_way_to_pulp(scenario, specimen, plan);
   return plan;
 }

@@ -1,6 +1,7 @@
 /// The path that a scripted operator follows: the wanted places of the bur's centre, stroke after stroke.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "scenarios/modules.h"
 
 namespace cusp::scenarios {
+
+/// Set from another thread: a plan in work ends within tenths of a second, without strokes. Null: nobody ends it.
+using PlanCancel = const std::atomic<bool>*;
 
 /// One straight stroke, from wherever the bur is to `to_mm`.
 struct Stroke {
@@ -36,7 +40,8 @@ struct PlanErrors {
 /// bur's side draws the wall, the last layer at the floor; lifts above the specimen between paths. The largest bur that fits
 /// the width and the corner. Of any other target: region_plan.h, with the widest bur of those that leave about the least of it.
 /// No strokes if target or instruments are missing, or no bur fits into the target.
-[[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {});
+[[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {},
+                               PlanCancel cancel = nullptr);
 
 /// Strokes at the end of a plan: over the pulp's nearest place, down until the bur's tip lies two radii below that voxel's
 /// centre, and up again. None without a pulp.

@@ -60,8 +60,8 @@ class Path {
 
 class RegionPlanner {
  public:
-  RegionPlanner(const Poses& poses, double above, const RegionPlanStyle& style)
-      : specimen_(poses.specimen()), poses_(poses), style_(style), path_(plan_, above) {}
+  RegionPlanner(const Poses& poses, double above, const RegionPlanStyle& style, PlanCancel cancel)
+      : specimen_(poses.specimen()), poses_(poses), style_(style), cancel_(cancel), path_(plan_, above) {}
 
   Plan make() {
     lay_grid();
@@ -71,10 +71,11 @@ class RegionPlanner {
     keep_needed();
     work_floors();
     path_.lift();
-    return plan_;
+    return cancelled() ? Plan{} : plan_;
   }
 
  private:
+  bool cancelled() const noexcept { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   void lay_grid();
   void find_tissue();
   std::vector<char> worth_at(double z) const;
@@ -92,6 +93,7 @@ class RegionPlanner {
   const Specimen& specimen_;
   const Poses& poses_;
   RegionPlanStyle style_;
+  PlanCancel cancel_;
   Plan plan_;
   Path path_;
   PlanGrid grid_;
@@ -152,7 +154,7 @@ void RegionPlanner::work_layers() {
   while (edges < kMostEdges && poses_.ridge_mm(height / edges) > kRidgeMm) ++edges;
   const double bottom = poses_.floor_mm() + poses_.low_mm() - poses_.radius_mm();
   const double first = top_ - poses_.low_mm();
-  for (int k = 1; first - height * (k - 1) / edges > bottom; ++k) {
+  for (int k = 1; first - height * (k - 1) / edges > bottom && !cancelled(); ++k) {
     const double z = first - height * k / edges;
     const std::vector<char> before = open_;
     const Layer layer(poses_, grid_, z, open_, worth_at(z));
@@ -269,6 +271,7 @@ std::vector<double> RegionPlanner::level_floors() const {
 
 void RegionPlanner::work_floors() {
   for (const double z : level_floors()) {
+    if (cancelled()) return;
     std::vector<char> open(grid_.size(), 1), worth = worth_at(z);
     const Layer layer(poses_, grid_, z, open, std::move(worth));
     for (std::size_t node = 0; node < grid_.size(); ++node) open_[node] = lowest_[node] <= z + kLevelMm;
@@ -346,8 +349,8 @@ void RegionPlanner::keep_needed() {
 
 }  // namespace
 
-Plan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style) {
-  return RegionPlanner(poses, above_mm, style).make();
+Plan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style, PlanCancel cancel) {
+  return RegionPlanner(poses, above_mm, style, cancel).make();
 }
 
 }  // namespace cusp::scenarios

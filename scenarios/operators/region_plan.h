@@ -17,6 +17,6 @@ struct RegionPlanStyle {
 /// layer the bur stays in allowed poses; between areas it lifts above the specimen. What lies under an overhang is reached
 /// from the side, in layers. Seconds for a fine target. No strokes where no pose is allowed. `above_mm`: height of moves
 /// above the specimen.
-[[nodiscard]] Plan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style);
+[[nodiscard]] Plan plan_region(const Poses& poses, double above_mm, const RegionPlanStyle& style, PlanCancel cancel = nullptr);
 
 }  // namespace cusp::scenarios

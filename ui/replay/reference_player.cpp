@@ -53,9 +53,9 @@ void ReferencePlayer::work(Shared& shared, ToothCache& teeth, const ToothWish& w
     shared.progress = {};
   }
   const Scenario& scenario = wish.scenario;
-  auto plan = teeth.reference_path(wish, *(*tooth)->specimen);
-  if (!plan) return shared.fail(OperatorCutError::no_path);
+  auto plan = teeth.reference_path(wish, *(*tooth)->specimen, &shared.stop);
   if (shared.stop) return;
+  if (!plan) return shared.fail(OperatorCutError::no_path);
   ReferenceCut cut(scenario, (*tooth)->specimen, PathTimeline(std::move(*plan), kSeconds));
   const TargetLook look(scenario.target, scenario.leeway);
   auto patches = std::make_shared<PatchFeed>(look.feed());

@@ -20,10 +20,11 @@ namespace {
 
 constexpr double kOnPlaneMm = 0.25;  // from a pinned place to the plane, for which ring and card are still true [M]
 
-/// What the reference operator leaves of the uncut tooth; null: it has no path to the target.
-std::shared_ptr<const Volume> reference_preparation(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen) {
-  const auto plan = plan_by_name("reference", scenario, *specimen);
-  if (!plan || plan->strokes.empty()) return nullptr;
+/// What the reference operator leaves of the uncut tooth; null: it has no path to the target, or is cancelled.
+std::shared_ptr<const Volume> reference_preparation(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen,
+                                                    PlanCancel cancel) {
+  const auto plan = plan_by_name("reference", scenario, *specimen, cancel);
+  if (!plan || plan->strokes.empty() || cancel->load()) return nullptr;
   auto volume = std::make_shared<Volume>(specimen);
   return cut_along(*plan, scenario, *volume) ? volume : nullptr;
 }
@@ -63,6 +64,8 @@ ReportSection::ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> v
   hide();
 }
 
+ReportSection::~ReportSection() { cancel_->store(true); }
+
 void ReportSection::set_open(bool open) {
   setVisible(open);
   if (!open) {
@@ -91,8 +94,8 @@ void ReportSection::follow_plane() {
 }
 
 void ReportSection::cut_reference() {
-  QThreadPool::globalInstance()->start([self = QPointer(this), scenario = scenario_, specimen = volume_->specimen_ptr()] {
-    auto reference = reference_preparation(scenario, specimen);
+  QThreadPool::globalInstance()->start([self = QPointer(this), scenario = scenario_, specimen = volume_->specimen_ptr(), cancel = cancel_] {
+    auto reference = reference_preparation(scenario, specimen, cancel.get());
     if (!reference) return;
     QMetaObject::invokeMethod(qApp, [self, reference] {
       if (!self) return;

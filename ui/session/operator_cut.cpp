@@ -7,8 +7,8 @@
 namespace cusp::ui {
 
 Result<SessionResult, OperatorCutError> cut_by_operator(const std::string& name, const Scenario& scenario,
-                                                        const std::shared_ptr<const Specimen>& specimen) {
-  const auto plan = plan_by_name(name, scenario, *specimen);
+                                                        const std::shared_ptr<const Specimen>& specimen, PlanCancel cancel) {
+  const auto plan = plan_by_name(name, scenario, *specimen, cancel);
   if (!plan || plan->strokes.empty()) return std::unexpected(OperatorCutError::no_path);
   auto volume = std::make_shared<Volume>(specimen);
   if (!cut_along(*plan, scenario, *volume)) return std::unexpected(OperatorCutError::too_much_cut);

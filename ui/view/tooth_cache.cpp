@@ -35,7 +35,7 @@ Hash256 key_of(const ToothWish& wish) {
 
 }  // namespace
 
-std::optional<Plan> ToothCache::reference_path(const ToothWish& wish, const Specimen& specimen) const {
+std::optional<Plan> ToothCache::reference_path(const ToothWish& wish, const Specimen& specimen, const std::atomic<bool>* stop) const {
   const bool kept = may_be_kept(wish) && SpecimenFiles::keeps(wish.scenario.specimen);
   // The burs count too.
   const Hash256 key = SpecimenFiles::key("reference path " + content_hash(wish.scenario).hex(), wish.scenario);
@@ -44,7 +44,7 @@ std::optional<Plan> ToothCache::reference_path(const ToothWish& wish, const Spec
     auto plan = bytes ? plan_from_bytes(*bytes, wish.scenario.instruments.size()) : std::nullopt;
     if (plan) return plan;
   }
-  auto plan = plan_by_name("reference", wish.scenario, specimen);
+  auto plan = plan_by_name("reference", wish.scenario, specimen, stop);
   if (!plan || plan->strokes.empty()) return std::nullopt;
   if (kept) files_.files().keep(key, plan_bytes(*plan));
   return plan;

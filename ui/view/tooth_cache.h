@@ -48,9 +48,9 @@ class ToothCache {
   /// `stop` may be null; set by another thread, it ends early and fails (specimen, cancelled). Progress comes on the calling thread.
   Outcome<std::shared_ptr<const ReadyTooth>> tooth(const ToothWish& wish, const std::atomic<bool>* stop, const Progress& progress = {});
 
-  /// The reference operator's path of the wish's exercise; nullopt: it has none. Planned (up to a minute) or read from files.
-  /// Pre: the specimen is that of the wish.
-  std::optional<Plan> reference_path(const ToothWish& wish, const Specimen& specimen) const;
+  /// The reference operator's path of the wish's exercise; nullopt: it has none. Planned (up to a minute) or read from files;
+  /// nullopt too once `stop` is set by another thread. Pre: the specimen is that of the wish.
+  std::optional<Plan> reference_path(const ToothWish& wish, const Specimen& specimen, const std::atomic<bool>* stop = nullptr) const;
 
  private:
   struct Done {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/operators/expert.h"
@@ -138,6 +140,15 @@ TEST(RegionPlan, IsEmptyWhereNoBurFitsOrNothingStands) {
   EXPECT_TRUE(plan_target(exercise(sphere({0, 0, 5}, 1)), *block()).strokes.empty()) << "in air";
   EXPECT_TRUE(plan_target(exercise(sphere({0, 0, -3}, 1)), *block()).strokes.empty()) << "below the surface, without a way in";
   EXPECT_TRUE(plan_target(exercise(sphere({0, 0, 0}, 1), {}), *block()).strokes.empty()) << "no bur";
+}
+
+TEST(RegionPlan, IsEmptyOnceItIsCancelled) {
+  std::atomic<bool> cancel = false;
+  EXPECT_FALSE(plan_target(exercise(sphere({0, 0, 0}, 1)), *block(), {}, &cancel).strokes.empty());
+  EXPECT_FALSE(cancel) << "plans only look at it";
+  cancel = true;
+  for (const Region& target : {sphere({0, 0, 0}, 1), class_two()})
+    EXPECT_TRUE(plan_target(exercise(target), *block(), {}, &cancel).strokes.empty());
 }
 
 TEST(RegionPlan, MakesTheErrorsThatItIsAskedFor) {
