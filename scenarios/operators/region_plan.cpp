@@ -71,11 +71,10 @@ class RegionPlanner {
     keep_needed();
     work_floors();
     path_.lift();
-    return cancelled() ? Plan{} : plan_;
+    return is_cancelled(cancel_) ? Plan{} : plan_;
   }
 
  private:
-  bool cancelled() const noexcept { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   void lay_grid();
   void find_tissue();
   std::vector<char> worth_at(double z) const;
@@ -154,7 +153,7 @@ void RegionPlanner::work_layers() {
   while (edges < kMostEdges && poses_.ridge_mm(height / edges) > kRidgeMm) ++edges;
   const double bottom = poses_.floor_mm() + poses_.low_mm() - poses_.radius_mm();
   const double first = top_ - poses_.low_mm();
-  for (int k = 1; first - height * (k - 1) / edges > bottom && !cancelled(); ++k) {
+  for (int k = 1; first - height * (k - 1) / edges > bottom && !is_cancelled(cancel_); ++k) {
     const double z = first - height * k / edges;
     const std::vector<char> before = open_;
     const Layer layer(poses_, grid_, z, open_, worth_at(z));
@@ -271,7 +270,7 @@ std::vector<double> RegionPlanner::level_floors() const {
 
 void RegionPlanner::work_floors() {
   for (const double z : level_floors()) {
-    if (cancelled()) return;
+    if (is_cancelled(cancel_)) return;
     std::vector<char> open(grid_.size(), 1), worth = worth_at(z);
     const Layer layer(poses_, grid_, z, open, std::move(worth));
     for (std::size_t node = 0; node < grid_.size(); ++node) open_[node] = lowest_[node] <= z + kLevelMm;
