@@ -6,7 +6,7 @@
 #include <string>
 
 #include "scenarios/audit/audit.h"
-#include "ui/editor/pool_job.h"
+#include "ui/widgets/pool_job.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

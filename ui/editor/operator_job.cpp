@@ -6,7 +6,7 @@ void OperatorJob::start(const Scenario& scenario, const std::shared_ptr<const Sp
   job_.start(this, [scenario, specimen, names](const PoolLink<OperatorJob>& link) {
     for (const std::string& name : names) {
       if (link.cancelled()) return;
-      auto result = cut_by_operator(name, scenario, specimen, link.cancel());
+      auto result = cut_by_operator(name, scenario, specimen, link.cancel_flag());
       if (result) {
         link.post([made = std::make_shared<const SessionResult>(std::move(*result))](OperatorJob& job) { Q_EMIT job.cut(made); });
       } else {

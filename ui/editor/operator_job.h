@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/editor/pool_job.h"
+#include "ui/widgets/pool_job.h"
 #include "ui/modules.h"
 #include "ui/session/operator_cut.h"
 

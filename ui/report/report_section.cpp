@@ -1,9 +1,6 @@
 #include "ui/report/report_section.h"
 
 #include <QBoxLayout>
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <cmath>
 #include <utility>
 
@@ -24,7 +21,7 @@ constexpr double kOnPlaneMm = 0.25;  // from a pinned place to the plane, for wh
 std::shared_ptr<const Volume> reference_preparation(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen,
                                                     PlanCancel cancel) {
   const auto plan = plan_by_name("reference", scenario, *specimen, cancel);
-  if (!plan || plan->strokes.empty() || cancel->load()) return nullptr;
+  if (!plan || plan->strokes.empty() || is_cancelled(cancel)) return nullptr;
   auto volume = std::make_shared<Volume>(specimen);
   return cut_along(*plan, scenario, *volume) ? volume : nullptr;
 }
@@ -64,8 +61,6 @@ ReportSection::ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> v
   hide();
 }
 
-ReportSection::~ReportSection() { cancel_->store(true); }
-
 void ReportSection::set_open(bool open) {
   setVisible(open);
   if (!open) {
@@ -94,14 +89,13 @@ void ReportSection::follow_plane() {
 }
 
 void ReportSection::cut_reference() {
-  QThreadPool::globalInstance()->start([self = QPointer(this), scenario = scenario_, specimen = volume_->specimen_ptr(), cancel = cancel_] {
-    auto reference = reference_preparation(scenario, specimen, cancel.get());
-    if (!reference) return;
-    QMetaObject::invokeMethod(qApp, [self, reference] {
-      if (!self) return;
-      self->reference_ = reference;
-      self->show_cut();
-    }, Qt::QueuedConnection);
+  cutting_.start(this, [scenario = scenario_, specimen = volume_->specimen_ptr()](const PoolLink<ReportSection>& link) {
+    auto reference = reference_preparation(scenario, specimen, link.cancel_flag());
+    link.post([reference](ReportSection& section) {
+      section.cutting_.finish();
+      section.reference_ = reference;
+      section.show_cut();
+    });
   });
 }
 

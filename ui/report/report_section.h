@@ -3,13 +3,13 @@
 #pragma once
 
 #include <QWidget>
-#include <atomic>
 #include <memory>
 #include <optional>
 
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
+#include "ui/widgets/pool_job.h"
 
 namespace cusp::ui {
 
@@ -22,8 +22,6 @@ class ReportSection : public QWidget {
  public:
   /// `tooth` outlives this. Pre: `volume` is not null.
   ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent = nullptr);
-  /// Cancels the cut of the reference preparation.
-  ~ReportSection() override;
   void set_open(bool open);
   /// Through a pinned place; without one the plane stays where it is.
   void go_through(const std::optional<Vec3>& place_mm);
@@ -42,7 +40,7 @@ class ReportSection : public QWidget {
   SectionBar* bar_;
   QWidget *reference_line_, *target_line_;  // of the legend
   bool asked_ = false;
-  std::shared_ptr<std::atomic<bool>> cancel_ = std::make_shared<std::atomic<bool>>(false);
+  PoolJob<ReportSection> cutting_;  // of the reference preparation; whoever closes the report cancels it
 };
 
 }  // namespace cusp::ui

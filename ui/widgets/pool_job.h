@@ -20,7 +20,7 @@ class PoolLink {
  public:
   bool cancelled() const { return run_->load(); }
   /// Set once it is cancelled. Lives as long as the link.
-  const std::atomic<bool>* cancel() const { return run_.get(); }
+  const std::atomic<bool>* cancel_flag() const { return run_.get(); }
   /// Calls answer(owner) on the GUI thread, unless the owner is gone or its job another one by then.
   template <class Answer>
   void post(Answer answer) const {
