@@ -257,5 +257,25 @@ TEST(Clocks, a_time_is_written_as_iso_8601) {
   EXPECT_EQ(iso_utc(-1), "1969-12-31T23:59:59Z");
 }
 
+TEST(Clocks, iso_8601_names_a_day_or_a_second) {
+  constexpr std::int64_t kSecond = 1'000'000, kDay = 86'400 * kSecond;
+  const auto second = utc_span_of("2026-11-20T09:14:03Z");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->begin_utc_us, kNow);
+  EXPECT_EQ(second->end_utc_us, kNow + kSecond);
+  const auto day = utc_span_of("2026-11-20");
+  ASSERT_TRUE(day);
+  EXPECT_EQ(iso_utc(day->begin_utc_us), "2026-11-20T00:00:00Z");
+  EXPECT_EQ(day->end_utc_us, day->begin_utc_us + kDay);
+  EXPECT_EQ(utc_span_of("1970-01-01")->begin_utc_us, 0);
+  EXPECT_EQ(utc_span_of("1969-12-31T23:59:59Z")->end_utc_us, 0);
+  EXPECT_TRUE(utc_span_of("2028-02-29")) << "a leap year";
+  for (const char* wrong : {"", "yesterday", "2026", "2026-11", "20.11.2026", "2026-11-20 ", "2026-11-20T09:14:03", "2026-11-20T09:14:03+01:00",
+                            "2026-11-20T24:00:00Z", "2026-11-20T09:60:00Z", "2026-11-20T09:14:60Z", "2026-02-29", "2026-13-01", "2026-00-10",
+                            "2026-11-31", "2026-11-00", "-026-11-20", "+026-11-20", "2026-11-2O"}) {
+    EXPECT_FALSE(utc_span_of(wrong)) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace cusp::test
