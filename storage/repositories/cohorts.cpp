@@ -4,6 +4,11 @@
 #include "storage/records/sealing.h"
 
 namespace cusp::storage {
+namespace {
+
+Cohort cohort_of(Row row) { return {row.id<CohortId>(0), row.text(1), static_cast<int>(row.integer(2))}; }
+
+}  // namespace
 
 Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return std::unexpected(allowed.error());
@@ -42,9 +47,16 @@ Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student
 Stored<std::vector<Cohort>> Cohorts::list() {
   return c_.db.all(
       "SELECT id, name, (SELECT count(*) FROM cohort_students WHERE cohort = cohorts.id) FROM cohorts ORDER BY name",
-      [](Row row) {
-        return Cohort{row.id<CohortId>(0), row.text(1), static_cast<int>(row.integer(2))};
-      });
+      cohort_of);
+}
+
+Stored<Cohort> Cohorts::find_name(const std::string& name) {
+  auto found = c_.db.first(
+      "SELECT id, name, (SELECT count(*) FROM cohort_students WHERE cohort = cohorts.id) FROM cohorts WHERE name = ?1",
+      cohort_of, name);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, name);
+  return std::move(**found);
 }
 
 Stored<std::vector<UserId>> Cohorts::students(CohortId cohort) {

@@ -24,6 +24,8 @@ class Cohorts {
   Stored<void> remove(const Actor& actor, CohortId cohort, UserId student);
 
   Stored<std::vector<Cohort>> list();  // by name
+  /// Upper and lower case of ASCII are the same, as in `duplicate`. not_found (where = name).
+  Stored<Cohort> find_name(const std::string& name);
   Stored<std::vector<UserId>> students(CohortId cohort);
 
  private:

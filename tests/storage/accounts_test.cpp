@@ -221,6 +221,13 @@ TEST_F(AccountsTest, cohorts_hold_students) {
   must(store->cohorts.add(instructor, cohort.id, student.id));
   must(store->cohorts.add(instructor, cohort.id, student.id));
   EXPECT_EQ(must(store->cohorts.list()).at(0).students, 1);
+  const Cohort found = must(store->cohorts.find_name("YEAR 2, group A"));
+  EXPECT_EQ(found.id, cohort.id);
+  EXPECT_EQ(found.name, "Year 2, group A");
+  EXPECT_EQ(found.students, 1);
+  for (const char* unknown : {"", "Year 2", "Year 2, group A ", "%"}) {
+    EXPECT_EQ(code_of(store->cohorts.find_name(unknown)), StorageError::not_found) << unknown;
+  }
   EXPECT_EQ(must(store->cohorts.students(cohort.id)), std::vector{student.id});
   EXPECT_EQ(code_of(store->cohorts.add(instructor, cohort.id, UserId::make())), StorageError::not_found);
   EXPECT_EQ(code_of(store->cohorts.add(student.actor(), cohort.id, student.id)), StorageError::not_allowed);
