@@ -20,6 +20,7 @@ class Line {
   Line& number(double value) { return raw(csv_number(value)); }
   Line& number(const std::optional<double>& value) { return raw(value ? csv_number(*value) : std::string{}); }
   Line& integer(std::int64_t value) { return raw(std::to_string(value)); }
+  Line& time(const std::optional<std::int64_t>& utc_us) { return raw(utc_us ? iso_utc(*utc_us) : std::string{}); }
   Line& flag(const std::optional<bool>& value) { return raw(value ? (*value ? "1" : "0") : ""); }
   Line& raw(std::string_view cell) {
     if (!first_) out_ += ',';
@@ -47,6 +48,24 @@ std::string begin(const CsvOptions& options, std::string_view head) {
 Stored<void> note(StorageContext& context, const Actor& actor, std::string_view action, std::size_t lines) {
   if (context.db.read_only()) return {};
   return AuditLog(context).add({.actor = actor.id, .action = action, .detail = std::to_string(lines)});
+}
+
+/// Needs export_results.
+Stored<std::vector<ExportRow>> dated_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
+  auto rows = History(context).list(actor, filter);
+  if (!rows) return std::unexpected(rows.error());
+  auto dates = dates_of(context.db, *rows);
+  if (!dates) return std::unexpected(dates.error());
+  std::vector<ExportRow> out;
+  out.reserve(rows->size());
+  for (std::size_t i = 0; i < rows->size(); ++i) out.push_back({std::move((*rows)[i]), std::move((*dates)[i])});
+  return out;
+}
+
+constexpr std::string_view kDatesHead = ",finished_utc,cohort,opens_utc,due_utc";
+void add_dates(Line& line, const AttemptDates& dates) {
+  line.time(dates.finished_utc_us).text(dates.cohort).time(dates.opens_utc_us).time(dates.due_utc_us);
 }
 
 }  // namespace
@@ -97,14 +116,23 @@ std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of) {
   return out;
 }
 
-std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options) {
+Stored<std::vector<ExportRow>> rows_to_export(StorageContext& context, const Actor& actor, const HistoryFilter& filter) {
+  auto rows = dated_rows(context, actor, filter);
+  if (!rows) return rows;
+  if (auto noted = note(context, actor, "history_exported", rows->size()); !noted)
+    return std::unexpected(noted.error());
+  return rows;
+}
+
+std::string history_csv(std::span<const ExportRow> rows, const CsvOptions& options) {
   std::string out =
       begin(options,
             "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
-            "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released");
-  for (const HistoryRow& r : rows) {
-    Line(out)
-        .text(r.session.text())
+            "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released" +
+                std::string(kDatesHead));
+  for (const auto& [r, dates] : rows) {
+    Line line(out);
+    line.text(r.session.text())
         .text(iso_utc(r.started_utc_us))
         .text(r.student_number)
         .text(r.student_name)
@@ -125,39 +153,37 @@ std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& opti
         .text(joined(r.critical))
         .text(r.assignment ? r.assignment->text() : std::string())
         .flag(r.released);
+    add_dates(line, dates);
   }
   return out;
 }
 
 Stored<CsvFile> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                    const CsvOptions& options) {
-  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
-  const auto rows = History(context).list(actor, filter);
+  const auto rows = rows_to_export(context, actor, filter);
   if (!rows) return std::unexpected(rows.error());
-  if (auto noted = note(context, actor, "history_exported", rows->size()); !noted)
-    return std::unexpected(noted.error());
   return CsvFile{history_csv(*rows, options), rows->size()};
 }
 
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                     const CsvOptions& options) {
-  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
-  const auto rows = History(context).list(actor, filter);
+  const auto rows = dated_rows(context, actor, filter);
   if (!rows) return std::unexpected(rows.error());
   std::string out =
       begin(options,
             "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,"
-            "points,points_max,reason_code");
+            "points,points_max,reason_code" +
+                std::string(kDatesHead));
   std::size_t lines = 0;
-  for (const HistoryRow& r : *rows) {
+  for (const auto& [r, dates] : *rows) {
     const auto grade = Grades(context).newest(r.session);
     if (!grade) return std::unexpected(grade.error());
     if (!*grade) continue;
     for (const CriterionGrade& c : (*grade)->grade.criteria) {
       ++lines;
       const Measure& m = c.measure;
-      Line(out)
-          .text(r.session.text())
+      Line line(out);
+      line.text(r.session.text())
           .text(iso_utc(r.started_utc_us))
           .text(r.student_number)
           .text(r.scenario_key)
@@ -170,6 +196,7 @@ Stored<std::string> export_criteria(StorageContext& context, const Actor& actor,
           .number(c.points)
           .number(c.points_max)
           .text(c.reason_code);
+      add_dates(line, dates);
     }
   }
   if (auto noted = note(context, actor, "criteria_exported", lines); !noted) return std::unexpected(noted.error());

@@ -7,8 +7,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "storage/records/audit_writer.h"
+#include "storage/summary/attempt_dates.h"
 #include "storage/summary/history.h"
 
 namespace cusp::storage {
@@ -32,13 +34,19 @@ using NameOf = std::function<std::string(const Uuid&)>;
 std::string audit_csv_head();
 std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of);
 
-/// One line per session.
-std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options = {});
+struct ExportRow {
+  HistoryRow attempt;
+  AttemptDates dates;
+};
+/// Sessions that match, newest first. Needs export_results; adds an entry to the audit log.
+Stored<std::vector<ExportRow>> rows_to_export(StorageContext& context, const Actor& actor, const HistoryFilter& filter);
+/// One line per session. Times are ISO 8601, UTC; opens_utc and due_utc are the assignment's.
+std::string history_csv(std::span<const ExportRow> rows, const CsvOptions& options = {});
 struct CsvFile {
   std::string text;
   std::size_t rows = 0;  // without the head
 };
-/// Sessions that match. Needs export_results; adds an entry to the audit log.
+/// rows_to_export() as CSV.
 Stored<CsvFile> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                    const CsvOptions& options = {});
 /// One line per criterion of the newest grade of each session that matches. Needs export_results; adds an entry.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "storage/base/clock.h"
 #include "tests/modules.h"
 #include "tests/storage/sample.h"
 
@@ -50,30 +51,84 @@ TEST(CsvExport, the_history_is_one_line_a_session) {
   EXPECT_EQ(
       csv.text,
       "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,device_class,"
-      "go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released\r\n" +
+      "go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released,"
+      "finished_utc,cohort,opens_utc,due_utc\r\n" +
           id.text() +
           ",2026-11-20T09:14:03Z,'=20267314,\"Brandt, \"\"Lena\"\"\",Gerader Kanal,channel-1,1,practice,person,"
-          "Mouse and keys,pointer,1,3.000024,graded,40,100,70,0,pulp_exposure,,1\r\n");
+          "Mouse and keys,pointer,1,3.000024,graded,40,100,70,0,pulp_exposure,,1,2026-11-20T09:14:03Z,,,\r\n");
   EXPECT_TRUE(
       must(export_history(store->context(), admin, {}, {.byte_order_mark = true})).text.starts_with("\xEF\xBB\xBFsession"));
   EXPECT_EQ(must(store->audit.list(admin, 1))[0].action, "history_exported");
 }
 
-TEST(CsvExport, an_attempt_at_an_assignment_names_it_and_whether_its_result_is_released) {
-  const Folder folder;
-  const auto store = open(folder / "a.db");
-  const Actor instructor = make_instructor(*store).actor();
-  const Account student = make_student(*store);
-  const auto version = keep(*store);
-  const CohortId cohort = must(store->cohorts.create(instructor, "Year 2")).id;
-  must(store->cohorts.add(instructor, cohort, student.id));
-  const AssignmentId assignment =
-      must(store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711")).id;
-  NewSession wanted = new_session(student, version);
-  wanted.assignment = assignment;
-  wanted.start_code = "4711";
-  must(store->sessions.start(student.actor(), wanted));
-  EXPECT_TRUE(must(export_history(store->context(), instructor, {})).text.ends_with(',' + assignment.text() + ",0\r\n"));
+constexpr std::int64_t kHourUs = 3'600'000'000, kDayUs = 24 * kHourUs;
+
+/// Two cohorts of one student each, and an assignment of the first.
+struct ExportOfCohorts : ::testing::Test {
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Actor instructor = make_instructor(*store).actor();
+  Account lena = make_student(*store), omar = make_student(*store, "20260002", "Omar Haddad");
+  ScenarioVersion version = keep(*store);
+  CohortId year_2 = cohort_of("=Year 2, group \"A\"", lena), year_3 = cohort_of("Year 3", omar);
+
+  CohortId cohort_of(const std::string& name, const Account& student) {
+    const CohortId id = must(store->cohorts.create(instructor, name)).id;
+    must(store->cohorts.add(instructor, id, student.id));
+    return id;
+  }
+  SessionId sit(const Assignment& assignment, const std::string& start_code = {}) {
+    NewSession wanted = new_session(lena, version);
+    wanted.assignment = assignment.id;
+    wanted.start_code = start_code;
+    return must(store->sessions.start(lena.actor(), wanted)).id;
+  }
+  std::vector<SessionId> exported(const HistoryFilter& filter) {
+    std::vector<SessionId> ids;
+    for (const ExportRow& row : must(rows_to_export(store->context(), instructor, filter))) ids.push_back(row.attempt.session);
+    return ids;
+  }
+};
+
+TEST_F(ExportOfCohorts, a_row_names_assignment_release_cohort_and_dates) {
+  const Assignment exam = must(store->assignments.create(instructor,
+      {.version = version.id, .cohort = year_2, .kind = SessionKind::assessment, .opens_utc_us = kNow - kHourUs, .due_utc_us = kNow + kDayUs}, "4711"));
+  const SessionId id = sit(exam, "4711");
+  const std::string start = ',' + exam.id.text() + ",0,", cohort = "\"'=Year 2, group \"\"A\"\"\"",
+                    dates = ",2026-11-20T08:14:03Z,2026-11-21T09:14:03Z\r\n";
+  const auto text = [&] { return must(export_history(store->context(), instructor, {})).text; };
+  EXPECT_TRUE(text().ends_with(start + ',' + cohort + dates)) << "not finished: " << text();
+  must(store->traces.append(id, second_from(1)));
+  *now += kHourUs;
+  must(store->sessions.finish(id, volume_after(12), "student"));
+  EXPECT_TRUE(text().ends_with(start + "2026-11-20T10:14:03Z," + cohort + dates)) << text();
+}
+
+TEST_F(ExportOfCohorts, an_assignment_without_dates_leaves_them_empty) {
+  const Assignment practice = must(store->assignments.create(instructor, {.version = version.id, .cohort = year_2}));
+  sit(practice);
+  const std::string text = must(export_history(store->context(), instructor, {})).text;
+  EXPECT_TRUE(text.ends_with(practice.id.text() + ",1,,\"'=Year 2, group \"\"A\"\"\",,\r\n")) << text;
+}
+
+TEST_F(ExportOfCohorts, a_cohort_and_dates_narrow_it) {
+  const SessionId first = complete_session(*store, lena, version);
+  *now += kDayUs;
+  const SessionId second = complete_session(*store, omar, version);
+  *now += kDayUs;
+  const SessionId third = complete_session(*store, lena, version);
+  EXPECT_EQ(exported({}), (std::vector{third, second, first}));
+  EXPECT_EQ(exported({.cohort = year_2}), (std::vector{third, first}));
+  EXPECT_EQ(exported({.cohort = year_3}), std::vector{second});
+  EXPECT_TRUE(exported({.cohort = CohortId::make()}).empty());
+  const auto day = [](const char* iso) { return utc_span_of(iso).value(); };
+  EXPECT_EQ(exported({.from_utc_us = day("2026-11-21").begin_utc_us}), (std::vector{third, second}));
+  EXPECT_EQ(exported({.to_utc_us = day("2026-11-21").end_utc_us}), (std::vector{second, first}));
+  EXPECT_EQ(exported({.to_utc_us = day("2026-11-20T09:14:03Z").end_utc_us}), std::vector{first}) << "its own second";
+  EXPECT_TRUE(exported({.to_utc_us = day("2026-11-20T09:14:02Z").end_utc_us}).empty());
+  EXPECT_EQ(exported({.cohort = year_2, .from_utc_us = day("2026-11-21").begin_utc_us}), std::vector{third});
+  EXPECT_EQ(must(store->audit.list(make_administrator(*store).actor(), 2))[1].detail, "1") << "the rows that left";
 }
 
 TEST(CsvExport, criteria_are_one_line_each_and_what_was_not_measured_stays_empty) {
@@ -88,9 +143,9 @@ TEST(CsvExport, criteria_are_one_line_each_and_what_was_not_measured_stays_empty
   const std::string start = id.text() + ",2026-11-20T09:14:03Z,20267314,channel-1,";
   EXPECT_EQ(csv,
             "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,points,"
-            "points_max,reason_code\r\n" +
-                start + "target_removed,0,,,%,ideal,18,20,full\r\n" + start +
-                "floor_depth_max,1,2.41,0.03,mm,fail,4,10,too_deep\r\n");
+            "points_max,reason_code,finished_utc,cohort,opens_utc,due_utc\r\n" +
+                start + "target_removed,0,,,%,ideal,18,20,full,2026-11-20T09:14:03Z,,,\r\n" + start +
+                "floor_depth_max,1,2.41,0.03,mm,fail,4,10,too_deep,2026-11-20T09:14:03Z,,,\r\n");
 }
 
 TEST(CsvExport, a_student_exports_nothing) {
@@ -98,6 +153,7 @@ TEST(CsvExport, a_student_exports_nothing) {
   const auto store = open(folder / "a.db");
   const Actor student = make_student(*store).actor();
   EXPECT_EQ(code_of(export_history(store->context(), student, {})), StorageError::not_allowed);
+  EXPECT_EQ(code_of(rows_to_export(store->context(), student, {})), StorageError::not_allowed);
   EXPECT_EQ(code_of(export_criteria(store->context(), student, {})), StorageError::not_allowed);
 }
 

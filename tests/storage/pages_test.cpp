@@ -8,6 +8,7 @@
 #include <functional>
 #include <iterator>
 
+#include "storage/export/csv.h"
 #include "tests/storage/many_sessions.h"
 #include "tests/storage/statements_seen.h"
 
@@ -261,8 +262,15 @@ std::vector<Screen> staff_screens() {
          const CohortId cohort = m.cohorts[i % m.cohorts.size()];
          must(s.cohorts.list());
          must(s.cohorts.students(cohort));
+         must(s.cohorts.find_name("Group 1"));
          must(s.accounts.list(m.admin.actor()));
          must(s.assignments.for_cohort(cohort));
+       }},
+      {"export of an assessment", [](Store& s, const ManySessions& m, std::size_t) {
+         must(rows_to_export(s.context(), m.admin.actor(), {.scenario = m.versions[0].scenario, .cohort = m.cohorts[0], .limit = kPage}));
+         HistoryRow candidate;  // few sessions are without an assessment: its query runs all the same
+         candidate.assignment = m.assessment;
+         must(dates_of(s.database(), {candidate}));
        }},
       {"assessment of a hundred", [](Store& s, const ManySessions& m, std::size_t) {
          for (const HistoryRow& attempt : must(s.history.of_assignment(m.admin.actor(), m.assessment))) {
