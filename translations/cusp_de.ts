@@ -2724,6 +2724,77 @@
         <source>a landmark does not lie on the tooth (%1)</source>
         <translation>eine Landmarke liegt nicht auf dem Zahn (%1)</translation>
     </message>
+    <message>
+        <source>Attempts with results, cohort and dates as CSV or JSON; for instructors and administrators</source>
+        <translation>Versuche mit Ergebnissen, Kohorte und Daten als CSV oder JSON; für Lehrkräfte und Verwaltung</translation>
+    </message>
+    <message>
+        <source>CSV file to write, or - for stdout, where it also goes without -o and --json</source>
+        <translation>CSV-Datei, die geschrieben wird; - für die Standardausgabe, wohin sie auch ohne -o und --json geht</translation>
+    </message>
+    <message>
+        <source>Only students who are in this cohort now</source>
+        <translation>Nur Studierende, die jetzt in dieser Kohorte sind</translation>
+    </message>
+    <message>
+        <source>Only attempts begun on this day or later, in UTC: 2026-11-20 or 2026-11-20T09:14:03Z</source>
+        <translation>Nur Versuche, die an diesem Tag oder später begannen, in UTC: 2026-11-20 oder 2026-11-20T09:14:03Z</translation>
+    </message>
+    <message>
+        <source>Only attempts begun on this day or earlier</source>
+        <translation>Nur Versuche, die an diesem Tag oder früher begannen</translation>
+    </message>
+    <message>
+        <source>Only attempts at this exercise: its key or id</source>
+        <translation>Nur Versuche dieser Übung: ihr Schlüssel oder ihre Kennung</translation>
+    </message>
+    <message>
+        <source>Only attempts at this version of the exercise</source>
+        <translation>Nur Versuche dieser Version der Übung</translation>
+    </message>
+    <message>
+        <source>Only attempts of students, or of staff</source>
+        <translation>Nur Versuche von Studierenden oder vom Personal</translation>
+    </message>
+    <message>
+        <source>Only attempts with this result</source>
+        <translation>Nur Versuche mit diesem Ergebnis</translation>
+    </message>
+    <message>
+        <source>Only attempts with a device of this class</source>
+        <translation>Nur Versuche mit einem Gerät dieser Klasse</translation>
+    </message>
+    <message>
+        <source>“%1” is no date: write it as 2026-11-20 or 2026-11-20T09:14:03Z, in UTC.</source>
+        <translation>„%1“ ist kein Datum: Schreiben Sie es als 2026-11-20 oder 2026-11-20T09:14:03Z, in UTC.</translation>
+    </message>
+    <message>
+        <source>--from %1 is after --to %2.</source>
+        <translation>--from %1 liegt nach --to %2.</translation>
+    </message>
+    <message>
+        <source>There is no attempt at an exercise “%1”.</source>
+        <translation>Es gibt keinen Versuch einer Übung „%1“.</translation>
+    </message>
+    <message>
+        <source>No cohort is called “%1”.</source>
+        <translation>Keine Kohorte heißt „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no attempt with a device of class “%1”.</source>
+        <translation>Es gibt keinen Versuch mit einem Gerät der Klasse „%1“.</translation>
+    </message>
+    <message>
+        <source>Only one of CSV and JSON can go to stdout.</source>
+        <translation>Nur CSV oder JSON kann in die Standardausgabe gehen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) exported.</source>
+        <translation>
+            <numerusform>%n Versuch exportiert.</numerusform>
+            <numerusform>%n Versuche exportiert.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>

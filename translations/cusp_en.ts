@@ -155,6 +155,13 @@
             <numerusform>%n attempts cannot be verified and stayed as they are, %1 first: %2</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) exported.</source>
+        <translation>
+            <numerusform>%n attempt exported.</numerusform>
+            <numerusform>%n attempts exported.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>

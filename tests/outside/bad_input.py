@@ -171,7 +171,7 @@ def usage(desk):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))
-    for verb in (("play",), ("replay",), ("grade",), ("validate",), ("import",), ("specimen",), ("audit",), ("history",),
+    for verb in (("play",), ("replay",), ("grade",), ("validate",), ("import",), ("specimen",), ("audit",), ("history",), ("export",),
                  ("template", "list"), ("template", "fit")):
         status, out, err = desk.run(*verb, "--help")
         check(status == 0 and "--json" in out and not err, f"{verb} --help: {status} {err}")

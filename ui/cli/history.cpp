@@ -9,6 +9,7 @@
 #include "ui/cli/account.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
+#include "ui/cli/row_json.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/text/names.h"
@@ -29,31 +30,6 @@ struct HistoryOptions {
 QString result_text(const HistoryRow& row) {
   if (!row.passed) return state_name(row.state);
   return *row.passed ? CliText::tr("passed") : CliText::tr("not passed");
-}
-
-nlohmann::ordered_json row_json(const HistoryRow& row) {
-  nlohmann::ordered_json json;
-  json["session"] = row.session.text();
-  json["student"] = row.student_number;
-  json["scenario"] = row.scenario.text();
-  json["scenario_key"] = row.scenario_key;
-  json["version"] = row.version_number;
-  json["kind"] = std::string(key_of(row.kind));
-  json["hand"] = row.operator_name == kUserOperator ? std::string() : row.operator_name;
-  json["device"] = row.device;
-  json["device_class"] = row.device_class;
-  json["started"] = iso_utc(row.started_utc_us);
-  json["duration_s"] = static_cast<double>(row.elapsed_us) * 1e-6;
-  json["state"] = std::string(key_of(row.state));
-  json["go"] = row.attempt;
-  json["score"] = row.score ? nlohmann::ordered_json(*row.score) : nullptr;
-  json["score_max"] = row.score_max ? nlohmann::ordered_json(*row.score_max) : nullptr;
-  json["pass_mark"] = row.pass_mark ? nlohmann::ordered_json(*row.pass_mark) : nullptr;
-  json["passed"] = row.passed ? nlohmann::ordered_json(*row.passed) : nullptr;
-  json["critical"] = row.critical;
-  json["assignment"] = row.assignment ? nlohmann::ordered_json(row.assignment->text()) : nullptr;
-  json["released"] = row.released;
-  return json;
 }
 
 std::string row_line(const HistoryRow& row) {

@@ -30,6 +30,7 @@ void add_specimen(CLI::App& program, Job& job);
 void add_history(CLI::App& program, Job& job);
 void add_template(CLI::App& program, Job& job);
 void add_erase(CLI::App& program, Job& job);
+void add_export(CLI::App& program, Job& job);
 void add_thin(CLI::App& program, Job& job);
 void add_retain(CLI::App& program, Job& job);
 /// appeal and verify.

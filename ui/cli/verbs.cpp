@@ -18,8 +18,8 @@ namespace cusp::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 18> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
-                                                     "specimen", "history", "template", "backup", "restore", "erase", "thin", "retain", "appeal", "verify", "exchange", "import-child"};
+constexpr std::array<std::string_view, 19> kVerbs = {"play",    "replay",   "grade",  "validate", "audit",   "import",
+                                                     "specimen", "history", "export", "template", "backup", "restore", "erase", "thin", "retain", "appeal", "verify", "exchange", "import-child"};
 
 int run(int argc, char** argv) {
   CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   add_import(program, job);
   add_specimen(program, job);
   add_history(program, job);
+  add_export(program, job);
   add_template(program, job);
   add_backup(program, job);
   add_erase(program, job);

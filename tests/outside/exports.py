@@ -1,0 +1,122 @@
+"""`cusp export`: attempts with cohort and dates as CSV and JSON, narrowed by filters. What is wrong is refused in one sentence.
+
+  exports.py CUSP
+"""
+import argparse
+import contextlib
+import csv
+import io
+import json
+import os
+import sqlite3
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import Desk, check, one_sentence  # noqa: E402
+from records import PIN, STUDENT, make_school  # noqa: E402
+
+ADMIN = {"CUSP_PASSWORD": "correct horse"}
+COHORT = "=Year 2, group A"  # a spreadsheet would take it for a formula
+NEW_COLUMNS = ["finished_utc", "cohort", "opens_utc", "due_utc"]
+
+
+def assign(database):
+    """The one attempt, begun on 20 November 2026 at 09:14:03, belongs to the cohort's assignment, due a second later."""
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        db.execute("UPDATE session_summaries SET assignment = (SELECT id FROM assignments)")
+        db.execute("UPDATE cohorts SET name = ?", (COHORT,))
+        db.commit()
+
+
+def export(desk, database, *arguments, **more):
+    return desk.run("export", database, "--as", "admin", *arguments, **{**ADMIN, **more})
+
+
+def exported(desk, database, *filters):
+    status, out, err = export(desk, database, *filters)
+    check(status == 0 and err == "", f"{filters}: exit {status}: {err}")
+    return list(csv.DictReader(io.StringIO(out)))
+
+
+def columns(desk, database):
+    (row,) = exported(desk, database)
+    check(list(row)[-4:] == NEW_COLUMNS, f"the columns: {list(row)}")
+    check(row["started_utc"] == "2026-11-20T09:14:03Z" and row["finished_utc"] == "2026-11-20T09:14:03Z", f"the attempt's dates: {row}")
+    check(row["cohort"] == "'" + COHORT, f"the cohort is no formula: {row}")
+    check(row["opens_utc"] == "" and row["due_utc"] == "2026-11-20T09:14:04Z", f"the assignment's dates: {row}")
+    file, beside = desk.path("attempts.csv"), desk.path("attempts.json")
+    status, out, err = export(desk, database, "-o", file, "--json", beside)
+    check(status == 0 and out == "1 attempt exported.\n", f"both files: {out}{err}")
+    with open(file, "rb") as f:
+        content = f.read()
+    check(content.count(b"\r\n") == content.count(b"\n") == 2, f"RFC 4180: {content}")
+    with open(beside, encoding="utf-8") as f:
+        (seen,) = json.load(f)
+    check(seen["session"] == row["session"] and seen["student_name"] == "Lena Brandt", f"JSON: {seen}")
+    check(seen["cohort"] == COHORT and seen["opens"] is None and seen["due"] == row["due_utc"], f"JSON: {seen}")
+    check(seen["started"] == row["started_utc"] and seen["finished"] == row["finished_utc"], f"JSON: {seen}")
+    status, out, err = export(desk, database, "--json", "-")
+    check(status == 0 and json.loads(out) == [seen], f"JSON alone on stdout: {out}{err}")
+    status, out, err = export(desk, database, "-o", "-", "--json", beside, LC_ALL="de_DE.UTF-8")
+    check(status == 0 and "Gerader Kanal" in out, f"titles in German: {out}{err}")
+
+
+def filters(desk, database):
+    day, second = "2026-11-20", "2026-11-20T09:14:03Z"
+    for rows, *arguments in ((1, "--cohort", COHORT), (1, "--cohort", COHORT.upper()),
+                             (1, "--from", day), (1, "--to", day), (1, "--from", day, "--to", day), (1, "--from", second, "--to", second),
+                             (0, "--from", "2026-11-21"), (0, "--to", "2026-11-19"), (0, "--from", "2026-11-20T09:14:04Z"),
+                             (0, "--to", "2026-11-20T09:14:02Z"), (0, "--cohort", COHORT, "--to", "2026-11-19"),
+                             (1, "--exercise", "channel-1", "--exercise-version", "1"), (0, "--exercise", "channel-1", "--exercise-version", "2"),
+                             (1, "--student", "brandt"), (0, "--student", "nobody"), (1, "--device", "pointer"),
+                             (1, "--drilled-by", "students"), (0, "--drilled-by", "staff"),
+                             (1, "--result", "passed"), (0, "--result", "not-passed")):
+        seen = exported(desk, database, *arguments)
+        check(len(seen) == rows, f"{arguments}: {len(seen)} rows")
+    scenario = json.loads(export(desk, database, "--json", "-")[1])[0]["scenario"]
+    check(len(exported(desk, database, "--exercise", scenario)) == 1, "an exercise by its id")
+
+
+def refusals(desk, database):
+    def refused(wanted, arguments, name):
+        status, out, err = export(desk, database, *arguments)
+        one_sentence(err, str(arguments))
+        check(status == wanted and out == "" and name in err, f"{arguments}: exit {status}: {out}{err}")
+
+    for arguments, name in ((("--from", "yesterday"), "yesterday"), (("--from", "2026-02-30"), "2026-02-30"), (("--to", ""), "“”"),
+                            (("--to", "20.11.2026"), "20.11.2026"), (("--to", "2026-11-20T09:14:03"), "2026-11-20T09:14:03"),
+                            (("--from", "2026-11-21", "--to", "2026-11-20"), "2026-11-21"),
+                            (("--from", "2026-11-20T09:14:03Z", "--to", "2026-11-20T09:14:02Z"), "after"),
+                            (("--exercise-version", "1"), "--exercise"), (("--exercise", "channel-1", "--exercise-version", "0"), "0"),
+                            (("--result", "maybe"), "maybe"), (("--drilled-by", "nobody"), "nobody"), (("-o", "-", "--json", "-"), "stdout")):
+        refused(2, arguments, name)
+    for arguments, name in ((("--cohort", "Year 9"), "Year 9"), (("--cohort", ""), "“”"), (("--exercise", "channel-9"), "channel-9"),
+                            (("--device", "spoon"), "spoon"), (("-o", desk.path("none", "a.csv")), "a.csv"),
+                            (("-o", database), "belongs to the database"), (("--json", database + ".key"), "belongs to the database")):
+        refused(1, arguments, name)
+    status, out, err = desk.run("export", database, "--as", STUDENT, "--cohort", "Year 9", CUSP_PASSWORD=PIN)
+    one_sentence(err, "a student exports")
+    check(status == 1 and out == "" and "Year 9" not in err, f"a student learns which cohorts there are: {out}{err}")
+    status, _, err = desk.run("export", desk.path("none.db"), "--as", "admin", **ADMIN)
+    one_sentence(err, "an export of no database")
+    check(status == 1 and "none.db" in err, err)
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("cusp")
+    o = arguments.parse_args()
+    with Desk(o.cusp) as desk:
+        database = desk.path("school.db")
+        make_school(database)
+        status, _, err = export(desk, database, "-o", desk.path("first.csv"))  # takes the file to the newest schema
+        check(status == 0, f"an old file: {err}")
+        assign(database)
+        columns(desk, database)
+        filters(desk, database)
+        refusals(desk, database)
+        print("exports name cohort and dates, and refuse what is wrong")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+// cusp export DB
+
+#include "storage/export/csv.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "storage/base/clock.h"
+#include "ui/cli/account.h"
+#include "ui/cli/outputs.h"
+#include "ui/cli/row_json.h"
+#include "ui/cli/text.h"
+#include "ui/cli/verb.h"
+#include "ui/modules.h"
+#include "ui/text/language.h"
+
+namespace cusp::ui {
+namespace {
+
+struct ExportOptions {
+  std::string db, out, student, drilled_by, result;
+  std::optional<std::string> from, to, cohort, exercise, device;
+  std::optional<int> version;
+  AccountOption account;
+  JsonOption json;
+  /// Without a file of any kind the CSV goes to stdout.
+  bool csv_on_stdout() const { return out == "-" || (out.empty() && !json.wanted()); }
+};
+
+QString typed_text(const std::string& value) { return QString::fromStdString(value); }
+
+/// Both ends are included: --to is a whole day or second.
+Result<HistoryFilter, QString> dates_in(const ExportOptions& o) {
+  const auto span = [](const std::optional<std::string>& typed) -> Result<std::optional<UtcSpan>, QString> {
+    if (!typed) return std::optional<UtcSpan>{};
+    const auto read = utc_span_of(*typed);
+    if (read) return read;
+    return std::unexpected(CliText::tr("“%1” is no date: write it as 2026-11-20 or 2026-11-20T09:14:03Z, in UTC.").arg(typed_text(*typed)));
+  };
+  const auto from = span(o.from), to = span(o.to);
+  if (!from) return std::unexpected(from.error());
+  if (!to) return std::unexpected(to.error());
+  HistoryFilter filter;
+  if (*from) filter.from_utc_us = (*from)->begin_utc_us;
+  if (*to) filter.to_utc_us = (*to)->end_utc_us;
+  if (*from && *to && *filter.from_utc_us >= *filter.to_utc_us) {
+    return std::unexpected(CliText::tr("--from %1 is after --to %2.").arg(typed_text(*o.from), typed_text(*o.to)));
+  }
+  return filter;
+}
+
+/// By its id or, of those that come with the program, its key.
+Result<ScenarioId, Message> exercise_in(Store& store, const Actor& actor, const std::string& typed) {
+  const auto practised = store.history.scenarios(actor);
+  if (!practised) return std::unexpected(describe(practised.error()));
+  for (const PractisedScenario& s : *practised) {
+    if (s.scenario.text() == typed) return s.scenario;
+    const auto versions = store.scenarios.versions(s.scenario);
+    if (!versions) return std::unexpected(describe(versions.error()));
+    if (std::ranges::any_of(*versions, [&](const ScenarioVersion& v) { return !v.key.empty() && v.key == typed; })) return s.scenario;
+  }
+  return std::unexpected(Message{CliText::tr("There is no attempt at an exercise “%1”.").arg(typed_text(typed)), {}});
+}
+
+Result<CohortId, Message> cohort_in(Store& store, const std::string& typed) {
+  const auto cohort = store.cohorts.find_name(typed);
+  if (cohort) return cohort->id;
+  if (cohort.error().code != StorageError::not_found) return std::unexpected(describe(cohort.error()));
+  return std::unexpected(Message{CliText::tr("No cohort is called “%1”.").arg(typed_text(typed)), {}});
+}
+
+Result<std::string, Message> device_in(Store& store, const Actor& actor, const std::string& typed) {
+  const auto classes = store.history.device_classes(actor);
+  if (!classes) return std::unexpected(describe(classes.error()));
+  if (std::ranges::find(*classes, typed) != classes->end()) return typed;
+  return std::unexpected(Message{CliText::tr("There is no attempt with a device of class “%1”.").arg(typed_text(typed)), {}});
+}
+
+/// The dates, and what names something in the records.
+Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const ExportOptions& o, HistoryFilter filter) {
+  if (o.cohort) {
+    const auto cohort = cohort_in(store, *o.cohort);
+    if (!cohort) return std::unexpected(cohort.error());
+    filter.cohort = *cohort;
+  }
+  if (o.exercise) {
+    const auto exercise = exercise_in(store, actor, *o.exercise);
+    if (!exercise) return std::unexpected(exercise.error());
+    filter.scenario = *exercise;
+  }
+  if (o.device) {
+    const auto device = device_in(store, actor, *o.device);
+    if (!device) return std::unexpected(device.error());
+    filter.device_class = *device;
+  }
+  filter.version_number = o.version;
+  filter.search = o.student;
+  if (!o.drilled_by.empty()) filter.drilled_by = o.drilled_by == "staff" ? DrilledBy::staff : DrilledBy::students;
+  if (!o.result.empty()) filter.passed = o.result == "passed";
+  return filter;
+}
+
+/// Nothing if no CSV was asked for. False: could not be written; stderr has the message.
+bool write_csv(const ExportOptions& o, const std::vector<ExportRow>& rows) {
+  if (o.out.empty() && !o.csv_on_stdout()) return true;
+  const std::string text = history_csv(rows, {.language = current_language().toStdString()});
+  if (!o.csv_on_stdout()) {
+    if (write_whole(o.out, text)) return true;
+    failed(CliText::tr("%1 cannot be written.").arg(typed_text(o.out)));
+    return false;
+  }
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return true;
+  failed(CliText::tr("%1 cannot be written.").arg(QStringLiteral("stdout")));
+  return false;
+}
+
+int export_attempts(const ExportOptions& o) {
+  if (o.csv_on_stdout() && o.json.on_stdout()) return wrong_usage(CliText::tr("Only one of CSV and JSON can go to stdout."));
+  const auto dates = dates_in(o);
+  if (!dates) return wrong_usage(dates.error());
+  if (const auto no = refuse_outputs({o.out, o.json.file}, o.db)) return failed(*no);
+  auto store = open_records(o.db);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
+  if (!account) return failed(account.error());
+  const Actor actor = account->actor();
+  if (const auto allowed = require(actor, Action::export_results); !allowed) return failed(describe(allowed.error()));
+  const auto filter = filter_in(**store, actor, o, *dates);
+  if (!filter) return failed(filter.error());
+  const auto rows = rows_to_export((*store)->context(), actor, *filter);
+  if (!rows) return failed(describe(rows.error()));
+
+  if (!write_csv(o, *rows)) return kFailed;
+  if (o.json.wanted()) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const ExportRow& row : *rows) json.push_back(row_json(row));
+    if (!o.json.write(json)) return kFailed;
+  }
+  if (o.csv_on_stdout() || o.json.on_stdout()) return kDone;
+  print_line(plain(CliText::tr("%n attempt(s) exported.", nullptr, static_cast<int>(rows->size()))));
+  return kDone;
+}
+
+/// An empty value is a value: add_option() would take it for none.
+CLI::Option* add_named(CLI::App& verb, const char* name, std::optional<std::string>& value, const QString& does) {
+  return verb.add_option_function<std::string>(name, [&value](const std::string& typed) { value = typed; }, help(does));
+}
+
+void add_filters(CLI::App& verb, ExportOptions& o) {
+  add_named(verb, "--cohort", o.cohort, CliText::tr("Only students who are in this cohort now"))->type_name("NAME");
+  add_named(verb, "--from", o.from, CliText::tr("Only attempts begun on this day or later, in UTC: 2026-11-20 or 2026-11-20T09:14:03Z"))
+      ->type_name("DATE");
+  add_named(verb, "--to", o.to, CliText::tr("Only attempts begun on this day or earlier"))->type_name("DATE");
+  CLI::Option* exercise =
+      add_named(verb, "--exercise", o.exercise, CliText::tr("Only attempts at this exercise: its key or id"))->type_name("KEY");
+  verb.add_option("--exercise-version", o.version, help(CliText::tr("Only attempts at this version of the exercise")))
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->needs(exercise);
+  verb.add_option("--student", o.student, help(CliText::tr("Part of a name or number")))->type_name("TEXT");
+  verb.add_option("--drilled-by", o.drilled_by, help(CliText::tr("Only attempts of students, or of staff")))
+      ->check(CLI::IsMember({"students", "staff"}));
+  verb.add_option("--result", o.result, help(CliText::tr("Only attempts with this result")))->check(CLI::IsMember({"passed", "not-passed"}));
+  add_named(verb, "--device", o.device, CliText::tr("Only attempts with a device of this class"))->type_name("CLASS");
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, Job& job) {
+  auto o = std::make_shared<ExportOptions>();
+  CLI::App* verb = program.add_subcommand(
+      "export", help(CliText::tr("Attempts with results, cohort and dates as CSV or JSON; for instructors and administrators")));
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("-o,--output", o->out, help(CliText::tr("CSV file to write, or - for stdout, where it also goes without -o and --json")))
+      ->type_name("FILE");
+  add_filters(*verb, *o);
+  o->account.add_to(*verb);
+  o->json.add_to(*verb);
+  verb->callback([&job, o] { job = [o] { return export_attempts(*o); }; });
+}
+
+}  // namespace cusp::ui
