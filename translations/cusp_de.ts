@@ -1371,6 +1371,10 @@
         <source>Own assessment before the result</source>
         <translation>Selbsteinschätzung vor dem Ergebnis</translation>
     </message>
+    <message>
+        <source>Landmarks of the tooth</source>
+        <translation>Landmarken des Zahns</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Chart</name>
@@ -3905,6 +3909,26 @@
         <source>Own assessment</source>
         <translation>Selbsteinschätzung</translation>
     </message>
+    <message>
+        <source>Propose landmarks</source>
+        <translation>Landmarken vorschlagen</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Accept a landmark</source>
+        <translation>Landmarke übernehmen</translation>
+    </message>
+    <message>
+        <source>Accept the landmarks</source>
+        <translation>Landmarken übernehmen</translation>
+    </message>
+    <message>
+        <source>Remove a landmark</source>
+        <translation>Landmarke entfernen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorPage</name>
@@ -5750,6 +5774,258 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::LandmarkText</name>
+    <message>
+        <source>Long axis</source>
+        <translation>Längsachse</translation>
+    </message>
+    <message>
+        <source>Mesial direction</source>
+        <translation>Mesiale Richtung</translation>
+    </message>
+    <message>
+        <source>Cusp tip</source>
+        <translation>Höckerspitze</translation>
+    </message>
+    <message>
+        <source>Pit</source>
+        <translation>Grube</translation>
+    </message>
+    <message>
+        <source>Fissure</source>
+        <translation>Fissur</translation>
+    </message>
+    <message>
+        <source>Marginal ridge</source>
+        <translation>Randleiste</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Cemento-enamel junction</source>
+        <translation>Schmelz-Zement-Grenze</translation>
+    </message>
+    <message>
+        <source>the only one</source>
+        <translation>der einzige</translation>
+    </message>
+    <message>
+        <source>incisal</source>
+        <translation>inzisal</translation>
+    </message>
+    <message>
+        <source>central</source>
+        <translation>zentral</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>mesial</translation>
+    </message>
+    <message>
+        <source>distal</source>
+        <translation>distal</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>bukkal</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>lingual</translation>
+    </message>
+    <message>
+        <source>central mesial</source>
+        <translation>zentral mesial</translation>
+    </message>
+    <message>
+        <source>central distal</source>
+        <translation>zentral distal</translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation>mesiobukkal</translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation>distobukkal</translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation>mesiolingual</translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation>distolingual</translation>
+    </message>
+    <message>
+        <source>mesiobuccal triangular</source>
+        <translation>mesiobukkal dreieckig</translation>
+    </message>
+    <message>
+        <source>distobuccal triangular</source>
+        <translation>distobukkal dreieckig</translation>
+    </message>
+    <message>
+        <source>mesiolingual triangular</source>
+        <translation>mesiolingual dreieckig</translation>
+    </message>
+    <message>
+        <source>distolingual triangular</source>
+        <translation>distolingual dreieckig</translation>
+    </message>
+    <message>
+        <source>mesial marginal</source>
+        <translation>mesial am Rand</translation>
+    </message>
+    <message>
+        <source>distal oblique</source>
+        <translation>distal schräg</translation>
+    </message>
+    <message>
+        <source>transverse of the oblique ridge</source>
+        <translation>quer zur schrägen Leiste</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a kind of landmark (&quot;Cusp tip&quot;), %2: which one (&quot;MB&quot;)</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Apical end</source>
+        <translation>Apikales Ende</translation>
+    </message>
+    <message>
+        <source>Occlusal end</source>
+        <translation>Okklusales Ende</translation>
+    </message>
+    <message>
+        <source>Distal end</source>
+        <translation>Distales Ende</translation>
+    </message>
+    <message>
+        <source>Mesial end</source>
+        <translation>Mesiales Ende</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>gesetzt</translation>
+    </message>
+    <message>
+        <source>No landmark can be proposed.</source>
+        <translation>Keine Landmarke kann vorgeschlagen werden.</translation>
+    </message>
+    <message>
+        <source>No tooth has that number.</source>
+        <translation>Kein Zahn hat diese Nummer.</translation>
+    </message>
+    <message>
+        <source>This volume holds no hard tissue of a tooth.</source>
+        <translation>Dieses Volumen enthält keine Zahnhartsubstanz.</translation>
+    </message>
+    <message>
+        <source>Nothing in this volume has the form of a tooth whose crown lies up.</source>
+        <translation>Nichts in diesem Volumen hat die Form eines Zahns, dessen Krone oben liegt.</translation>
+    </message>
+    <message>
+        <source>The crown is unlike that of tooth %1.</source>
+        <translation>Die Krone gleicht der von Zahn %1 nicht.</translation>
+    </message>
+    <message>
+        <source>What goes by that likeness is left out. Check the number, and that the crown lies up in the file.</source>
+        <translation>Was sich danach richtet, fehlt. Zu prüfen sind die Nummer und ob die Krone in der Datei oben liegt.</translation>
+    </message>
+    <message>
+        <source>supplementary</source>
+        <translation>zusätzlich</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::LandmarksForm</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Number of the tooth</source>
+        <translation>Nummer des Zahns</translation>
+    </message>
+    <message>
+        <source>Propose landmarks</source>
+        <translation>Landmarken vorschlagen</translation>
+    </message>
+    <message>
+        <source>By the average tooth of that number. Landmarks that are set stay while the number does.</source>
+        <translation>Nach dem mittleren Zahn dieser Nummer. Gesetzte Landmarken bleiben, solange die Nummer bleibt.</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>The chosen landmark is set where it lies</source>
+        <translation>Die gewählte Landmarke wird gesetzt, wo sie liegt</translation>
+    </message>
+    <message>
+        <source>Accept all</source>
+        <translation>Alle übernehmen</translation>
+    </message>
+    <message>
+        <source>Remove the landmark</source>
+        <translation>Landmarke entfernen</translation>
+    </message>
+    <message>
+        <source>Point of the landmark</source>
+        <translation>Punkt der Landmarke</translation>
+    </message>
+    <message>
+        <source>Along the arch</source>
+        <translation>Entlang des Zahnbogens</translation>
+    </message>
+    <message>
+        <source>Towards the cheek</source>
+        <translation>Zur Wange</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Landmark: %1</source>
+        <translation>Landmarke: %1</translation>
+    </message>
+    <message>
+        <source>Looking for landmarks</source>
+        <translation>Landmarken suchen</translation>
+    </message>
+    <message>
+        <source>The landmarks cannot be taken.</source>
+        <translation>Die Landmarken können nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 proposed, %2 set</source>
+        <extracomment>%1, %2: numbers of landmarks</extracomment>
+        <translation>%1 vorgeschlagen, %2 gesetzt</translation>
     </message>
 </context>
 <context>
@@ -9542,6 +9818,24 @@ Ihr bester davor</translation>
     <message>
         <source>Floor</source>
         <translation>Boden</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: a landmark (&quot;Long axis&quot;), %2: one of its points (&quot;Occlusal end&quot;)</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a place, or the name of a landmark, %2: &quot;proposed&quot; or &quot;set&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Proposed landmark</source>
+        <translation>Landmarke, vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Set landmark</source>
+        <translation>Landmarke, gesetzt</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,7 @@ constexpr Named kNames[] = {
     {"/specimen/seed", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Natural variation of the tooth")},
     {"/specimen/lesions", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Carious lesions")},
     {"/specimen/around", QT_TRANSLATE_NOOP("cusp::ui::Changes", "What stands about the tooth")},
+    {"/specimen/landmarks", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Landmarks of the tooth")},
     {"/specimen", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Tooth")},
     {"/limits/time_s", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Time limit")},
     {"/expected_time_s", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Expected time")},

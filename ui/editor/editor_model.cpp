@@ -28,9 +28,21 @@ bool finite(const Region& region) {
   return all && std::ranges::all_of(region.parts, [](const Region& part) { return finite(part); });
 }
 
+bool finite(const SpecimenLandmarks& landmarks) {
+  return std::ranges::all_of(landmarks.marks, [](const Landmark& mark) {
+    return std::ranges::all_of(mark.points_mm, [](Vec3 p) { return finite(p); });
+  });
+}
+
+/// No landmark changes the voxels.
+bool has_same_voxels(const SpecimenSource& a, SpecimenSource b) {
+  b.landmarks = a.landmarks;
+  return a == b;
+}
+
 /// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
-  bool all = finite(s.target) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.expected_time_s) &&
+  bool all = finite(s.target) && finite(s.specimen.landmarks) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.expected_time_s) &&
              std::isfinite(s.rubric.pass) && std::isfinite(s.specimen.voxel_mm);
   for (const Criterion& c : s.rubric.criteria) {
     const Bands& b = c.bands;
@@ -75,7 +87,7 @@ bool EditorModel::edit(const QString& text, const QString& field, const std::fun
 
 void EditorModel::after_change() {
   if (part_at(scenario_.target, part_) == nullptr) choose_part(part_);
-  if (!(scenario_.specimen == grown_from_)) {
+  if (!has_same_voxels(scenario_.specimen, grown_from_)) {
     grown_from_ = scenario_.specimen;
     facts_.reset();
     pulp_mm_.clear();

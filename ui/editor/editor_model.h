@@ -27,6 +27,12 @@ struct EditorStart {
   std::optional<std::string> kept{};  // the draft's JSON in the records; nullopt without a draft there
 };
 
+/// A landmark of the exercise by its index, and one of its points.
+struct MarkPoint {
+  std::size_t mark = 0, point = 0;
+  friend bool operator==(const MarkPoint&, const MarkPoint&) = default;
+};
+
 class EditorModel : public QObject {
   Q_OBJECT
 
@@ -53,6 +59,19 @@ class EditorModel : public QObject {
   /// Carious lesions, neighbours and seed of a grown tooth. New tissues get the usual figures, the others keep theirs. `field` as
   /// in set_target.
   bool set_tooth(const SpecimenSource& source, const QString& field);
+  /// Landmarks of a tooth from a file. Of a grown one they are empty, and each edit of them returns false.
+  bool takes_landmarks() const { return scenario_.specimen.generator.empty(); }
+  const SpecimenLandmarks& landmarks() const { return scenario_.specimen.landmarks; }
+  /// Those of `proposed`; the ones that are set stay if the tooth's number does.
+  bool take_proposed(const SpecimenLandmarks& proposed);
+  /// The landmark is set then. False for a place beside the tooth (landmark_outside of validate.h).
+  bool move_landmark(MarkPoint at, Vec3 mm);
+  bool accept_landmark(std::size_t mark);
+  bool accept_landmarks();
+  bool remove_landmark(std::size_t mark);
+  /// The point that form and view show; of no account without landmarks. No edit: undo does not bring it back.
+  MarkPoint landmark() const;
+  void choose_landmark(MarkPoint at);
   /// The part of the target that the edits below change. At the start its first outline. No edit: undo does not bring it back.
   const PartPath& part() const { return part_; }
   void choose_part(const PartPath& path);
@@ -137,13 +156,16 @@ class EditorModel : public QObject {
   void tried_out();
   /// Another part of the target is chosen.
   void part_chosen();
+  /// Another landmark, or another point of it, is chosen.
+  void landmark_chosen();
   /// After every edit, undo and redo, and after set_facts().
   void changed();
-  /// The exercise has another specimen now.
+  /// The exercise has another specimen now. Other landmarks make none.
   void specimen_changed();
 
  private:
   bool edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change);
+  bool edit_landmarks(const QString& text, const std::function<void(SpecimenLandmarks&)>& change);
   bool edit_outline(const QString& text, const QString& field, const std::function<void(Scenario&, Outline&)>& change);
   void after_change();
   void check();
@@ -157,6 +179,7 @@ class EditorModel : public QObject {
   TryOuts try_outs_;
   std::string folder_;
   PartPath part_;
+  MarkPoint landmark_;         // as chosen; landmark() keeps it within the landmarks
   SpecimenSource grown_from_;  // at the last specimen_changed()
   std::optional<SpecimenFacts> facts_;
   std::vector<Vec3> pulp_mm_;
@@ -165,6 +188,9 @@ class EditorModel : public QObject {
   int gesture_ = 0;
   QUndoStack stack_;  // the last member: its commands refer to scenario_
 };
+
+/// Points that a landmark can be moved by: the last of a closed line is its first.
+std::size_t movable_points(const Landmark& mark) noexcept;
 
 /// Moves every point to the floor.
 void settle_on_floor(Outline& target);

@@ -15,7 +15,10 @@ namespace {
 
 /// Keeps the fields that the shape uses; the others take their defaults.
 void clean(SpecimenSource& source) {
-  if (!source.generator.empty()) source.volume.clear();
+  if (!source.generator.empty()) {
+    source.volume.clear();
+    source.landmarks = {};
+  }
   if (source.generator != "tooth") {
     source.fdi = 0;
     source.seed = 0;

@@ -116,6 +116,7 @@ bool EditorPage::publishing() const { return publish_wait_->running() && !provin
 
 void EditorPage::show_tooth_form(bool on) {
   left_->setCurrentIndex(on ? 1 : 0);
+  stage_->set_shown(on ? TargetView::Shows::landmarks : TargetView::Shows::target);
   if (!on) return change_->setFocus();
   forms_.fill(tooth_page_);
   const QList<QWidget*> inside = tooth_page_->findChildren<QWidget*>();

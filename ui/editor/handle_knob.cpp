@@ -16,6 +16,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kBody = 14, kWhole = 22;                // px: a handle, and with its focus ring
+constexpr double kCoreShare = 0.5;                     // of the body's width: the core of a landmark that is set
 constexpr double kStepMm = 0.05, kFineStepMm = 0.01;  // of an arrow key
 
 /// A handle for screen readers: a slider with place or size as its value. Two actions change a depth or a width by one step; a
@@ -44,6 +45,29 @@ class KnobForReaders : public QAccessibleWidget {
   HandleKnob& knob_;
 };
 
+enum class Form : std::uint8_t { square, round };
+
+void fill(QPainter& p, const QRectF& area, const QColor& colour, Form form) {
+  p.setPen(Qt::NoPen);
+  p.setBrush(colour);
+  if (form == Form::round) {
+    p.drawEllipse(area);
+  } else {
+    p.drawRect(area);
+  }
+}
+
+/// White with a dark edge.
+void paint_body(QPainter& p, const QRectF& body, Form form) {
+  fill(p, body, ToothColours::get().casing, form);
+  fill(p, body.adjusted(px(2), px(2), -px(2), -px(2)), Tokens::light().surface, form);
+}
+
+void paint_core(QPainter& p, const QRectF& body) {
+  const double edge = body.width() * (1.0 - kCoreShare) / 2.0;
+  fill(p, body.adjusted(edge, edge, -edge, -edge), ToothColours::get().casing, Form::round);
+}
+
 QAccessibleInterface* knob_for_readers(const QString&, QObject* object) {
   auto* knob = qobject_cast<HandleKnob*>(object);
   return knob ? new KnobForReaders(knob) : nullptr;
@@ -62,11 +86,12 @@ HandleKnob::HandleKnob(TargetView& stage, int) : QWidget(&stage), stage_(stage) 
 void HandleKnob::fit_mask() {
   const int edge = hasFocus() ? 0 : (px(kWhole) - px(kBody)) / 2;
   const QRect area = rect().adjusted(edge, edge, -edge, -edge);
-  setMask(handle_.is_floor() ? QRegion(area, QRegion::Ellipse) : QRegion(area));
+  setMask(handle_.is_round() ? QRegion(area, QRegion::Ellipse) : QRegion(area));
 }
 
 void HandleKnob::set_handle(const TargetHandle& handle, const QString& name, const QString& value) {
   const bool other = handle.kind != handle_.kind;
+  if (other || handle.state != handle_.state) update();
   handle_ = handle;
   setAccessibleName(name);
   setAccessibleDescription(value);
@@ -81,19 +106,10 @@ void HandleKnob::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   const double edge = (px(kWhole) - px(kBody)) / 2.0;
   const QRectF body = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
-  const bool round = handle_.is_floor();
-  const auto fill = [&](const QRectF& area, const QColor& colour) {
-    p.setPen(Qt::NoPen);
-    p.setBrush(colour);
-    if (round) {
-      p.drawEllipse(area);
-    } else {
-      p.drawRect(area);
-    }
-  };
-  if (hasFocus()) fill(body.adjusted(-2, -2, 2, 2), Tokens::light().surface);
-  fill(body, c.casing);
-  fill(body.adjusted(px(2), px(2), -px(2), -px(2)), Tokens::light().surface);
+  const Form form = handle_.is_round() ? Form::round : Form::square;
+  if (hasFocus()) fill(p, body.adjusted(-2, -2, 2, 2), Tokens::light().surface, form);
+  paint_body(p, body, form);
+  if (handle_.kind == TargetHandle::Kind::landmark && handle_.state == MarkState::set) paint_core(p, body);
 }
 
 void HandleKnob::mousePressEvent(QMouseEvent* event) {
@@ -108,6 +124,7 @@ void HandleKnob::mousePressEvent(QMouseEvent* event) {
 void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_) return;
   const QPointF now = mapToParent(event->position());
+  if (start_.kind == TargetHandle::Kind::landmark) return stage_.drag_landmark(start_, {start_at_, now});
   if (!start_.of_outline()) return stage_.drag_part(start_, start_part_, {start_at_, now});
   Vec3 to = start_.at_mm;
   if (start_.kind == TargetHandle::Kind::depth) {
@@ -137,11 +154,16 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
     stage_.model_.remove_point(handle_.path, handle_.point);
     return;
   }
+  if (key == Qt::Key_Delete && handle_.kind == TargetHandle::Kind::landmark) {
+    stage_.model_.remove_landmark(handle_.path);
+    return;
+  }
   const int x = key == Qt::Key_Right ? 1 : key == Qt::Key_Left ? -1 : 0;
   const int y = key == Qt::Key_Up ? 1 : key == Qt::Key_Down ? -1 : 0;
   if (x == 0 && y == 0) return QWidget::keyPressEvent(event);
   const double step = event->modifiers() & Qt::ShiftModifier ? kFineStepMm : kStepMm;
   if (!event->isAutoRepeat()) stage_.model_.end_gesture();
+  if (handle_.kind == TargetHandle::Kind::landmark) return stage_.step_landmark(handle_, {x, y}, step);
   if (handle_.of_outline()) return step_outline({x, y}, step);
   stage_.step_part(handle_, {x, y}, step);
 }
@@ -179,12 +201,25 @@ void HandleKnob::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
   fit_mask();
   raise();
+  if (handle_.kind == TargetHandle::Kind::landmark) stage_.model_.choose_landmark({handle_.path, handle_.point});
 }
 
 void HandleKnob::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
   stage_.model_.end_gesture();
   fit_mask();
+}
+
+KnobSample::KnobSample(MarkState state, QWidget* parent) : QWidget(parent), state_(state) { setFixedSize(px(kWhole), px(kWhole)); }
+
+void KnobSample::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.fillRect(rect(), ToothColours::get().enamel);  // on a dark card the dark edge would not show
+  p.setRenderHint(QPainter::Antialiasing);
+  const double edge = (px(kWhole) - px(kBody)) / 2.0;
+  const QRectF body = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
+  paint_body(p, body, Form::round);
+  if (state_ == MarkState::set) paint_core(p, body);
 }
 
 }  // namespace cusp::ui

@@ -1,5 +1,5 @@
-/// One handle of the target on the tooth: the left button drags it, arrow keys move it by 0.05 mm, with Shift by 0.01 mm.
-/// Thread: GUI.
+/// One handle on the tooth, of the target or of a landmark: the left button drags it, arrow keys move it by 0.05 mm, with Shift by
+/// 0.01 mm. Delete removes a point or a landmark. A landmark that is set has a dark core. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -35,6 +35,18 @@ class HandleKnob : public QWidget {
   Region start_part_;
   QPointF start_at_;
   bool dragging_ = false;
+};
+
+/// The handle of a landmark, for a legend.
+class KnobSample : public QWidget {
+ public:
+  KnobSample(MarkState state, QWidget* parent);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  MarkState state_;
 };
 
 }  // namespace cusp::ui

@@ -8,10 +8,7 @@ namespace {
 
 using Kind = TargetHandle::Kind;
 
-/// A decimal number: 124 steps of 0.01 give 1.24.
-double on_step(double mm) { return std::round(std::round(mm / kHandleStepMm) * kHandleStepMm * 1e4) / 1e4; }
-Vec3 on_step(Vec3 mm) { return {on_step(mm.x), on_step(mm.y), on_step(mm.z)}; }
-double least(double mm) { return std::max(on_step(mm), kLeastHandleMm); }
+double least(double mm) { return std::max(on_handle_step(mm), kLeastHandleMm); }
 
 struct Axes {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  // unit
@@ -67,9 +64,9 @@ Region moved_part(const Region& part, const TargetHandle& handle, Vec3 to_mm) {
   const auto from_middle = [&](Vec3 middle) { return std::abs(glm::dot(to_mm - middle, handle.along)); };
   switch (handle.kind) {
     case Kind::place:
-      out.from_mm = on_step(to_mm);
+      out.from_mm = on_handle_step(to_mm);
       break;
-    case Kind::end: out.to_mm = on_step(to_mm); break;
+    case Kind::end: out.to_mm = on_handle_step(to_mm); break;
     case Kind::radius: out.radius_mm = least(from_middle(part.from_mm)); break;
     case Kind::end_radius: out.end_radius_mm = least(from_middle(part.to_mm)); break;
     case Kind::extent_x: out.size_mm.x = least(2 * from_middle(part.from_mm)); break;

@@ -13,6 +13,7 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/teeth/tooth.h"
 #include "ui/editor/form_parts.h"
+#include "ui/editor/landmarks_form.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/tooth_form.h"
 #include "ui/modules.h"
@@ -60,6 +61,13 @@ QString specimen_name(const SpecimenSource& source) {
   return QFileInfo(QString::fromStdString(source.volume)).fileName();
 }
 
+void add_teeth(QComboBox& box) {
+  for (const int quadrant : {1, 2, 3, 4}) {
+    for (int n = 1; n <= 8; ++n) box.addItem(quadrant_name(10 * quadrant + n), 10 * quadrant + n);
+  }
+  shrinks(box);
+}
+
 SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* parent)
     : QWidget(parent), model_(model), ports_(ports) {
   auto* column = new QVBoxLayout(this);
@@ -98,10 +106,7 @@ void SpecimenForm::make_rows(QVBoxLayout& column) {
   QVBoxLayout* rows = nullptr;
   tooth_rows_ = rows_group(&rows);
   tooth_ = new QComboBox;
-  for (const int quadrant : {1, 2, 3, 4}) {
-    for (int n = 1; n <= 8; ++n) tooth_->addItem(quadrant_name(10 * quadrant + n), 10 * quadrant + n);
-  }
-  shrinks(*tooth_);
+  add_teeth(*tooth_);
   rows->addWidget(labelled(tr("Tooth"), tooth_));
   seed_ = new NumberBox(model_, tr("Variation"), {}, 0, kMostSeed, 1, 0, [this](double seed) {
     if (!tooth_stands()) return true;  // the button takes it with the rest
@@ -132,6 +137,8 @@ void SpecimenForm::make_rows(QVBoxLayout& column) {
   rows->addWidget(choose);
   connect(choose, &QPushButton::clicked, this, &SpecimenForm::pick);
   column.addWidget(file_rows_);
+  landmarks_ = new LandmarksForm(model_);
+  column.addWidget(landmarks_);
 }
 
 void SpecimenForm::follow_model() {
@@ -150,12 +157,17 @@ void SpecimenForm::fit() {
   tooth_rows_->setVisible(kind == u"tooth");
   grown_rows_->setVisible(kind == u"tooth" || kind == u"block" || kind == u"layered-block");
   file_rows_->setVisible(kind.isEmpty());
+  landmarks_->setVisible(file_stands());
   details_->setVisible(tooth_stands());
   use_->setVisible(!kind.isEmpty() && !tooth_stands());
 }
 
 bool SpecimenForm::tooth_stands() const {
   return model_.scenario().specimen.generator == "tooth" && kind_->currentData().toString() == u"tooth";
+}
+
+bool SpecimenForm::file_stands() const {
+  return model_.takes_landmarks() && !model_.scenario().specimen.volume.empty() && kind_->currentData().toString().isEmpty();
 }
 
 void SpecimenForm::change_tooth() {

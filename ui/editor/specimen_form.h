@@ -1,5 +1,5 @@
-/// The specimen of an exercise: a grown tooth by number, seed and voxel size, or a volume file. If the exercise has a grown tooth,
-/// each change is an edit at once; another kind is taken as a whole. Thread: GUI.
+/// The specimen of an exercise: a grown tooth by number, seed and voxel size, or a volume file with its landmarks. If the exercise has a
+/// grown tooth, each change is an edit at once; another kind is taken as a whole. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace cusp::ui {
 
 class Band;
+class LandmarksForm;
 class NumberBox;
 class ToothForm;
 
@@ -35,6 +36,7 @@ class SpecimenForm : public QWidget {
   void fit();
   void use();
   bool tooth_stands() const;
+  bool file_stands() const;
   void change_tooth();
   void pick();
 
@@ -44,6 +46,7 @@ class SpecimenForm : public QWidget {
   NumberBox *seed_, *voxel_;
   QWidget *tooth_rows_, *grown_rows_, *file_rows_;
   ToothForm* details_;
+  LandmarksForm* landmarks_;
   QLabel* file_;
   QPushButton* use_;
   Band* band_;
@@ -51,5 +54,7 @@ class SpecimenForm : public QWidget {
 
 /// "36, lower left", "Practice block", "tooth.nrrd".
 QString specimen_name(const SpecimenSource& source);
+/// The permanent teeth by FDI number, which is their data.
+void add_teeth(QComboBox& box);
 
 }  // namespace cusp::ui

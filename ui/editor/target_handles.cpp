@@ -8,10 +8,7 @@
 namespace cusp::ui {
 namespace {
 
-double rounded(double mm) { return std::round(mm / kHandleStepMm) * kHandleStepMm; }
-double at_least(double mm) { return std::max(rounded(mm), kLeastHandleMm); }
-/// Rounds to a decimal number: 124 steps of 0.01 give 1.24.
-double decimal(double mm) { return std::round(mm * 1e4) / 1e4; }
+double at_least(double mm) { return std::max(on_handle_step(mm), kLeastHandleMm); }
 
 bool same_place(Vec3 a, Vec3 b) { return std::abs(a.x - b.x) < 1e-6 && std::abs(a.y - b.y) < 1e-6; }
 
@@ -36,6 +33,9 @@ Stretch widest_seen(const Outline& t) {
 }
 
 }  // namespace
+
+double on_handle_step(double mm) { return std::round(std::round(mm / kHandleStepMm) * kHandleStepMm * 1e4) / 1e4; }
+Vec3 on_handle_step(Vec3 mm) { return {on_handle_step(mm.x), on_handle_step(mm.y), on_handle_step(mm.z)}; }
 
 std::vector<TargetHandle> handles_of(const Outline& t) {
   std::vector<TargetHandle> out;
@@ -69,7 +69,7 @@ Outline moved(const Outline& target, const TargetHandle& handle, Vec3 to) {
       const Vec3 from = target.paths[handle.path][handle.point];
       for (auto& path : t.paths) {
         for (Vec3& p : path) {
-          if (same_place(p, from)) p = Vec3(decimal(rounded(to.x)), decimal(rounded(to.y)), p.z);
+          if (same_place(p, from)) p = Vec3(on_handle_step(to.x), on_handle_step(to.y), p.z);
         }
       }
       break;
@@ -77,17 +77,17 @@ Outline moved(const Outline& target, const TargetHandle& handle, Vec3 to) {
     case TargetHandle::Kind::width: {
       const Stretch s = widest_seen(t);
       const double half = std::abs((to.x - s.middle.x) * s.across.x + (to.y - s.middle.y) * s.across.y);
-      t.width_mm = decimal(at_least(2 * half));
+      t.width_mm = at_least(2 * half);
       break;
     }
     case TargetHandle::Kind::size_x:
-      t.box_size_mm.x = decimal(at_least(2 * std::abs(to.x - t.paths[0][0].x)));
+      t.box_size_mm.x = at_least(2 * std::abs(to.x - t.paths[0][0].x));
       break;
     case TargetHandle::Kind::size_y:
-      t.box_size_mm.y = decimal(at_least(2 * std::abs(to.y - t.paths[0][0].y)));
+      t.box_size_mm.y = at_least(2 * std::abs(to.y - t.paths[0][0].y));
       break;
     case TargetHandle::Kind::depth:
-      t.depth_mm = decimal(at_least(t.top_mm - to.z));
+      t.depth_mm = at_least(t.top_mm - to.z);
       settle_on_floor(t);
       break;
     default: break;

@@ -28,6 +28,20 @@ QString part_field(const TargetHandle& handle) { return u"handle/part/"_qs + QSt
 
 }  // namespace
 
+Vec3 TargetView::moved_in_view(Vec3 from_mm, const Way& way) const {
+  const Vec3 sight = view_->camera().forward();
+  const auto on = [&](QPointF at) {
+    const Ray ray = view_->ray(at);
+    return ray.from_mm + glm::dot(from_mm - ray.from_mm, sight) / glm::dot(ray.along, sight) * ray.along;
+  };
+  return from_mm + on(way.to) - on(way.from);
+}
+
+Vec3 TargetView::way_of(glm::ivec2 keys) const {
+  const Camera& camera = view_->camera();
+  return static_cast<double>(keys.x) * nearest_axis(camera.right()) + static_cast<double>(keys.y) * nearest_axis(camera.up());
+}
+
 /// A radius, an extent and a floor move along their line; a place moves in the plane that faces the viewer.
 void TargetView::drag_part(const TargetHandle& handle, const Region& from, const Way& way) {
   Vec3 to = handle.at_mm;
@@ -39,21 +53,15 @@ void TargetView::drag_part(const TargetHandle& handle, const Region& from, const
     if (length2 < kLeastSlopePx * kLeastSlopePx) return;
     to += QPointF::dotProduct(way.to - way.from, mm) / length2 * handle.along;
   } else {
-    const Vec3 sight = view_->camera().forward();
-    const auto on = [&](QPointF at) {
-      const Ray ray = view_->ray(at);
-      return ray.from_mm + glm::dot(handle.at_mm - ray.from_mm, sight) / glm::dot(ray.along, sight) * ray.along;
-    };
-    to += on(way.to) - on(way.from);
+    to = moved_in_view(to, way);
   }
   model_.set_part(moved_part(from, handle, to), part_field(handle));
 }
 
 void TargetView::step_part(const TargetHandle& handle, glm::ivec2 keys, double step_mm) {
-  const Camera& camera = view_->camera();
   Vec3 by = static_cast<double>(keys.x + keys.y) * handle.along;
   if (handle.kind == TargetHandle::Kind::floor) by = -by;  // up is up
-  if (handle.is_place()) by = static_cast<double>(keys.x) * nearest_axis(camera.right()) + static_cast<double>(keys.y) * nearest_axis(camera.up());
+  if (handle.is_place()) by = way_of(keys);
   model_.set_part(moved_part(model_.chosen(), handle, handle.at_mm + step_mm * by), part_field(handle));
 }
 

@@ -1,10 +1,8 @@
 #include "ui/editor/target_view.h"
 
 #include <QApplication>
-#include <QBoxLayout>
 #include <QLabel>
 #include <QPointer>
-#include <QPushButton>
 #include <QThreadPool>
 #include <algorithm>
 #include <array>
@@ -12,13 +10,12 @@
 
 #include "ui/editor/depth_arrow.h"
 #include "ui/editor/handle_knob.h"
+#include "ui/editor/landmark_handles.h"
 #include "ui/editor/part_handles.h"
 #include "ui/editor/target_preview.h"
 #include "ui/view/section_bar.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/line_sample.h"
-#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
@@ -26,14 +23,6 @@ namespace {
 
 constexpr double kFirstPitch = 1.2;                  // radians: nearly from above, with the floor's depth in view
 constexpr int kCarveDelayMs = 200;                         // pause before the cavity is carved
-constexpr std::array kTurns = {PresetView::working, PresetView::buccal, PresetView::distal, PresetView::lingual};
-
-QFrame* make_panel(QWidget* parent) {
-  auto* card = new QFrame(parent);
-  card->setProperty("kind", u"card"_qs);
-  card->setAutoFillBackground(true);
-  return card;
-}
 
 QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
@@ -46,7 +35,7 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   make_tools();
   make_legend();
   arrow_ = new DepthArrow(this);
-  for (QLabel** tag : {&depth_tag_, &width_tag_}) {
+  for (QLabel** tag : {&depth_tag_, &width_tag_, &mark_tag_}) {
     *tag = make_label({}, TextRole::caption, Weight::bold);
     (*tag)->setParent(this);
     set_kind(*tag, "pin");
@@ -68,68 +57,11 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   connect(view_, &ToothView::camera_changed, this, &TargetView::place_all);
   connect(&model_, &EditorModel::changed, this, &TargetView::follow_model);
   connect(&model_, &EditorModel::part_chosen, this, &TargetView::place_all);
-}
-
-void TargetView::make_tools() {
-  tools_ = make_panel(this);
-  auto* row = new QHBoxLayout(tools_);
-  row->setContentsMargins(px(3), px(3), px(3), px(3));
-  row->setSpacing(px(2));
-  QPushButton* turn = make_button(tr("Turn"), ButtonKind::quiet, u"turn"_qs);
-  QPushButton* above = make_button(tr("From above"), ButtonKind::quiet, u"eye"_qs);
-  QPushButton* carved = make_button(tr("Cut out"), ButtonKind::quiet, u"cutaway"_qs);
-  carved->setCheckable(true);
-  carved->setChecked(true);
-  carved->setToolTip(tr("Show the tooth as it is when the target is met"));
-  QPushButton* section = make_button(tr("Section"), ButtonKind::quiet, u"layers"_qs);
-  make_section(*section);
-  for (QPushButton* button : {turn, above, carved, section}) {
-    row->addWidget(button);
-    tool_texts_.emplace_back(button, button->text());
-    if (button->toolTip().isEmpty()) button->setToolTip(button->accessibleName());
-  }
-  connect(turn, &QPushButton::clicked, this, [this] {
-    Camera camera = view_->camera();
-    camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()]);
-    view_->set_camera(camera);
-  });
-  connect(above, &QPushButton::clicked, this, [this] {
-    Camera camera = view_->camera();
-    camera.set_preset(PresetView::occlusal);
-    view_->set_camera(camera);
-  });
-  connect(carved, &QPushButton::toggled, this, [this](bool on) {
-    carved_ = on;
-    mesh_wanted_ = true;
-    run_next();
-  });
-}
-
-void TargetView::make_legend() {
-  legend_ = make_panel(this);
-  auto* lines = new QHBoxLayout(legend_);
-  lines->setContentsMargins(px(12), px(7), px(12), px(7));
-  lines->setSpacing(px(6));
-  lines->addWidget(new LineSample(LineSample::Line::target, legend_));
-  lines->addWidget(make_label(tr("Target"), TextRole::caption));
-  lines->addSpacing(px(6));
-  lines->addWidget(new LineSample(LineSample::Line::tolerance_zone, legend_));
-  lines->addWidget(make_label(tr("Tolerance zone"), TextRole::caption));
+  connect(&model_, &EditorModel::landmark_chosen, this, &TargetView::place_all);
+  connect(view_, &ToothView::feed_shown, this, &TargetView::place_all);  // what it hides of the landmarks is known
 }
 
 TargetView::~TargetView() = default;
-
-void TargetView::set_centre(QWidget* widget) {
-  if (centre_) centre_->deleteLater();
-  centre_ = nullptr;
-  if (widget) {
-    centre_ = make_panel(this);
-    (new QVBoxLayout(centre_))->addWidget(widget);
-    widget->show();
-    centre_->show();
-  }
-  place_all();
-}
 
 void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
   const bool there = grown != nullptr;
@@ -140,6 +72,7 @@ void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
   const bool turn = there && (!looked_at_ || !same(*looked_at_, grown->source));
   grown_ = std::move(grown);
   if (!there) {
+    target_lines_.clear();
     view_->set_lines({});
     view_->set_scenery(nullptr);
     preview_.reset();
@@ -196,6 +129,7 @@ void TargetView::follow_model() {
     run_next();
     cut_section();
   }
+  follow_landmarks();
   place_all();
 }
 
@@ -205,7 +139,7 @@ void TargetView::run_next() {
   const bool mesh = mesh_wanted_ && !lines_wanted_;
   if (mesh) mesh_wanted_ = false;
   lines_wanted_ = false;
-  PreviewWish wish{grown_->whole, model_.scenario().target, model_.scenario().leeway, carved_};
+  PreviewWish wish{grown_->whole, model_.scenario().target, model_.scenario().leeway, carved_ && !shows_landmarks()};
   QThreadPool::globalInstance()->start([wish, mesh, self = QPointer<TargetView>(this)] {
     auto made = std::make_shared<TargetPreview>();
     if (mesh) {
@@ -220,7 +154,8 @@ void TargetView::run_next() {
           self->working_ = false;
           // The answer is out of date if another tooth came first.
           if (self->grown_ && self->grown_->whole == whole) {
-            self->view_->set_lines(made->lines);
+            self->target_lines_ = made->lines;
+            self->show_lines();
             if (made->patches) {
               self->view_->set_feed(made->patches);
               self->preview_ = made->shown;
@@ -255,15 +190,6 @@ std::optional<Vec3> TargetView::on_plane(QPointF at) const {
   return ray.from_mm + t * ray.along;
 }
 
-/// Signs alone where the view is too narrow for their texts.
-void TargetView::fit_tools() {
-  for (const auto& [button, text] : tool_texts_) button->setText(text);
-  tools_->adjustSize();
-  if (tools_->width() <= width() - px(24)) return;
-  for (const auto& [button, text] : tool_texts_) button->setText({});
-  tools_->adjustSize();
-}
-
 void TargetView::place_all() {
   view_->setGeometry(rect());
   view_->lower();
@@ -273,8 +199,7 @@ void TargetView::place_all() {
   // Beside the tools, or below them in a narrow window.
   const bool beside = tools_->geometry().right() + px(12) + legend_->width() <= width() - px(12);
   legend_->move(width() - legend_->width() - px(12), beside ? px(12) : tools_->geometry().bottom() + px(8));
-  const bool has_handles = model_.has_outline() || !handles_of_part(model_.chosen()).empty();
-  hint_->setVisible(grown_ && has_handles && !section_->is_open());  // a narrow view has room for one of them
+  hint_->setVisible(!present_handles().empty() && !section_->is_open());  // a narrow view has room for one of them
   hint_->setWordWrap(hint_->fontMetrics().horizontalAdvance(hint_->text()) > width() - px(48));
   hint_->setFixedWidth(hint_->wordWrap() ? std::max(0, width() - px(24)) : hint_->sizeHint().width());
   hint_->adjustSize();
@@ -291,42 +216,53 @@ void TargetView::place_all() {
   if (centre_) centre_->raise();
 }
 
+std::vector<TargetHandle> TargetView::present_handles() const {
+  if (!grown_) return {};
+  if (shows_landmarks()) return handles_of_landmarks(model_.landmarks(), model_.landmark());
+  return model_.has_outline() ? handles_of(model_.outline()) : handles_of_part(model_.chosen());
+}
+
 void TargetView::place_handles() {
-  handles_.clear();
-  if (grown_) handles_ = model_.has_outline() ? handles_of(model_.outline()) : handles_of_part(model_.chosen());
+  handles_ = present_handles();
   while (knobs_.size() < handles_.size()) {
     knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
     section_->tab_after(knobs_.back());  // it stands below the tooth
   }
-  depth_tag_->hide();
-  width_tag_->hide();
-  if (handles_.empty() || !model_.has_outline()) arrow_->hide();
+  for (QLabel* tag : {depth_tag_, width_tag_, mark_tag_}) tag->hide();
+  if (handles_.empty() || !model_.has_outline() || shows_landmarks()) arrow_->hide();
   for (std::size_t i = 0; i < knobs_.size(); ++i) {
     HandleKnob* knob = knobs_[i];
-    const auto at = i < handles_.size() ? view_->project(handles_[i].at_mm) : std::nullopt;
+    const bool wanted = i < handles_.size() && is_seen(handles_[i]);
+    const auto at = wanted ? view_->project(handles_[i].at_mm) : std::nullopt;
     knob->setVisible(at.has_value());
     if (!at) continue;
     const TargetHandle& h = handles_[i];
     knob->move((*at - QPointF(knob->width() / 2.0, knob->height() / 2.0)).toPoint());
-    if (h.of_outline()) name_outline_handle(*knob, i, *at);
+    if (h.kind == TargetHandle::Kind::landmark) name_landmark_handle(*knob, h);
+    else if (h.of_outline()) name_outline_handle(*knob, i, *at);
     else name_part_handle(*knob, h);
   }
   for (std::size_t i = 0; i < handles_.size(); ++i) {
-    QLabel* tag = tag_of(handles_[i].kind);
+    QLabel* tag = tag_of(handles_[i]);
     if (tag && tag->isVisibleTo(this)) place_tag(tag, knobs_[i]->geometry().center());
   }
 }
 
-/// The label beside a handle of that kind; nullptr where it has none.
-QLabel* TargetView::tag_of(TargetHandle::Kind kind) const {
-  if (kind == TargetHandle::Kind::depth) return depth_tag_;
-  return kind == TargetHandle::Kind::width || kind == TargetHandle::Kind::size_y ? width_tag_ : nullptr;
+/// The label beside a handle; nullptr where it has none.
+QLabel* TargetView::tag_of(const TargetHandle& handle) const {
+  switch (handle.kind) {
+    case TargetHandle::Kind::depth: return depth_tag_;
+    case TargetHandle::Kind::width:
+    case TargetHandle::Kind::size_y: return width_tag_;
+    case TargetHandle::Kind::landmark: return is_chosen(handle) ? mark_tag_ : nullptr;
+    default: return nullptr;
+  }
 }
 
 void TargetView::name_outline_handle(HandleKnob& knob, std::size_t i, QPointF at) {
   const Outline& t = model_.outline();
   const TargetHandle& h = handles_[i];
-  QLabel* tag = tag_of(h.kind);
+  QLabel* tag = tag_of(h);
   QString name, value;
   switch (h.kind) {
     case TargetHandle::Kind::point:
@@ -364,8 +300,7 @@ void TargetView::place_tag(QLabel* tag, QPoint at) {
       QPointF(-0.8, 0.6), QPointF(0.8, 0.6), QPointF(0, 1), QPointF(-1, -0.3), QPointF(1, -0.3), QPointF(0, -1)};
   const auto free = [&](const QRect& place) {
     if (!rect().contains(place)) return false;
-    for (const QWidget* other : {static_cast<QWidget*>(depth_tag_), static_cast<QWidget*>(width_tag_),
-                                 static_cast<QWidget*>(tools_), static_cast<QWidget*>(legend_)}) {
+    for (const QWidget* other : std::initializer_list<QWidget*>{depth_tag_, width_tag_, mark_tag_, tools_, legend_}) {
       if (other != tag && other->isVisibleTo(this) && other->geometry().intersects(place)) return false;
     }
     return std::ranges::none_of(knobs_, [&](const HandleKnob* knob) {

@@ -52,7 +52,7 @@ TEST_F(ComposedTarget, a_shape_that_is_chosen_in_the_list_has_its_own_numbers) {
   EditorStart start = coarse();
   compose(start.draft);
   const auto page = open(start);
-  auto* list = page->findChild<QTreeWidget*>();
+  auto* list = named<QTreeWidget>(*page, "Shapes of the target");
   QTreeWidgetItem* ball = list->topLevelItem(0)->child(1);
   EXPECT_EQ(ball->text(0), QStringLiteral("Sphere"));
   list->setCurrentItem(ball);

@@ -1,0 +1,165 @@
+// The landmarks of a tooth from a file: edits of the model, handles, names.
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <limits>
+
+#include "tests/ui/editor/class_one.h"
+#include "tests/ui/editor/some_landmarks.h"
+#include "ui/editor/landmark_handles.h"
+#include "ui/editor/landmark_names.h"
+
+namespace cusp::test {
+namespace {
+
+/// class-1-36 on a tooth from a file of 12 mm about the origin.
+struct MarkedTooth : ::testing::Test {
+  static EditorStart start() {
+    EditorStart out = class_one();
+    SpecimenSource source;
+    source.volume = "tooth.nrrd";
+    source.voxel_mm = out.draft.specimen.voxel_mm;
+    source.landmarks = some_landmarks();
+    out.draft.specimen = source;
+    return out;
+  }
+  EditorModel model{start()};
+  const Scenario before = model.scenario();
+  void SetUp() override { model.set_facts(SpecimenFacts{Vec3(-6, -6, -14), Vec3(6, 6, 8), before.specimen.voxel_mm, {}}); }
+  const Landmark& mark(std::size_t i) const { return model.landmarks().marks[i]; }
+};
+
+TEST_F(MarkedTooth, a_moved_landmark_is_set_and_undo_restores_the_exercise) {
+  ASSERT_TRUE(model.move_landmark({1, 0}, {2.1, 2, 7}));
+  EXPECT_EQ(mark(1).points_mm.front(), Vec3(2.1, 2, 7));
+  EXPECT_EQ(mark(1).state, MarkState::set);
+  EXPECT_EQ(mark(2), before.specimen.landmarks.marks[2]);
+  model.stack().undo();
+  EXPECT_TRUE(model.scenario() == before);
+  model.stack().redo();
+  EXPECT_EQ(mark(1).state, MarkState::set);
+}
+
+TEST_F(MarkedTooth, one_drag_of_a_landmark_is_one_step) {
+  for (int i = 1; i <= 5; ++i) ASSERT_TRUE(model.move_landmark({0, 1}, {0.1 * i, 0, 6}));
+  EXPECT_EQ(model.stack().count(), 1);
+  model.end_gesture();
+  ASSERT_TRUE(model.move_landmark({0, 1}, {0, 0, 6}));
+  EXPECT_EQ(model.stack().count(), 2);
+}
+
+TEST_F(MarkedTooth, a_place_beside_the_tooth_and_no_number_are_refused) {
+  for (const Vec3 bad : {Vec3(9, 0, 0), Vec3(0, 0, -40), Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0)}) {
+    EXPECT_FALSE(model.move_landmark({1, 0}, bad));
+    EXPECT_TRUE(model.scenario() == before);
+  }
+  EXPECT_FALSE(model.move_landmark({1, 1}, {0, 0, 0})) << "a tip has one point";
+  EXPECT_FALSE(model.move_landmark({9, 0}, {0, 0, 0}));
+  EXPECT_FALSE(model.accept_landmark(9));
+  EXPECT_FALSE(model.remove_landmark(9));
+  EXPECT_EQ(model.stack().count(), 0);
+}
+
+TEST_F(MarkedTooth, accepting_leaves_each_place_and_all_are_one_step) {
+  ASSERT_TRUE(model.accept_landmark(2));
+  EXPECT_EQ(mark(2).state, MarkState::set);
+  EXPECT_EQ(mark(1).state, MarkState::proposed);
+  ASSERT_TRUE(model.accept_landmarks());
+  for (std::size_t i = 0; i < model.landmarks().marks.size(); ++i) {
+    EXPECT_EQ(mark(i).state, MarkState::set);
+    EXPECT_EQ(mark(i).points_mm, before.specimen.landmarks.marks[i].points_mm);
+  }
+  EXPECT_EQ(model.stack().count(), 2);
+  model.stack().undo();
+  model.stack().undo();
+  EXPECT_TRUE(model.scenario() == before);
+}
+
+TEST_F(MarkedTooth, a_removed_landmark_is_gone_and_undo_brings_it_back) {
+  model.choose_landmark({3, 2});
+  ASSERT_TRUE(model.remove_landmark(3));
+  EXPECT_EQ(model.landmarks().find(MarkKind::cej), nullptr);
+  EXPECT_EQ(model.landmark(), (MarkPoint{2, 0})) << "the chosen one stays within the list";
+  model.stack().undo();
+  EXPECT_TRUE(model.scenario() == before);
+}
+
+TEST_F(MarkedTooth, a_closed_line_stays_closed) {
+  EXPECT_EQ(movable_points(mark(3)), 3u);
+  ASSERT_TRUE(model.move_landmark({3, 0}, {4.2, 0, 0.1}));
+  EXPECT_EQ(mark(3).points_mm.front(), mark(3).points_mm.back());
+  EXPECT_FALSE(model.move_landmark({3, 3}, {4, 0, 0}));
+}
+
+TEST_F(MarkedTooth, other_landmarks_make_no_other_specimen) {
+  QSignalSpy grows(&model, &EditorModel::specimen_changed);
+  ASSERT_TRUE(model.move_landmark({1, 0}, {2.1, 2, 7}));
+  ASSERT_TRUE(model.accept_landmarks());
+  EXPECT_EQ(grows.count(), 0);
+  EXPECT_TRUE(model.facts().has_value());
+}
+
+TEST_F(MarkedTooth, what_is_set_stays_when_landmarks_are_proposed_anew_for_the_same_number) {
+  ASSERT_TRUE(model.move_landmark({1, 0}, {2.1, 2, 7}));
+  SpecimenLandmarks anew = some_landmarks();
+  anew.marks.erase(anew.marks.begin());
+  ASSERT_TRUE(model.take_proposed(anew));
+  ASSERT_EQ(model.landmarks().marks.size(), 3u);
+  const Landmark* tip = model.landmarks().find(MarkKind::cusp_tip, "MB");
+  ASSERT_NE(tip, nullptr);
+  EXPECT_EQ(tip->state, MarkState::set);
+  EXPECT_EQ(tip->points_mm.front(), Vec3(2.1, 2, 7));
+  anew.fdi = 46;
+  ASSERT_TRUE(model.take_proposed(anew));
+  EXPECT_EQ(model.landmarks().find(MarkKind::cusp_tip, "MB")->state, MarkState::proposed) << "of another tooth nothing stays";
+}
+
+TEST(Landmarks, of_a_grown_tooth_are_not_edited) {
+  EditorModel model(class_one());
+  EXPECT_FALSE(model.takes_landmarks());
+  EXPECT_FALSE(model.take_proposed(some_landmarks()));
+  EXPECT_FALSE(model.accept_landmarks());
+  EXPECT_TRUE(model.landmarks().empty());
+  EXPECT_EQ(model.stack().count(), 0);
+}
+
+TEST(Landmarks, go_with_the_file_that_they_are_of) {
+  EditorModel model(MarkedTooth::start());
+  SpecimenSource grown = class_one().draft.specimen;
+  grown.landmarks = some_landmarks();
+  ASSERT_TRUE(model.set_specimen(grown, class_one().draft.tissues));
+  EXPECT_TRUE(model.landmarks().empty());
+}
+
+TEST(LandmarkHandles, stand_at_places_and_ends_of_axes_and_at_the_chosen_point_of_a_line) {
+  const SpecimenLandmarks marks = some_landmarks();
+  EXPECT_EQ(handles_of_landmarks(marks, {1, 0}).size(), 4u);  // two ends, two tips
+  const auto handles = handles_of_landmarks(marks, {3, 2});
+  ASSERT_EQ(handles.size(), 5u);
+  EXPECT_EQ(handles.back().at_mm, marks.marks[3].points_mm[2]);
+  EXPECT_EQ(handles.back().path, 3u);
+  for (const TargetHandle& handle : handles) EXPECT_TRUE(handle.is_place() && handle.is_round());
+}
+
+TEST(LandmarkHandles, lines_are_dashed_while_proposed) {
+  SpecimenLandmarks marks = some_landmarks();
+  marks.marks[3].state = MarkState::set;
+  const auto lines = landmark_lines(marks);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_GT(lines[0].style.dash_mm, 0.0f);
+  EXPECT_EQ(lines[1].style.dash_mm, 0.0f);
+}
+
+TEST(LandmarkNames, say_kind_and_which) {
+  const auto marks = some_landmarks().marks;
+  EXPECT_EQ(landmark_name(marks[0]), QStringLiteral("Long axis"));
+  EXPECT_EQ(landmark_name(marks[1]), QStringLiteral("Cusp tip, MB"));
+  EXPECT_EQ(landmark_name({MarkKind::marginal_ridge, "distal marginal", {}, MarkState::set}), QStringLiteral("Marginal ridge, distal"));
+  EXPECT_EQ(landmark_name({MarkKind::fissure, "supplementary 2", {}, MarkState::set}), QStringLiteral("Fissure, supplementary 2"));
+  EXPECT_EQ(landmark_point_name(marks[0], 1), QStringLiteral("Occlusal end"));
+  EXPECT_TRUE(landmark_point_name(marks[1], 0).isEmpty());
+}
+
+}  // namespace
+}  // namespace cusp::test
