@@ -9837,6 +9837,15 @@ Ihr bester davor</translation>
         <source>Set landmark</source>
         <translation>Landmarke, gesetzt</translation>
     </message>
+    <message>
+        <source>%1; %2</source>
+        <extracomment>%1: a place in millimetres, %2: the landmark that lies there (&quot;Pit, central&quot;)</extracomment>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>A place snaps to a landmark, with Shift it does not; L takes it to the nearest.</source>
+        <translation>Ein Ort rastet an einer Landmarke ein, mit der Umschalttaste nicht; L setzt ihn an die nächste.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TemplateDialog</name>

@@ -124,8 +124,9 @@ void HandleKnob::mousePressEvent(QMouseEvent* event) {
 void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_) return;
   const QPointF now = mapToParent(event->position());
+  const auto snap = event->modifiers() & Qt::ShiftModifier ? TargetView::Snap::none : TargetView::Snap::landmarks;
   if (start_.kind == TargetHandle::Kind::landmark) return stage_.drag_landmark(start_, {start_at_, now});
-  if (!start_.of_outline()) return stage_.drag_part(start_, start_part_, {start_at_, now});
+  if (!start_.of_outline()) return stage_.drag_part(start_, start_part_, {start_at_, now, snap});
   Vec3 to = start_.at_mm;
   if (start_.kind == TargetHandle::Kind::depth) {
     const auto from = stage_.view_->project(start_.at_mm), below = stage_.view_->project(start_.at_mm - Vec3(0, 0, 1));
@@ -139,6 +140,7 @@ void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
     const auto a = stage_.on_plane(start_at_), b = stage_.on_plane(now);
     if (!a || !b) return;
     to += *b - *a;
+    if (start_.kind == TargetHandle::Kind::point && snap == TargetView::Snap::landmarks) to = stage_.snapped(to);
   }
   stage_.apply(start_, start_part_.outline, to);
 }
@@ -157,6 +159,10 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
   if (key == Qt::Key_Delete && handle_.kind == TargetHandle::Kind::landmark) {
     stage_.model_.remove_landmark(handle_.path);
     return;
+  }
+  if (key == Qt::Key_L && handle_.is_place() && handle_.kind != TargetHandle::Kind::landmark) {
+    stage_.model_.end_gesture();
+    return stage_.snap(handle_);
   }
   const int x = key == Qt::Key_Right ? 1 : key == Qt::Key_Left ? -1 : 0;
   const int y = key == Qt::Key_Up ? 1 : key == Qt::Key_Down ? -1 : 0;
@@ -202,12 +208,14 @@ void HandleKnob::focusInEvent(QFocusEvent* event) {
   fit_mask();
   raise();
   if (handle_.kind == TargetHandle::Kind::landmark) stage_.model_.choose_landmark({handle_.path, handle_.point});
+  else stage_.place_handles();
 }
 
 void HandleKnob::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
   stage_.model_.end_gesture();
   fit_mask();
+  stage_.place_handles();
 }
 
 KnobSample::KnobSample(MarkState state, QWidget* parent) : QWidget(parent), state_(state) { setFixedSize(px(kWhole), px(kWhole)); }

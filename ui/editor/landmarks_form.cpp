@@ -204,7 +204,8 @@ void LandmarksForm::show_list() {
     QTreeWidgetItem* item = list_->topLevelItem(row);
     item->setText(kNameColumn, landmark_name(mark));
     item->setToolTip(kNameColumn, landmark_name(mark));
-    item->setText(kStateColumn, mark_state_name(mark.state));
+    item->setData(kStateColumn, Qt::AccessibleTextRole, mark_state_name(mark.state));  // the sign leaves room for names
+    item->setToolTip(kStateColumn, mark_state_name(mark.state));
     item->setIcon(kStateColumn, icon(mark_state_icon(mark.state), Ink::text2));
   }
   list_->setCurrentItem(list_->topLevelItem(static_cast<int>(model_.landmark().mark)));

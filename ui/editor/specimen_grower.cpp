@@ -8,6 +8,7 @@
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "scenarios/tissues/tissue_facts.h"
+#include "ui/editor/landmark_snap.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -54,6 +55,7 @@ Grown grow_now(const SpecimenSource& source, Method method, const std::string& f
       volume = std::move(*refused);
     } else {
       out->central_mm = tooth->landmarks.central;
+      out->landmarks = marks_of(tooth->landmarks);
       volume = std::move(tooth->volume);
     }
   } else {

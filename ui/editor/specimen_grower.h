@@ -22,6 +22,7 @@ struct GrownSpecimen {
   SpecimenFacts facts;
   std::vector<Vec3> pulp_mm;       // outermost voxels of the pulp
   std::optional<Vec3> central_mm;  // central pit of a tooth
+  std::vector<Landmark> landmarks; // of a grown tooth; those of a tooth from a file stand in the exercise
 };
 
 class SpecimenGrower : public QObject {

@@ -35,6 +35,7 @@ void TargetView::follow_landmarks() {
   shown_landmarks_ = now;
   target_legend_->setVisible(now.marks.empty());
   mark_legend_->setVisible(!now.marks.empty());
+  carved_button_->setEnabled(now.marks.empty());
   show_lines();
   if (!changes_mesh) return;
   mesh_wanted_ = true;

@@ -54,15 +54,20 @@ void TargetView::drag_part(const TargetHandle& handle, const Region& from, const
     to += QPointF::dotProduct(way.to - way.from, mm) / length2 * handle.along;
   } else {
     to = moved_in_view(to, way);
+    if (way.snap == Snap::landmarks) to = snapped(to);
   }
   model_.set_part(moved_part(from, handle, to), part_field(handle));
+}
+
+void TargetView::place_part(const TargetHandle& handle, Vec3 to_mm) {
+  model_.set_part(moved_part(model_.chosen(), handle, to_mm), part_field(handle));
 }
 
 void TargetView::step_part(const TargetHandle& handle, glm::ivec2 keys, double step_mm) {
   Vec3 by = static_cast<double>(keys.x + keys.y) * handle.along;
   if (handle.kind == TargetHandle::Kind::floor) by = -by;  // up is up
   if (handle.is_place()) by = way_of(keys);
-  model_.set_part(moved_part(model_.chosen(), handle, handle.at_mm + step_mm * by), part_field(handle));
+  place_part(handle, handle.at_mm + step_mm * by);
 }
 
 void TargetView::name_part_handle(HandleKnob& knob, const TargetHandle& handle) const {

@@ -43,7 +43,7 @@ void TargetView::make_tools() {
   row->setSpacing(px(2));
   QPushButton* turn = make_button(tr("Turn"), ButtonKind::quiet, u"turn"_qs);
   QPushButton* above = make_button(tr("From above"), ButtonKind::quiet, u"eye"_qs);
-  QPushButton* carved = make_button(tr("Cut out"), ButtonKind::quiet, u"cutaway"_qs);
+  QPushButton* carved = carved_button_ = make_button(tr("Cut out"), ButtonKind::quiet, u"cutaway"_qs);
   carved->setCheckable(true);
   carved->setChecked(true);
   carved->setToolTip(tr("Show the tooth as it is when the target is met"));

@@ -43,8 +43,7 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
     (*tag)->setAutoFillBackground(true);
     (*tag)->hide();
   }
-  hint_ = make_label(tr("Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn."),
-                     TextRole::caption, Weight::regular, "text2");
+  hint_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   hint_->setParent(this);
   set_kind(hint_, "tag");
 
@@ -61,7 +60,7 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   connect(view_, &ToothView::feed_shown, this, &TargetView::place_all);  // what it hides of the landmarks is known
 }
 
-TargetView::~TargetView() = default;
+TargetView::~TargetView() { qDeleteAll(knobs_); }  // one that loses the focus places the others
 
 void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
   const bool there = grown != nullptr;
@@ -199,6 +198,7 @@ void TargetView::place_all() {
   // Beside the tools, or below them in a narrow window.
   const bool beside = tools_->geometry().right() + px(12) + legend_->width() <= width() - px(12);
   legend_->move(width() - legend_->width() - px(12), beside ? px(12) : tools_->geometry().bottom() + px(8));
+  write_hint();
   hint_->setVisible(!present_handles().empty() && !section_->is_open());  // a narrow view has room for one of them
   hint_->setWordWrap(hint_->fontMetrics().horizontalAdvance(hint_->text()) > width() - px(48));
   hint_->setFixedWidth(hint_->wordWrap() ? std::max(0, width() - px(24)) : hint_->sizeHint().width());
@@ -245,6 +245,7 @@ void TargetView::place_handles() {
   for (std::size_t i = 0; i < handles_.size(); ++i) {
     QLabel* tag = tag_of(handles_[i]);
     if (tag && tag->isVisibleTo(this)) place_tag(tag, knobs_[i]->geometry().center());
+    if (!knobs_[i]->isHidden()) name_place(*knobs_[i], handles_[i]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ui/editor/editor_model.h"
@@ -63,12 +64,25 @@ class TargetView : public QWidget {
   void show_scenery();
   void run_next();
   void apply(const TargetHandle& handle, const Outline& from, Vec3 to_mm);
+  enum class Snap : std::uint8_t { landmarks, none };
   struct Way {
     QPointF from, to;  // of the widget
+    Snap snap = Snap::landmarks;
   };
   void drag_part(const TargetHandle& handle, const Region& from, const Way& way);
   /// `keys`: steps to the right and up.
   void step_part(const TargetHandle& handle, glm::ivec2 keys, double step_mm);
+  void place_part(const TargetHandle& handle, Vec3 to_mm);
+  /// Landmarks that a place may go to: of the grown tooth, or of the exercise.
+  std::span<const Landmark> present_marks() const;
+  /// Above the landmark that is near on the screen; the same place if none is.
+  Vec3 snapped(Vec3 to_mm) const;
+  /// Takes a place above the nearest landmark.
+  void snap(const TargetHandle& handle);
+  /// Of the landmark under a place; empty if none is.
+  QString place_name(const TargetHandle& handle) const;
+  void name_place(HandleKnob& knob, const TargetHandle& handle);
+  void write_hint();
   /// On the surface under the pointer; an axis' end, and a place beside the tooth, in the plane that faces the viewer.
   void drag_landmark(const TargetHandle& handle, const Way& way);
   void step_landmark(const TargetHandle& handle, glm::ivec2 keys, double step_mm);
@@ -94,6 +108,7 @@ class TargetView : public QWidget {
   QFrame *tools_, *legend_;
   QWidget *target_legend_, *mark_legend_;  // of legend_
   SectionBar* section_;
+  QPushButton* carved_button_ = nullptr;
   std::vector<std::pair<QPushButton*, QString>> tool_texts_;
   QLabel *depth_tag_, *width_tag_, *mark_tag_, *hint_;
   DepthArrow* arrow_;

@@ -91,7 +91,7 @@ TEST_F(LandmarksOnThePage, are_proposed_listed_and_shown_on_the_tooth) {
   ASSERT_EQ(list->topLevelItemCount(), static_cast<int>(landmarks_of(*page).marks.size()));
   for (int row = 0; row < list->topLevelItemCount(); ++row) {
     EXPECT_EQ(list->topLevelItem(row)->text(0), landmark_name(landmarks_of(*page).marks[static_cast<std::size_t>(row)]));
-    EXPECT_EQ(list->topLevelItem(row)->text(1), QStringLiteral("proposed"));
+    EXPECT_EQ(list->topLevelItem(row)->data(1, Qt::AccessibleTextRole).toString(), QStringLiteral("proposed"));
   }
   EXPECT_NE(knob_of(*page, "Cusp tip, MB"), nullptr);
   EXPECT_TRUE(page->grown()) << "the tooth does not grow anew";
@@ -182,7 +182,7 @@ TEST_F(LandmarksOnThePage, a_number_moves_the_chosen_one_and_one_beside_the_toot
   EXPECT_DOUBLE_EQ(height->value(), 6.5);
   height->setValue(6.4);
   EXPECT_EQ(landmarks_of(*page).marks[2].points_mm.front(), Vec3(-2, -2, 6.4));
-  EXPECT_EQ(list_of(*page)->topLevelItem(2)->text(1), QStringLiteral("set"));
+  EXPECT_EQ(list_of(*page)->topLevelItem(2)->data(1, Qt::AccessibleTextRole).toString(), QStringLiteral("set"));
   const Scenario before = page->model().scenario();
   height->setValue(80);
   EXPECT_TRUE(page->model().scenario() == before);
