@@ -3929,6 +3929,10 @@
         <source>Remove a landmark</source>
         <translation>Landmarke entfernen</translation>
     </message>
+    <message>
+        <source>Remove a language</source>
+        <translation>Eine Sprache entfernen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::EditorPage</name>
@@ -8928,6 +8932,14 @@
         <source>In the right hand</source>
         <translation>In der rechten Hand</translation>
     </message>
+    <message>
+        <source>Exercises in</source>
+        <translation>Übungen auf</translation>
+    </message>
+    <message>
+        <source>As the program</source>
+        <translation>Wie das Programm</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::SignIn</name>
@@ -12136,22 +12148,6 @@ Ihr bester davor</translation>
 <context>
     <name>cusp::ui::TextsForm</name>
     <message>
-        <source>Title, English</source>
-        <translation>Titel, Englisch</translation>
-    </message>
-    <message>
-        <source>Title, German</source>
-        <translation>Titel, Deutsch</translation>
-    </message>
-    <message>
-        <source>Briefing, English</source>
-        <translation>Aufgabe, Englisch</translation>
-    </message>
-    <message>
-        <source>Briefing, German</source>
-        <translation>Aufgabe, Deutsch</translation>
-    </message>
-    <message>
         <source>not stated</source>
         <translation>nicht angegeben</translation>
     </message>
@@ -12162,6 +12158,28 @@ Ihr bester davor</translation>
     <message>
         <source>Expected time</source>
         <translation>Erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>Title, %1</source>
+        <extracomment>%1: a language</extracomment>
+        <translation>Titel, %1</translation>
+    </message>
+    <message>
+        <source>Briefing, %1</source>
+        <extracomment>%1: a language</extracomment>
+        <translation>Aufgabe, %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Add a language…</source>
+        <translation>Sprache hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>Sprache hinzufügen</translation>
     </message>
 </context>
 <context>

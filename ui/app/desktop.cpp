@@ -259,6 +259,7 @@ QVector<NavEntry> Desktop::entries() {
 void Desktop::show_shell(const QString& page_key) {
   auto* shell = new Shell(*account_, entries());
   connect(shell, &Shell::language_chosen, this, &Desktop::set_language);
+  offer_exercise_languages(*shell);
   connect(shell, &Shell::theme_toggled, this,
           [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
   connect(shell, &Shell::scale_chosen, this, &Desktop::set_scale);
@@ -352,29 +353,6 @@ void Desktop::rebuild() {
   } else if (!store_) {
     start();
   }
-}
-
-void Desktop::set_scheme(ColourScheme scheme) {
-  settings_.set_scheme(scheme);
-  apply_theme(*qApp, scheme, scale_percent());
-  rebuild();
-}
-
-void Desktop::use_text(TextSize size) {
-  const int usual = settings_.scale_percent(), wanted = size == TextSize::large ? std::max(usual, kLargeTextPercent) : usual;
-  if (wanted != scale_percent()) apply_theme(*qApp, settings_.scheme(), wanted);
-}
-
-void Desktop::set_language(const QString& code) {
-  settings_.set_language(code);
-  install_language(*qApp, code);
-  rebuild();
-}
-
-void Desktop::set_scale(int percent) {
-  settings_.set_scale_percent(percent);
-  apply_theme(*qApp, settings_.scheme(), percent);
-  rebuild();
 }
 
 void Desktop::quick_open() {

@@ -116,6 +116,8 @@ class Desktop : public QMainWindow {
 
   void set_scheme(ColourScheme scheme);
   void set_language(const QString& code);
+  /// "": as the program.
+  void set_exercise_language(const QString& code);
   void set_scale(int percent);
 
  protected:
@@ -123,6 +125,7 @@ class Desktop : public QMainWindow {
 
  private:
   void begin_idle();
+  void offer_exercise_languages(class Shell& shell);
   void rebuild();
   void show_sign_in(SignIn* page);
   void show_cover();

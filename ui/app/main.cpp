@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   std::optional<cusp::ui::Desktop> desktop;
   const auto look = [&] {
     cusp::ui::install_language(app, settings.language());
+    cusp::ui::choose_exercise_language(settings.exercise_language());
     cusp::ui::apply_theme(app, settings.scheme(), settings.scale_percent());
   };
   const auto make = [&] {

@@ -115,7 +115,7 @@ QWidget* Shell::make_top_bar(const Account& account) {
 
 QToolButton* Shell::make_language_button() {
   QToolButton* globe = make_icon_button(u"globe"_qs, tr("Language"));
-  auto* speech = new QMenu(globe);
+  auto* speech = language_menu_ = new QMenu(globe);
   for (const Language& l : languages()) {
     QAction* action = speech->addAction(l.name);
     action->setCheckable(true);
@@ -125,6 +125,22 @@ QToolButton* Shell::make_language_button() {
   globe->setMenu(speech);
   globe->setPopupMode(QToolButton::InstantPopup);
   return globe;
+}
+
+void Shell::offer_exercise_languages(const QStringList& codes, const QString& chosen) {
+  auto* menu = new QMenu(tr("Exercises in"), language_menu_);
+  auto* group = new QActionGroup(menu);
+  const auto add = [&](const QString& code, const QString& name) {
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(code == chosen);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, code] { Q_EMIT exercise_language_chosen(code); });
+  };
+  add({}, tr("As the program"));
+  for (const QString& code : codes) add(code, language_name(code));
+  language_menu_->addSeparator();
+  language_menu_->addMenu(menu);
 }
 
 QPushButton* Shell::make_account_button(const Account& account) {

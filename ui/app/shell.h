@@ -46,11 +46,14 @@ class Shell : public QWidget {
   const QVector<NavEntry>& entries() const { return entries_; }
   /// Offers in the account's menu which hand holds the handpiece, and keeps the choice there. `settings` outlives this.
   void keep_hand_in(class Settings& settings);
+  /// Offers beside the languages of the program those of the exercises' texts. `chosen`: "" = as the program.
+  void offer_exercise_languages(const QStringList& codes, const QString& chosen);
   /// Moves the focus to the next of top bar, sidebar and page.
   void next_pane();
 
  Q_SIGNALS:
   void language_chosen(const QString& code);
+  void exercise_language_chosen(const QString& code);
   void theme_toggled();
   void scale_chosen(int percent);
   void help_wanted();
@@ -67,7 +70,7 @@ class Shell : public QWidget {
   QVector<NavEntry> entries_;
   QString key_;
   QWidget *top_ = nullptr, *side_ = nullptr;
-  QMenu* account_menu_ = nullptr;
+  QMenu *account_menu_ = nullptr, *language_menu_ = nullptr;
   QLabel *device_sign_ = nullptr, *device_ = nullptr;
   Band* notice_;
   QButtonGroup* group_;

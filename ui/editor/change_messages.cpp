@@ -9,6 +9,7 @@
 #include "scenarios/format/ranges.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/modules.h"
+#include "ui/text/language.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -81,8 +82,7 @@ QString part_name(const Change& c) {
     return tissue ? tissue_name(*tissue) : key;
   }
   if (c.path.starts_with("/title") || c.path.starts_with("/briefing")) {
-    const QString language = QLocale(key).nativeLanguageName();
-    return language.isEmpty() ? key : language;
+    return language_name(key);
   }
   return key;
 }

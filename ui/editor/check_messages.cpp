@@ -1,13 +1,13 @@
 #include "ui/editor/check_messages.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include "scenarios/format/keys.h"
 #include "scenarios/format/ranges.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
+#include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
@@ -28,8 +28,7 @@ QString tissue_of(const Finding& f) {
 QString language_of(const Finding& f) {
   if (f.detail == "en") return CheckText::tr("English");
   if (f.detail == "de") return CheckText::tr("German");
-  const QLocale locale(QString::fromStdString(f.detail));
-  return locale.nativeLanguageName().isEmpty() ? QString::fromStdString(f.detail) : locale.nativeLanguageName();
+  return language_name(QString::fromStdString(f.detail));
 }
 
 /// Name of the number at `path`; empty if it has none.

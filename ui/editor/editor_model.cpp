@@ -168,6 +168,15 @@ bool EditorModel::set_briefing(const std::string& language, const QString& text)
   });
 }
 
+bool EditorModel::remove_language(const std::string& language) {
+  end_gesture();
+  if (language == "en") return false;
+  return edit(tr("Remove a language"), u"language"_qs, [&](Scenario& s) {
+    s.title.erase(language);
+    s.briefing.erase(language);
+  });
+}
+
 bool EditorModel::set_level(std::optional<Level> level) {
   end_gesture();
   return edit(tr("Level"), u"level"_qs, [&](Scenario& s) { s.level = level; });

@@ -48,6 +48,8 @@ class EditorModel : public QObject {
   bool take(const Scenario& draft);  // another window's draft, as one step: undo restores this one's
   bool set_title(const std::string& language, const QString& text);     // an empty text removes the language
   bool set_briefing(const std::string& language, const QString& text);
+  /// Title and briefing of a language, as one step. False for English, which stays.
+  bool remove_language(const std::string& language);
   bool set_level(std::optional<Level> level);
   bool set_expected_time_s(double seconds);  // 0: not stated
   enum class OwnAssessment : std::uint8_t { not_asked, asked };

@@ -4,9 +4,13 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
+#include <utility>
 
 #include "ui/editor/form_parts.h"
+#include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -14,9 +18,13 @@
 namespace cusp::ui {
 namespace {
 
-constexpr const char* kLanguages[] = {"en", "de"};
+constexpr int kMostSeen = 16;         // languages of the list at once
 constexpr double kMostMinutes = 240;  // half a day of a course
 constexpr int kNoLevel = -1;          // of a box's entry
+
+bool is_spoken(const QString& code) {
+  return std::ranges::any_of(languages(), [&](const Language& language) { return language.code == code; });
+}
 
 }  // namespace
 
@@ -37,33 +45,124 @@ void show_text(QLineEdit& edit, const LocalText& texts, const std::string& langu
   if (edit.text().trimmed() != text) edit.setText(text);
 }
 
+struct TextsForm::Section {
+  QString code;
+  QWidget* whole = nullptr;
+  QLineEdit* title = nullptr;
+  QPlainTextEdit* briefing = nullptr;
+  QPushButton* away = nullptr;  // null: the language stays
+
+  void focus_goes_to(const Section& next) const {
+    QWidget* from = away ? static_cast<QWidget*>(away) : briefing;
+    for (QWidget* to : std::initializer_list<QWidget*>{next.title, next.briefing, next.away})
+      if (to) setTabOrder(std::exchange(from, to), to);
+  }
+};
+
 TextsForm::TextsForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(12), px(16), px(16));
   column->setSpacing(px(8));
-  const QString titles[] = {tr("Title, English"), tr("Title, German")};
-  const QString briefings[] = {tr("Briefing, English"), tr("Briefing, German")};
-  for (int i = 0; i < 2; ++i) {
-    titles_[i] = new QLineEdit;
-    briefings_[i] = new QPlainTextEdit;
-    briefings_[i]->setTabChangesFocus(true);
-    briefings_[i]->setFixedHeight(px(140));
-    column->addWidget(labelled(titles[i], titles_[i]));
-    column->addWidget(labelled(briefings[i], briefings_[i]));
-    const std::string code = kLanguages[i];
-    connect(titles_[i], &QLineEdit::textEdited, this,
-            [this, code](const QString& text) { model_.set_title(code, text.trimmed()); });
-    connect(titles_[i], &QLineEdit::editingFinished, this, [this] {
-      model_.end_gesture();
-      follow_model();
-    });
-    connect(briefings_[i], &QPlainTextEdit::textChanged, this, [this, code, edit = briefings_[i]] {
-      model_.set_briefing(code, edit->toPlainText().trimmed());
-    });
-  }
+  texts_ = new QVBoxLayout;
+  texts_->setSpacing(px(8));
+  column->addLayout(texts_);
+  fit_sections();  // first of all, as the focus goes
+  make_add(*column);
   make_level_and_time(*column);
   column->addStretch();
   connect(&model_, &EditorModel::changed, this, &TextsForm::follow_model);
+  follow_model();
+}
+
+TextsForm::~TextsForm() = default;
+
+QStringList TextsForm::shown_languages() const {
+  QStringList out;
+  for (const auto& section : sections_) out += section->code;
+  return out;
+}
+
+std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code) {
+  auto out = std::make_unique<Section>(Section{code, new QWidget, new QLineEdit, new QPlainTextEdit, nullptr});
+  auto* column = new QVBoxLayout(out->whole);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(8));
+  out->briefing->setTabChangesFocus(true);
+  out->briefing->setFixedHeight(px(140));
+  //: %1: a language
+  column->addWidget(labelled(tr("Title, %1").arg(language_name(code)), out->title));
+  //: %1: a language
+  column->addWidget(labelled(tr("Briefing, %1").arg(language_name(code)), out->briefing));
+  if (!is_spoken(code)) {
+    out->away = make_button(tr("Remove %1").arg(language_name(code)), ButtonKind::quiet, u"trash"_qs);
+    column->addWidget(out->away, 0, Qt::AlignLeft);
+    connect(out->away, &QPushButton::clicked, this, [this, code] { remove(code); });
+  }
+  connect(out->title, &QLineEdit::textEdited, this,
+          [this, key = code.toStdString()](const QString& text) { model_.set_title(key, text.trimmed()); });
+  connect(out->title, &QLineEdit::editingFinished, this, [this] {
+    model_.end_gesture();
+    follow_model();
+  });
+  connect(out->briefing, &QPlainTextEdit::textChanged, this, [this, key = code.toStdString(), edit = out->briefing] {
+    model_.set_briefing(key, edit->toPlainText().trimmed());
+  });
+  return out;
+}
+
+void TextsForm::make_add(QVBoxLayout& column) {
+  add_ = new QComboBox;
+  add_->addItem(tr("Add a language…"));
+  for (const Language& language : world_languages()) add_->addItem(language.name, language.code);
+  add_->setStyleSheet(u"combobox-popup: 0;"_qs);  // a list that scrolls; the style's own fills the screen
+  add_->setMaxVisibleItems(kMostSeen);
+  add_->setAccessibleName(tr("Add a language"));
+  column.addWidget(add_);
+  connect(add_, &QComboBox::activated, this, [this](int row) {
+    const QString code = add_->itemData(row).toString();
+    add_->setCurrentIndex(0);
+    if (code.isEmpty()) return;
+    if (!shown_languages().contains(code)) added_ += code;
+    fit_sections();
+    for (const auto& section : sections_)
+      if (section->code == code) section->title->setFocus();
+  });
+}
+
+QStringList TextsForm::wanted_languages() const {
+  QStringList out;
+  for (const Language& language : languages()) out += language.code;
+  const Scenario& s = model_.scenario();
+  for (const LocalText* texts : {&s.title, &s.briefing})
+    for (const auto& [code, text] : *texts) out += QString::fromStdString(code);
+  out += added_;
+  out.removeDuplicates();
+  return out;
+}
+
+/// Fields that stay keep their focus and what is typed in them.
+void TextsForm::fit_sections() {
+  const QStringList wanted = wanted_languages();
+  std::erase_if(sections_, [&](const auto& section) {
+    if (wanted.contains(section->code)) return false;
+    section->whole->hide();
+    section->whole->deleteLater();
+    return true;
+  });
+  for (qsizetype i = 0; i < wanted.size(); ++i) {
+    const auto at = std::ranges::find(sections_, wanted[i], [](const auto& section) { return section->code; });
+    if (at != sections_.end()) continue;
+    const auto place = std::min<qsizetype>(i, std::ssize(sections_));
+    auto section = make_section(wanted[i]);
+    texts_->insertWidget(static_cast<int>(place), section->whole);
+    if (place > 0) sections_[static_cast<std::size_t>(place - 1)]->focus_goes_to(*section);
+    sections_.insert(sections_.begin() + place, std::move(section));
+  }
+}
+
+void TextsForm::remove(const QString& code) {
+  added_.removeAll(code);
+  model_.remove_language(code.toStdString());
   follow_model();
 }
 
@@ -86,13 +185,15 @@ void TextsForm::follow_model() {
   const Scenario& s = model_.scenario();
   level_->setCurrentIndex(level_->findData(s.level ? static_cast<int>(*s.level) : kNoLevel));
   expected_->show_value(s.expected_time_s / 60);
-  for (int i = 0; i < 2; ++i) {
-    show_text(*titles_[i], s.title, kLanguages[i]);
-    const auto it = s.briefing.find(kLanguages[i]);
+  fit_sections();
+  for (const auto& section : sections_) {
+    const std::string code = section->code.toStdString();
+    show_text(*section->title, s.title, code);
+    const auto it = s.briefing.find(code);
     const QString text = it == s.briefing.end() ? QString() : QString::fromStdString(it->second);
-    if (briefings_[i]->toPlainText().trimmed() != text && !briefings_[i]->hasFocus()) {
-      const QSignalBlocker quiet(briefings_[i]);
-      briefings_[i]->setPlainText(text);
+    if (section->briefing->toPlainText().trimmed() != text && !section->briefing->hasFocus()) {
+      const QSignalBlocker quiet(section->briefing);
+      section->briefing->setPlainText(text);
     }
   }
 }

@@ -1,33 +1,46 @@
-/// Title and briefing of an exercise in each language, its level and expected time. Thread: GUI.
+/// Title and briefing of an exercise in each of its languages, its level and expected time. Thread: GUI.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+#include <memory>
+#include <vector>
 
 #include "ui/editor/editor_model.h"
 
 class QComboBox;
 class QLineEdit;
-class QPlainTextEdit;
 class QVBoxLayout;
 
 namespace cusp::ui {
 
 class NumberBox;
 
+/// English, which every exercise has, then the languages that Cusp speaks, then those that the exercise has or that were added here.
 class TextsForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit TextsForm(EditorModel& model, QWidget* parent = nullptr);
+  ~TextsForm() override;
+  /// Codes of the languages with fields, in their order.
+  QStringList shown_languages() const;
 
  private:
+  struct Section;
+  void make_add(QVBoxLayout& column);
   void make_level_and_time(QVBoxLayout& column);
+  std::unique_ptr<Section> make_section(const QString& code);
+  QStringList wanted_languages() const;
+  void fit_sections();
+  void remove(const QString& code);
   void follow_model();
 
   EditorModel& model_;
-  QLineEdit* titles_[2] = {};
-  QPlainTextEdit* briefings_[2] = {};
-  QComboBox* level_ = nullptr;
+  QVBoxLayout* texts_ = nullptr;
+  std::vector<std::unique_ptr<Section>> sections_;
+  QStringList added_;  // still without a text
+  QComboBox *add_ = nullptr, *level_ = nullptr;
   NumberBox* expected_ = nullptr;  // minutes
 };
 

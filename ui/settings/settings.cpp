@@ -23,6 +23,8 @@ void Settings::set_scheme(ColourScheme scheme) {
 }
 QString Settings::language() const { return store_.value("look/language").toString(); }
 void Settings::set_language(const QString& code) { store_.setValue("look/language", code); }
+QString Settings::exercise_language() const { return store_.value("look/exercise_language").toString(); }
+void Settings::set_exercise_language(const QString& code) { store_.setValue("look/exercise_language", code); }
 int Settings::scale_percent() const { return std::clamp(store_.value("look/scale", 100).toInt(), 100, 200); }
 void Settings::set_scale_percent(int percent) { store_.setValue("look/scale", std::clamp(percent, 100, 200)); }
 int Settings::volume_percent() const {

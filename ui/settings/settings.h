@@ -23,6 +23,9 @@ class Settings {
   /// "" = the system's language.
   QString language() const;
   void set_language(const QString& code);
+  /// Of the exercises' own texts; "" = as the program.
+  QString exercise_language() const;
+  void set_exercise_language(const QString& code);
   /// 100 to 200.
   int scale_percent() const;
   void set_scale_percent(int percent);

@@ -5,6 +5,7 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+#include <algorithm>
 
 static void load_resources() { Q_INIT_RESOURCE(cusp_translations); }
 
@@ -12,6 +13,14 @@ namespace cusp::ui {
 namespace {
 
 constexpr const char* kProperty = "cusp_language";
+constexpr const char* kOfExercises = "cusp_exercise_language";
+
+/// With a capital letter, as in a list.
+QString own_name(const QLocale& locale) {
+  QString name = locale.nativeLanguageName();
+  if (!name.isEmpty()) name[0] = name[0].toUpper();
+  return name;
+}
 
 QString of_environment() {
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
@@ -24,6 +33,30 @@ QString of_environment() {
 }  // namespace
 
 QVector<Language> languages() { return {{u"en"_qs, u"English"_qs}, {u"de"_qs, u"Deutsch"_qs}}; }
+
+QVector<Language> world_languages() {
+  QVector<Language> out;
+  for (int i = QLocale::C + 1; i <= QLocale::LastLanguage; ++i) {
+    const auto language = static_cast<QLocale::Language>(i);
+    const QString code = QLocale::languageToCode(language);
+    const QLocale locale(language);
+    // QLocale takes another language where it lacks that one.
+    if (code.isEmpty() || locale.language() != language) continue;
+    const QString name = language == QLocale::English ? u"English"_qs : own_name(locale);
+    if (!name.isEmpty()) out += {code, name};
+  }
+  std::ranges::sort(out, [](const Language& a, const Language& b) { return QString::localeAwareCompare(a.name, b.name) < 0; });
+  return out;
+}
+
+QString language_name(const QString& code) {
+  for (const Language& language : languages())
+    if (language.code == code) return language.name;
+  const QLocale locale(code);
+  if (locale.language() == QLocale::C) return code;
+  const QString region = code.section(u'_', 1);
+  return region.isEmpty() ? own_name(locale) : u"%1 (%2)"_qs.arg(own_name(locale), region);
+}
 
 void install_language(QCoreApplication& app, const QString& wanted) {
   load_resources();
@@ -53,6 +86,10 @@ void install_language(QCoreApplication& app, const QString& wanted) {
   app.setProperty(kProperty, code);
   if (qobject_cast<QGuiApplication*>(&app)) QGuiApplication::setLayoutDirection(plain.textDirection());
 }
+
+QString exercise_language() { return qApp ? qApp->property(kOfExercises).toString() : QString(); }
+
+void choose_exercise_language(const QString& code) { qApp->setProperty(kOfExercises, code); }
 
 QString current_language() {
   const QString code = qApp ? qApp->property(kProperty).toString() : QString();

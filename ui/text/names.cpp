@@ -13,8 +13,8 @@
 namespace cusp::ui {
 
 QString local(const LocalText& texts) {
-  const std::string code = current_language().toStdString();
-  if (const auto it = texts.find(code); it != texts.end()) return text(it->second);
+  for (const QString& code : {exercise_language(), current_language()})
+    if (const auto it = texts.find(code.toStdString()); it != texts.end()) return text(it->second);
   if (const auto it = texts.find("en"); it != texts.end()) return text(it->second);
   return texts.empty() ? QString() : text(texts.begin()->second);
 }

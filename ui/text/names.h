@@ -13,7 +13,7 @@
 
 namespace cusp::ui {
 
-/// Text in the installed language, English where there is none.
+/// Text in the language of the exercises, else in the installed one, else in English.
 QString local(const LocalText& text);
 
 QString role_name(Role role);

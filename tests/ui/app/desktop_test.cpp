@@ -25,6 +25,7 @@
 #include "ui/device/device_page.h"
 #include "ui/editor/editor_page.h"
 #include "ui/text/language.h"
+#include "ui/text/names.h"
 #include "ui/app/shell.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
@@ -46,6 +47,7 @@ struct DesktopTest : ::testing::Test {
   void TearDown() override {
     desktop.reset();
     install_language(*qApp, QStringLiteral("en"));
+    choose_exercise_language({});
     apply_theme(*qApp, ColourScheme::light, 100);
   }
   QStringList pages() const {
@@ -206,6 +208,33 @@ TEST_F(DesktopTest, language_and_colours_change_at_once_and_keep_the_page) {
   desktop->set_scale(150);
   EXPECT_EQ(scale_percent(), 150);
   EXPECT_EQ(desktop->shell()->page_key().toStdString(), "exercises");
+}
+
+TEST_F(DesktopTest, exercises_in_a_language_that_the_program_does_not_speak_can_be_chosen_and_stay_so) {
+  const Account instructor = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  open(records.file());
+  desktop->sign_in(instructor);
+  const auto choice = [&](const QString& name) -> QAction* {
+    for (QMenu* menu : desktop->shell()->findChildren<QMenu*>())
+      for (QAction* action : menu->title() == QStringLiteral("Exercises in") ? menu->actions() : QList<QAction*>())
+        if (action->text() == name) return action;
+    return nullptr;
+  };
+  EXPECT_EQ(choice(QStringLiteral("As the program")), nullptr) << "there is nothing to choose";
+  Scenario french = *load_builtin("channel-1");
+  ++french.version;
+  french.title["fr"] = "Canal droit";
+  ASSERT_TRUE(records.store().scenarios.publish(instructor.actor(), french, canonical_json(french), content_hash(french).bytes));
+  desktop->set_scale(100);  // makes the pages anew
+  QAction* chosen = choice(QStringLiteral("Français"));
+  ASSERT_NE(chosen, nullptr);
+  chosen->trigger();
+  EXPECT_EQ(settings.exercise_language(), QStringLiteral("fr"));
+  EXPECT_EQ(local(french.title), QStringLiteral("Canal droit"));
+  EXPECT_EQ(local({{"en", "Channel"}}), QStringLiteral("Channel"));
+  EXPECT_TRUE(choice(QStringLiteral("Français"))->isChecked());
+  choice(QStringLiteral("As the program"))->trigger();
+  EXPECT_EQ(local(french.title), QString::fromStdString(french.title.at("en")));
 }
 
 TEST_F(DesktopTest, what_was_typed_at_sign_in_survives_a_change_of_language) {

@@ -15,6 +15,7 @@
 #include "ui/text/grade_text.h"
 #include "ui/text/incident_text.h"
 #include "ui/text/language.h"
+#include "ui/text/names.h"
 #include "ui/app/shell.h"
 #include "ui/widgets/format.h"
 
@@ -118,6 +119,26 @@ TEST(Languages, one_that_is_not_known_is_english) {
   EXPECT_EQ(current_language().toStdString(), "de");
   qputenv("LC_ALL", "C.UTF-8");
   install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST(Languages, an_exercise_shows_its_text_in_the_chosen_language_then_in_the_program_s_then_in_english) {
+  const LocalText three = {{"en", "Channel"}, {"de", "Kanal"}, {"fr", "Canal"}}, one = {{"en", "Channel"}};
+  install_language(*qApp, QStringLiteral("de"));
+  EXPECT_EQ(local(three).toStdString(), "Kanal");
+  choose_exercise_language(QStringLiteral("fr"));
+  EXPECT_EQ(local(three).toStdString(), "Canal");
+  EXPECT_EQ(local(one).toStdString(), "Channel");
+  choose_exercise_language(QStringLiteral("es"));
+  EXPECT_EQ(local(three).toStdString(), "Kanal");
+  choose_exercise_language({});
+  install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST(Languages, are_named_by_themselves_and_an_unknown_code_names_itself) {
+  EXPECT_EQ(language_name(QStringLiteral("de")).toStdString(), "Deutsch");
+  EXPECT_EQ(language_name(QStringLiteral("fr")).toStdString(), "Français");
+  EXPECT_EQ(language_name(QStringLiteral("pt_BR")).toStdString(), "Português (BR)");
+  EXPECT_EQ(language_name(QStringLiteral("qqq")).toStdString(), "qqq");
 }
 
 /// Texts that are shown but are nobody's to translate: names, numbers, dates, what a person wrote.
