@@ -82,8 +82,10 @@ std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transac
   std::vector<Hash256> out;
   if (!transaction.ok()) return out;
   const std::string key = hex(context.key->id());
-  const auto details = context.db.all("SELECT detail FROM audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND action = 'exchange_given_out' ORDER BY number",
-                                      [](Row row) { return row.text(0); }, context.station);
+  const auto details = context.db.all(
+      "SELECT detail FROM audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND action = 'exchange_given_out' "
+      "AND action <> 'session_sealed' ORDER BY number",
+      [](Row row) { return row.text(0); }, context.station);
   if (!details) transaction.refuse(details.error());
   for (const std::string& detail : details ? *details : std::vector<std::string>{}) {
     const auto hash = hash_from_hex(std::string_view(detail).substr(detail.rfind(' ') + 1));

@@ -51,7 +51,7 @@ Stored<std::vector<FileReadIn>> files_read_in(StorageContext& context, const Act
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   const auto entries = context.db.all(
       "SELECT detail, at FROM audit_log INDEXED BY audit_by_subject "
-      "WHERE subject IN (SELECT station FROM other_keys) AND action = 'exchange_read_in' ORDER BY number",
+      "WHERE subject IN (SELECT station FROM other_keys) AND action = 'exchange_read_in' AND action <> 'session_sealed' ORDER BY number",
       [](Row row) { return std::pair{row.text(0), row.integer(1)}; });
   if (!entries) return std::unexpected(entries.error());
   std::vector<FileReadIn> out;

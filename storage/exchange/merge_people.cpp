@@ -55,7 +55,8 @@ struct AccountEntry {
 /// The newest entry about the account, and the newest that reading a file or making the account wrote.
 std::optional<AccountEntry> newest_entry(Merge& merge, UserId person, const char* actions) {
   return merge.transaction.first(
-      "SELECT action, detail FROM audit_log WHERE subject = ?1 AND instr(?2, ' ' || action || ' ') > 0 ORDER BY number DESC LIMIT 1",
+      "SELECT action, detail FROM main.audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND instr(?2, ' ' || action || ' ') > 0 "
+      "AND action <> 'session_sealed' ORDER BY number DESC LIMIT 1",
       [](Row row) { return AccountEntry{row.text(0), row.text(1)}; }, person, actions);
 }
 

@@ -59,7 +59,8 @@ FilesKnown files_known(Merge& merge, const Hash256& key, std::size_t number) {
   FilesKnown out;
   if (!merge.ok()) return out;
   const auto entries = merge.taken(merge.db().all(
-      "SELECT action, detail FROM main.audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND action IN ('exchange_file_known', 'exchange_read_in')",
+      "SELECT action, detail FROM main.audit_log INDEXED BY audit_by_subject WHERE subject = ?1 AND action IN ('exchange_file_known', 'exchange_read_in') "
+      "AND action <> 'session_sealed'",
       [](Row row) { return std::pair{row.text(0), row.text(1)}; }, merge.out.description.station));
   for (const auto& [action, detail] : entries) {
     std::istringstream in(detail);

@@ -48,9 +48,11 @@ Stored<void> extract_session(StorageContext& context, const Actor& actor, Sessio
 Stored<std::vector<AuditEntry>> log_about(StorageContext& context, const Actor& actor, SessionId session) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   return context.db.all(
-      "SELECT number, at, sequence, actor, action, subject, detail FROM audit_log WHERE subject IN (SELECT ?1 "
-      "UNION SELECT id FROM statements WHERE session = ?1 UNION SELECT version FROM sessions WHERE id = ?1 "
-      "UNION SELECT assignment FROM sessions WHERE id = ?1 AND assignment IS NOT NULL) ORDER BY number",
+      "SELECT number, at, sequence, actor, action, subject, detail FROM audit_log INDEXED BY audit_by_subject "
+      "WHERE action <> 'session_sealed' AND subject IN (SELECT ?1 UNION SELECT id FROM statements WHERE session = ?1 "
+      "UNION SELECT version FROM sessions WHERE id = ?1 UNION SELECT assignment FROM sessions WHERE id = ?1 AND assignment IS NOT NULL) "
+      "UNION ALL SELECT number, at, sequence, actor, action, subject, detail FROM audit_log INDEXED BY seals_of_session "
+      "WHERE action = 'session_sealed' AND substr(subject, 1, 6) = substr(?1, 1, 6) AND subject = ?1 ORDER BY number",
       [](Row row) {
         return AuditEntry{row.integer(0), row.integer(1), row.integer(2), row.id<UserId>(3), row.text(4), row.uuid(5), row.text(6)};
       },

@@ -54,7 +54,7 @@ class StoreVerifier {
 
   Stored<void> read_log() {
     // The log's own first entry names its station: the row of `station` could have been changed.
-    const auto named = db_.first("SELECT subject FROM audit_log WHERE action = 'station_key_added' LIMIT 1",
+    const auto named = db_.first("SELECT subject FROM audit_log WHERE action = 'station_key_added' ORDER BY number LIMIT 1",
                                  [](Row row) { return row.uuid(0); });
     if (!named) return std::unexpected(named.error());
     station_ = named->value_or(context_.station);

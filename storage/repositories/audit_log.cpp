@@ -17,6 +17,9 @@ AuditEntry entry_in(Row row) {
   return {row.integer(0), row.integer(1), row.integer(2), row.id<UserId>(3), row.text(4), row.uuid(5), row.text(6)};
 }
 
+/// The seals of sessions, most entries of all: they have indexes of their own, and the others leave them out.
+constexpr std::string_view kSealing = "session_sealed";
+
 /// An entry's place in a list: by time, then by number.
 using LogPlace = std::pair<std::int64_t, std::int64_t>;
 
@@ -31,30 +34,46 @@ struct LogSpan {
 constexpr const char* kSpan =
     " AND at >= ?1 AND at <= ?2 AND (at < ?2 OR number < ?3) ORDER BY at DESC, number DESC LIMIT ?4";
 
-/// Each code that the log holds, by one look into the index for each.
+/// Each code that the log holds, by one look into the index for each; kSealing in any case.
 Stored<std::vector<std::string>> actions_in(Database& db) {
-  return db.all(
-      "WITH RECURSIVE codes (code) AS (SELECT min(action) FROM audit_log UNION ALL "
-      "SELECT (SELECT min(action) FROM audit_log INDEXED BY audit_by_action WHERE action > code) FROM codes WHERE code IS NOT NULL) "
-      "SELECT code FROM codes WHERE code IS NOT NULL",
+  auto actions = db.all(
+      "WITH RECURSIVE codes (code) AS (SELECT '' UNION ALL SELECT (SELECT min(action) FROM audit_log INDEXED BY audit_by_action "
+      "WHERE action > code AND action <> 'session_sealed') FROM codes WHERE code IS NOT NULL) SELECT code FROM codes WHERE code <> ''",
       [](Row row) { return row.text(0); });
+  if (actions) actions->emplace_back(kSealing);
+  return actions;
+}
+
+/// Which entries of one kind a page reads, and along which index; ?5 action or actor, ?6 person.
+struct IndexedEntries {
+  std::string index, where;
+};
+
+/// A seal's subject is a session, never a person. Those by the program are left out of seals_by_actor.
+IndexedEntries sealing_entries(const std::optional<UserId>& person) {
+  const std::string sealing = "action = 'session_sealed'";
+  if (!person) return {"seals_by_time", sealing};
+  if (*person == UserId{}) return {"seals_by_time", sealing + " AND actor = ?5"};
+  return {"seals_by_actor", sealing + " AND actor = ?5 AND actor <> x'00000000000000000000000000000000'"};
 }
 
 /// Adds the newest places of one kind of entry.
 Stored<void> gather_places(Database& db, const std::string& action, const std::optional<UserId>& person, const LogSpan& span,
                     std::vector<LogPlace>& places) {
-  const auto take = [&](const std::string& index, const std::string& where, const auto&... more) -> Stored<void> {
+  const auto take = [&](const IndexedEntries& entries, const auto&... more) -> Stored<void> {
     const auto found = db.all(
-        "SELECT at, number FROM audit_log INDEXED BY " + index + " WHERE action = ?5" + where + kSpan,
+        "SELECT at, number FROM audit_log INDEXED BY " + entries.index + " WHERE " + entries.where + kSpan,
         [](Row row) { return LogPlace{row.integer(0), row.integer(1)}; }, span.from_utc_us, span.before.first, span.before.second,
-        span.limit, action, more...);
+        span.limit, more...);
     if (!found) return std::unexpected(found.error());
     places.insert(places.end(), found->begin(), found->end());
     return {};
   };
-  if (!person) return take("audit_by_action", "");
-  if (auto done = take("audit_by_actor", " AND actor = ?6", *person); !done) return done;
-  return take("audit_by_subject", " AND subject = ?6 AND actor <> ?6", *person);
+  const std::string other = "action = ?5 AND action <> 'session_sealed'";
+  if (action == kSealing) return person ? take(sealing_entries(person), *person) : take(sealing_entries(person));
+  if (!person) return take({"audit_by_action", other}, action);
+  if (auto done = take({"audit_by_actor", other + " AND actor = ?6"}, action, *person); !done) return done;
+  return take({"audit_by_subject", other + " AND subject = ?6 AND actor <> ?6"}, action, *person);
 }
 
 /// The place that ends the list before entry `number`; `to`: the time that ends it.

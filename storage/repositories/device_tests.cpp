@@ -34,7 +34,7 @@ DeviceTest test_in(Row row) {
 
 Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_view device_class) {
   return db.first(
-      "SELECT at, actor, detail FROM audit_log INDEXED BY audit_by_action WHERE action = 'device_tested' "
+      "SELECT at, actor, detail FROM audit_log INDEXED BY audit_by_action WHERE action = 'device_tested' AND action <> 'session_sealed' "
       "AND substr(detail, 1, length(?1) + 1) = ?1 || ' ' ORDER BY at DESC LIMIT 1",
       test_in, device_class);
 }

@@ -73,8 +73,8 @@ Stored<std::vector<ChainFinding>> first_finding(StorageContext& context, Session
   finding.owner = session.uuid;
   if (!proof->intact()) return std::vector{finding};
   const auto lost = context.db.first(
-      "SELECT a.at FROM audit_log a INDEXED BY audit_by_subject WHERE a.subject = ?1 AND a.action = 'session_sealed' "
-      "AND NOT EXISTS (SELECT 1 FROM session_chain c WHERE c.session = ?1 AND "
+      "SELECT a.at FROM audit_log a INDEXED BY seals_of_session WHERE a.action = 'session_sealed' "
+      "AND substr(a.subject, 1, 6) = substr(?1, 1, 6) AND a.subject = ?1 AND NOT EXISTS (SELECT 1 FROM session_chain c WHERE c.session = ?1 AND "
       "substr(a.detail, instr(a.detail, ' ') + 1) = (c.position + 1) || ' ' || lower(hex(c.link))) LIMIT 1",
       [](Row row) { return row.integer(0); }, session);
   if (!lost) return std::unexpected(lost.error());

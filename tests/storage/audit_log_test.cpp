@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "tests/storage/sample.h"
@@ -64,12 +65,42 @@ TEST_F(AuditLogTest, EachFilterLeavesWhatFits) {
             fitting([&](const AuditEntry& e) { return e.at_utc_us >= from && e.at_utc_us < to; }));
 }
 
+TEST_F(AuditLogTest, SealsOfSessionsAreListedAmongTheOtherEntriesWhoeverWroteThem) {
+  const Account examiner = make_instructor(*store);
+  const ScenarioVersion version = keep(*store);
+  const SessionId session = complete_session(*store, student, version);
+  must(store->grades.save(session, small_grade(70), {}, examiner.actor()));
+  *now += 10;
+  complete_session(*store, admin, version);
+  *now = kNow + 5;
+  complete_session(*store, student, version);
+  const auto is_seal = [](const AuditEntry& e) { return e.action == "session_sealed"; };
+  auto by_time = all();
+  std::ranges::stable_sort(by_time, std::greater(), [](const AuditEntry& e) { return std::pair{e.at_utc_us, e.number}; });
+  const auto expect = [&](const AuditFilter& filter, std::size_t most, const std::function<bool(const AuditEntry&)>& fits) {
+    std::vector<std::int64_t> expected;
+    for (const AuditEntry& e : by_time)
+      if (fits(e)) expected.push_back(e.number);
+    EXPECT_GE(expected.size(), most);
+    for (const int limit : {1, 2, 1000}) EXPECT_EQ(numbers(filter, limit), expected) << limit;
+  };
+  expect({.actions = {"session_sealed"}}, 10, is_seal);
+  expect({.actions = {"session_sealed", "backed_up"}}, 30, [&](const AuditEntry& e) { return is_seal(e) || e.action == "backed_up"; });
+  expect({.from_utc_us = kNow + 1, .to_utc_us = kNow + 30}, 15, [](const AuditEntry& e) { return e.at_utc_us > kNow && e.at_utc_us < kNow + 30; });
+  for (const UserId person : {student.id, examiner.id, admin.id, UserId{}}) {
+    const auto concerns = [person](const AuditEntry& e) { return e.actor == person || e.subject == person.uuid; };
+    expect({.person = person}, 2, concerns);
+    expect({.actions = {"session_sealed"}, .person = person}, 1, [&](const AuditEntry& e) { return is_seal(e) && concerns(e); });
+  }
+  EXPECT_TRUE(numbers({.actions = {"session_sealed"}, .person = UserId{session.uuid}}).empty()) << "a session is no person";
+}
+
 TEST_F(AuditLogTest, APageIsReadAlongAnIndexWithoutSortingWhateverTheFilter) {
   const StatementsSeen seen;
   const auto again = open(folder / "b.db");
   const Account other = make_administrator(*again);
   for (const AuditFilter& filter : {AuditFilter{}, AuditFilter{.actions = {"signed_in"}}, AuditFilter{.person = other.id},
-                                    AuditFilter{.from_utc_us = kNow}, AuditFilter{.actions = {"signed_in"}, .person = other.id, .to_utc_us = kNow}}) {
+                                    AuditFilter{.person = UserId{}}, AuditFilter{.from_utc_us = kNow}, AuditFilter{.actions = {"signed_in"}, .person = other.id, .to_utc_us = kNow}}) {
     must(again->audit.list(other.actor(), 10, 5, filter));
   }
   std::string plans;
@@ -82,7 +113,8 @@ TEST_F(AuditLogTest, APageIsReadAlongAnIndexWithoutSortingWhateverTheFilter) {
     plans += plan;
   }
   for (const char* search : {"SEARCH audit_log USING INTEGER PRIMARY KEY (rowid<?)", "audit_by_action (action=? AND at>? AND at<?)",
-                             "audit_by_actor (actor=? AND action=? AND at>? AND at<?)", "audit_by_subject (subject=? AND action=? AND at>? AND at<?)"})
+                             "audit_by_actor (actor=? AND action=? AND at>? AND at<?)", "audit_by_subject (subject=? AND action=? AND at>? AND at<?)",
+                             "seals_by_time (at>? AND at<?)", "seals_by_actor (actor=? AND at>? AND at<?)"})
     EXPECT_NE(plans.find(search), std::string::npos) << search << '\n' << plans;
 }
 

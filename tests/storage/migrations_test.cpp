@@ -49,6 +49,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "77321b2ba2641bdb671ddfcc498c89871c3a14b34845b20157236e2b67727305",
       "1142289534135523c7c5426070c548ce7d6e930ef7aa5d1fff7fec53904b0392",
       "4540a38c5952ea826ce7c2ccbf7b7d2b0189c7ccbdae3ec900c1551fa4733cb3",
+      "9912c09a9c5470b22951b807eefd4c7d6541f25f1c3db7f88051fbe73794f2d7",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -190,6 +191,40 @@ TEST(Migrations, an_attempt_of_schema_11_holds_its_statements_and_takes_an_own_a
   EXPECT_EQ(whole(), "");
   EXPECT_EQ(code_of(store->database().run("INSERT INTO statement_texts VALUES (zeroblob(16), zeroblob(32), '')")), StorageError::not_found)
       << "references are enforced again";
+}
+
+/// A graded attempt with a comment, header and criteria packed, as the program of schema 14 wrote and sealed them.
+TEST(Migrations, an_attempt_of_schema_14_holds_and_its_seals_are_listed_and_compared) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(14)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0014.sql")));
+  }
+  const auto store = open(folder / "a.db");
+  EXPECT_EQ(must(store->database().integrity_check()), "");
+  const auto changed = [&] {
+    std::string out;
+    for (const ChainFinding& f : must(verify_store(store->context())).findings)
+      if (f.code != FindingCode::counter_missing) out += std::string(key_of(f.code)) + ' ' + f.table + '\n';
+    return out;
+  };
+  EXPECT_EQ(changed(), "");
+  const Account student = must(store->accounts.find_number("20267314"));
+  const auto rows = must(store->history.list(student.actor()));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].score, 68);
+  EXPECT_EQ(must(store->sessions.find(rows[0].session)).header.guard.limit_n, 3.3);
+  EXPECT_EQ(must(store->grades.newest(rows[0].session))->grade.criteria.at(1).reason_args.at("limit"), 2.0);
+  const Actor everybodys{UserId{}, Role::administrator};
+  const auto seals = [&](const AuditFilter& filter) {
+    std::string out;
+    for (const AuditEntry& e : must(store->audit.list(everybodys, 10, INT64_MAX, filter))) out += e.detail.substr(0, e.detail.rfind(' ')) + '\n';
+    return out;
+  };
+  EXPECT_EQ(seals({.actions = {"session_sealed"}}), "graded 17\nfinished 14\nstarted 2\n");
+  EXPECT_EQ(seals({.actions = {"session_sealed"}, .person = student.id}), "started 2\n");
+  must(store->database().run("UPDATE audit_log SET detail = replace(detail, 'finished 14', 'finished 13')"));
+  EXPECT_EQ(changed(), "row_changed audit_log\n");
 }
 
 TEST(Migrations, a_statement_whose_session_is_gone_stops_no_migration_and_is_named_afterwards) {

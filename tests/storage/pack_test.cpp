@@ -8,6 +8,7 @@
 #include "storage/exchange/session_extract.h"
 #include "storage/records/statement_rows.h"
 #include "tests/storage/sample.h"
+#include "tests/storage/statements_seen.h"
 
 namespace cusp::test {
 namespace {
@@ -123,6 +124,26 @@ TEST_F(PackTest, the_log_about_an_attempt_names_who_assigned_stated_and_packed_i
   const auto has = [&](std::string_view action) { return std::ranges::any_of(entries, [&](const AuditEntry& e) { return e.action == action; }); };
   for (const char* action : {"version_kept", "assigned", "session_sealed", "stated", "packed"}) EXPECT_TRUE(has(action)) << action;
   EXPECT_FALSE(has("account_created"));
+  EXPECT_EQ(std::ranges::count(entries, "session_sealed", &AuditEntry::action), 3);
+  EXPECT_TRUE(std::ranges::is_sorted(entries, {}, &AuditEntry::number));
+}
+
+TEST_F(PackTest, the_log_about_an_attempt_is_read_along_indexes_and_leaves_out_one_of_the_same_moment) {
+  hand_in();
+  Uuid same_moment = session.uuid;
+  same_moment.bytes.back() ^= std::uint8_t{1};
+  must(store->audit.add({.action = "session_sealed", .subject = same_moment, .detail = "started 2"}));
+  const StatementsSeen seen;
+  const auto again = open(folder / "a.db");
+  const auto entries = must(log_about(again->context(), administrator, session));
+  EXPECT_EQ(std::ranges::count(entries, "session_sealed", &AuditEntry::action), 3);
+  std::string plans;
+  for (const std::string& sql : StatementsSeen::texts()) {
+    if (sql.find("INDEXED BY seals_of_session") == std::string::npos) continue;
+    for (const std::string& line : plan_of(again->database(), sql)) plans += line + '\n';
+  }
+  for (const char* search : {"audit_by_subject (subject=?)", "seals_of_session (<expr>=?)"}) EXPECT_NE(plans.find(search), std::string::npos) << plans;
+  EXPECT_EQ(plans.find("SCAN audit_log"), std::string::npos) << plans;
 }
 
 TEST_F(PackTest, a_signature_holds_for_the_description_it_was_made_for_alone) {

@@ -3,6 +3,7 @@
 
 #include "storage/exchange/session_extract.h"
 #include "tests/storage/old_attempts.h"
+#include "tests/storage/statements_seen.h"
 
 namespace cusp::test {
 namespace {
@@ -90,6 +91,23 @@ TEST_F(ThinningTest, names_an_attempt_that_does_not_verify_and_leaves_it) {
   EXPECT_EQ(report.broken[1].owner, resealed.uuid);
   EXPECT_EQ(report.broken[1].code, FindingCode::seal_broken);
   EXPECT_EQ(count("trace_chunks"), 6) << "three each";
+}
+
+TEST_F(ThinningTest, reads_the_seals_of_an_attempt_along_their_index) {
+  const SessionId session = attempt(91);
+  Uuid same_moment = session.uuid;
+  same_moment.bytes.back() ^= std::uint8_t{1};
+  must(store->audit.add({.action = "session_sealed", .subject = same_moment, .detail = "started 2 " + std::string(64, '0')}));
+  store.reset();
+  const StatementsSeen seen;
+  store = open(folder / "a.db", quick(now));
+  EXPECT_EQ(thin(ThinningMode::dry_run).attempts, 1u) << "the seal is of another session";
+  std::string plans;
+  for (const std::string& sql : StatementsSeen::texts()) {
+    if (sql.find("FROM audit_log a") == std::string::npos) continue;
+    for (const std::string& line : plan_of(store->database(), sql)) plans += line + '\n';
+  }
+  EXPECT_NE(plans.find("SEARCH a USING INDEX seals_of_session (<expr>=?)"), std::string::npos) << plans;
 }
 
 TEST_F(ThinningTest, in_a_dry_run_finds_the_same_and_changes_nothing) {
