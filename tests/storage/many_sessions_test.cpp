@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "storage/records/session_tables.h"
 
 namespace cusp::test {
@@ -33,6 +35,24 @@ std::vector<std::int64_t> sequences(Database& db, SessionId session) {
   const std::int64_t first = all.front();
   for (std::int64_t& sequence : all) sequence -= first;
   return all;
+}
+
+/// Of whole pages, without recordings and final volumes.
+double bytes_of(int sessions) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  write_many(*store, sessions, CopiedRows::all);
+  return must(store->database().first("SELECT sum(pgsize) FROM dbstat WHERE aggregate = 1 AND name NOT IN ('trace_chunks', 'final_volumes')",
+                                      [](Row row) { return row.real(0); })).value();
+}
+
+/// Four of five are graded by ten criteria. The people and what else the file holds once are in both files. Measured: 3,917; with
+/// the indexes of schema 14, 4,227.
+TEST(ManySessions, take_at_most_4096_bytes_each_besides_recording_and_final_volume) {
+  const double bytes = (bytes_of(6000) - bytes_of(1000)) / 5000;
+  std::printf("%.0f bytes a session\n", bytes);
+  EXPECT_LE(bytes, 4096);
+  EXPECT_GE(bytes, 3500) << "a copy lacks chain, seals or criteria";
 }
 
 TEST(ManySessions, verify_and_are_such_as_the_products_calls_write) {
