@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "scenarios/metrics/region_classifier.h"
 #include "scenarios/metrics/region_shares.h"
@@ -102,7 +103,7 @@ std::vector<int> carious_bricks(const Specimen& specimen) {
   return out;
 }
 
-/// Borders of what is left of each part with other tissues, and a place of it.
+/// Borders of what is left of each part with other tissues, its voxels and a place of it.
 void add_borders(const Parts& parts, const Volume& volume, int brick, std::array<CariesPart*, kParts> out) {
   const Grid& grid = volume.grid();
   const double mm3 = kBorderVoxels * grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
@@ -113,6 +114,7 @@ void add_borders(const Parts& parts, const Volume& volume, int brick, std::array
     const Part part = parts.of(v);
     CariesPart& one = *out[static_cast<std::size_t>(part)];
     one.at_mm = grid.centre_mm(v);
+    one.voxels.push_back(v);
     for (int axis = 0; axis < 3; ++axis)
       for (int step = -1; step <= 1; step += 2) {
         IVec3 next = v;
@@ -126,22 +128,22 @@ void add_borders(const Parts& parts, const Volume& volume, int brick, std::array
 class SoundSink final : public RegionClassifier {
  public:
   explicit SoundSink(const Reference& reference) : RegionClassifier(reference.shape(), reference.leeway()), reference_(reference) {}
-  double mm3 = 0, sigma_mm3 = 0;
-  std::optional<Vec3> at_mm;
+  SoundLost lost;
   void face(const std::array<Vec3, 3>& c, double mm2, Tissue tissue) override {
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
     double d = 0;
     if (!is_sound(tissue) || wholly_in_target() || !is_beyond(place_at(middle, d))) return;
-    sigma_mm3 += reference_.surface_sigma_mm() * mm2;
+    lost.uncertainty_mm3 += reference_.surface_sigma_mm() * mm2;
+    lost.cut_faces.push_back(c);
     if (d <= furthest_) return;
     furthest_ = d;
-    at_mm = middle;
+    lost.at_mm = middle;
   }
 
  private:
   static bool is_beyond(Place place) noexcept { return place == Place::beyond_floor || place == Place::beyond_side; }
   void solid(Place place, double volume, Tissue tissue) override {
-    if (is_sound(tissue) && is_beyond(place)) mm3 += volume;
+    if (is_sound(tissue) && is_beyond(place)) lost.mm3 += volume;
   }
   const Reference& reference_;
   double furthest_ = 0;
@@ -171,6 +173,12 @@ CariesLeft caries_left(const Reference& reference, const Volume& volume) {
   return out;
 }
 
+SoundLost sound_lost(const Reference& reference, const Volume& volume) {
+  SoundSink sink(reference);
+  for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sink);
+  return std::move(sink.lost);
+}
+
 void add_caries(const Reference& reference, const Volume& volume, std::vector<Measure>& out) {
   const CariesLeft left = caries_left(reference, volume);
   const auto add = [&](const char* key, const CariesPart& part) {
@@ -185,9 +193,8 @@ void add_caries(const Reference& reference, const Volume& volume, std::vector<Me
     out.push_back(not_measured("sound_lost", "mm3"));
     return;
   }
-  SoundSink sound(reference);
-  for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sound);
-  out.push_back({"sound_lost", true, sound.mm3, sound.sigma_mm3, "mm3", sound.at_mm});
+  const SoundLost sound = sound_lost(reference, volume);
+  out.push_back({"sound_lost", true, sound.mm3, sound.uncertainty_mm3, "mm3", sound.at_mm});
 }
 
 }  // namespace cusp::scenarios

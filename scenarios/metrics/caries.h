@@ -8,6 +8,7 @@
 /// Needs: a specimen with a lesion of that tissue; the last a target.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct CariesPart {
   double before_mm3 = 0;       // before anything was cut; 0: not measurable
   double uncertainty_mm3 = 0;  // 95 %: its borders with other tissues, and its cut face
   std::optional<Vec3> at_mm;   // where some of it is left
+  std::vector<IVec3> voxels;   // that are left
 };
 
 struct CariesLeft {
@@ -33,6 +35,14 @@ struct CariesLeft {
 
 /// Walks the lesion's bricks. Tenths of a second for a molar at 0.1 mm.
 [[nodiscard]] CariesLeft caries_left(const Reference& reference, const Volume& volume);
+
+struct SoundLost {
+  double mm3 = 0, uncertainty_mm3 = 0;         // 95 %: its cut face
+  std::optional<Vec3> at_mm;                   // furthest from the target
+  std::vector<std::array<Vec3, 3>> cut_faces;  // in sound tissue, beyond the tolerance zone
+};
+/// Walks the cut bricks. Pre: the target is not empty.
+[[nodiscard]] SoundLost sound_lost(const Reference& reference, const Volume& volume);
 
 void add_caries(const Reference& reference, const Volume& volume, std::vector<Measure>& out);
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <iterator>
 
-#include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/depth.h"
-#include "scenarios/metrics/region_shares.h"
+#include "scenarios/metrics/patch_faces.h"
 #include "scenarios/metrics/remaining.h"
 #include "scenarios/metrics/width.h"
 #include "scenarios/shapes/place.h"
@@ -16,48 +14,6 @@
 namespace cusp::scenarios {
 
 namespace {
-
-using Triangle = std::array<Vec3, 3>;
-
-Vec3 middle_of(const Triangle& t) noexcept { return (t[0] + t[1] + t[2]) / 3.0; }
-
-/// Keeps the triangles that a measure is about.
-class KeptFaces final : public SolidSink {
- public:
-  explicit KeptFaces(std::function<bool(const Triangle&)> is_kept) : is_kept_(std::move(is_kept)) {}
-  std::vector<Triangle> kept;
-  void cell(Vec3, Vec3) override {}
-  void box(Vec3, Vec3, Tissue) override {}
-  void tetrahedron(const std::array<Vec3, 4>&, double, Tissue) override {}
-  void face(const Triangle& corners, double, Tissue) override {
-    if (is_kept_(corners)) kept.push_back(corners);
-  }
-
- private:
-  std::function<bool(const Triangle&)> is_kept_;
-};
-
-std::vector<Triangle> cut_where(const Volume& volume, std::function<bool(const Triangle&)> is_kept) {
-  KeptFaces sink(std::move(is_kept));
-  for (const int brick : bricks_to_measure(volume)) emit_removed(volume, brick, sink);
-  return std::move(sink.kept);
-}
-
-/// The specimen's own surface that still stands, where a place belongs to `is_kept`.
-std::vector<Triangle> standing_where(const Volume& volume, const std::function<bool(const Triangle&)>& is_kept) {
-  const Grid& grid = volume.grid();
-  KeptFaces sink([&](const Triangle& t) {
-    const Vec3 cross = glm::cross(t[1] - t[0], t[2] - t[0]), at = middle_of(t);
-    const double length = glm::length(cross);
-    if (!(length > 0.0) || !is_kept(t)) return false;
-    const auto solid = [&](double mm) { return volume.occupied(IVec3(glm::floor((at + mm / length * cross - grid.origin_mm) / grid.voxel_mm + 0.5))); };
-    return solid(grid.voxel_mm) || solid(-grid.voxel_mm);  // whichever side is within
-  });
-  const Specimen& specimen = volume.specimen();
-  const IVec3 bricks = specimen.brick_count();
-  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) emit_specimen(specimen, b, sink);
-  return std::move(sink.kept);
-}
 
 /// Metrics, or beginnings of them that end in '_', and the faces that they are about.
 struct OfFaces {
@@ -107,9 +63,10 @@ double limit_mm(std::string_view metric) noexcept {
 
 EvidencePatches::EvidencePatches(std::shared_ptr<const Reference> reference, std::shared_ptr<const Volume> volume)
     : reference_(std::move(reference)), volume_(std::move(volume)), faces_(*reference_, *volume_, floor_depth(*reference_, *volume_)),
-      margin_(margin_points(*volume_)) {}
+      margin_(margin_points(*volume_)), tissues_(std::make_shared<TissuePatches>(reference_, volume_)) {}
 
 EvidencePatch EvidencePatches::of(std::string_view metric) const {
+  if (TissuePatches::has(metric)) return tissues_->of(metric, faces_, margin_);
   if (reference_->shape().empty()) return {};
   EvidencePatch out = faces_of(metric);
   if (out.empty()) out = lines_of(metric);
@@ -149,24 +106,24 @@ EvidencePatch EvidencePatches::surface_of(std::string_view metric) const {
   EvidencePatch out;
   if (metric.starts_with("overcut_")) {
     const double outside = reference_->point_sigma_mm();  // a face on the target's own surface is no over-cut
-    out.triangles = cut_where(*volume_, [&](const Triangle& t) {
+    out.triangles = cut_where(*volume_, [&](const Triangle& t, Tissue) {
       const Near near = shape.near(middle_of(t));
       return near.distance_mm > outside && is_overcut(metric, near, reference_->leeway());
     });
   } else if (metric.starts_with("surface_")) {
     const double limit = limit_mm(metric);
-    out.triangles = cut_where(*volume_, [&](const Triangle& t) { return std::fabs(shape.distance_mm(middle_of(t))) > limit; });
+    out.triangles = cut_where(*volume_, [&](const Triangle& t, Tissue) { return std::fabs(shape.distance_mm(middle_of(t))) > limit; });
   } else if (metric == "target_removed" || metric == "uncut_remainder") {
     const double inside = -reference_->point_sigma_mm();
-    const auto stands = [&](const Triangle& t) { return shape.distance_mm(middle_of(t)) < inside; };
+    const auto stands = [&](const Triangle& t, Tissue) { return shape.distance_mm(middle_of(t)) < inside; };
     out.triangles = cut_where(*volume_, stands);
     std::ranges::copy(standing_where(*volume_, stands), std::back_inserter(out.triangles));
   } else if (metric == "remaining_over_pulp" && !reference_->pulp().empty()) {
     constexpr double kFurthestMm = 10.0;  // no crown has more dentine over its pulp
     const auto to_pulp = [&](const Triangle& t) { return reference_->pulp().distance_mm(middle_of(t), kFurthestMm); };
     double least = kFurthestMm;
-    cut_where(*volume_, [&](const Triangle& t) { return (least = std::min(least, to_pulp(t))) < 0.0; });
-    if (least < kFurthestMm) out.triangles = cut_where(*volume_, [&](const Triangle& t) { return to_pulp(t) < least + kThinMm; });
+    (void)cut_where(*volume_, [&](const Triangle& t, Tissue) { return (least = std::min(least, to_pulp(t))) < 0.0; });
+    if (least < kFurthestMm) out.triangles = cut_where(*volume_, [&](const Triangle& t, Tissue) { return to_pulp(t) < least + kThinMm; });
   }
   return out;
 }

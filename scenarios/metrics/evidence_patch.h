@@ -2,9 +2,7 @@
 /// Frame: specimen. Millimetres.
 #pragma once
 
-#include <array>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,23 +10,19 @@
 #include "scenarios/metrics/cut_faces.h"
 #include "scenarios/metrics/margin.h"
 #include "scenarios/metrics/reference.h"
+#include "scenarios/metrics/tissue_patch.h"
 #include "scenarios/modules.h"
 
 namespace cusp::scenarios {
 
-struct EvidencePatch {
-  std::vector<std::array<Vec3, 3>> triangles;  // of the surface
-  std::vector<std::array<Vec3, 2>> lines;      // from place to place
-  bool empty() const noexcept { return triangles.empty() && lines.empty(); }
-};
-
-/// Patches of one volume's measures. Not for the haptic thread: tenths of a second to make, tens of milliseconds to ask.
+/// Patches of one volume's measures. Any thread but the haptic one: tenths of a second to make, tens of milliseconds to ask.
 ///
 /// wall_angle_, convergence_: the walls. floor_, depth_: the pulpal floor. gingival_above_cej: the gingival floor; box_height:
 /// both floors; axial_past_junction_: the axial wall. isthmus_width, ridge_: the line that is measured. cavosurface_: the margin
 /// where its angle is off. overcut_: the cut surface in that zone, off those faces. surface_within_: what is further off, of
 /// surface_rms, _p95, _greatest what is more than kOffMm off. target_removed, uncut_remainder: the surface of what stands in the
-/// target. remaining_over_pulp: the cut surface less than kThinMm above the least. Empty of any other.
+/// target. remaining_over_pulp: the cut surface less than kThinMm above the least. tissue_patch.h has those of contact, caries and other
+/// tissue. Empty of any other, and of a measure that is not measured.
 class EvidencePatches {
  public:
   /// Keeps both. Pre: the volume is of the reference's specimen, and does not change.
@@ -46,6 +40,7 @@ class EvidencePatches {
   std::shared_ptr<const Volume> volume_;
   CutFaces faces_;
   std::vector<MarginPoint> margin_;
+  std::shared_ptr<const TissuePatches> tissues_;
 };
 
 }  // namespace cusp::scenarios

@@ -11,18 +11,32 @@ namespace {
 /// Rms distance of a plane from the nearest voxel border: how a border between tissues is known.
 constexpr double kSeamSigmaVoxels = 0.2887;  // 1 / sqrt(12)
 
+/// How deep below the region's surface the cut surface is damage of a severity other than removal.
+double least_depth_mm(const Reference& reference, const ProtectedPart& part) noexcept {
+  return part.severity == Damage::touch ? -reference.point_sigma_mm() : part.depth_mm + reference.point_sigma_mm();
+}
+
 /// What was cut of one region.
 class RegionDamage final : public RegionClassifier {
  public:
-  RegionDamage(const TargetShape& shape, const Leeway& none) : RegionClassifier(shape, none) {}
+  /// `least_mm`: deeper faces are kept, as those within the region.
+  RegionDamage(const TargetShape& shape, const Leeway& none, double least_mm) : RegionClassifier(shape, none), least_mm_(least_mm) {}
   double mm3 = 0, face_mm2 = 0;
   double depth_mm = -1e9;  // of the cut surface below the region's own; below 0 outside
   Vec3 at_mm{0.0};
+  struct Face {
+    Triangle corners;
+    double depth_mm;
+    bool within;
+  };
+  std::vector<Face> faces;
 
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue) override {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     double d = 0;
-    if (place_at(middle, d) == Place::target) face_mm2 += mm2;
+    const bool within = place_at(middle, d) == Place::target;
+    if (within) face_mm2 += mm2;
+    if (within || -d > least_mm_) faces.push_back({corners, -d, within});
     if (-d <= depth_mm) return;
     depth_mm = -d;
     at_mm = middle;
@@ -32,53 +46,96 @@ class RegionDamage final : public RegionClassifier {
   void solid(Place place, double volume, Tissue) override {
     if (place == Place::target) mm3 += volume;
   }
+  double least_mm_;
 };
 
 struct Damaged {
   double mm3 = 0, sigma_mm3 = 0;
   bool damaged = false;
   std::optional<Vec3> at_mm;
+  std::vector<Triangle> removed_faces, damage_faces;  // of a region
 };
 
 Damaged damage_of_region(const Reference& reference, const Volume& volume, const ProtectedPart& part) {
   constexpr double kNone = 0.0;
   const Leeway none{kNone, kNone};
-  RegionDamage sum(*part.shape, none);
+  const double least = least_depth_mm(reference, part);
+  RegionDamage sum(*part.shape, none, least);
   for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sum);
-  Damaged out{sum.mm3, reference.surface_sigma_mm() * sum.face_mm2, false, std::nullopt};
-  if (part.severity == Damage::removal) out.damaged = out.mm3 > out.sigma_mm3;
-  if (part.severity == Damage::touch) out.damaged = sum.depth_mm > -reference.point_sigma_mm();
-  if (part.severity == Damage::depth) out.damaged = sum.depth_mm > part.depth_mm + reference.point_sigma_mm();
+  Damaged out{sum.mm3, reference.surface_sigma_mm() * sum.face_mm2, false, std::nullopt, {}, {}};
+  out.damaged = part.severity == Damage::removal ? out.mm3 > out.sigma_mm3 : sum.depth_mm > least;
   if (out.damaged) out.at_mm = sum.at_mm;
+  for (const RegionDamage::Face& face : sum.faces) {
+    if (face.within) out.removed_faces.push_back(face.corners);
+    const bool of_damage = part.severity == Damage::removal ? face.within : face.depth_mm > least;
+    if (out.damaged && of_damage) out.damage_faces.push_back(face.corners);
+  }
   return out;
 }
 
-/// A place where the tissue borders on what was removed.
-std::optional<Vec3> bare_place(const Volume& volume, Tissue tissue) {
+bool is_gone(const Volume& volume, IVec3 v) noexcept { return was_solid(volume.specimen(), v) && !volume.occupied(v); }
+
+/// Visits each voxel that is gone until the visit says that it has seen enough.
+template <class Visit>
+void each_gone(const Volume& volume, Visit&& visit) {
   const Specimen& specimen = volume.specimen();
-  const Grid& grid = volume.grid();
-  const auto gone = [&](IVec3 v) {
-    const bool was = specimen.reading() == Reading::filled ? specimen.s(v) > 0 : specimen.s(v) >= kHalf;
-    return was && !volume.occupied(v);
-  };
   for (const std::int32_t brick : volume.cut_bricks()) {
     const IVec3 corner = specimen.brick_at(brick) * kBrickEdge;
     for (int o = 0; o < kBrickVoxels; ++o) {
       const IVec3 v = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
-      if (!gone(v)) continue;
-      for (int axis = 0; axis < 3; ++axis)
-        for (int step = -1; step <= 1; step += 2) {
-          IVec3 next = v;
-          next[axis] += step;
-          if (specimen.tissue(next) == tissue && volume.occupied(next)) return 0.5 * (grid.centre_mm(v) + grid.centre_mm(next));
-        }
+      if (is_gone(volume, v) && visit(v)) return;
     }
   }
-  return std::nullopt;
+}
+
+/// Voxels of the tissue beside a voxel that is gone: visit(gone, bare), as above.
+template <class Visit>
+void each_bare(const Volume& volume, Tissue tissue, Visit&& visit) {
+  each_gone(volume, [&](IVec3 v) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (int step = -1; step <= 1; step += 2) {
+        IVec3 next = v;
+        next[axis] += step;
+        if (volume.specimen().tissue(next) == tissue && volume.occupied(next) && visit(v, next)) return true;
+      }
+    return false;
+  });
+}
+
+/// A place where the tissue borders on what was removed.
+std::optional<Vec3> bare_place(const Volume& volume, Tissue tissue) {
+  const Grid& grid = volume.grid();
+  std::optional<Vec3> out;
+  each_bare(volume, tissue, [&](IVec3 gone, IVec3 bare) {
+    out = 0.5 * (grid.centre_mm(gone) + grid.centre_mm(bare));
+    return true;
+  });
+  return out;
+}
+
+/// The cut surface that lies nearest to where the tissue stood that is gone.
+std::vector<Triangle> nearest_to_gone(const Volume& volume, Tissue tissue) {
+  std::vector<IVec3> gone;
+  each_gone(volume, [&](IVec3 v) {
+    if (volume.specimen().tissue(v) == tissue) gone.push_back(v);
+    return false;
+  });
+  if (gone.empty()) return {};
+  const VoxelIndex index(volume.grid(), std::move(gone));
+  constexpr double kFurthestMm = 10.0;
+  double least = kFurthestMm;
+  const auto to_gone = [&](const Triangle& t) { return index.distance_mm(middle_of(t), kFurthestMm); };
+  (void)cut_where(volume, [&](const Triangle& t, Tissue) { return (least = std::min(least, to_gone(t))) < 0.0; });
+  return cut_where(volume, [&](const Triangle& t, Tissue) { return to_gone(t) <= least + volume.grid().voxel_mm; });
+}
+
+std::vector<Triangle> faces_in(const Volume& volume, Tissue tissue) {
+  std::vector<Triangle> out = cut_where(volume, [tissue](const Triangle&, Tissue t) { return t == tissue; });
+  return out.empty() ? nearest_to_gone(volume, tissue) : out;
 }
 
 Damaged damage_of_tissue(const Reference& reference, const Volume& volume, const RegionShares& sum, const ProtectedPart& part) {
-  Damaged out{sum.tissue_mm3[index_of(part.tissue)], tissue_sigma_mm3(reference, sum, part.tissue), false, std::nullopt};
+  Damaged out{sum.tissue_mm3[index_of(part.tissue)], tissue_sigma_mm3(reference, sum, part.tissue), false, std::nullopt, {}, {}};
   out.damaged = out.mm3 > out.sigma_mm3;
   if (part.severity != Damage::touch || out.damaged) return out;
   out.at_mm = bare_place(volume, part.tissue);
@@ -103,6 +160,34 @@ std::optional<ProtectedDamage> protected_damage(const Reference& reference, cons
     out.uncertainty_mm3 += one.sigma_mm3;
     out.damaged += one.damaged ? 1 : 0;
     if (one.damaged && !out.at_mm) out.at_mm = one.at_mm;
+  }
+  return out;
+}
+
+std::vector<Triangle> bare_faces(const Volume& volume, Tissue tissue) {
+  std::vector<IVec3> bare;
+  each_bare(volume, tissue, [&](IVec3, IVec3 v) {
+    bare.push_back(v);
+    return false;
+  });
+  const VoxelSet set(volume.grid(), bare);
+  std::vector<Triangle> out = cut_where(volume, [&](const Triangle& t, Tissue of) { return of == tissue || set.has(voxel_under(volume, t)); });
+  return out.empty() ? nearest_to_gone(volume, tissue) : out;
+}
+
+std::vector<Triangle> protected_faces(const Reference& reference, const Volume& volume, const RegionShares& sum, ProtectedMeasure measure) {
+  std::vector<Triangle> out;
+  for (const ProtectedPart& part : reference.protected_parts()) {
+    std::vector<Triangle> faces;
+    if (part.shape) {
+      Damaged one = damage_of_region(reference, volume, part);
+      faces = std::move(measure == ProtectedMeasure::removed ? one.removed_faces : one.damage_faces);
+    } else if (measure == ProtectedMeasure::removed) {
+      if (sum.tissue_mm3[index_of(part.tissue)] > 0.0) faces = faces_in(volume, part.tissue);
+    } else if (damage_of_tissue(reference, volume, sum, part).damaged) {
+      faces = part.severity == Damage::touch ? bare_faces(volume, part.tissue) : faces_in(volume, part.tissue);
+    }
+    out.insert(out.end(), faces.begin(), faces.end());
   }
   return out;
 }

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/volume/volume.h"
+#include "scenarios/metrics/patch_faces.h"
 #include "scenarios/metrics/region_shares.h"
 
 namespace cusp::scenarios {
@@ -26,5 +28,15 @@ struct ProtectedDamage {
 /// `sum`: of all bricks. nullopt where the scenario protects nothing. Walks the cut bricks once for each region, and for each
 /// tissue of severity touch.
 [[nodiscard]] std::optional<ProtectedDamage> protected_damage(const Reference& reference, const Volume& volume, const RegionShares& sum);
+
+enum class ProtectedMeasure : std::uint8_t { removed, damage };
+
+/// The cut surface that the measure is about: in a region or a tissue of which some is gone; of `damage`, where it is damaged at its
+/// severity: of touch also where it lies bare, of depth what is deeper. Where a tissue is gone wholly, the cut surface that lies nearest
+/// to where it stood. Empty where the measure is zero. `sum`: of all bricks. Walks the cut bricks as protected_damage().
+[[nodiscard]] std::vector<Triangle> protected_faces(const Reference& reference, const Volume& volume, const RegionShares& sum, ProtectedMeasure measure);
+
+/// The same of a tissue alone: where the cut went into it, or laid it bare.
+[[nodiscard]] std::vector<Triangle> bare_faces(const Volume& volume, Tissue tissue);
 
 }  // namespace cusp::scenarios

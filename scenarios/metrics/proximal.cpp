@@ -34,6 +34,7 @@ std::size_t side_at(double x) noexcept { return x > 0.0 ? 1 : 0; }
 struct Clear {
   Vec3 at_mm{0.0};
   double mm = 0;
+  Vec3 neighbour_mm{0.0};  // of a clearance: its end
 };
 
 class Proximal {
@@ -45,18 +46,22 @@ class Proximal {
   }
   bool prepared(double x) const noexcept { return prepared_[side_at(x)]; }
   bool any_prepared() const noexcept { return prepared_[0] || prepared_[1]; }
-  /// The least gap between the tooth that is left and a neighbour, on the prepared sides. Pre: any_prepared().
-  MeasuredLength least_gap(double sigma_mm) {
+  /// The least gap between the tooth that is left and a neighbour, on the prepared sides, and the tooth's last voxels
+  /// before it where the contact is not open. Pre: any_prepared().
+  MeasuredLength least_gap(double sigma_mm, std::vector<IVec3>& touching) {
     MeasuredLength out{kContactReachMm, sigma_mm, contact_};
     for (const IVec3 own : facing_) {
       const Vec3 at = volume_.grid().centre_mm(own);
       if (!prepared(at.x) || !volume_.occupied(own)) continue;
-      if (const auto gap = gap_at(at, search_); gap && gap->mm < out.mm) out = {gap->mm, sigma_mm, gap->at_mm};
+      const auto gap = gap_at(at, search_);
+      const double off = gap ? glm::dot(gap->at_mm - at, gap->at_mm - at) : 0.0;
+      if (gap && gap->mm < kOpenContactMm && off <= volume_.grid().voxel_mm * volume_.grid().voxel_mm) touching.push_back(own);
+      if (gap && gap->mm < out.mm) out = {gap->mm, sigma_mm, gap->at_mm};
     }
     return out;
   }
   /// From a place of the margin to the neighbour; nullopt where the tooth itself stands between, or none is near.
-  std::optional<double> clearance(Vec3 from) {
+  std::optional<Clear> clearance(Vec3 from) {
     const Grid& grid = volume_.grid();
     const double far = neighbours_.distance_mm(from, kFurthestNeighbourMm);
     if (far >= kFurthestNeighbourMm) return std::nullopt;
@@ -120,16 +125,17 @@ class Proximal {
   }
   /// Distance to the surface about a place of it: the foot of a perpendicular, in a few steps along the surface. Gums lead from
   /// one tooth to the other: it ends where the surface is no longer the neighbour's.
-  double nearest_from(Vec3 from, Vec3 on) noexcept {
+  Clear nearest_from(Vec3 from, Vec3 on) noexcept {
     const auto length = [](Vec3 v) { return std::sqrt(glm::dot(v, v)); };
-    double best = length(on - from);
+    Clear best{from, length(on - from), on};
     for (int pass = 0; pass < 6; ++pass) {
       const FieldPoint field = cells_.at(volume_, Field::base, on);
       if (!field.known) break;
       on -= field.d_mm * field.normal;
       const double within = 0.5 * volume_.grid().voxel_mm;
       if (!is_neighbour(volume_.tissue(nearest_voxel(volume_.grid(), on - within * field.normal)))) break;
-      if (std::fabs(field.d_mm) < 0.1 * volume_.grid().voxel_mm) best = std::min(best, length(on - from));
+      const bool met = std::fabs(field.d_mm) < 0.1 * volume_.grid().voxel_mm;
+      if (const double mm = length(on - from); met && mm < best.mm) best = {from, mm, on};
       const Vec3 back = from - on;
       on += back - glm::dot(back, field.normal) * field.normal;
     }
@@ -159,15 +165,15 @@ class Proximal {
   std::array<bool, 2> prepared_{};  // [side]
 };
 
-std::optional<MeasuredLength> least_of(const std::vector<Clear>& all, double low, double high, double sigma) {
-  std::optional<MeasuredLength> out;
+std::optional<Clearance> least_of(const std::vector<Clear>& all, double low, double high, double sigma) {
+  std::optional<Clearance> out;
   for (const Clear& one : all)
-    if (one.at_mm.z >= low && one.at_mm.z <= high && (!out || one.mm < out->mm)) out = MeasuredLength{one.mm, sigma, one.at_mm};
+    if (one.at_mm.z >= low && one.at_mm.z <= high && (!out || one.mm < out->length.mm)) out = Clearance{{one.mm, sigma, one.at_mm}, one.neighbour_mm};
   return out;
 }
 
-std::array<std::optional<MeasuredLength>, 3> by_height(const std::vector<Clear>& all, double sigma) {
-  std::array<std::optional<MeasuredLength>, 3> out;
+std::array<std::optional<Clearance>, 3> by_height(const std::vector<Clear>& all, double sigma) {
+  std::array<std::optional<Clearance>, 3> out;
   if (all.empty()) return out;
   const auto [low, high] = std::ranges::minmax_element(all, {}, [](const Clear& c) { return c.at_mm.z; });
   const double third = (high->at_mm.z - low->at_mm.z) / 3.0;
@@ -246,11 +252,11 @@ ProximalForm proximal_form(const CutFaces& faces, const std::vector<MarginPoint>
   if (!proximal.any_prepared()) return out;
   const double border = kNeighbourVoxels * volume.grid().voxel_mm, place = std::sqrt(2.0) * reference.point_sigma_mm();
   const double sigma = std::sqrt(border * border + place * place);
-  out.contact_gap = proximal.least_gap(sigma);
+  out.contact_gap = proximal.least_gap(sigma, out.touching);
   std::map<FaceName, std::vector<Clear>> clear;
   for (const auto& [m, face] : named) {
     if (!proximal.prepared(m.at_mm.x) || m.out.x * (m.at_mm.x > 0.0 ? 1.0 : -1.0) < kProximalCosine) continue;
-    if (const auto mm = proximal.clearance(m.at_mm)) clear[face].push_back({m.at_mm, *mm});
+    if (const auto found = proximal.clearance(m.at_mm)) clear[face].push_back(*found);
   }
   out.buccal = by_height(clear[FaceName::buccal_wall], sigma);
   out.lingual = by_height(clear[FaceName::lingual_wall], sigma);
@@ -272,10 +278,11 @@ void add_proximal(const CutFaces& faces, const std::vector<MarginPoint>& margin,
     if (one) out.push_back({std::move(key), true, one->mm, one->uncertainty_mm, "mm", one->at_mm});
     else out.push_back(not_measured(std::move(key), "mm"));
   };
+  const auto length_of = [](const std::optional<Clearance>& one) { return one ? std::optional(one->length) : std::nullopt; };
   constexpr std::array<const char*, 3> kHeights = {"gingival", "middle", "occlusal"};
-  for (std::size_t i = 0; i < 3; ++i) add(std::string("clearance_buccal_") + kHeights[i], form.buccal[i]);
-  for (std::size_t i = 0; i < 3; ++i) add(std::string("clearance_lingual_") + kHeights[i], form.lingual[i]);
-  add("clearance_gingival", form.gingival);
+  for (std::size_t i = 0; i < 3; ++i) add(std::string("clearance_buccal_") + kHeights[i], length_of(form.buccal[i]));
+  for (std::size_t i = 0; i < 3; ++i) add(std::string("clearance_lingual_") + kHeights[i], length_of(form.lingual[i]));
+  add("clearance_gingival", length_of(form.gingival));
   add("gingival_floor_mesiodistal", form.floor_mesiodistal);
 }
 

@@ -33,10 +33,17 @@ inline constexpr double kContactReachMm = 0.2;
 
 enum class Height : std::uint8_t { gingival, middle, occlusal };
 
+/// From a place of the margin to the neighbour's surface.
+struct Clearance {
+  MeasuredLength length;
+  Vec3 neighbour_mm{0.0};  // where it ends
+};
+
 struct ProximalForm {
   std::optional<MeasuredLength> contact_gap;  // least gap between the teeth; kContactReachMm where they stand further apart
-  std::array<std::optional<MeasuredLength>, 3> buccal, lingual;  // by Height
-  std::optional<MeasuredLength> gingival;
+  std::vector<IVec3> touching;  // the tooth's last voxels before a gap below kOpenContactMm, on the prepared sides
+  std::array<std::optional<Clearance>, 3> buccal, lingual;  // by Height
+  std::optional<Clearance> gingival;
   std::optional<MeasuredLength> floor_mesiodistal;
 };
 

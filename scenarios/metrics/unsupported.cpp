@@ -118,8 +118,9 @@ class Flood {
       for (int i = 0; i < 27; ++i) visit(waiting_[next] + IVec3(i % 3, i / 3 % 3, i / 9) - 1);
     const double voxel = volume_.grid().voxel_mm;
     constexpr double kWhole = kAlongVoxel * kAlongVoxel * kAlongVoxel;
-    UnsupportedEnamel out{places_ * voxel * voxel * voxel / kWhole, borders_ * voxel * voxel * voxel, std::nullopt};
+    UnsupportedEnamel out{places_ * voxel * voxel * voxel / kWhole, borders_ * voxel * voxel * voxel, std::nullopt, {}};
     if (!waiting_.empty()) out.at_mm = volume_.grid().centre_mm(waiting_.front());
+    out.voxels = std::move(waiting_);
     return out;
   }
 

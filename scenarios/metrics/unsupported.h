@@ -21,6 +21,7 @@ inline constexpr double kCarrierMm = 0.1;
 struct UnsupportedEnamel {
   double mm3 = 0, uncertainty_mm3 = 0;  // 95 %: the rods' direction, the junction and the cut face
   std::optional<Vec3> at_mm;            // some of it, next to the cut
+  std::vector<IVec3> voxels;            // that hold some of it
 };
 
 /// Some tenths of a second for a molar at 0.1 mm. nullopt where one of the needs is missing.

@@ -10,41 +10,6 @@
 namespace cusp::test {
 namespace {
 
-/// A slot through enamel into a ball of dentine, and a groove beneath the enamel about it. Rods are the ball's radii.
-struct UndercutSlot {
-  double half_x = 0.7, half_y = 0.5, depth = 2.0, groove = 0.2, x = 1.0;
-  static constexpr Vec3 kMiddleMm{1, 0, -5};
-  static constexpr double kBallMm = 3.5;
-
-  static double dentine(Vec3 p) { return ball_distance(p, kMiddleMm, kBallMm); }
-  static Tissue tissue(Vec3 p) { return neighbour(p) < own_tooth(p) ? kNeighbourEnamel : dentine(p) < 0.0 ? Tissue::dentine : Tissue::enamel; }
-
-  bool removed(Vec3 p) const { return distance(p) < 0.0; }
-  double distance(Vec3 p) const {
-    const auto slot = [&](double more) { return std::max({std::fabs(p.x - x) - half_x - more, std::fabs(p.y) - half_y - more, -depth - p.z}); };
-    return std::min(slot(0.0), std::max(slot(groove), dentine(p)));
-  }
-  bool unsupported(Vec3 p) const {
-    const Vec3 out = p - kMiddleMm;
-    const double radius = glm::length(out);
-    for (double mm = kBallMm - kCarrierMm; mm < radius; mm += 0.02)
-      if (removed(kMiddleMm + mm / radius * out)) return true;
-    return false;
-  }
-  double unsupported_mm3() const {
-    constexpr double kStep = 0.04;
-    double sum = 0;
-    for (double px = -1.0; px < 3.0; px += kStep)
-      for (double py = -1.6; py < 1.6; py += kStep)
-        for (double pz = -depth; pz < 0.0; pz += kStep) {
-          const Vec3 p = Vec3(px, py, pz) + 0.5 * kStep;
-          const bool enamel = own_tooth(p) < 0.0 && dentine(p) >= 0.0;
-          if (enamel && !removed(p) && unsupported(p)) sum += kStep * kStep * kStep;
-        }
-    return sum;
-  }
-};
-
 TEST(Unsupported, EnamelOverAKnownGrooveIsWithinItsUncertainty) {
   constexpr std::uint64_t kSeed = 43;
   for (const double voxel_mm : known_voxels()) {
@@ -64,19 +29,6 @@ TEST(Unsupported, EnamelOverAKnownGrooveIsWithinItsUncertainty) {
     expect_known(voxel_mm, rows);
   }
 }
-
-/// A ball of soft caries in the dentine, firm for its outer 0.3 mm, under the middle of the tooth's top.
-struct Lesion {
-  Vec3 at{1.0, 0.0, -1.2};
-  double radius = 0.9;
-  Tissue operator()(Vec3 p) const {
-    const Tissue sound = tissue_at(p);
-    const double d = ball_distance(p, at, radius);
-    if (d >= 0.0 || sound == kNeighbourEnamel) return sound;
-    if (sound == Tissue::enamel) return Tissue::carious_enamel;
-    return d > -0.3 ? kFirmCariousDentine : Tissue::carious_dentine;
-  }
-};
 
 std::map<std::string, double> caries_truth(const Lesion& lesion, double cut_z) {
   std::map<std::string, double> out = {{"caries_left_periphery", 0}, {"caries_left_pulp", 0}, {"caries_left_pulp_firm", 0}};
