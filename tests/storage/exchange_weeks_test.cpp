@@ -119,8 +119,11 @@ class Weeks {
     if (known.empty()) return;
     const UserId who = one_of(known);
     const auto assigned = must(store.assignments.for_student(who));
-    NewSession wanted = new_session(must(store.accounts.find(who)), keep(store, small_scenario(), "{\"id\":" + std::to_string(100 + draw(9)) + "}"));
-    if (!assigned.empty() && one_in(2)) {
+    NewSession wanted = new_session(must(store.accounts.find(who)), {});
+    const std::string own = "{\"id\":" + std::to_string(100 + draw(9)) + "}";
+    if (assigned.empty() || !one_in(2)) {
+      wanted.version = keep(store, small_scenario(), own).id;  // a version without an attempt is in no file
+    } else {
       const Assignment& a = one_of(assigned);
       wanted.version = a.version;
       wanted.assignment = a.id;
