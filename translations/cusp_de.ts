@@ -8327,6 +8327,14 @@
             <numerusform>Selbsteinschätzung: %1 von 100 bei %n eingeschätzten Kriterien, gemessen %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A volume from a file</source>
+        <translation>Ein Volumen aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Time, force and heat are not measured</source>
+        <translation>Zeit, Kraft und Wärme sind nicht gemessen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>

@@ -15,6 +15,12 @@ FIELDS = ["session", "scenario", "student", "hand", "engine", "device", "duratio
 BANDS = {"fail_lo": 0, "acc_lo": 0, "ideal_lo": 0, "ideal_hi": 1, "acc_hi": 2, "fail_hi": 3}
 
 
+def papers(folder):
+    for name, begin in (("report.pdf", b"%PDF-"), ("tooth.png", b"\x89PNG\r\n\x1a\n")):
+        with open(os.path.join(folder, name), "rb") as f:
+            check(f.read(len(begin)) == begin, f"{name} is no {name[-3:].upper()}")
+
+
 def short(scenario):
     """A third of the channel at half its depth: half a minute of session instead of two."""
     scenario["target"]["paths"] = [[[-1, 0, -1], [1, 0, -1]]]
@@ -45,10 +51,7 @@ with Desk(sys.argv[1]) as desk:
                 check(report["passed"] == passes, f"{scenario}: the {operator} should {'pass' if passes else 'fail'}")
             check(passes or report["score"] < expert, f"{scenario}: the novice is as good as the expert")
             expert = report["score"]
-            with open(os.path.join(out_dir, "report.pdf"), "rb") as f:
-                check(f.read(5) == b"%PDF-", "report.pdf is a PDF")
-            with open(os.path.join(out_dir, "tooth.png"), "rb") as f:
-                check(f.read(8) == b"\x89PNG\r\n\x1a\n", "tooth.png is a PNG")
+            papers(out_dir)
             proof = desk.json("replay", "--verify", database, session)
             check(proof["holds"] and proof["volume_equal"] and proof["grade_equal"], str(proof))
             check(proof["volume_hash"] == report["volume_hash"], "the replay's tooth is the report's")
@@ -73,6 +76,7 @@ with Desk(sys.argv[1]) as desk:
     check(status == 0 and "points" in out and err == "", f"grade --volume: {status} {out} {err}")
     with open(desk.path("of file", "report.json"), encoding="utf-8") as f:
         check(json.load(f) == of_file, "report.json is what --json prints")
+    papers(desk.path("of file"))
     # Cut along a path without a session: the expert's result without its hand.
     started = time.monotonic()
     status, out, err = desk.run("grade", scenario, "--operator", "reference", "--out", desk.path("reference"))
@@ -83,8 +87,7 @@ with Desk(sys.argv[1]) as desk:
     check(reference["hand"] == "reference" and reference["passed"], str(reference))
     check([c["id"] for c in reference["criteria"] if not c["measured"] and c["id"] not in ("time", "force_peak", "force_mean")] == [],
           str(reference))
-    with open(desk.path("reference", "tooth.png"), "rb") as f:
-        check(f.read(8) == b"\x89PNG\r\n\x1a\n", "tooth.png is a PNG")
+    papers(desk.path("reference"))
     check(desk.json("grade", scenario, "--operator", "novice")["score"] < reference["score"], "the novice's cuts are worse")
     deep = desk.json("grade", scenario, "--operator", "too_deep:large")
     check(deep["hand"] == "too_deep:large" and deep["score"] < reference["score"], "a single fault costs points")

@@ -1,5 +1,6 @@
 #include "ui/cli/grade_volume.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -63,7 +64,6 @@ std::map<std::string, std::vector<std::byte>> files_beside(const LoadedScenario&
 }
 
 std::filesystem::path report_of(const std::string& folder) { return std::filesystem::path(folder) / "report.json"; }
-std::filesystem::path picture_of(const std::string& folder) { return std::filesystem::path(folder) / "tooth.png"; }
 
 std::string report_of(const LoadedScenario& loaded, const SessionResult& result) {
   ReportHead head;
@@ -120,8 +120,7 @@ Result<Cut, Message> cut_of_file(const std::string& file, const Scenario& scenar
 int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   const bool cuts = !o.operator_name.empty();
   std::vector<std::filesystem::path> outputs = {json.file};
-  if (!o.out.empty()) outputs.push_back(report_of(o.out));
-  if (!o.out.empty() && cuts) outputs.push_back(picture_of(o.out));
+  if (!o.out.empty()) std::ranges::copy(report_files_in(o.out), std::back_inserter(outputs));
   if (const auto no = refuse_outputs(outputs)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
@@ -145,7 +144,7 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   const std::string text = report_of(*loaded, result);
   if (!o.out.empty()) {
     if (!writable_folder(o.out) || !write_whole(report_of(o.out), text)) return failed(cannot_write(report_of(o.out)));
-    if (auto drawn = cuts ? write_tooth(picture_of(o.out), result) : Result<void, Message>{}; !drawn) return failed(drawn.error());
+    if (auto written = write_paper(o.out, gather_report(result, nullptr, nullptr)); !written) return failed(written.error());
   }
   if (!json.write(nlohmann::ordered_json::parse(text))) return kFailed;
   if (json.on_stdout()) return kDone;

@@ -61,15 +61,14 @@ Result<void, Message> write_report_files(const std::filesystem::path& folder, co
     return std::unexpected(cannot_write(folder / "report.json"));
   }
   const Actor reader = student.actor();
-  const ReportData data = gather_report(result, &store, &reader);
-  const DrawnTooth tooth = draw_report_tooth(result, order_for_paper(data, kPictureSidePx));
+  return write_paper(folder, gather_report(result, &store, &reader));
+}
+
+Result<void, Message> write_paper(const std::filesystem::path& folder, const ReportData& data) {
+  const DrawnTooth tooth = draw_report_tooth(data.result, order_for_paper(data, kPictureSidePx));
   const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth);
   if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf"));
   return write_picture(folder / "tooth.png", tooth);
-}
-
-Result<void, Message> write_tooth(const std::filesystem::path& file, const SessionResult& result) {
-  return write_picture(file, draw_report_tooth(result, {.side_px = kPictureSidePx}));
 }
 
 }  // namespace cusp::ui

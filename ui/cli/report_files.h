@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/report/report_data.h"
 #include "ui/report/report_text.h"
 #include "ui/session/exercise_session.h"
 #include "ui/text/failure_text.h"
@@ -30,7 +31,7 @@ std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& 
 Result<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
                                          const Account& student);
 
-/// The tooth of an attempt that nobody recorded. Needs a QGuiApplication.
-Result<void, Message> write_tooth(const std::filesystem::path& file, const SessionResult& result);
+/// report.pdf and tooth.png alone. Needs a QGuiApplication.
+Result<void, Message> write_paper(const std::filesystem::path& folder, const ReportData& data);
 
 }  // namespace cusp::ui

@@ -191,6 +191,7 @@ std::vector<Advice> next_time(const ReportData& data) {
 
 QString occasion_text(const ReportData& data) {
   if (cut_at_once(data.result)) return operator_name(data.result.operator_name);
+  if (of_a_file(data.result)) return ReportText::tr("A volume from a file");
   if (data.attempt == 0) return ReportText::tr("Nothing of this attempt is kept");
   return ReportText::tr("%1 · %2, attempt %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.attempt);
 }
@@ -199,6 +200,7 @@ QString circumstances_text(const ReportData& data) {
   if (cut_at_once(data.result)) {
     return ReportText::tr("%1, its cuts made at once: time, force and heat are not measured").arg(operator_name(data.result.operator_name));
   }
+  if (of_a_file(data.result)) return ReportText::tr("Time, force and heat are not measured");
   QStringList parts;
   parts += ReportText::tr("%1 min").arg(format_clock(data.result.seconds));
   if (data.peak_push_n) parts += ReportText::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));

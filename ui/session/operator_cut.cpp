@@ -26,4 +26,8 @@ bool cut_at_once(const SessionResult& result) {
   return result.session.is_nil() && result.seconds == 0 && !result.operator_name.empty() && result.operator_name != kUserOperator;
 }
 
+bool of_a_file(const SessionResult& result) {
+  return result.session.is_nil() && result.seconds == 0 && result.operator_name.empty();
+}
+
 }  // namespace cusp::ui

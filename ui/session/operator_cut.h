@@ -24,5 +24,7 @@ enum class OperatorCutError : std::uint8_t {
 
 /// The result is of cut_by_operator(): its seconds and its device mean nothing.
 [[nodiscard]] bool cut_at_once(const SessionResult& result);
+/// Whether the volume comes from a file: nobody cut it here, and nothing of the way is known.
+[[nodiscard]] bool of_a_file(const SessionResult& result);
 
 }  // namespace cusp::ui
