@@ -165,7 +165,7 @@ QString critical_circumstances(const ReportData& data, const CriticalEvent& even
     if (in_use != data.burs.end() && in_use->bur < burs.size()) parts += ReportText::tr("Bur %1").arg(bur_text(burs[in_use->bur]));
   }
   const TargetShape shape(data.result.scenario.target);
-  if (event.place_mm && shape.has_plane())
+  if (event.place_mm && shape.has_plane() && event.place_mm->z < shape.top_mm())  // a neighbour's crown lies above
     parts += ReportText::tr("%1 deep").arg(format({shape.top_mm() - event.place_mm->z, std::nullopt, u"mm"_qs, 1}));
   return parts.join(ReportText::tr(", "));
 }
@@ -176,7 +176,7 @@ std::vector<Advice> next_time(const ReportData& data) {
     const QString how = critical_circumstances(data, event);
     out.push_back({critical_text(event, data.result.scenario.specimen),
                    ReportText::tr("This fails the attempt, whatever its points.") + (how.isEmpty() ? how : u' ' + how + u'.'),
-                   critical_advice(event.key), event.place_mm, true});
+                   critical_advice(event.key), event.place_mm, true, event.key});
   }
   const Grade& grade = data.result.grade;
   for (const LossReason& reason : loss_reasons(grade)) {

@@ -61,7 +61,7 @@ struct Advice {
   QString why, what_to_do;       // one sentence each, or empty
   std::optional<Vec3> place_mm;  // where on the tooth
   bool grave = false;            // a critical event, or a loss of more than half of the points
-  std::string metric{};          // of the criterion; empty for a critical event
+  std::string metric{};          // of the criterion, or the key of the critical event: its patch is painted
 };
 /// Critical events first, then the largest losses. Leaves out criteria that count only with the target; counted_text() names them
 /// in one sentence.

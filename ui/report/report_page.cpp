@@ -136,7 +136,7 @@ void ReportPage::choose_first() {
   }
   if (const auto opened = std::ranges::find_if(data_.critical, [](const CriticalEvent& e) { return e.place_mm.has_value(); });
       opened != data_.critical.end()) {
-    tooth_->pin(opened->place_mm, critical_text(*opened, data_.result.scenario.specimen), critical_advice(opened->key));
+    tooth_->pin(opened->place_mm, critical_text(*opened, data_.result.scenario.specimen), critical_advice(opened->key), opened->key);
   }
 }
 
