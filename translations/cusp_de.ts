@@ -12152,6 +12152,71 @@ Ihr bester davor</translation>
         <source>not met</source>
         <translation>nicht erfüllt</translation>
     </message>
+    <message>
+        <source>too deep</source>
+        <translation>zu tief</translation>
+    </message>
+    <message>
+        <source>too shallow</source>
+        <translation>zu flach</translation>
+    </message>
+    <message>
+        <source>too wide</source>
+        <translation>zu weit</translation>
+    </message>
+    <message>
+        <source>a tilted wall</source>
+        <translation>eine schräge Wand</translation>
+    </message>
+    <message>
+        <source>undermined enamel</source>
+        <translation>unterminierter Schmelz</translation>
+    </message>
+    <message>
+        <source>a rough floor</source>
+        <translation>ein rauer Boden</translation>
+    </message>
+    <message>
+        <source>a thin marginal ridge</source>
+        <translation>eine dünne Randleiste</translation>
+    </message>
+    <message>
+        <source>an opened pulp</source>
+        <translation>eine eröffnete Pulpa</translation>
+    </message>
+    <message>
+        <source>a nicked neighbour</source>
+        <translation>ein verletzter Nachbarzahn</translation>
+    </message>
+    <message>
+        <source>a contact left closed</source>
+        <translation>ein geschlossener Kontakt</translation>
+    </message>
+    <message>
+        <source>caries left at the periphery</source>
+        <translation>Karies am Rand belassen</translation>
+    </message>
+    <message>
+        <source>sound tissue excavated</source>
+        <translation>gesundes Gewebe exkaviert</translation>
+    </message>
+    <message>
+        <source>the wrong bur</source>
+        <translation>der falsche Bohrer</translation>
+    </message>
+    <message>
+        <source>a trembling hand</source>
+        <translation>eine zitternde Hand</translation>
+    </message>
+    <message>
+        <source>cutting without water</source>
+        <translation>Bohren ohne Wasser</translation>
+    </message>
+    <message>
+        <source>Reference operator with one fault: %1, %2</source>
+        <extracomment>%1: a fault (&quot;too deep&quot;), %2: its size (&quot;0.9 mm&quot;)</extracomment>
+        <translation>Referenzbediener mit einem Fehler: %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>

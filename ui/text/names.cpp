@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "device/catalogue.h"
+#include "scenarios/operators/single_fault.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
@@ -68,7 +69,42 @@ QString level_and_time_text(const Scenario& scenario) {
   return time.isEmpty() ? level : Text::tr("%1, %2").arg(level, time);
 }
 
+namespace {
+
+QString fault_name(SingleFault fault) {
+  switch (fault) {
+    case SingleFault::too_deep: return Text::tr("too deep");
+    case SingleFault::too_shallow: return Text::tr("too shallow");
+    case SingleFault::too_wide: return Text::tr("too wide");
+    case SingleFault::tilted_wall: return Text::tr("a tilted wall");
+    case SingleFault::undermined: return Text::tr("undermined enamel");
+    case SingleFault::rough_floor: return Text::tr("a rough floor");
+    case SingleFault::thin_ridge: return Text::tr("a thin marginal ridge");
+    case SingleFault::exposed_pulp: return Text::tr("an opened pulp");
+    case SingleFault::nicked_neighbour: return Text::tr("a nicked neighbour");
+    case SingleFault::contact_closed: return Text::tr("a contact left closed");
+    case SingleFault::caries_left: return Text::tr("caries left at the periphery");
+    case SingleFault::over_excavated: return Text::tr("sound tissue excavated");
+    case SingleFault::wrong_bur: return Text::tr("the wrong bur");
+    case SingleFault::tremor: return Text::tr("a trembling hand");
+    case SingleFault::dry_cutting: return Text::tr("cutting without water");
+  }
+  return {};
+}
+
+/// "0.90 mm", "16°", "12 s".
+QString amount_text(const SizedFault& fault) {
+  const SingleFaultRow& row = single_faults()[static_cast<std::size_t>(fault.fault)];
+  return format({fault.amount(), std::nullopt, text(std::string(row.unit)), row.unit == "mm" ? 2 : 0});
+}
+
+}  // namespace
+
 QString operator_name(const std::string& key) {
+  if (const auto fault = sized_fault_by_name(key)) {
+    //: %1: a fault ("too deep"), %2: its size ("0.9 mm")
+    return Text::tr("Reference operator with one fault: %1, %2").arg(fault_name(fault->fault), amount_text(*fault));
+  }
   if (key == "reference" || key == "expert") return Text::tr("Reference operator");
   if (key == "competent") return Text::tr("Competent operator");
   if (key == "novice") return Text::tr("Novice operator");

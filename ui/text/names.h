@@ -24,7 +24,7 @@ QString level_name(Level level);
 QString expected_time_text(double seconds);
 /// "Beginner, 15 min": what an exercise states of both; empty if neither.
 QString level_and_time_text(const Scenario& scenario);
-/// "Reference operator" of a scripted one; the key itself of any other.
+/// "Reference operator" of a scripted one, with its fault if it makes one; the key itself of any other.
 QString operator_name(const std::string& key);
 QString device_name(const std::string& device_class);
 /// "Falcon, Inverse3".

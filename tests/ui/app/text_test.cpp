@@ -7,6 +7,7 @@
 #include <set>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/operators/single_fault.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/text/failure_text.h"
@@ -38,6 +39,19 @@ TEST(Sentences, every_code_of_every_module_has_text) {
   for (int i = 0; i <= static_cast<int>(SessionError::specimen_changed); ++i) {
     EXPECT_FALSE(describe(SessionFailure{static_cast<SessionError>(i), "place"}).what.isEmpty());
   }
+}
+
+TEST(Sentences, an_operator_with_one_fault_is_named_with_the_fault_and_its_size) {
+  std::set<QString> names;
+  for (const SingleFaultRow& row : single_faults())
+    for (const FaultSize size : {FaultSize::small, FaultSize::medium, FaultSize::large}) {
+      const QString name = operator_name(key_of(SizedFault{row.fault, size}));
+      EXPECT_FALSE(name.contains(u'_')) << name.toStdString();
+      names.insert(name);
+    }
+  EXPECT_EQ(names.size(), 3 * single_faults().size());
+  EXPECT_TRUE(operator_name("too_deep:large").startsWith(QStringLiteral("Reference operator with one fault: too deep, ")));
+  EXPECT_EQ(operator_name("somebody").toStdString(), "somebody");
 }
 
 TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
