@@ -1,5 +1,5 @@
 // The report's camera sees the place where points were lost. An id buffer, drawn here without OpenGL and without blending, counts
-// the pixels of the surface about the place: what the tooth and its surroundings leave of it.
+// the pixels of the surface about the place: what the tooth and its surroundings leave of it. And what is painted there lies there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "scenarios/grading/grader.h"
 #include "scenarios/library/library.h"
+#include "scenarios/metrics/evidence_patch.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/metrics/reference.h"
 #include "scenarios/operators/fault_cut.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr double kRegionMm = 0.5;    // about a place: what its ring in the report surrounds
 constexpr double kLeastUnhidden = 0.2;  // of the region's pixels when nothing hides it
 constexpr double kLeastSurface = 0.2;   // of its surface, slant included, at the places of the quick test
+constexpr double kBesidePatchMm = 2.5;  // a lesion's place lies in the lesion, its patch on the surface
 constexpr int kSidePx = 400;
 
 struct Triangle {
@@ -114,7 +116,7 @@ class Faulty {
  public:
   explicit Faulty(Scenario scenario)
       : scenario_(std::move(scenario)), specimen_(Specimen::build(*make_specimen(scenario_.specimen, {}), reading_of(scenario_.method))),
-        against_(scenario_, specimen_), plan_(plan_target(scenario_, *specimen_)) {
+        against_(std::make_shared<const Reference>(scenario_, specimen_)), plan_(plan_target(scenario_, *specimen_)) {
     if (const auto scenery = scenery_of(scenario_.specimen))
       for (const BakedPatch& patch : scenery->patches()) beside_.put(patch);
   }
@@ -122,19 +124,22 @@ class Faulty {
   std::optional<int> expect_places_shown(SizedFault fault, double least_surface) const {
     const auto cut = fault_cut(fault, scenario_, *specimen_, plan_);
     if (!cut) return std::nullopt;
-    Volume volume(specimen_);
-    if (!cut_along(*cut, volume)) return std::nullopt;
+    const auto whole = std::make_shared<Volume>(specimen_);
+    if (!cut_along(*cut, *whole)) return std::nullopt;
+    const Volume& volume = *whole;
+    const EvidencePatches patches(against_, whole);
     PatchStore tooth;
     for (BakedPatch& patch : PatchFeed::build_mesh(volume, {}).patches) tooth.put(std::move(patch));
     std::vector<Triangle> triangles;
     add_triangles(tooth, triangles);
     const std::size_t of_tooth = triangles.size();
     add_triangles(beside_, triangles);
-    const std::vector<Measure> measures = measure(against_, volume, Process::lasting(1.0 + cut->dry_s, cut->dry_s));
+    const std::vector<Measure> measures = measure(*against_, volume, Process::lasting(1.0 + cut->dry_s, cut->dry_s));
     int places = 0;
     for (const CriterionGrade& one : grade(scenario_, measures).criteria) {
       if (one.points > one.points_max - 0.01 || !one.measure.where_mm) continue;
       ++places;
+      expect_patch(patches, one, scenarios::key_of(fault));
       const Camera from = Camera::about(*one.measure.where_mm, 6.0);  // about a crown, as the report's
       const Camera to = look_at_place(from, {&tooth, &beside_}, *one.measure.where_mm);
       const Shown shown = shown_of(to, triangles, of_tooth, *one.measure.where_mm);
@@ -146,9 +151,21 @@ class Faulty {
   }
 
  private:
+  /// Of a measure of tissue that found something.
+  void expect_patch(const EvidencePatches& patches, const CriterionGrade& lost, const std::string& fault) const {
+    const Measure& m = lost.measure;
+    if (!TissuePatches::has(lost.id) || !m.measured || (m.value <= 0.0 && lost.id != "contact_broken")) return;
+    const EvidencePatch patch = patches.of(lost.id);
+    double far = 1e9;
+    for (const auto& triangle : patch.triangles)
+      for (const Vec3 corner : triangle) far = std::min(far, glm::length(corner - *m.where_mm));
+    for (const auto& line : patch.lines) far = std::min(far, glm::length(line[0] - *m.where_mm));
+    EXPECT_LE(far, kBesidePatchMm) << scenario_.key << ' ' << fault << ' ' << lost.id << ": " << m.value;
+  }
+
   Scenario scenario_;
   std::shared_ptr<const Specimen> specimen_;
-  Reference against_;
+  std::shared_ptr<const Reference> against_;
   Plan plan_;
   PatchStore beside_;
 };
