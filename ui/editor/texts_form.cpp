@@ -122,8 +122,7 @@ void TextsForm::make_add(QVBoxLayout& column) {
     const QString code = add_->itemData(row).toString();
     add_->setCurrentIndex(0);
     if (code.isEmpty()) return;
-    if (!shown_languages().contains(code)) added_ += code;
-    fit_sections();
+    fit_sections(code);
     for (const auto& section : sections_)
       if (section->code == code) section->title->setFocus();
   });
@@ -135,20 +134,15 @@ QStringList TextsForm::wanted_languages() const {
   const Scenario& s = model_.scenario();
   for (const LocalText* texts : {&s.title, &s.briefing})
     for (const auto& [code, text] : *texts) out += QString::fromStdString(code);
-  out += added_;
-  out.removeDuplicates();
+  out += shown_languages();  // a cleared text may be typed anew
   return out;
 }
 
 /// Fields that stay keep their focus and what is typed in them.
-void TextsForm::fit_sections() {
-  const QStringList wanted = wanted_languages();
-  std::erase_if(sections_, [&](const auto& section) {
-    if (wanted.contains(section->code)) return false;
-    section->whole->hide();
-    section->whole->deleteLater();
-    return true;
-  });
+void TextsForm::fit_sections(const QString& also) {
+  QStringList wanted = wanted_languages();
+  if (!also.isEmpty()) wanted += also;
+  wanted.removeDuplicates();
   for (qsizetype i = 0; i < wanted.size(); ++i) {
     const auto at = std::ranges::find(sections_, wanted[i], [](const auto& section) { return section->code; });
     if (at != sections_.end()) continue;
@@ -161,9 +155,13 @@ void TextsForm::fit_sections() {
 }
 
 void TextsForm::remove(const QString& code) {
-  added_.removeAll(code);
   model_.remove_language(code.toStdString());
-  follow_model();
+  std::erase_if(sections_, [&](const auto& section) {
+    if (section->code != code) return false;
+    section->whole->hide();
+    section->whole->deleteLater();
+    return true;
+  });
 }
 
 void TextsForm::make_level_and_time(QVBoxLayout& column) {

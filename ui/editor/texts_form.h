@@ -16,7 +16,7 @@ namespace cusp::ui {
 
 class NumberBox;
 
-/// English, which every exercise has, then the languages that Cusp speaks, then those that the exercise has or that were added here.
+/// Languages that Cusp speaks, then those that the exercise has or that were added here. The fields of one go when it is removed.
 class TextsForm : public QWidget {
   Q_OBJECT
 
@@ -32,14 +32,14 @@ class TextsForm : public QWidget {
   void make_level_and_time(QVBoxLayout& column);
   std::unique_ptr<Section> make_section(const QString& code);
   QStringList wanted_languages() const;
-  void fit_sections();
+  /// `also`: a language that has no text yet.
+  void fit_sections(const QString& also = {});
   void remove(const QString& code);
   void follow_model();
 
   EditorModel& model_;
   QVBoxLayout* texts_ = nullptr;
   std::vector<std::unique_ptr<Section>> sections_;
-  QStringList added_;  // still without a text
   QComboBox *add_ = nullptr, *level_ = nullptr;
   NumberBox* expected_ = nullptr;  // minutes
 };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -100,6 +101,7 @@ TEST_F(TextsInLanguages, one_of_a_file_has_fields_and_goes_as_one_step_that_is_u
   auto* away = remove_button(name);
   ASSERT_NE(away, nullptr);
   away->click();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   EXPECT_FALSE(form->shown_languages().contains(QStringLiteral("pt_BR")));
   EXPECT_FALSE(model->scenario().title.contains("pt_BR"));
   EXPECT_EQ(model->stack().count(), 1);
@@ -107,6 +109,19 @@ TEST_F(TextsInLanguages, one_of_a_file_has_fields_and_goes_as_one_step_that_is_u
   EXPECT_EQ(model->scenario(), start.draft);
   ASSERT_TRUE(form->shown_languages().contains(QStringLiteral("pt_BR")));
   EXPECT_EQ(field<QLineEdit>(QStringLiteral("Title, %1").arg(name))->text(), QStringLiteral("Canal reto"));
+}
+
+TEST_F(TextsInLanguages, the_fields_of_a_file_s_language_stay_while_its_text_is_typed_anew) {
+  start.draft.title["fr"] = "Canal";
+  open();
+  auto* title = field<QLineEdit>(QStringLiteral("Title, Français"));
+  ASSERT_NE(title, nullptr);
+  title->selectAll();
+  QTest::keyClick(title, Qt::Key_Delete);
+  EXPECT_FALSE(model->scenario().title.contains("fr"));
+  ASSERT_EQ(field<QLineEdit>(QStringLiteral("Title, Français")), title);
+  QTest::keyClicks(title, QStringLiteral("Fissure"));
+  EXPECT_EQ(model->scenario().title.at("fr"), "Fissure");
 }
 
 TEST_F(TextsInLanguages, every_language_of_the_list_may_stand_in_an_exercise) {
