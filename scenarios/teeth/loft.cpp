@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenarios/teeth/power.h"
+
 namespace cusp::scenarios {
 namespace {
 
@@ -18,6 +20,25 @@ double raised(std::vector<Knot>& knots, double least) {
 }
 /// Weight of one side's features: nothing at the middle of the tooth, all from half way out.
 double side_weight(double w) noexcept { return w <= 0.05 ? 0.0 : w >= 0.5 ? 1.0 : smoothstep(0.05, 0.5, w); }
+
+/// (|u|^n + |v|^n)^(1/n) at two places, and its slopes by |u| and |v| at the first.
+struct Ellipses {
+  Ellipses(Pair u, Pair v, Pair n) noexcept {
+    const Pair au{off_axis(u[0]), off_axis(u[1])}, av{off_axis(v[0]), off_axis(v[1])};
+    const Pair un = power(au, n), vn = power(av, n), sum = un + vn;
+    g = power(sum, 1.0 / n);
+    gu = un[0] / au[0] * g[0] / sum[0];
+    gv = vn[0] / av[0] * g[0] / sum[0];
+  }
+  Pair g;
+  double gu, gv;
+
+ private:
+  static double off_axis(double x) noexcept { return std::max(std::fabs(x), 1e-9); }
+};
+
+/// A round end: `cap` grows from 0 where it begins to 1 at the end.
+double capped(double g, double cap) noexcept { return cap > 0.0 ? std::sqrt(g * g + cap * cap) : g; }
 
 }  // namespace
 
@@ -44,41 +65,25 @@ Loft::Loft(const LoftTable& t, double top_z, double top_cap_mm) : Loft(t, 0.0) {
   high_cap_ = top_cap_mm;
 }
 
-Loft::Value Loft::value(Vec3 p) const noexcept {
-  const double px = p.x - cx_.at(p.z), py = p.y - cy_.at(p.z);
-  const double irx = 1.0 / rx_.at(p.z), iry = 1.0 / ry_.at(p.z);
-  const double u = (cos_ * px + sin_ * py) * irx, v = (cos_ * py - sin_ * px) * iry;
-  const double au = std::max(std::fabs(u), 1e-9), av = std::max(std::fabs(v), 1e-9);
-  double g, gu, gv;
-  if (exponent_ == 2.0) {
-    g = std::sqrt(au * au + av * av);
-    gu = au / g;
-    gv = av / g;
-  } else {
-    const double un = std::pow(au, exponent_), vn = std::pow(av, exponent_), sum = un + vn;
-    g = std::pow(sum, 1.0 / exponent_);
-    gu = un / au * g / sum;
-    gv = vn / av * g / sum;
-  }
-  gu = std::copysign(gu, u) * irx;
-  gv = std::copysign(gv, v) * iry;
-  Value out{g, cos_ * gu - sin_ * gv, sin_ * gu + cos_ * gv};
-  double t = 0.0;
-  if (low_cap_ > 0.0 && p.z < low_z_ + low_cap_) t = (low_z_ + low_cap_ - p.z) / low_cap_;
-  if (high_cap_ > 0.0 && p.z > high_z_ - high_cap_) t = (p.z - high_z_ + high_cap_) / high_cap_;
-  if (t > 0.0) {
-    out.g = std::sqrt(g * g + t * t);
-    out.dx *= g / out.g;
-    out.dy *= g / out.g;
-  }
+Loft::InPlane Loft::in_plane(Vec3 p) const noexcept {
+  const double x = p.x - cx_.at(p.z), y = p.y - cy_.at(p.z);
+  InPlane out{0, 0, 1.0 / rx_.at(p.z), 1.0 / ry_.at(p.z), 0};
+  out.u = (cos_ * x + sin_ * y) * out.per_rx;
+  out.v = (cos_ * y - sin_ * x) * out.per_ry;
+  if (low_cap_ > 0.0 && p.z < low_z_ + low_cap_) out.cap = (low_z_ + low_cap_ - p.z) / low_cap_;
+  if (high_cap_ > 0.0 && p.z > high_z_ - high_cap_) out.cap = (p.z - high_z_ + high_cap_) / high_cap_;
   return out;
 }
 
 Sided Loft::sided(Vec3 p) const noexcept {
-  const Value here = value(p);
-  const double dz = (value(p + Vec3(0.0, 0.0, kSlopeStepMm)).g - here.g) / kSlopeStepMm;
-  const double slope = std::sqrt(here.dx * here.dx + here.dy * here.dy + dz * dz + 1e-12);
-  return {(here.g - 1.0) / slope, Vec3(here.dx, here.dy, dz) / slope};
+  const InPlane here = in_plane(p), up = in_plane(p + Vec3(0.0, 0.0, kSlopeStepMm));
+  const Ellipses e(Pair{here.u, up.u}, Pair{here.v, up.v}, Pair{exponent_, exponent_});
+  const double gu = std::copysign(e.gu, here.u) * here.per_rx, gv = std::copysign(e.gv, here.v) * here.per_ry;
+  const double g = capped(e.g[0], here.cap), shrink = e.g[0] / g;
+  const double dx = (cos_ * gu - sin_ * gv) * shrink, dy = (sin_ * gu + cos_ * gv) * shrink;
+  const double dz = (capped(e.g[1], up.cap) - g) / kSlopeStepMm;
+  const double slope = std::sqrt(dx * dx + dy * dy + dz * dz + 1e-12);
+  return {(g - 1.0) / slope, Vec3(dx, dy, dz) / slope};
 }
 
 Wall::Wall(const ToothTable& table, double min_half_width_mm) {
@@ -141,39 +146,33 @@ Wall::InPlane Wall::in_plane(Vec3 p, const Section& s) const noexcept {
   return r;
 }
 
-Wall::Value Wall::value(Vec3 p, const Section& s) const noexcept {
-  const auto [x, y, b, widen, side] = in_plane(p, s);
-  Value r;
-  r.u = side.u;
-  r.v = side.v;
-  const double n = s.n[static_cast<std::size_t>((x > 0.0 ? 0 : 1) + (y > 0.0 ? 0 : 2))];
-  const double au = std::max(std::fabs(r.u), 1e-9), av = std::max(std::fabs(r.v), 1e-9);
-  const double un = std::pow(au, n), vn = std::pow(av, n), sum = un + vn;
-  r.g = std::pow(sum, 1.0 / n);
-  const double gu = std::copysign(un / au * r.g / sum, r.u) / s.a;
-  const double gv = std::copysign(vn / av * r.g / sum, r.v) / b;
-  r.dx = gu / widen;
-  r.dy = gv - gu * (s.shear + x * s.taper / s.half) / widen;
-  if (cap_ > 0.0 && p.z < bottom_z_ + cap_) {
-    const double t = (bottom_z_ + cap_ - p.z) / cap_, g = std::sqrt(r.g * r.g + t * t);
-    r.dx *= r.g / g;
-    r.dy *= r.g / g;
-    r.g = g;
-  }
+Wall::Slopes Wall::slopes(Vec3 p, const InPlane& at, const Section& s) const noexcept {
+  const Vec3 above = p + Vec3(0.0, 0.0, kSlopeStepMm);
+  const Section s_up = section(above.z);
+  const InPlane up = in_plane(above, s_up);
+  const Ellipses e(Pair{at.side.u, up.side.u}, Pair{at.side.v, up.side.v}, Pair{exponent(at, s), exponent(up, s_up)});
+  const double gu = std::copysign(e.gu, at.side.u) / s.a, gv = std::copysign(e.gv, at.side.v) / at.b;
+  Slopes r;
+  r.g = capped(e.g[0], cap_at(p.z));
+  const double shrink = e.g[0] / r.g;
+  r.dx = gu / at.widen * shrink;
+  r.dy = (gv - gu * (s.shear + at.x * s.taper / s.half) / at.widen) * shrink;
+  r.dz = (capped(e.g[1], cap_at(above.z)) - r.g) / kSlopeStepMm;
   return r;
 }
 
 template <bool kSoft>
 WallPlace Wall::place(Vec3 p) const noexcept {
-  const Value here = value(p, section(p.z));
-  const Vec3 up = p + Vec3(0.0, 0.0, kSlopeStepMm);
-  const double dz = (value(up, section(up.z)).g - here.g) / kSlopeStepMm;
+  const Section s = section(p.z);
+  const InPlane at = in_plane(p, s);
+  const WallSide here = at.side;
+  const Slopes to = slopes(p, at, s);
   WallPlace out;
   out.u = here.u;
   out.v = here.v;
-  const double slope = std::sqrt(here.dx * here.dx + here.dy * here.dy + dz * dz + 1e-12);
-  out.plain = (here.g - 1.0) / slope;
-  out.normal = Vec3(here.dx, here.dy, dz) / slope;
+  const double slope = std::sqrt(to.dx * to.dx + to.dy * to.dy + to.dz * to.dz + 1e-12);
+  out.plain = (to.g - 1.0) / slope;
+  out.normal = Vec3(to.dx, to.dy, to.dz) / slope;
   out.featured = out.soft = out.plain;
   const double side[4] = {here.u, -here.u, here.v, -here.v};
   for (std::size_t k = 0; k < 4; ++k) {

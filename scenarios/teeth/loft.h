@@ -25,10 +25,11 @@ class Loft {
   Vec3 apex() const noexcept { return {cx_.at(low_z_), cy_.at(low_z_), low_z_}; }
 
  private:
-  struct Value {
-    double g = 0.0, dx = 0.0, dy = 0.0;  // 1 on the surface, and its in-plane slopes
+  struct InPlane {
+    double u = 0, v = 0;  // ±1 on the axes of the section
+    double per_rx = 1, per_ry = 1, cap = 0;
   };
-  Value value(Vec3 p) const noexcept;
+  InPlane in_plane(Vec3 p) const noexcept;
   Curve cx_, cy_, rx_, ry_;
   double exponent_ = 2.0, low_z_ = 0.0, high_z_ = 0.0, low_cap_ = 0.0, high_cap_ = 0.0;
   double cos_ = 1.0, sin_ = 0.0;
@@ -62,8 +63,8 @@ class Wall {
     double x0 = 0, y0 = 0, a = 1, buccal = 1, lingual = 1, half = 1, taper = 0, shear = 0;
     std::array<double, 4> n{2, 2, 2, 2};  // MB, DB, ML, DL
   };
-  struct Value {
-    double g = 0, dx = 0, dy = 0, u = 0, v = 0;
+  struct Slopes {
+    double g = 0, dx = 0, dy = 0, dz = 0;  // g is 1 on the surface
   };
   struct InPlane {
     double x = 0, y = 0, b = 1, widen = 1;
@@ -73,7 +74,11 @@ class Wall {
   WallPlace place(Vec3 p) const noexcept;
   InPlane in_plane(Vec3 p, const Section& s) const noexcept;
   Section section(double z) const noexcept;
-  Value value(Vec3 p, const Section& s) const noexcept;
+  Slopes slopes(Vec3 p, const InPlane& at, const Section& s) const noexcept;
+  static double exponent(const InPlane& at, const Section& s) noexcept {
+    return s.n[static_cast<std::size_t>((at.x > 0.0 ? 0 : 1) + (at.y > 0.0 ? 0 : 2))];
+  }
+  double cap_at(double z) const noexcept { return cap_ > 0.0 && z < bottom_z_ + cap_ ? (bottom_z_ + cap_ - z) / cap_ : 0.0; }
   void build_faces(const ToothTable& table, double min_half_width_mm);
 
   static constexpr double kSectionStepMm = 0.02;
