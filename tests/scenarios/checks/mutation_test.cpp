@@ -123,7 +123,7 @@ TEST(Mutations, EveryNumberOfEveryExerciseIsRefusedOrHarmlessWhateverItBecomes) 
     places_of(document, "", Nodes::numbers, places);
     for (const std::string& place : places)
       for (const char* bare : kBareNumbers) {
-        if (!full_run() && n++ % 331 != 0) continue;
+        if (!full_run() && n++ % 661 != 0) continue;
         outcomes.take(with_text(document, place, bare), std::string(key) + place + " = " + bare);
       }
   }

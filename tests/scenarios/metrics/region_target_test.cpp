@@ -28,10 +28,11 @@ namespace {
 
 using Shape = std::function<double(Vec3)>;
 
-/// 9 x 6 x 6 mm below z = 0, voxels of 0.1 mm; dentine from z = -3 down.
-std::shared_ptr<const Specimen> block() {
+/// 9 x 6 x 6 mm below z = 0, voxels of 0.1 mm or that size times `coarser`; dentine from z = -3 down.
+std::shared_ptr<const Specimen> block(int coarser = 1) {
   Grid grid;
-  grid.size = IVec3(100, 70, 68);
+  grid.size = IVec3(100, 70, 68) / coarser;
+  grid.voxel_mm = 0.1 * coarser;
   grid.origin_mm = Vec3(-4.97, -3.44, -6.33);
   return carved::specimen(
       grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -3), Vec3(4.5, 3, 3)); },
@@ -266,7 +267,7 @@ Scenario with_every_group() {
 }
 
 TEST(TreeTarget, MeasuresTheSameBitsOnAnyNumberOfThreads) {
-  const auto specimen = block();
+  const auto specimen = block(full_run() ? 1 : 2);
   Volume volume(specimen);
   carved::carve(volume, exactly(class_two(4.4, 1.5)));
   const std::vector<Measure> alone = measure(Reference(with_every_group(), specimen), volume, {});
