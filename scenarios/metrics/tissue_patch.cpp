@@ -18,7 +18,8 @@ namespace cusp::scenarios {
 namespace {
 
 /// A key, or the beginning of some that ends in '_'.
-constexpr std::array<std::string_view, 7> kKeys = {"contact_broken", "clearance_", "unsupported_enamel", "caries_left_",
+constexpr std::string_view kCaries = "caries_left_";
+constexpr std::array<std::string_view, 7> kKeys = {"contact_broken", "clearance_", "unsupported_enamel", kCaries,
                                                    "sound_lost",     "protected_", "pulp_exposure"};
 
 /// The faces between voxels of the tooth and of the neighbour: where they are one body, no surface lies between them.
@@ -74,6 +75,14 @@ EvidencePatch caries_patch(const CariesLeft& left, const Volume& volume, std::st
 
 }  // namespace
 
+Vec3 shown_place(std::string_view metric, const EvidencePatch& patch, Vec3 where_mm) noexcept {
+  if (!metric.starts_with(kCaries) || patch.triangles.empty()) return where_mm;
+  return middle_of(*std::ranges::min_element(patch.triangles, {}, [&](const Triangle& t) {
+    const Vec3 off = middle_of(t) - where_mm;
+    return glm::dot(off, off);
+  }));
+}
+
 struct TissuePatches::Later {
   std::once_flag proximal_once, unsupported_once, caries_once, sum_once;
   ProximalForm proximal;
@@ -102,7 +111,7 @@ EvidencePatch TissuePatches::of(std::string_view metric, const CutFaces& faces, 
     std::call_once(later.unsupported_once, [&] { later.unsupported = unsupported_enamel(*reference_, *volume_); });
     return later.unsupported ? EvidencePatch{surface_of(*volume_, later.unsupported->voxels), {}} : EvidencePatch{};
   }
-  if (metric.starts_with("caries_left_")) {
+  if (metric.starts_with(kCaries)) {
     std::call_once(later.caries_once, [&] { later.caries = caries_left(*reference_, *volume_); });
     return caries_patch(later.caries, *volume_, metric);
   }

@@ -21,6 +21,10 @@ struct EvidencePatch {
   bool empty() const noexcept { return triangles.empty() && lines.empty(); }
 };
 
+/// Where a picture shows the place of a measure. The place of caries may lie within what is left, under tissue: then it is the place of
+/// the patch nearest to it. Of any other measure, and without a patch, the place itself.
+[[nodiscard]] Vec3 shown_place(std::string_view metric, const EvidencePatch& patch, Vec3 where_mm) noexcept;
+
 /// contact_broken: the surface of the tooth that is left less than kOpenContactMm off the neighbour, and the border where both are
 /// one body of voxels. clearance_: the line of the least clearance. unsupported_enamel: the surface of the enamel that is counted.
 /// caries_left_: the bare surface of what is left; of what tissue covers wholly, the surface straight above. sound_lost: the cut surface

@@ -89,14 +89,21 @@ class PatchSource {
   PatchSource(std::shared_ptr<const Volume> volume, const Scenario& scenario) : volume_(std::move(volume)), scenario_(scenario) {}
   /// The number of a wish; older ones are given up.
   int wish() const { return ++newest_; }
+  struct Found {
+    SurfaceMarks marks;
+    std::optional<Vec3> shown_mm;  // of the pinned place
+  };
   /// nullopt: another patch was wished for meanwhile.
-  std::optional<SurfaceMarks> marks_of(const std::string& metric, int wished) const {
+  std::optional<Found> find(const std::string& metric, const std::optional<Vec3>& place_mm, int wished) const {
     const std::lock_guard lock(mutex_);
     if (wished != newest_) return std::nullopt;
     if (!patches_) {
       patches_.emplace(std::make_shared<const Reference>(scenario_, volume_->specimen_ptr()), volume_);
     }
-    return ui::marks_of(patches_->of(metric));
+    const EvidencePatch patch = patches_->of(metric);
+    Found out{marks_of(patch), {}};
+    if (place_mm) out.shown_mm = shown_place(metric, patch, *place_mm);
+    return out;
   }
 
  private:
@@ -197,25 +204,33 @@ void PinnedTooth::turn_back() {
 void PinnedTooth::compute_patch(const std::string& metric) {
   metric_ = metric;
   marks_ = {};
+  shown_.reset();
   view_->set_marks({});
   if (!patches_) return;
   const int wished = patches_->wish();
   if (metric.empty()) return;
-  QThreadPool::globalInstance()->start([self = QPointer(this), patches = patches_, metric, wished] {
-    auto found = patches->marks_of(metric, wished);
-    if (!found) return;
-    auto marks = std::make_shared<SurfaceMarks>(std::move(*found));
-    QMetaObject::invokeMethod(qApp, [self, marks, metric] {
+  QThreadPool::globalInstance()->start([self = QPointer(this), patches = patches_, metric, place = place_, wished] {
+    auto answer = patches->find(metric, place, wished);
+    if (!answer) return;
+    auto found = std::make_shared<PatchSource::Found>(std::move(*answer));
+    QMetaObject::invokeMethod(qApp, [self, found, metric] {
       if (!self || self->metric_ != metric) return;  // another row was chosen meanwhile
-      self->marks_ = *marks;
-      self->view_->set_marks(std::move(*marks));
+      self->marks_ = found->marks;
+      self->view_->set_marks(std::move(found->marks));
+      if (found->shown_mm == self->place_) return;
+      self->shown_ = found->shown_mm;
+      self->face_place();
     }, Qt::QueuedConnection);
   });
 }
 
+/// A section shows what lies within.
+Vec3 PinnedTooth::pinned() const { return shown_ && !cut_open_ ? *shown_ : *place_; }
+
 void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more, const std::string& metric) {
-  if (metric != metric_) compute_patch(metric);
+  const bool same = metric == metric_ && place_mm == place_;
   place_ = place_mm;
+  if (!same) compute_patch(metric);
   text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped());
   face_place();
 }
@@ -237,7 +252,7 @@ void PinnedTooth::set_head(int height_px) {
 
 void PinnedTooth::face_place() {
   if (place_ && tooth_shown_ && !cut_open_) {
-    const Camera to = look_at_place(view_->camera(), meshes(), *place_);
+    const Camera to = look_at_place(view_->camera(), meshes(), pinned());
     inside_ = !seen_from(to, meshes(), *place_);
     view_->set_camera(to);
   }
@@ -246,15 +261,16 @@ void PinnedTooth::face_place() {
 
 void PinnedTooth::place_pin() {
   const bool wanted = place_ && tooth_shown_ && pin_ == Pin::shown;
-  const auto at = wanted ? view_->project(*place_) : std::nullopt;
-  const bool seen = at && (cut_open_ || seen_from(view_->camera(), meshes(), *place_));
+  const auto at = wanted ? view_->project(pinned()) : std::nullopt;
+  const bool seen = at && (cut_open_ || seen_from(view_->camera(), meshes(), pinned()));
   ring_->setVisible(seen);
   leader_->setVisible(seen);
   card_->setVisible(wanted);
   if (!wanted) return;
   const QString hidden = inside_ ? tr("This place lies below the surface.")
                                  : tr("The tooth hides this place. Turn it, or choose the row again.");
-  card_->setText(seen ? text_ : text_ + u"<br><i>%1</i>"_qs.arg(hidden.toHtmlEscaped()));
+  const bool said = !seen || (shown_ && inside_ && !cut_open_);
+  card_->setText(said ? text_ + u"<br><i>%1</i>"_qs.arg(hidden.toHtmlEscaped()) : text_);
   card_->setFixedWidth(px(200));
   card_->adjustSize();
   card_->raise();

@@ -64,7 +64,10 @@ class PinnedTooth : public QWidget {
 
  private:
   void build_mesh(const Scenario& scenario);
+  /// Of the pinned place; `shown_` follows.
   void compute_patch(const std::string& metric);
+  /// Where ring and camera are: Pre: a place is pinned.
+  Vec3 pinned() const;
   void face_place();
   void place_pin();
   /// After Busy::kDelayMs, until the mesh stands.
@@ -83,6 +86,7 @@ class PinnedTooth : public QWidget {
   SurfaceMarks marks_;
   std::string metric_;  // whose patch is wanted
   std::optional<Vec3> place_;
+  std::optional<Vec3> shown_;  // the surface over a place within the tooth, once it is known
   Pin pin_ = Pin::shown;
   bool tooth_shown_ = false;
   bool inside_ = false;  // no view shows the place

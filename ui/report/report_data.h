@@ -91,10 +91,13 @@ struct ToothDrawing {
 };
 using DrawnTooth = Result<ToothDrawing, PictureFailure>;
 struct DrawingOrder {
+  struct Place {
+    Vec3 where_mm{0.0};
+    std::string metric{};  // whose place it is; empty: of none that has a patch
+  };
   int side_px = 1200;
-  std::vector<Vec3> places_mm{};    // marked on the picture
-  std::vector<Vec3> closeups_mm{};  // each also in a picture of its own
-  std::vector<std::string> closeup_metrics{};  // as many, or none: whose patch is painted there; empty: none
+  std::vector<Place> places{};    // marked on the picture
+  std::vector<Place> closeups{};  // each also in a picture of its own, with its patch
 };
 /// Draws without a window, in about one second; the first of a jaw takes longer.
 DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order);

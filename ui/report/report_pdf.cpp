@@ -276,10 +276,9 @@ DrawingOrder order_for_paper(const ReportData& data, int side_px) {
   for (const Advice& advice : next_time(data)) {
     const bool marked = shown++ < kAdviceShown;
     if (!advice.place_mm) continue;
-    if (marked) out.places_mm.push_back(*advice.place_mm);
-    if (out.closeups_mm.size() == kCloseupsShown) continue;
-    out.closeups_mm.push_back(*advice.place_mm);
-    out.closeup_metrics.push_back(advice.metric);
+    const DrawingOrder::Place place{*advice.place_mm, advice.metric};
+    if (marked) out.places.push_back(place);
+    if (out.closeups.size() < kCloseupsShown) out.closeups.push_back(place);
   }
   return out;
 }

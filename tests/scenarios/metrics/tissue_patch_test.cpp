@@ -166,6 +166,11 @@ TEST(TissuePatch, OfCariesIsTheBareSurfaceOfWhatIsLeft) {
   const EvidencePatch over = buried.patches.of("caries_left_pulp");
   EXPECT_FALSE(over.empty());
   EXPECT_TRUE(all_lie(over, [&](Vec3 p) { return std::fabs(p.z) < 0.5 * kVoxelMm && std::hypot(p.x - lesion.at.x, p.y - lesion.at.y) < lesion.radius + kVoxelMm; }));
+  const Vec3 within = *buried.measured("caries_left_pulp").where_mm, shown = shown_place("caries_left_pulp", over, within);
+  EXPECT_LT(within.z, -0.3) << "in the lesion";
+  EXPECT_LT(distance_mm(over, shown), 0.5 * kVoxelMm);
+  EXPECT_EQ(shown_place("unsupported_enamel", over, within), within) << "whose place lies on the surface";
+  EXPECT_EQ(shown_place("caries_left_pulp", {}, within), within) << "nothing is painted";
   const Case clean(asking("caries_left_pulp"), specimen, [&](Vec3 p) { return ball_distance(p, lesion.at, lesion.radius + 2 * kVoxelMm); });
   for (const char* metric : {"caries_left_periphery", "caries_left_pulp", "caries_left_pulp_firm", "caries_left_enamel"})
     EXPECT_TRUE(clean.patches.of(metric).empty()) << metric;

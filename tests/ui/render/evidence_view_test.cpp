@@ -140,9 +140,10 @@ class Faulty {
       if (one.points > one.points_max - 0.01 || !one.measure.where_mm) continue;
       ++places;
       expect_patch(patches, one, scenarios::key_of(fault));
-      const Camera from = Camera::about(*one.measure.where_mm, 6.0);  // about a crown, as the report's
-      const Camera to = look_at_place(from, {&tooth, &beside_}, *one.measure.where_mm);
-      const Shown shown = shown_of(to, triangles, of_tooth, *one.measure.where_mm);
+      const Vec3 place = shown_place(one.id, patches.of(one.id), *one.measure.where_mm);
+      const Camera from = Camera::about(place, 6.0);  // about a crown, as the report's
+      const Camera to = look_at_place(from, {&tooth, &beside_}, place);
+      const Shown shown = shown_of(to, triangles, of_tooth, place);
       if (full_run()) std::printf("%s %s %s: %.2f %.2f\n", scenario_.key.c_str(), scenarios::key_of(fault).c_str(), one.id.c_str(), shown.of_unhidden, shown.of_surface);
       EXPECT_GE(shown.of_unhidden, kLeastUnhidden) << scenario_.key << ' ' << scenarios::key_of(fault) << ' ' << one.id;
       EXPECT_GE(shown.of_surface, least_surface) << scenario_.key << ' ' << scenarios::key_of(fault) << ' ' << one.id;

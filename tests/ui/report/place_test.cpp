@@ -161,5 +161,29 @@ TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {
   EXPECT_TRUE(all.contains(QStringLiteral("This place lies below the surface."))) << all.toStdString();
 }
 
+TEST(PinnedTooth, caries_under_tissue_is_pinned_on_the_surface_over_it_and_within_a_section_where_it_is) {
+  const Vec3 lesion(2.0, 2.0, 1.0);
+  VoxelVolume block = Pit::block();
+  for (std::size_t i = 0; i < block.s.size(); ++i)
+    if (block.s[i] > 0) block.tissue[i] = Tissue::dentine;
+  IVec3 v;
+  for (v.z = 20; v.z < 30; ++v.z)
+    for (v.y = 25; v.y < 35; ++v.y)
+      for (v.x = 25; v.x < 35; ++v.x)
+        if (glm::length(block.grid.centre_mm(v) - lesion) < 0.5) block.tissue[block.grid.index(v)] = Tissue::carious_dentine;
+  const auto specimen = Specimen::build(block, Reading::banded);
+  PinnedTooth tooth(std::make_shared<const Volume>(specimen), *load_builtin("channel-1"));
+  tooth.resize(600, 600);
+  tooth.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.tooth_shown(); }, 60'000));
+  tooth.pin(lesion, QStringLiteral("Caries left"), {}, "caries_left_pulp");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.ring_shown(); }, 60'000));
+  EXPECT_FALSE(tooth.marks().empty());
+  QString all;
+  for (const QLabel* label : tooth.findChildren<QLabel*>()) all += label->text();
+  EXPECT_TRUE(all.contains(QStringLiteral("This place lies below the surface."))) << all.toStdString();
+  EXPECT_EQ(tooth.place_mm(), lesion) << "a section goes through the lesion";
+}
+
 }  // namespace
 }  // namespace cusp::test
