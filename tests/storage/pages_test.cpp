@@ -366,7 +366,7 @@ void print_bytes(Database& db, int sessions) {
 
 TEST(Pages, among_many_sessions_are_read_by_screen) {
   const char* wanted = std::getenv("CUSP_SESSIONS");
-  const int sessions = wanted ? std::atoi(wanted) : 10'000;
+  const int sessions = wanted ? std::atoi(wanted) : 50'000;
   const Folder folder;
   ManySessions m;
   const double writing = ms_of([&] {
