@@ -2799,6 +2799,44 @@
             <numerusform>%n Versuche exportiert.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n result(s) exported.</source>
+        <translation>
+            <numerusform>%n Ergebnis exportiert.</numerusform>
+            <numerusform>%n Ergebnisse exportiert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) wait for release.</source>
+        <translation>
+            <numerusform>%n Ergebnis wartet auf die Freigabe.</numerusform>
+            <numerusform>%n Ergebnisse warten auf die Freigabe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A gradebook reads CSV alone: --gradebook goes without --json.</source>
+        <translation>Ein Notenbuch liest nur CSV: --gradebook und --json gehen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>The best released result of each student in what is assigned to a cohort, as this system reads it</source>
+        <translation>Das beste freigegebene Ergebnis jeder und jedes Studierenden bei einer Zuweisung an eine Kohorte, wie dieses System es liest</translation>
+    </message>
+    <message>
+        <source>The assignment that is due on this day, or none, where the exercise is assigned more than once</source>
+        <translation>Die Zuweisung mit dieser Frist, oder none, wo die Übung mehr als einmal zugewiesen ist</translation>
+    </message>
+    <message>
+        <source>“%1” is not assigned to “%2”, due %3.</source>
+        <translation>„%1“ ist „%2“ nicht mit der Frist %3 zugewiesen.</translation>
+    </message>
+    <message>
+        <source>“%1” is not assigned to “%2”.</source>
+        <translation>„%1“ ist „%2“ nicht zugewiesen.</translation>
+    </message>
+    <message>
+        <source>“%1” is assigned to “%2” more than once: say which with --due. Due: %3.</source>
+        <translation>„%1“ ist „%2“ mehr als einmal zugewiesen: Nennen Sie mit --due, welche Frist gilt. Fristen: %3.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>

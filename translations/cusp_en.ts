@@ -162,6 +162,20 @@
             <numerusform>%n attempts exported.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n result(s) exported.</source>
+        <translation>
+            <numerusform>%n result exported.</numerusform>
+            <numerusform>%n results exported.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) wait for release.</source>
+        <translation>
+            <numerusform>%n result waits for release.</numerusform>
+            <numerusform>%n results wait for release.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>

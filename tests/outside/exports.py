@@ -1,4 +1,5 @@
-"""`cusp export`: attempts with cohort and dates as CSV and JSON, narrowed by filters. What is wrong is refused in one sentence.
+"""`cusp export`: attempts with cohort and dates as CSV and JSON, narrowed by filters; columns for a gradebook. What is wrong is refused
+in one sentence.
 
   exports.py CUSP
 """
@@ -77,6 +78,40 @@ def filters(desk, database):
     check(len(exported(desk, database, "--exercise", scenario)) == 1, "an exercise by its id")
 
 
+def gradebooks(desk, database):
+    """Of the cohort's one assignment; once there are two, the due date says which."""
+    of = ("--cohort", COHORT, "--exercise", "channel-1")
+    score = json.loads(export(desk, database, "--json", "-")[1])[0]["score"]
+    (line,) = exported(desk, database, "--gradebook", "moodle", *of)
+    check(line == {"ID number": STUDENT, "Straight channel": f"{score:g}"}, f"Moodle: {line}")
+    points, line = exported(desk, database, "--gradebook", "canvas", *of)
+    check(points["Student"] == "Points Possible" and line["Student"] == "Lena Brandt" and line["SIS User ID"] == STUDENT, f"Canvas: {line}")
+    file = desk.path("canvas.csv")
+    status, out, err = export(desk, database, "--gradebook", "canvas", *of, "--due", "2026-11-20", "-o", file)
+    check(status == 0 and out == "1 result exported.\n", f"to a file: {out}{err}")
+    with open(file, encoding="utf-8") as f:
+        check("Lena Brandt" in f.read(), "the file holds the result")
+    for wanted, more, name in ((1, ("--due", "2026-11-21"), "2026-11-21"), (1, ("--due", "none"), "none"), (1, ("--exercise-version", "2"), "channel-1"),
+                               (2, ("--due", "soon"), "soon"), (2, ("--student", "brandt"), "--student"), (2, ("--json", "-"), "--json")):
+        status, out, err = export(desk, database, "--gradebook", "moodle", *of, *more)
+        one_sentence(err, str(more))
+        check(status == wanted and out == "" and name in err, f"{more}: exit {status}: {out}{err}")
+    for arguments, name in ((("--gradebook", "moodle", "--cohort", COHORT), "--exercise"), (("--gradebook", "excel", *of), "excel"),
+                            (("--due", "none"), "--gradebook")):
+        status, out, err = export(desk, database, *arguments)
+        one_sentence(err, str(arguments))
+        check(status == 2 and out == "" and name in err, f"{arguments}: exit {status}: {out}{err}")
+    with contextlib.closing(sqlite3.connect(database)) as db:  # a second time, without a date and without results
+        names = [row[1] for row in db.execute("PRAGMA table_info(assignments)")]
+        values = ["randomblob(16)" if n == "id" else "NULL" if n == "due_at" else n for n in names]
+        db.execute(f"INSERT INTO assignments ({', '.join(names)}) SELECT {', '.join(values)} FROM assignments")
+        db.commit()
+    status, out, err = export(desk, database, "--gradebook", "moodle", *of)
+    check(status == 1 and out == "" and "--due" in err and "2026-11-20T09:14:04Z, none" in err, f"two of them: {out}{err}")
+    check(len(exported(desk, database, "--gradebook", "moodle", *of, "--due", "2026-11-20")) == 1, "the one with a date")
+    check(exported(desk, database, "--gradebook", "moodle", *of, "--due", "none") == [], "the one without")
+
+
 def refusals(desk, database):
     def refused(wanted, arguments, name):
         status, out, err = export(desk, database, *arguments)
@@ -115,7 +150,8 @@ def main():
         columns(desk, database)
         filters(desk, database)
         refusals(desk, database)
-        print("exports name cohort and dates, and refuse what is wrong")
+        gradebooks(desk, database)
+        print("exports name cohort and dates, write gradebooks, and refuse what is wrong")
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 
 #include "storage/base/clock.h"
 #include "ui/cli/account.h"
+#include "ui/cli/gradebook.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/row_json.h"
 #include "ui/cli/text.h"
@@ -20,7 +21,8 @@ namespace {
 
 struct ExportOptions {
   std::string db, out, student, drilled_by, result;
-  std::optional<std::string> from, to, cohort, exercise, device;
+  std::optional<std::string> from, to, cohort, exercise, device, due;
+  std::string gradebook;  // of which system; empty: attempts
   std::optional<int> version;
   AccountOption account;
   JsonOption json;
@@ -30,13 +32,17 @@ struct ExportOptions {
 
 QString typed_text(const std::string& value) { return QString::fromStdString(value); }
 
+QString no_date(const std::string& typed) {
+  return CliText::tr("“%1” is no date: write it as 2026-11-20 or 2026-11-20T09:14:03Z, in UTC.").arg(typed_text(typed));
+}
+
 /// Both ends are included: --to is a whole day or second.
 Result<HistoryFilter, QString> dates_in(const ExportOptions& o) {
   const auto span = [](const std::optional<std::string>& typed) -> Result<std::optional<UtcSpan>, QString> {
     if (!typed) return std::optional<UtcSpan>{};
     const auto read = utc_span_of(*typed);
     if (read) return read;
-    return std::unexpected(CliText::tr("“%1” is no date: write it as 2026-11-20 or 2026-11-20T09:14:03Z, in UTC.").arg(typed_text(*typed)));
+    return std::unexpected(no_date(*typed));
   };
   const auto from = span(o.from), to = span(o.to);
   if (!from) return std::unexpected(from.error());
@@ -101,10 +107,8 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
   return filter;
 }
 
-/// Nothing if no CSV was asked for. False: could not be written; stderr has the message.
-bool write_csv(const ExportOptions& o, const std::vector<ExportRow>& rows) {
-  if (o.out.empty() && !o.csv_on_stdout()) return true;
-  const std::string text = history_csv(rows, {.language = current_language().toStdString()});
+/// False: could not be written; stderr has the message.
+bool write_csv(const ExportOptions& o, const std::string& text) {
   if (!o.csv_on_stdout()) {
     if (write_whole(o.out, text)) return true;
     failed(CliText::tr("%1 cannot be written.").arg(typed_text(o.out)));
@@ -115,7 +119,26 @@ bool write_csv(const ExportOptions& o, const std::vector<ExportRow>& rows) {
   return false;
 }
 
+int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
+  const auto file = gradebook_of(store, actor,
+                                 {.system = o.gradebook == "canvas" ? Gradebook::canvas : Gradebook::moodle,
+                                  .cohort = *filter.cohort,
+                                  .exercise = *filter.scenario,
+                                  .version = o.version,
+                                  .due = o.due,
+                                  .cohort_typed = *o.cohort,
+                                  .exercise_typed = *o.exercise});
+  if (!file) return failed(file.error());
+  if (!write_csv(o, file->text)) return kFailed;
+  if (o.csv_on_stdout()) return kDone;
+  print_line(plain(CliText::tr("%n result(s) exported.", nullptr, static_cast<int>(file->students))));
+  if (file->withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file->withheld))));
+  return kDone;
+}
+
 int export_attempts(const ExportOptions& o) {
+  if (!o.gradebook.empty() && o.json.wanted()) return wrong_usage(CliText::tr("A gradebook reads CSV alone: --gradebook goes without --json."));
+  if (o.due && *o.due != kNoDueDate && !utc_span_of(*o.due)) return wrong_usage(no_date(*o.due));
   if (o.csv_on_stdout() && o.json.on_stdout()) return wrong_usage(CliText::tr("Only one of CSV and JSON can go to stdout."));
   const auto dates = dates_in(o);
   if (!dates) return wrong_usage(dates.error());
@@ -128,10 +151,12 @@ int export_attempts(const ExportOptions& o) {
   if (const auto allowed = require(actor, Action::export_results); !allowed) return failed(describe(allowed.error()));
   const auto filter = filter_in(**store, actor, o, *dates);
   if (!filter) return failed(filter.error());
+  if (!o.gradebook.empty()) return export_for_gradebook(**store, actor, o, *filter);
   const auto rows = rows_to_export((*store)->context(), actor, *filter);
   if (!rows) return failed(describe(rows.error()));
 
-  if (!write_csv(o, *rows)) return kFailed;
+  const bool csv = !o.out.empty() || o.csv_on_stdout();
+  if (csv && !write_csv(o, history_csv(*rows, {.language = current_language().toStdString()}))) return kFailed;
   if (o.json.wanted()) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const ExportRow& row : *rows) json.push_back(row_json(row));
@@ -148,21 +173,33 @@ CLI::Option* add_named(CLI::App& verb, const char* name, std::optional<std::stri
 }
 
 void add_filters(CLI::App& verb, ExportOptions& o) {
-  add_named(verb, "--cohort", o.cohort, CliText::tr("Only students who are in this cohort now"))->type_name("NAME");
-  add_named(verb, "--from", o.from, CliText::tr("Only attempts begun on this day or later, in UTC: 2026-11-20 or 2026-11-20T09:14:03Z"))
-      ->type_name("DATE");
-  add_named(verb, "--to", o.to, CliText::tr("Only attempts begun on this day or earlier"))->type_name("DATE");
+  CLI::Option* cohort = add_named(verb, "--cohort", o.cohort, CliText::tr("Only students who are in this cohort now"));
+  cohort->type_name("NAME");
+  std::vector<CLI::Option*> of_attempts;  // which a gradebook has none of
+  of_attempts.push_back(
+      add_named(verb, "--from", o.from, CliText::tr("Only attempts begun on this day or later, in UTC: 2026-11-20 or 2026-11-20T09:14:03Z"))
+          ->type_name("DATE"));
+  of_attempts.push_back(add_named(verb, "--to", o.to, CliText::tr("Only attempts begun on this day or earlier"))->type_name("DATE"));
   CLI::Option* exercise =
       add_named(verb, "--exercise", o.exercise, CliText::tr("Only attempts at this exercise: its key or id"))->type_name("KEY");
   verb.add_option("--exercise-version", o.version, help(CliText::tr("Only attempts at this version of the exercise")))
       ->type_name("N")
       ->check(CLI::PositiveNumber)
       ->needs(exercise);
-  verb.add_option("--student", o.student, help(CliText::tr("Part of a name or number")))->type_name("TEXT");
-  verb.add_option("--drilled-by", o.drilled_by, help(CliText::tr("Only attempts of students, or of staff")))
-      ->check(CLI::IsMember({"students", "staff"}));
-  verb.add_option("--result", o.result, help(CliText::tr("Only attempts with this result")))->check(CLI::IsMember({"passed", "not-passed"}));
-  add_named(verb, "--device", o.device, CliText::tr("Only attempts with a device of this class"))->type_name("CLASS");
+  of_attempts.push_back(verb.add_option("--student", o.student, help(CliText::tr("Part of a name or number")))->type_name("TEXT"));
+  of_attempts.push_back(verb.add_option("--drilled-by", o.drilled_by, help(CliText::tr("Only attempts of students, or of staff")))
+                            ->check(CLI::IsMember({"students", "staff"})));
+  of_attempts.push_back(verb.add_option("--result", o.result, help(CliText::tr("Only attempts with this result")))
+                            ->check(CLI::IsMember({"passed", "not-passed"})));
+  of_attempts.push_back(add_named(verb, "--device", o.device, CliText::tr("Only attempts with a device of this class"))->type_name("CLASS"));
+  CLI::Option* gradebook =
+      verb.add_option("--gradebook", o.gradebook,
+                      help(CliText::tr("The best released result of each student in what is assigned to a cohort, as this system reads it")));
+  gradebook->check(CLI::IsMember({"moodle", "canvas"}))->needs(cohort)->needs(exercise);
+  for (CLI::Option* other : of_attempts) gradebook->excludes(other);
+  add_named(verb, "--due", o.due, CliText::tr("The assignment that is due on this day, or none, where the exercise is assigned more than once"))
+      ->type_name("DATE")
+      ->needs(gradebook);
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+/// What `cusp export --gradebook` writes. Thread: the one that owns the store.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/base/result.h"
+#include "storage/export/gradebook.h"
+#include "storage/store.h"
+#include "ui/modules.h"
+#include "ui/text/failure_text.h"
+
+namespace cusp::ui {
+
+struct GradebookWish {
+  Gradebook system = Gradebook::moodle;
+  CohortId cohort{};
+  ScenarioId exercise{};
+  std::optional<int> version{};        // of the exercise
+  std::optional<std::string> due{};    // the day or second, or kNoDueDate; asked for where the exercise is assigned more than once
+  std::string cohort_typed, exercise_typed;  // for messages
+};
+inline constexpr const char* kNoDueDate = "none";
+
+/// Results of the one assignment that the wish names. A message where there is none, or more than one.
+[[nodiscard]] Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish);
+
+}  // namespace cusp::ui
