@@ -155,7 +155,8 @@ class Faulty {
   /// Of a measure of tissue that found something.
   void expect_patch(const EvidencePatches& patches, const CriterionGrade& lost, const std::string& fault) const {
     const Measure& m = lost.measure;
-    if (!TissuePatches::has(lost.id) || !m.measured || (m.value <= 0.0 && lost.id != "contact_broken")) return;
+    const bool found = lost.id == "contact_broken" ? m.value == 0.0 : m.value > 0.0;  // a contact that stands; an open one loses points
+    if (!TissuePatches::has(lost.id) || !m.measured || !found) return;                // where too little of the target is cut
     const EvidencePatch patch = patches.of(lost.id);
     double far = 1e9;
     for (const auto& triangle : patch.triangles)
