@@ -68,7 +68,7 @@ def erase(program, take):
     return program.find("label", re.compile("are whole")).name
 
 
-def visit(own, program, take=assessment.nothing):
+def visit(own, program, take=school.nothing):
     """After assessment.visit(). Returns the program that runs at the end, and what was seen."""
     path = save(program, take)
     program.close()
