@@ -89,6 +89,7 @@ class PatchSource {
   PatchSource(std::shared_ptr<const Volume> volume, const Scenario& scenario) : volume_(std::move(volume)), scenario_(scenario) {}
   /// The number of a wish; older ones are given up.
   int wish() const { return ++newest_; }
+  bool is_newest(int wished) const { return wished == newest_; }
   struct Found {
     SurfaceMarks marks;
     std::optional<Vec3> shown_mm;  // of the pinned place
@@ -96,7 +97,7 @@ class PatchSource {
   /// nullopt: another patch was wished for meanwhile.
   std::optional<Found> find(const std::string& metric, const std::optional<Vec3>& place_mm, int wished) const {
     const std::lock_guard lock(mutex_);
-    if (wished != newest_) return std::nullopt;
+    if (!is_newest(wished)) return std::nullopt;
     if (!patches_) {
       patches_.emplace(std::make_shared<const Reference>(scenario_, volume_->specimen_ptr()), volume_);
     }
@@ -213,8 +214,8 @@ void PinnedTooth::compute_patch(const std::string& metric) {
     auto answer = patches->find(metric, place, wished);
     if (!answer) return;
     auto found = std::make_shared<PatchSource::Found>(std::move(*answer));
-    QMetaObject::invokeMethod(qApp, [self, found, metric] {
-      if (!self || self->metric_ != metric) return;  // another row was chosen meanwhile
+    QMetaObject::invokeMethod(qApp, [self, found, wished] {
+      if (!self || !self->patches_->is_newest(wished)) return;  // another row was chosen meanwhile
       self->marks_ = found->marks;
       self->view_->set_marks(std::move(found->marks));
       if (found->shown_mm == self->place_) return;

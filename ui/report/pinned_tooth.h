@@ -66,7 +66,7 @@ class PinnedTooth : public QWidget {
   void build_mesh(const Scenario& scenario);
   /// Of the pinned place; `shown_` follows.
   void compute_patch(const std::string& metric);
-  /// Where ring and camera are: Pre: a place is pinned.
+  /// Where the ring stands and the camera looks. Pre: a place is pinned.
   Vec3 pinned() const;
   void face_place();
   void place_pin();
