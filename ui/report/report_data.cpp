@@ -259,13 +259,13 @@ DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& or
   const Vec3 top = grid.centre_mm(grid.size);
   request.look_at = {{grid.origin_mm.x, grid.origin_mm.y, top.z - kCrownMm}, top};
   request.scenery = scenery_of(result.scenario.specimen);
-  if (!order.places.empty() || !order.closeups.empty()) {
+  if (!order.places.empty()) {
     const EvidencePatches patches(std::make_shared<const Reference>(result.scenario, result.volume->specimen_ptr()), result.volume);
-    for (const auto& [where_mm, metric] : order.places) request.places_mm.push_back(shown_place(metric, patches.of(metric), where_mm));
-    for (const auto& [where_mm, metric] : order.closeups) {
+    for (const auto& [where_mm, metric] : order.places) {
       const EvidencePatch patch = patches.of(metric);
       request.closeups_mm.push_back(shown_place(metric, patch, where_mm));
       request.closeup_marks.push_back(marks_of(patch));
+      if (request.places_mm.size() < order.numbered) request.places_mm.push_back(request.closeups_mm.back());
     }
   }
   const auto picture = draw_tooth(*result.volume, request);

@@ -96,8 +96,8 @@ struct DrawingOrder {
     std::string metric{};  // whose place it is; empty: of none that has a patch
   };
   int side_px = 1200;
-  std::vector<Place> places{};    // marked on the picture
-  std::vector<Place> closeups{};  // each also in a picture of its own, with its patch
+  std::vector<Place> places{};  // each in a picture of its own, with its patch
+  std::size_t numbered = 0;     // the first of them, marked on the picture of the whole too
 };
 /// Draws without a window, in about one second; the first of a jaw takes longer.
 DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order);

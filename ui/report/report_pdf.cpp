@@ -271,14 +271,14 @@ QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<Q
 }
 
 DrawingOrder order_for_paper(const ReportData& data, int side_px) {
+  static_assert(kAdviceShown <= kCloseupsShown);  // what is numbered has a picture of its own
   DrawingOrder out{.side_px = side_px};
   std::size_t shown = 0;
   for (const Advice& advice : next_time(data)) {
-    const bool marked = shown++ < kAdviceShown;
-    if (!advice.place_mm) continue;
-    const DrawingOrder::Place place{*advice.place_mm, advice.metric};
-    if (marked) out.places.push_back(place);
-    if (out.closeups.size() < kCloseupsShown) out.closeups.push_back(place);
+    const bool numbered = shown++ < kAdviceShown;
+    if (!advice.place_mm || out.places.size() == kCloseupsShown) continue;
+    out.places.push_back({*advice.place_mm, advice.metric});
+    if (numbered) ++out.numbered;
   }
   return out;
 }

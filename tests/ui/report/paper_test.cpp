@@ -107,7 +107,7 @@ TEST(ReportPdf, has_a_picture_of_each_lost_place_of_the_longest_rubric_on_its_se
   constexpr std::size_t kLongest = 17;  // criteria of the template of a classical class II
   for (std::size_t i = 1; i < kLongest; ++i) data.result.grade.criteria.push_back(lost);
   const DrawingOrder order = order_for_paper(data, 120);
-  EXPECT_EQ(order.closeups.size(), kLongest);
+  EXPECT_EQ(order.places.size(), kLongest);
   const DrawnTooth tooth = draw_report_tooth(data.result, order);
   ASSERT_TRUE(tooth) << tooth.error().detail;
   ASSERT_TRUE(write_report_pdf(file, data, tooth));
@@ -123,12 +123,12 @@ TEST(ReportPdf, has_a_second_page_with_a_picture_of_each_lost_place) {
   const ReportData data = whole_block();
   ASSERT_TRUE(data.result.volume);
   const DrawingOrder order = order_for_paper(data, 300);
-  ASSERT_FALSE(order.closeups.empty()) << "the sample lost no points at a place";
+  ASSERT_FALSE(order.places.empty()) << "the sample lost no points at a place";
   const DrawnTooth tooth = draw_report_tooth(data.result, order);
   ASSERT_TRUE(tooth) << tooth.error().detail;
-  ASSERT_EQ(tooth->closeups.size(), order.closeups.size());
+  ASSERT_EQ(tooth->closeups.size(), order.places.size());
   ASSERT_TRUE(write_report_pdf(file, data, tooth));
-  EXPECT_EQ(images_in(file).filter(QStringLiteral(" image ")).size(), 1 + static_cast<qsizetype>(order.closeups.size()));
+  EXPECT_EQ(images_in(file).filter(QStringLiteral(" image ")).size(), 1 + static_cast<qsizetype>(order.places.size()));
   const std::string text = text_in(file);
   const auto second = text.find("Where points were lost");
   ASSERT_NE(second, std::string::npos) << text;
