@@ -17,8 +17,8 @@ namespace cusp::scenarios {
 
 namespace {
 
-/// A key, or the beginning of some that ends in '_'.
 constexpr std::string_view kCaries = "caries_left_";
+/// A key, or the beginning of some that ends in '_'.
 constexpr std::array<std::string_view, 7> kKeys = {"contact_broken", "clearance_", "unsupported_enamel", kCaries,
                                                    "sound_lost",     "protected_", "pulp_exposure"};
 

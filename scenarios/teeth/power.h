@@ -13,6 +13,7 @@ namespace power_detail {
 using Bits = std::uint64_t __attribute__((vector_size(16)));
 constexpr double kTwoPerLn2 = 2.885390081777926815, kLn2 = 0.693147180559945309;
 
+/// kBias keeps the shifted exponent positive: lanes of 64 bits have no arithmetic shift.
 /// x = 2^e m with m within [sqrt(1/2), sqrt(2)); log2(m) = 2/ln(2) atanh(s) with s = (m - 1) / (m + 1), whose series ends at s^19.
 inline Pair log2_of(Pair x) noexcept {
   constexpr std::uint64_t kRootOfHalf = 0x3FE6A09E667F3BCD, kOneExponent = std::uint64_t{1} << 52, kBias = 1024;
