@@ -152,8 +152,9 @@ TEST(FalconPort, one_answer_with_the_clutch_s_bit_shifts_nothing) {
   for (int i = 0; i < 50; ++i) bench.tick();
   move(falcon::status::kForward);
   for (int i = 0; i < 5; ++i) move(0);
-  // Half an encoder step at half scale.
-  EXPECT_LT(glm::length(move(0).position_mm - space.specimen_mm({x, 0, 0.12})), 0.03);
+  // An answer is of the exchange before. Half an encoder step at half scale.
+  const Vec3 before_mm = space.specimen_mm({x, 0, 0.12});
+  EXPECT_LT(glm::length(move(0).position_mm - before_mm), 0.03);
 }
 
 TEST(FalconPort, waits_no_longer_than_its_deadline_whatever_happens) {

@@ -105,7 +105,7 @@ TEST(FalconTrial, keeps_its_bounds_whatever_is_wanted) {
   }
   EXPECT_NEAR(glm::length(before), bounds.max_n, 1e-9);
 
-  Pusher broken(Vec3(std::numeric_limits<double>::quiet_NaN()));
+  Pusher broken{Vec3(std::numeric_limits<double>::quiet_NaN())};
   EXPECT_EQ(broken.advance({.t_s = 0, .grip_m = kMiddleM}), Vec3(0.0));
   EXPECT_EQ(broken.advance({.t_s = 1e-3, .grip_m = kMiddleM}), Vec3(0.0));
 }

@@ -77,7 +77,8 @@ Seen compare(Bench& bench, double half_mm, double top_mm, double thin_mm) {
   Numbers random{17};
   Seen seen;
   while (seen.places < 400) {
-    const Vec3 above(half_mm * random(), half_mm * random(), top_mm);
+    const double y = half_mm * random(), x = half_mm * random();
+    const Vec3 above(x, y, top_mm);
     const double down = begins(above, kUp, -1.5, 0.0, 1e-9, [&](Vec3 p) { return bench.free_by_pairs(p); });
     const Vec3 met = above + kUp * down;
     Vec3 out;
