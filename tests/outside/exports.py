@@ -110,6 +110,10 @@ def gradebooks(desk, database):
     check(status == 1 and out == "" and "--due" in err and "2026-11-20T09:14:04Z, none" in err, f"two of them: {out}{err}")
     check(len(exported(desk, database, "--gradebook", "moodle", *of, "--due", "2026-11-20")) == 1, "the one with a date")
     check(exported(desk, database, "--gradebook", "moodle", *of, "--due", "none") == [], "the one without")
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        db.execute("DELETE FROM session_summaries")
+        db.commit()
+    check(exported(desk, database, "--gradebook", "moodle", *of, "--due", "2026-11-20") == [], "an exercise that nobody has attempted")
 
 
 def refusals(desk, database):

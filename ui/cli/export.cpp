@@ -56,15 +56,14 @@ Result<HistoryFilter, QString> dates_in(const ExportOptions& o) {
   return filter;
 }
 
-/// By its id or, of those that come with the program, its key.
+/// Of those with an attempt.
 Result<ScenarioId, Message> exercise_in(Store& store, const Actor& actor, const std::string& typed) {
   const auto practised = store.history.scenarios(actor);
   if (!practised) return std::unexpected(describe(practised.error()));
   for (const PractisedScenario& s : *practised) {
-    if (s.scenario.text() == typed) return s.scenario;
     const auto versions = store.scenarios.versions(s.scenario);
     if (!versions) return std::unexpected(describe(versions.error()));
-    if (std::ranges::any_of(*versions, [&](const ScenarioVersion& v) { return !v.key.empty() && v.key == typed; })) return s.scenario;
+    if (std::ranges::any_of(*versions, [&](const ScenarioVersion& v) { return is_called(v, typed); })) return s.scenario;
   }
   return std::unexpected(Message{CliText::tr("There is no attempt at an exercise “%1”.").arg(typed_text(typed)), {}});
 }
@@ -90,7 +89,7 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
     if (!cohort) return std::unexpected(cohort.error());
     filter.cohort = *cohort;
   }
-  if (o.exercise) {
+  if (o.exercise && o.gradebook.empty()) {  // of a gradebook, it is one of the cohort's
     const auto exercise = exercise_in(store, actor, *o.exercise);
     if (!exercise) return std::unexpected(exercise.error());
     filter.scenario = *exercise;
@@ -123,11 +122,10 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
   const auto file = gradebook_of(store, actor,
                                  {.system = o.gradebook == "canvas" ? Gradebook::canvas : Gradebook::moodle,
                                   .cohort = *filter.cohort,
-                                  .exercise = *filter.scenario,
+                                  .exercise = *o.exercise,
                                   .version = o.version,
                                   .due = o.due,
-                                  .cohort_typed = *o.cohort,
-                                  .exercise_typed = *o.exercise});
+                                  .cohort_typed = *o.cohort});
   if (!file) return failed(file.error());
   if (!write_csv(o, file->text)) return kFailed;
   if (o.csv_on_stdout()) return kDone;

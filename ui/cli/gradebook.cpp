@@ -17,6 +17,14 @@ bool is_due(const Assignment& a, const std::string& typed) {
   return span && a.due_utc_us && *a.due_utc_us >= span->begin_utc_us && *a.due_utc_us < span->end_utc_us;
 }
 
+}  // namespace
+
+bool is_called(const ScenarioVersion& version, const std::string& typed) {
+  return version.scenario.text() == typed || (!version.key.empty() && version.key == typed);
+}
+
+namespace {
+
 Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish& wish) {
   const auto all = store.assignments.for_cohort(wish.cohort);
   if (!all) return all;
@@ -24,7 +32,7 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
   for (const Assignment& a : *all) {
     const auto version = store.scenarios.version(a.version);
     if (!version) return std::unexpected(version.error());
-    if (version->scenario != wish.exercise || (wish.version && version->number != *wish.version)) continue;
+    if (!is_called(*version, wish.exercise) || (wish.version && version->number != *wish.version)) continue;
     if (!wish.due || is_due(a, *wish.due)) out.push_back(a);
   }
   return out;
@@ -35,7 +43,7 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
 Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish) {
   const auto found = assignments_of(store, wish);
   if (!found) return std::unexpected(describe(found.error()));
-  const QString exercise = QString::fromStdString(wish.exercise_typed), cohort = QString::fromStdString(wish.cohort_typed);
+  const QString exercise = QString::fromStdString(wish.exercise), cohort = QString::fromStdString(wish.cohort_typed);
   if (found->empty()) {
     const QString due = QString::fromStdString(wish.due.value_or(std::string()));
     return std::unexpected(Message{wish.due ? CliText::tr("“%1” is not assigned to “%2”, due %3.").arg(exercise, cohort, due)

@@ -15,12 +15,15 @@ namespace cusp::ui {
 struct GradebookWish {
   Gradebook system = Gradebook::moodle;
   CohortId cohort{};
-  ScenarioId exercise{};
+  std::string exercise;                // its key or id, as typed
   std::optional<int> version{};        // of the exercise
   std::optional<std::string> due{};    // the day or second, or kNoDueDate; asked for where the exercise is assigned more than once
-  std::string cohort_typed, exercise_typed;  // for messages
+  std::string cohort_typed;            // for messages
 };
 inline constexpr const char* kNoDueDate = "none";
+
+/// By its exercise's id or, of those that come with the program, its key.
+[[nodiscard]] bool is_called(const ScenarioVersion& version, const std::string& typed);
 
 /// Results of the one assignment that the wish names. A message where there is none, or more than one.
 [[nodiscard]] Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish);
