@@ -51,7 +51,7 @@ class SelfTest final : public Trial {
 
   Stage stage_ = Stage::travel;
   int axis_ = 0;
-  double stage_s_ = 0, way_m_ = 0, direction_ = 1, chip_s_ = 0, shake_n_ = 0;
+  double stage_s_ = 0, way_m_ = 0, direction_ = 1, chip_s_ = 0;
   Vec3 from_m_{0.0}, carried_n_{0.0};
   bool began_ = false;
   std::uint32_t bits_ = 0xACE1u;

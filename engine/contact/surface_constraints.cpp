@@ -69,7 +69,7 @@ inline void SurfaceContact::add_face_constraints(Vec3 centre, double reach2, Vec
     const Pair inverse = 1.0 / distance;
     const Pair px = flat ? nx : dx * inverse, py = flat ? ny : dy * inverse, pz = flat ? nz : dz * inverse;
     const Pair c = flat ? level + r : px * at.x + py * at.y + pz * at.z - gap;
-    const Pair low = (above & (side2 <= later2) ? height : distance) - r;
+    const Pair low = ((above & (side2 <= later2)) ? height : distance) - r;
     const unsigned trusted = bits_of(flat);
     for (std::size_t k = 0; k < 2 && j + k < broad_faces_.count; ++k) {
       if ((kept >> k & 1) == 0) continue;

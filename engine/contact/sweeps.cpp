@@ -120,7 +120,7 @@ float Sweeps::distances2(SweepRun run, Vec3 p, float* out) const noexcept {
     const Lanes d2 = four_distances2(q, i);
     __builtin_memcpy(out, &d2, sizeof d2);
     const LaneMask index = LaneMask{0, 1, 2, 3} + i;
-    least = (index <= run.to) & (d2 < least) ? d2 : least;
+    least = ((index <= run.to) & (d2 < least)) ? d2 : least;
   }
   return least_lane(least);
 }

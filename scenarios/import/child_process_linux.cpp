@@ -207,7 +207,7 @@ ChildEnd end_of(int status) {
 }  // namespace
 
 bool child_memory_limit_works() noexcept {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef CUSP_SANITIZED
   return false;
 #else
   return true;

@@ -9,6 +9,11 @@ namespace cusp::test {
 
 inline thread_local bool armed = false;
 inline thread_local int allocations = 0;
+#ifdef CUSP_SANITIZED_THREADS
+inline constexpr bool kCounts = false;  // clang's runtime for threads has its own operators
+#else
+inline constexpr bool kCounts = true;
+#endif
 
 inline void* counted_or_null(std::size_t bytes) noexcept {
   if (armed) ++allocations;
@@ -21,6 +26,7 @@ inline void* counted(std::size_t bytes) {
 
 }  // namespace cusp::test
 
+#ifndef CUSP_SANITIZED_THREADS
 // g++ inlines one half of a pair and then finds std::malloc beside operator delete.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
@@ -35,3 +41,4 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#endif

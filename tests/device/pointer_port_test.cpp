@@ -140,7 +140,7 @@ TEST(PointerPort, WaitsAndAnswersWithoutAllocating) {
   armed = true;
   answers.reserve(1);  // the counter counts
   armed = false;
-  EXPECT_EQ(allocations, 1);
+  EXPECT_EQ(allocations, test::kCounts ? 1 : 0);
 }
 
 TEST(PointerPort, SleepsToTheDeadline) {

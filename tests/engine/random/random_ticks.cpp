@@ -231,7 +231,7 @@ void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int
   counts.cut_bricks += state.volume().cut_bricks().size();
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CUSP_SANITIZED
 constexpr std::uint64_t kTicksByDefault = 20'000;
 #else
 constexpr std::uint64_t kTicksByDefault = 40'000;

@@ -14,7 +14,7 @@
 namespace cusp::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef CUSP_SANITIZED
 constexpr bool kHeapIsCounted = false;  // its own heap, which mallinfo2 knows nothing of
 #else
 constexpr bool kHeapIsCounted = true;
