@@ -61,9 +61,9 @@ Result<ScenarioId, Message> exercise_in(Store& store, const Actor& actor, const 
   const auto practised = store.history.scenarios(actor);
   if (!practised) return std::unexpected(describe(practised.error()));
   for (const PractisedScenario& s : *practised) {
-    const auto versions = store.scenarios.versions(s.scenario);
-    if (!versions) return std::unexpected(describe(versions.error()));
-    if (std::ranges::any_of(*versions, [&](const ScenarioVersion& v) { return is_called(v, typed); })) return s.scenario;
+    const auto called = is_called(store, s.scenario, typed);
+    if (!called) return std::unexpected(describe(called.error()));
+    if (*called) return s.scenario;
   }
   return std::unexpected(Message{CliText::tr("There is no attempt at an exercise “%1”.").arg(typed_text(typed)), {}});
 }

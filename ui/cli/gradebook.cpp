@@ -1,6 +1,7 @@
 #include "ui/cli/gradebook.h"
 
 #include <QStringList>
+#include <algorithm>
 
 #include "storage/base/clock.h"
 #include "ui/cli/text.h"
@@ -19,8 +20,11 @@ bool is_due(const Assignment& a, const std::string& typed) {
 
 }  // namespace
 
-bool is_called(const ScenarioVersion& version, const std::string& typed) {
-  return version.scenario.text() == typed || (!version.key.empty() && version.key == typed);
+Stored<bool> is_called(Store& store, const ScenarioId& exercise, const std::string& typed) {
+  if (exercise.text() == typed) return true;
+  const auto versions = store.scenarios.versions(exercise);
+  if (!versions) return std::unexpected(versions.error());
+  return std::ranges::any_of(*versions, [&](const ScenarioVersion& v) { return !v.key.empty() && v.key == typed; });
 }
 
 namespace {
@@ -32,7 +36,9 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
   for (const Assignment& a : *all) {
     const auto version = store.scenarios.version(a.version);
     if (!version) return std::unexpected(version.error());
-    if (!is_called(*version, wish.exercise) || (wish.version && version->number != *wish.version)) continue;
+    const auto called = is_called(store, version->scenario, wish.exercise);
+    if (!called) return std::unexpected(called.error());
+    if (!*called || (wish.version && version->number != *wish.version)) continue;
     if (!wish.due || is_due(a, *wish.due)) out.push_back(a);
   }
   return out;

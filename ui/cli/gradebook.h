@@ -22,8 +22,8 @@ struct GradebookWish {
 };
 inline constexpr const char* kNoDueDate = "none";
 
-/// By its exercise's id or, of those that come with the program, its key.
-[[nodiscard]] bool is_called(const ScenarioVersion& version, const std::string& typed);
+/// By its id or, of those that come with the program, its key.
+[[nodiscard]] Stored<bool> is_called(Store& store, const ScenarioId& exercise, const std::string& typed);
 
 /// Results of the one assignment that the wish names. A message where there is none, or more than one.
 [[nodiscard]] Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish);
