@@ -79,7 +79,7 @@ TEST(FalconUsb, is_found_claimed_from_a_kernel_driver_loaded_homed_and_exchanged
   const auto began = std::chrono::steady_clock::now();
   const char* wanted = std::getenv("CUSP_USB_EXCHANGES");  // 10000 for the whole; ./check makes the first 1,500
   const int exchanges = wanted != nullptr ? std::atoi(wanted) : 1500;
-  // A tick that the machine stalls in is late, and its answer comes with the next.
+  // A tick that the machine stalls in is late. Twice as many ticks end the loop of a port that stays late.
   int fresh = 0, ticks = 0;
   for (; fresh < exchanges && ticks < 2 * exchanges; ++ticks) {
     fresh += tick(*port, {.force_n = Vec3(0.5)}, 2s).status == Sample::Status::fresh;
