@@ -16,10 +16,13 @@ constexpr double kLeastRoomMm = 0.012;   // with less room the surface is looked
 constexpr double kBeyondTrustMm = 0.003;  // constraints are built this far beyond it
 constexpr double kSettledMm = 2e-4;       // a step that is shorter ends the search: Newton's next would be 1 nm
 constexpr double kMarginMm = 0.1;  // of the specimen's own features: few are near, and a wide look costs more than many
+constexpr double kMarginCuttingMm = 0.04;  // the same while it cuts: a carving soon discards what was found
 constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to what balls have cut is solved in the cavity
 constexpr double kKeptMm = 0.03;  // features within this of a pose are where the next tick looks first
 constexpr double kEntersMm = 1e-5;  // less far into a feature, the pose holds: the next tick would move on by as much
+constexpr double kKeptPlaneMm = 0.01;  // a plane of a pass holds this far about it: a point's, of a ball of 0.25 mm, within 0.2 um
 constexpr double kLeastMetric = 0.05;     // below, there is no minimum nearby: a plain step goes on
+constexpr int kMostTurns = 4;  // a search that still goes to and fro then, by less than the least trust, ends where it is
 constexpr int kPasses = 20, kPassesCutting = 14;  // a tick that cuts solves twice, and makes cells anew
 
 double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
@@ -71,7 +74,7 @@ struct SurfaceContact::Metric {
 glm::dmat3 SurfaceContact::bend_of(const Origin& origin, Vec3 at) const noexcept {
   if (origin.candidate < 0) return walls_.constraints()[static_cast<std::size_t>(-1 - origin.candidate)].bend;
   const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-  if (origin.trusted_plane || c.kind == Kind::shank) return glm::dmat3(0.0);
+  if (origin.kept >= 0 || origin.trusted_plane || c.kind == Kind::shank) return glm::dmat3(0.0);
   Vec3 off = at - c.point, along(0.0);
   double curved = 0.0;
   if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, 1e3, off, along, curved)) curved = 0.0;
@@ -109,15 +112,42 @@ void SurfaceContact::add_cavity(const Volume& volume, const Tool& tool, Vec3 at,
   }
 }
 
+/// Keeps the planes of surface and shank that hold the ball at `at`.
+void SurfaceContact::keep_planes(const PlaneSearch& found, Vec3 at) noexcept {
+  for (int a = 0; a < found.active; ++a) {
+    const auto i = static_cast<std::size_t>(found.index[a]);
+    const Origin& origin = origins_[i];
+    if (origin.candidate < 0 || origin.kept >= 0) continue;
+    const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
+    kept_planes_.add({{planes_.n(i), planes_.c(i)}, at, c.tissue, c.kind == Kind::shank});
+  }
+}
+
+/// Adds the planes that were kept near `at`.
+void SurfaceContact::add_kept(Vec3 at) noexcept {
+  for (int k = 0; k < kept_planes_.count(); ++k) {
+    const KeptPlane& kept = kept_planes_[k];
+    const Vec3 off = at - kept.seen_from;
+    if (glm::dot(off, off) > kKeptPlaneMm * kKeptPlaneMm) continue;
+    if (planes_.size() == candidates_.size()) {
+      overflow_ = true;
+      return;
+    }
+    origins_[planes_.size()] = {0, true, false, static_cast<std::int8_t>(k)};
+    planes_.add(kept.plane.n, kept.plane.c);
+  }
+}
+
 /// All constraints within slack_mm of a ball at `at`: planes_ and origins_.
 void SurfaceContact::constrain_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept {
-  gather(volume, tool, at, slack_mm, kMarginMm);
+  gather(volume, tool, at, slack_mm, cutting_.any() ? kMarginCuttingMm : kMarginMm);
   build_constraints(volume, tool, at, slack_mm, at, slack_mm);
   const std::size_t own = planes_.size();
   add_cavity(volume, tool, at, slack_mm);
   past_count_ = static_cast<int>(walls_.past().size());
   std::copy(walls_.past().begin(), walls_.past().end(), past_.begin());
   relax_by_past(0, own);
+  add_kept(at);
 }
 
 /// The point nearest to z in the metric that meets planes_. Weights are those of the planes as they stand.
@@ -147,21 +177,24 @@ PlaneSearch SurfaceContact::nearest_in_metric(const Metric& metric, Vec3 y, Vec3
 }
 
 void SurfaceContact::note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept {
-  out.shank = false;
   out.active = found.active;
   for (int a = 0; a < found.active; ++a) {
     const auto i = static_cast<std::size_t>(found.index[a]);
     out.normal[a] = planes_.n(i);
     out.weight[a] = found.weight[a];
     const Origin& origin = origins_[i];
+    if (origin.kept >= 0) {
+      out.tissue[a] = kept_planes_[origin.kept].tissue;
+      out.of_shank[a] = kept_planes_[origin.kept].of_shank;
+      continue;
+    }
     if (origin.candidate >= 0) {
       const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
       out.tissue[a] = c.tissue;
-      if (c.kind != Kind::shank) continue;
-      out.shank = true;
-      out.shank_normal = out.normal[a];
+      out.of_shank[a] = c.kind == Kind::shank;
       continue;
     }
+    out.of_shank[a] = false;
     const CavityConstraint& wall = walls_.constraints()[static_cast<std::size_t>(-1 - origin.candidate)];
     out.tissue[a] = tissue_under(volume, wall.foot, wall.n);
   }
@@ -199,7 +232,8 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
   Metric metric;
   glm::dmat3 bend(0.0);
   bool arrived = false;
-  auto jump = CavityWalls::Jump::replaces;
+  int turns = 0;  // back, of the search
+  kept_planes_.clear();
   const int passes = cutting_.any() ? kPassesCutting : kPasses;
   for (int pass = 0; pass < passes && !arrived && (pass == 0 || candidates_left_ > 0); ++pass) {
     --passes_left_;
@@ -226,11 +260,15 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
     const Vec3 way = found.y - y;
     const double far = length_of(way);
     // A search that turns back goes to and fro between two places of a feature: both count from now on.
-    if (pass > 1 && glm::dot(way, last_way) < 0.0) jump = CavityWalls::Jump::keeps_both;
+    if (pass > 1 && glm::dot(way, last_way) < 0.0) ++turns;
+    if (turns > 0) keep_planes(found, y);
     last_way = way;
     y = far > trust ? y + way * (trust / far) : found.y;
+    const auto jump = turns > 0 ? CavityWalls::Jump::keeps_both : CavityWalls::Jump::replaces;
     arrived = !refine_in_cavity(volume, tool, y, found, jump) && std::min(far, trust) < kSettledMm;
-    const double grows = jump == CavityWalls::Jump::replaces ? kTrustGrows : 1.0;
+    // The answer lies between two such poses.
+    arrived = arrived || (turns >= kMostTurns && far < kLeastTrustMm);
+    const double grows = turns > 0 ? 1.0 : kTrustGrows;
     trust = std::clamp(far >= trust ? grows * trust : kTrustFalls * far, kLeastTrustMm, kMostTrustMm);
   }
   out.pose_mm = y;

@@ -121,7 +121,6 @@ Tissue SurfaceContact::tissue_under(const Volume& volume, Vec3 place, Vec3 outwa
 }
 
 void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept {
-  out.shank = false;
   out.active = found.active;
   for (int a = 0; a < found.active; ++a) {
     const auto i = static_cast<std::size_t>(found.index[a]);
@@ -129,17 +128,16 @@ void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Co
     out.normal[a] = planes_.n(i);
     out.weight[a] = found.weight[a];
     out.tissue[a] = c.tissue;
-    if (c.kind == Kind::shank) {
-      out.shank = true;
-      out.shank_normal = out.normal[a];
-    }
+    out.of_shank[a] = c.kind == Kind::shank;
   }
   if (!polished.accepted) return;
   out.active = polished.search.active;
   for (int a = 0; a < out.active; ++a) {
     out.normal[a] = polished.normal[a];
     out.weight[a] = polished.search.weight[a];
-    out.tissue[a] = candidates_[static_cast<std::size_t>(polished.candidate[a])].tissue;
+    const Candidate& c = candidates_[static_cast<std::size_t>(polished.candidate[a])];
+    out.tissue[a] = c.tissue;
+    out.of_shank[a] = c.kind == Kind::shank;
   }
 }
 

@@ -8,28 +8,16 @@
 #include <vector>
 
 #include "engine/contact/cavity_walls.h"
+#include "engine/contact/contact.h"
 #include "engine/contact/cut_memory.h"
 #include "engine/contact/cut_surface.h"
+#include "engine/contact/kept_planes.h"
 #include "engine/contact/plane_search.h"
 #include "engine/scene/scene.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
 namespace cusp::engine {
-
-struct Contact {
-  Vec3 pose_mm{0.0};
-  int active = 0;                 // constraints in the active set, at most 3
-  Vec3 normal[3];                 // out of the tissue
-  double weight[3] = {0, 0, 0};   // pose - device = sum weight * normal
-  Tissue tissue[3] = {Tissue::empty, Tissue::empty, Tissue::empty};
-  bool shank = false;             // the active set contains the neck or the shank
-  Vec3 shank_normal{0.0};
-  bool infeasible = false;        // no pose met all constraints: they were relaxed to the pose before
-  bool overflow = false;          // more candidates than room
-  bool in_steps = false;          // the way to pose_mm was made in short steps
-  bool deferred = false;          // the budget ended before the pose had converged: the next tick continues
-};
 
 class SurfaceContact {
  public:
@@ -168,6 +156,7 @@ class SurfaceContact {
     std::int32_t candidate = -1;
     bool trusted_plane = false;  // false: tangent to a point, an edge or the shank
     bool relaxed = false;        // a past pose moved it back: the field does not support it
+    std::int8_t kept = -1;       // number among kept_planes_: of an earlier pass
   };
   /// What is known of a candidate: not yet made; a point of a face whose plane nothing ends, in faces_; an edge; or
   /// anything else.
@@ -294,6 +283,8 @@ class SurfaceContact {
   glm::dmat3 bend_of(const Origin& origin, Vec3 at) const noexcept;
   glm::dmat3 bend_of(const PlaneSearch& found, Vec3 at) const noexcept;
   void constrain_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  void keep_planes(const PlaneSearch& found, Vec3 at) noexcept;
+  void add_kept(Vec3 at) noexcept;
   void add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
   PlaneSearch nearest_in_metric(const Metric& metric, Vec3 y, Vec3 z, bool& infeasible) noexcept;
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
@@ -391,6 +382,7 @@ class SurfaceContact {
   const Sweeps& sweeps_;
   CavityWalls walls_;
   Cutting cutting_;
+  KeptPlanes kept_planes_;
   PlaneSet scaled_;                    // planes_ in the metric of a pass in the cavity
   std::vector<double> scale_;
 };

@@ -91,18 +91,15 @@ class BandedMethod final : public ContactMethod {
     const double tie = Finder::tie_mm(radius, state.volume.grid().voxel_mm);
     if (apart > tie) pose = contact.pose_mm + off * (tie / apart);
 
-    const Vec3 to_device = tick.device - pose;
-    const double gap = length_of(to_device);
-    const Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
-    const double alpha = wear_coefficient(distance, contact.stiffness_n_per_mm, scene.full_force_n);
+    const HeadPush head = push_of_head(tick.device - pose, {&contact.shank_normal, contact.shank ? 1u : 0u});
+    const double alpha = wear_coefficient(distance * head.share, contact.stiffness_n_per_mm, scene.full_force_n);
     const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
-    const double speed = bur.head.ball() ? front_speed(state.volume, scene, pose, radius, direction, own, out.tick)
+    const double speed = bur.head.ball() ? front_speed(state.volume, scene, pose, radius, head.direction, own, out.tick)
                                           : front_speed(state.volume, scene, pose, state.fronts[out.bur],
-                                                        scene.tool_axis, direction, own, out.tick);
+                                                        scene.tool_axis, head.direction, own, out.tick);
     double advance = alpha * speed * tick.dt_s * tick.removal_factor;
-    if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
-    if (advance > gap) advance = gap;
-    const Vec3 next = pose + direction * advance;
+    if (advance > head.gap_mm) advance = head.gap_mm;
+    const Vec3 next = pose + head.direction * advance;
     if (advance > 0.0) {
       const bool whole = state.cut_valid && swept_whole(length_of(next - state.cut_pose), tick.dt_s);
       const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, bur, scene.tool_axis);

@@ -183,16 +183,18 @@ void update_prediction(StepState::Inner& state, const Contact& contact, const Mo
   state.predicted_excess = follows ? other / moved : Vec3(0.0);
 }
 
-/// The cut of a tick: the bur advances from `pose` along `direction`.
+/// The cut of a tick: the bur advances from `pose` along `head`.
 struct Advance {
-  Vec3 pose{0.0}, direction{0.0};
-  double gap_mm = 0.0;     // from pose to the device point
+  Vec3 pose{0.0};
+  HeadPush head;
   double advance_mm = 0.0;
 
-  void aim_at(Vec3 device) noexcept {
-    const Vec3 to_device = device - pose;
-    gap_mm = length_of(to_device);
-    direction = gap_mm > 1e-9 ? to_device / gap_mm : Vec3(0.0);
+  void aim_at(Vec3 device, const Contact& contact) noexcept {
+    Vec3 wall[3];
+    std::size_t walls = 0;
+    for (int a = 0; a < contact.active; ++a)
+      if (contact.of_shank[a]) wall[walls++] = contact.normal[a];
+    head = push_of_head(device - pose, {wall, walls});
   }
 };
 
@@ -201,28 +203,28 @@ Advance advance_of(const StepState::Inner& state, const Tick& tick, const Contac
                    const Touched& touched, double push_mm, const StepOutput& now) noexcept {
   const Scene& scene = *state.scene;
   const Bur& bur = scene.burs[now.bur];
-  const double alpha = wear_coefficient(push_mm, touched.stiffness_n_per_mm, scene.full_force_n);
   Advance out;
   out.pose = state.cut_valid ? state.cut_pose + motion.slid : state.proxy;
   // Tied to the proxy, so that errors do not add up.
   const Vec3 off = out.pose - state.proxy;
   const double apart = length_of(off);
   if (apart > kTieMm) out.pose = state.proxy + off * (kTieMm / apart);
-  out.aim_at(tick.device);
+  out.aim_at(tick.device, contact);
+  const double alpha = wear_coefficient(push_mm * out.head.share, touched.stiffness_n_per_mm, scene.full_force_n);
   const double own = scene.tissues[index_of(touched.tissue)].speed_mm_s;
-  const double speed = bur.head.ball() ? front_speed(state.volume, scene, out.pose, bur.radius_mm, out.direction, own, now.tick)
+  const double speed = bur.head.ball() ? front_speed(state.volume, scene, out.pose, bur.radius_mm, out.head.direction, own, now.tick)
                                        : front_speed(state.volume, scene, out.pose, state.fronts[now.bur], tick.axis,
-                                                     out.direction, own, now.tick);
+                                                     out.head.direction, own, now.tick);
   out.advance_mm = alpha * speed * tick.dt_s * tick.removal_factor;
-  if (contact.shank && glm::dot(contact.shank_normal, out.direction) < -0.05) out.advance_mm = 0.0;
   return out;
 }
 
 /// A sliding bur may stand only so deep, if no tissue recedes faster than it wears. True if the pending sweeps were carved.
-bool limit_slide(StepState::Inner& state, const Tick& tick, Vec3 slid, Advance& cut, StepOutput& out) noexcept {
+bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& contact, Vec3 slid, Advance& cut,
+                 StepOutput& out) noexcept {
   if (!(length_of(slid) > kLeastSlideMm && cut.advance_mm > 0.0)) return false;
   const Bur& bur = state.scene->burs[out.bur];
-  const double tau = slide_depth(bur, tick.axis, cut.direction, slid, cut.advance_mm);
+  const double tau = slide_depth(bur, tick.axis, cut.head.direction, slid, cut.advance_mm);
   if (!(tau < kShallowTauMm)) return false;
   out.overflow = !carve_all(state, out.bur) || out.overflow;
   state.surface->set_cutting(cutting_of(state));
@@ -234,7 +236,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, Vec3 slid, Advance& 
     cut.pose = state.proxy;
     cut.advance_mm = 0.0;
   }
-  cut.aim_at(tick.device);
+  cut.aim_at(tick.device, contact);
   return true;
 }
 
@@ -281,9 +283,9 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
                    const Touched& touched, double push_mm, StepOutput& out) noexcept {
   const Vec3 old_pose = state.cut_valid ? state.cut_pose : state.proxy;
   Advance cut = advance_of(state, tick, contact, motion, touched, push_mm, out);
-  const bool carved = limit_slide(state, tick, motion.slid, cut, out);
-  if (cut.advance_mm > cut.gap_mm) cut.advance_mm = cut.gap_mm;
-  const Vec3 next = cut.pose + cut.direction * cut.advance_mm;
+  const bool carved = limit_slide(state, tick, contact, motion.slid, cut, out);
+  if (cut.advance_mm > cut.head.gap_mm) cut.advance_mm = cut.head.gap_mm;
+  const Vec3 next = cut.pose + cut.head.direction * cut.advance_mm;
   if (cut.advance_mm > 0.0) {
     sweep_along(state, tick, cut, old_pose, next, out);
   } else {
@@ -344,7 +346,7 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   }
 
   out.deferred = contact.deferred;
-  out.shank = contact.shank;
+  out.shank = contact.shank();
   const Vec3 spring = state.proxy - device;
   out.contact = contact.active > 0 && length_of(spring) > 1e-6;
   if (!out.contact) {

@@ -186,16 +186,20 @@ TEST(RemovalShape, EqualsTheSweptBurForOtherHeadsUprightOrLeaning) {
 }
 
 TEST(RemovalShape, IsNoDeeperThanALeaningNeckAllowsAtAnySpeed) {
-  // Round "2" leans by 33 degrees; at the end of the path its neck, 0.3 mm wide, reaches the mouth and stops the bur.
+  // Round "2" leans by 33 degrees; at the end of the path its neck, 0.3 mm wide, reaches the mouth and holds its part of the push.
   const Cutter cutter{"2", catalogue_bur("2")->bur};
   for (const double speed : {1.0, 50.0, 200.0}) {
     StepState state(soft_scene(cutter, Method::surface, 10.0 / 128, Path::tilted));
     const auto points = points_of(Path::tilted, cutter, {.speed_mm_s = speed});
     step(state, input_at(points.front() + kPathUp * 0.04));
     StepOutput out;
-    for (const Vec3& p : points) out = step(state, input_at(p, Button::down));
-    EXPECT_TRUE(out.shank) << speed;
-    EXPECT_GT(glm::length(out.proxy_mm - points.back()), 0.03) << speed;  // 0.109, 0.103 and 0.041
+    bool leans = false;
+    for (const Vec3& p : points) {
+      out = step(state, input_at(p, Button::down));
+      leans = leans || out.shank;
+    }
+    EXPECT_TRUE(leans) << speed;
+    EXPECT_GT(glm::length(out.proxy_mm - points.back()), 0.03) << speed;  // 0.052, 0.073 and 0.041
   }
 }
 

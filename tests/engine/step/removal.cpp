@@ -1,6 +1,9 @@
 // Eq. (4) to (6) and the cut pose: the speed is the tissue's, whatever the tick, and the shape is the swept ball.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
@@ -38,6 +41,29 @@ TEST(SurfaceRemoval, half_the_push_drills_half_as_fast) {
   auto scene = scene_of(block_of(0.1), Method::surface, 0.25);
   scene->full_force_n = 0.7;  // at 1 N/mm and 0.35 mm: alpha = 1/2
   EXPECT_NEAR(drilling_speed(scene, {0, 0, 2.25}, {0, 0, -1}, 0.6, 1000, 0.35, 0.5), 0.5, 0.005);
+}
+
+TEST(SurfaceRemoval, a_shank_that_leans_on_a_wall_takes_its_part_of_the_push_and_leaves_the_rest) {
+  // A wall beside the shank, and a floor under the head.
+  const VoxelVolume volume = from_distance(6.0, 0.1, [](Vec3 p) { return std::min(std::max(p.x + 0.5, 0.5 - p.z), p.z + 1.0); });
+  auto scene = scene_of(volume, Method::surface, 0.25);
+  scene->burs[0].neck_length_mm = 0.6;
+  scene->burs[0].shank_length_mm = 4.0;
+  scene->full_force_n = 0.7;
+  for (const double aside_mm : {0.0, 0.2}) {
+    StepState state(scene);
+    approach(state, {1.0, 0, -0.2}, {0.31 - aside_mm, 0, -0.2});
+    approach(state, {0.31 - aside_mm, 0, -0.2}, {0.31 - aside_mm, 0, -1.1});
+    double from = 0.0, to = 0.0;
+    StepOutput out;
+    for (int k = 0; k < 600; ++k) {
+      out = step(state, input_at({0.31 - aside_mm, 0, -1.1 - 0.5e-3 * k}, CutButton::pressed));
+      (k == 60 ? from : to) = out.proxy_mm.z;
+    }
+    EXPECT_EQ(out.shank, aside_mm > 0.0);
+    EXPECT_NEAR((from - to) / 0.539, 0.5, 0.005) << aside_mm;  // mm/s
+    EXPECT_NEAR(out.proxy_mm.x, aside_mm > 0.0 ? 0.3 : 0.31, bound(0.002));
+  }
 }
 
 TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
@@ -201,6 +227,33 @@ TEST(Wear, the_coefficient_grows_with_the_push_and_stops_at_one) {
   EXPECT_DOUBLE_EQ(wear_coefficient(9.0, 1.0, 1.5), 1.0);
   EXPECT_DOUBLE_EQ(wear_coefficient(0.0, 1.0, 1.5), 0.0);
   EXPECT_DOUBLE_EQ(wear_coefficient(1.0, 1.0, 0.0), 0.0);
+}
+
+TEST(Wear, what_walls_leave_of_a_push_is_the_nearest_that_leads_into_none_of_them) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<> part(-1.0, 1.0);
+  const auto any = [&] { return Vec3(part(random), part(random), part(random)); };
+  int held = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Vec3 walls[3];
+    for (Vec3& n : walls) {
+      n = any();
+      n /= length(n);
+    }
+    if (i % 3 == 0) walls[1] = -walls[0];  // a slot
+    const std::span<const Vec3> some(walls, static_cast<std::size_t>(i % 4));
+    const Vec3 push = any(), left = left_of_push(push, some), taken = push - left;
+    for (const Vec3& n : some) EXPECT_GE(glm::dot(left, n), -1e-8);
+    EXPECT_NEAR(glm::dot(left, taken), 0.0, 1e-8);
+    held += length(left) < 1e-9;
+    // No way that the walls allow goes along what they took: there is no nearer one.
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 way = any();
+      const bool allowed = std::ranges::all_of(some, [&](const Vec3& n) { return glm::dot(way, n) >= 0.0; });
+      EXPECT_TRUE(!allowed || glm::dot(way, taken) <= 1e-8);
+    }
+  }
+  EXPECT_GT(held, 30);  // corners that leave nothing are among them
 }
 
 TEST(Carve, a_ball_far_from_tissue_takes_no_memory) {

@@ -66,19 +66,20 @@ class Attempt {
   void run(double seconds) {
     for (double t = 0; t < seconds; t += kTickS) tick();
   }
-  void tick() {
+  StepOutput tick(double tick_s = kTickS) {
     Sample sample;
     sample.status = Sample::Status::fresh;
-    sample.position_mm = motion_.advance(hand_.latest(), felt_, kTickS);
+    sample.position_mm = motion_.advance(hand_.latest(), felt_, tick_s);
     sample.buttons = hand_.wish().cut ? StepInput::kCut : 0;
     sample.bur = hand_.wish().bur;
-    last_ = quantise(sample, static_cast<std::uint32_t>(kTickS * 1e6), last_);
+    last_ = quantise(sample, static_cast<std::uint32_t>(std::lround(tick_s * 1e6)), last_);
     const StepOutput o = step(state_, last_);
     felt_ = {o.force_n, o.proxy_mm, o.stiffness_n_per_mm, Vec3(0, 0, 1), o.contact, o.faulted};
     process_.add(o);
     depth_mm_ = o.contact ? bench().top_mm - (o.proxy_mm.z - bench().scene->burs[o.bur].radius_mm) : 0;
     deepest_mm_ = std::max(deepest_mm_, depth_mm_);
-    seconds_ += kTickS;
+    seconds_ += tick_s;
+    return o;
   }
   /// Height of the tissue under a place, as a click finds it.
   Vec3 picked(Vec3 at) const {
@@ -251,6 +252,41 @@ TEST(PointerTask, HandsCutTheTargetAndNothingBelowItsFloor) {
   // Of 20 hands. Without a floor: 14.6 to 22.5 %, median 17.7; -0.13 to 0.93 mm, median 0.31.
   EXPECT_GT(median(removed), 10.0);  // measured 11.3 to 20.2, median 15.8
   EXPECT_LT(over.back(), 0.1);       // measured -0.38 to -0.12
+}
+
+/// A hand that leaps to a place aside and waits there, as with a slow screen: its hole winds, and the neck leans on the hole's mouth.
+TEST(PointerTask, ABurThatIsPushedDownAlwaysCutsWhereverTheHandLeaps) {
+  constexpr double kFinestS = 0.001;
+  constexpr std::array kLeapsPx = {0, 6, 12, 18, 24, 18, 12, 6, 0, -6, -12, -18, -24, -18, -12, -6};
+  for (unsigned seed = 1; seed <= (full_run() ? 60u : 6u); ++seed) {
+    std::mt19937 random(seed);
+    const auto share = [&] { return std::uniform_real_distribution<>(0.0, 1.0)(random); };
+    const double angle = 2 * std::numbers::pi * share(), waits_s = 0.05 + share(), px_mm = kMmPerPx * (0.8 + 0.4 * share());
+    Vec3 middle = bench().places[bench().places.size() / 2];
+    middle += Vec3(0.3 * std::cos(3 * angle), 0.3 * std::sin(5 * angle), 0);
+    middle.z = bench().top_mm;
+    Attempt attempt(middle + Vec3(0, 0, 3));
+    attempt.hand().set_cut(true);
+    attempt.hand().set_push(kPushN);
+    double leaps_s = 0, cut_s = 0, longest_s = 0;
+    int late = 0, longest_late = 0;
+    for (std::size_t k = 0; attempt.seconds() < (full_run() ? 60.0 : 8.0);) {
+      const double t = attempt.seconds();
+      if (t >= leaps_s) {
+        attempt.hand().move_to(middle + Vec3(std::cos(angle), std::sin(angle), 0) * (px_mm * kLeapsPx[k++ % kLeapsPx.size()]));
+        leaps_s = t + waits_s * (0.5 + share());
+      }
+      const StepOutput out = attempt.tick(kFinestS);
+      late = out.deferred ? late + 1 : 0;
+      longest_late = std::max(longest_late, late);
+      // At the floor of the target the hand pushes no deeper while it leaps.
+      if (out.cutting || attempt.depth_mm() > bench().required_mm - 0.1) cut_s = t;
+      longest_s = std::max(longest_s, t - cut_s);
+    }
+    EXPECT_LT(longest_s, 1.5) << seed;    // s
+    EXPECT_LT(longest_late, 10) << seed;  // ticks in a row without an answer
+    std::cout << "hand " << seed << ": no cut for " << longest_s << " s at most, no answer for " << longest_late << " ticks\n";
+  }
 }
 
 }  // namespace
