@@ -18,7 +18,7 @@ struct PointerWish {
   double push_n = 0;                 // 0 = released: the bur lifts off
   bool cut = false;
   // Heights of the bur's pivot along the approach, mm; +infinity: none.
-  double floor_mm = std::numeric_limits<double>::infinity();  // a push that sweeps goes no deeper, a push that rests does
+  double floor_mm = std::numeric_limits<double>::infinity();  // a push that sweeps goes no deeper, one that rests waits there
   double stop_mm = std::numeric_limits<double>::infinity();   // no push goes deeper
   std::uint16_t bur = 0;
   Quat orientation{1.0, 0.0, 0.0, 0.0};  // rotation of the handpiece from rest
@@ -41,8 +41,8 @@ class PointerHand {
   /// Releases: push 0, and the bur lifts off. The cut button keeps its state.
   void lift() noexcept { set_push(0); }
   void set_cut(bool cut) noexcept;
-  /// Pivot of a bur that stands on the floor of the target. While the pointer sweeps, a push goes no deeper; a pointer that
-  /// rests sinks further. nullopt: no floor. Ignored if not finite.
+  /// Pivot of a bur that stands on the floor of the target. While the pointer sweeps, a push goes no deeper; under a
+  /// pointer that rests it waits there, and sinks on. nullopt: no floor. Ignored if not finite.
   void set_floor(const std::optional<Vec3>& pivot_mm) noexcept;
   /// Holds the depth: no push takes the bur's pivot beyond this place along the approach. nullopt: no longer. Ignored if not finite.
   void hold_depth(const std::optional<Vec3>& pivot_mm) noexcept;

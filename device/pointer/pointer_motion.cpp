@@ -32,10 +32,12 @@ double towards(double from, double to, Steps most) noexcept {
 
 }  // namespace
 
-double PointerMotion::deepest(const PointerWish& wish, double depth) noexcept {
+double PointerMotion::deepest(const PointerWish& wish, double depth, double dt) noexcept {
   if (sweep_ < tuning_.rest_mm_s) {
     rested_depth_ = std::max(rested_depth_.value_or(depth), depth);
-    return wish.stop_mm;
+    if (depth < wish.floor_mm) return wish.stop_mm;
+    waited_s_ += dt;
+    if (waited_s_ > tuning_.floor_waits_s) return wish.stop_mm;
   }
   return std::min(wish.stop_mm, std::max(wish.floor_mm, rested_depth_.value_or(wish.floor_mm)));
 }
@@ -69,16 +71,17 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   if (!pushing) {
     push_n_ = 0;
     rested_depth_.reset();
+    waited_s_ = 0;
     // Off first what is touched and out of what was cut, then to the height of hovering.
     next_depth = retracts ? std::min(depth, proxy_depth) - rise
                           : towards(depth, shown_depth - tuning_.hover_mm, {sink, rise});
   } else if (touches) {
     push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the bur, and it sinks no faster than through the air.
-    next_depth = std::min({proxy_depth + push_n_ / stiffness, depth + sink, deepest(wish, proxy_depth)});
+    next_depth = std::min({proxy_depth + push_n_ / stiffness, depth + sink, deepest(wish, proxy_depth, dt)});
   } else {
     push_n_ = 0;
-    next_depth = towards(depth, std::min(shown_depth + tuning_.reach_mm, deepest(wish, depth)), {sink, rise});
+    next_depth = towards(depth, std::min(shown_depth + tuning_.reach_mm, deepest(wish, depth, dt)), {sink, rise});
   }
 
   // Across: the pointer's place, as fast as a hand would, pulling with no more than lateral_n.

@@ -23,6 +23,7 @@ struct PointerTuning {
   double sweep_mm_s = 10.0;        // sideways speed that halves the push
   double sweep_keeps_s = 0.15;     // time constant of the falling speed, so that a turn of the pointer is no rest
   double rest_mm_s = 1.5;          // slower than this the hand rests, and its push sinks; a tremor of 1.5 pixels stays below
+  double floor_waits_s = 0.6;      // a push that rests waits so long at the floor: twice what a hand needs to see and release
   double clear_mm = 1.0;           // height above the first contact of a push at which the bur is out of the cavity
   double max_step_mm = 0.15;       // largest move of the point in one tick
 };
@@ -38,9 +39,9 @@ class PointerMotion {
   Vec3 device_mm() const noexcept { return device_mm_; }
 
  private:
-  /// The deepest place along the approach that a push may reach now: a held depth; while sweeping the floor, or deeper where the
-  /// hand has rested. `depth`: of the pivot.
-  double deepest(const PointerWish& wish, double depth) noexcept;
+  /// The deepest place along the approach that a push may reach now: a held depth; the floor, or deeper where the hand has
+  /// rested, while it sweeps and until it has waited there. `depth`: of the pivot.
+  double deepest(const PointerWish& wish, double depth, double dt) noexcept;
 
   PointerTuning tuning_;
   Vec3 device_mm_;
@@ -48,6 +49,7 @@ class PointerMotion {
   double push_n_ = 0;  // the rising push
   double sweep_ = 0;   // of the pointer across the approach, mm/s
   std::optional<double> rested_depth_;  // along the approach, deepest of this push while the pointer rested
+  double waited_s_ = 0;  // at the floor, of this push
   std::optional<Vec3> entry_mm_;  // highest contact since the bur was clear
 };
 

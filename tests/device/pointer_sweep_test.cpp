@@ -140,6 +140,21 @@ TEST(PointerMotion, ASweepingPushStopsAtTheFloorARestingOneSinksAndAHeldDepthSto
   EXPECT_LE(drill(1.0, true), 0.7);  // measured 0.64
 }
 
+TEST(PointerMotion, ARestingPushComesToTheFloorAsFastAsWithoutOneAndWaitsThereForAMoment) {
+  const auto deep_after = [](double seconds, bool floor) {
+    SweepBench bench(Vec3(0, 0, 1));
+    if (floor) bench.hand.set_floor(Vec3(0, 0, -0.5));
+    bench.hand.set_push(1.0);
+    for (int i = 0; i < static_cast<int>(seconds / kSweepTickS); ++i) bench.tick();
+    return bench.strip.depth();
+  };
+  double comes_s = 0;
+  while (deep_after(comes_s, false) < 1.0) comes_s += 0.01;
+  EXPECT_NEAR(deep_after(comes_s, true), 1.0, 0.01);
+  EXPECT_NEAR(deep_after(comes_s + 0.5, true), 1.0, 0.01);  // a hand sees it and releases within 0.3 s [M]
+  EXPECT_GT(deep_after(comes_s + 1.0, true), 1.1);
+}
+
 TEST(PointerMotion, AReleaseTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsAt) {
   SweepBench bench(Vec3(0, 0, 1));
   bench.hand.set_push(1.5);
