@@ -66,12 +66,13 @@ def speed_against_accuracy(accuracy, rate, radius, cavity=None):
         raise Missing(f"accuracy and rate: no slides at 50 mm/s on face and sphere with a bur of {radius} mm")
     several = len({voxel for _, voxel, *_ in shown}) > 1
     milled = explored(cavity, radius) if cavity else None
-    of_cavity = f"; cavity {cavity.version}" if cavity else ""
+    measured = {"angles": accuracy.version, "rates": rate.version} | ({"cavity": cavity.version} if cavity else {})
+    version = accuracy.version if len(set(measured.values())) == 1 else "; ".join(f"{what} {of}" for what, of in measured.items())
     sizes = "voxel size in mm beside the marks" if several else "voxels of 10/128 mm"
     fig = style.figure(
         860, 620, f"Speed against accuracy, ball bur of {radius} mm radius",
         "Clean path: slides at 50 mm/s, 0.3 mm below the offset surface; mean of face and sphere. Right is faster, down is more exact.",
-        f"Filled: {accuracy.machine}, angles {accuracy.version}; rates {rate.version}{of_cavity}; {sizes}. "
+        f"Filled: {accuracy.machine}, {version}; {sizes}. "
         "Dashed: Pareto front.\nHollow: other programs, measured elsewhere on a 2-vCPU EPYC VM, 10/128 mm. "
         "(pressed): angle of presses, not of a slide.")
     axes = style.panel(fig, 76, 72, 836, 528)
