@@ -38,6 +38,8 @@ double PointerMotion::deepest(const PointerWish& wish, double depth, double dt) 
     if (depth < wish.floor_mm) return wish.stop_mm;
     waited_s_ += dt;
     if (waited_s_ > tuning_.floor_waits_s) return wish.stop_mm;
+  } else {
+    waited_s_ = 0;
   }
   return std::min(wish.stop_mm, std::max(wish.floor_mm, rested_depth_.value_or(wish.floor_mm)));
 }

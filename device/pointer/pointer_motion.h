@@ -49,7 +49,7 @@ class PointerMotion {
   double push_n_ = 0;  // the rising push
   double sweep_ = 0;   // of the pointer across the approach, mm/s
   std::optional<double> rested_depth_;  // along the approach, deepest of this push while the pointer rested
-  double waited_s_ = 0;  // at the floor, of this push
+  double waited_s_ = 0;  // at the floor, since the pointer came to rest
   std::optional<Vec3> entry_mm_;  // highest contact since the bur was clear
 };
 
