@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/contact/plane_search.h"
 #include "engine/tool/swept.h"
 
 namespace cusp::engine {
@@ -83,47 +84,21 @@ struct Met {
   }
 };
 
-/// A place on a wall counts as outside of it: normals that nearly oppose each other leave a rounding error.
-constexpr double kOnWall = 1e-9;
-
-bool leads_into_none(Vec3 way, std::span<const Vec3> walls, double tolerance) noexcept {
-  return std::ranges::all_of(walls, [&](const Vec3& n) { return glm::dot(way, n) >= -tolerance; });
-}
-
 }  // namespace
-
-Vec3 left_of_push(Vec3 push, std::span<const Vec3> walls) noexcept {
-  const double tolerance = kOnWall * std::sqrt(glm::dot(push, push));
-  if (leads_into_none(push, walls, tolerance)) return push;
-  // The nearest one lies on one wall, or along the line that two walls have in common, or is none.
-  Vec3 best(0.0);
-  double longest = 0.0;  // the longer a part of the push, the nearer it is
-  const auto offer = [&](Vec3 part) {
-    const double length = glm::dot(part, part);
-    if (!(length > longest) || !leads_into_none(part, walls, tolerance)) return;
-    longest = length;
-    best = part;
-  };
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    offer(push - walls[i] * glm::dot(push, walls[i]));
-    for (std::size_t k = i + 1; k < walls.size(); ++k) {
-      const Vec3 line = glm::cross(walls[i], walls[k]);
-      const double length = glm::dot(line, line);
-      if (length > kOnWall) offer(line * (glm::dot(push, line) / length));
-    }
-  }
-  return best;
-}
 
 HeadPush push_of_head(Vec3 to_device, std::span<const Vec3> walls) noexcept {
   constexpr double kNoPushMm = 1e-9;
-  const Vec3 left = walls.empty() ? to_device : left_of_push(to_device, walls);
   HeadPush out;
+  Vec3 left = to_device;
+  if (!walls.empty()) {
+    Plane plane[3];
+    for (std::size_t i = 0; i < walls.size(); ++i) plane[i].n = walls[i];
+    left = closest_point(to_device, {plane, walls.size()}, kNoPushMm).y;
+    const double whole_mm = std::sqrt(glm::dot(to_device, to_device));
+    if (whole_mm > kNoPushMm) out.share = std::sqrt(glm::dot(left, left)) / whole_mm;
+  }
   out.gap_mm = std::sqrt(glm::dot(left, left));
   if (out.gap_mm > kNoPushMm) out.direction = left / out.gap_mm;
-  if (walls.empty()) return out;
-  const double whole_mm = std::sqrt(glm::dot(to_device, to_device));
-  if (whole_mm > kNoPushMm) out.share = out.gap_mm / whole_mm;
   return out;
 }
 

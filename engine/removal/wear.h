@@ -17,17 +17,14 @@ inline double wear_coefficient(double distance_mm, double stiffness_n_per_mm, do
   return alpha < 0.0 ? 0.0 : alpha > 1.0 ? 1.0 : alpha;
 }
 
-/// What is left of a push (any unit) that walls hold without giving way: the nearest vector that leads into none of them.
-/// Pre: at most three normals, unit, out of the walls.
-Vec3 left_of_push(Vec3 push, std::span<const Vec3> walls) noexcept;
-
-/// What a push does to the head where neck and shank lean on walls: they take their part of it, and cut nothing.
+/// The head's part of a push. Neck and shank cut nothing; they take what leads into the walls that hold them.
 struct HeadPush {
   Vec3 direction{0.0};  // unit; 0 if nothing is left
   double gap_mm = 0.0;  // how far it leads
   double share = 1.0;   // of the whole push
 };
-/// to_device: from the pose, mm. walls: as of left_of_push().
+/// The nearest vector to `to_device` (from the pose, mm) that leads into no wall.
+/// Pre: at most three normals of walls, unit, out of the tissue.
 HeadPush push_of_head(Vec3 to_device, std::span<const Vec3> walls) noexcept;
 
 /// Density of eq. (6) for a removal velocity: (updates per second / voxels per mm) / velocity. 40 updates a second.

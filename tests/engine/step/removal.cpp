@@ -242,7 +242,10 @@ TEST(Wear, what_walls_leave_of_a_push_is_the_nearest_that_leads_into_none_of_the
     }
     if (i % 3 == 0) walls[1] = -walls[0];  // a slot
     const std::span<const Vec3> some(walls, static_cast<std::size_t>(i % 4));
-    const Vec3 push = any(), left = left_of_push(push, some), taken = push - left;
+    const Vec3 push = any();
+    const HeadPush head = push_of_head(push, some);
+    const Vec3 left = head.direction * head.gap_mm, taken = push - left;
+    EXPECT_NEAR(head.share * length(push), head.gap_mm, 1e-12);
     for (const Vec3& n : some) EXPECT_GE(glm::dot(left, n), -1e-8);
     EXPECT_NEAR(glm::dot(left, taken), 0.0, 1e-8);
     held += length(left) < 1e-9;
