@@ -11,6 +11,7 @@
 #include <QStandardItemModel>
 #include <QToolTip>
 #include <cmath>
+#include <functional>
 
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
@@ -217,8 +218,6 @@ void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Toke
 
 /// Paints the chart. The pointer or the arrow keys pick a point, and a tooltip names it.
 class ChartCanvas : public QWidget {
-  Q_OBJECT
-
  public:
   explicit ChartCanvas(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
@@ -232,9 +231,7 @@ class ChartCanvas : public QWidget {
     setAccessibleDescription(data_.summary);
     update();
   }
-
- Q_SIGNALS:
-  void opened(int series, int point);
+  std::function<void(int series, int point)> opened;  // a point was chosen
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -258,7 +255,7 @@ class ChartCanvas : public QWidget {
   }
   void leaveEvent(QEvent*) override { light({}, {}); }
   void mousePressEvent(QMouseEvent*) override {
-    if (lit_.series >= 0) Q_EMIT opened(lit_.series, lit_.point);
+    if (lit_.series >= 0) opened(lit_.series, lit_.point);
   }
   void keyPressEvent(QKeyEvent* event) override {
     const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
@@ -272,7 +269,7 @@ class ChartCanvas : public QWidget {
       return;
     }
     if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && lit_.series >= 0) {
-      Q_EMIT opened(lit_.series, lit_.point);
+      opened(lit_.series, lit_.point);
       return;
     }
     QWidget::keyPressEvent(event);
@@ -307,7 +304,7 @@ Chart::Chart(QWidget* parent) : QWidget(parent), stack_(new QStackedWidget), can
   table_ = table;
   table_->setModel(new QStandardItemModel(this));
   stack_->addWidget(table_);
-  connect(canvas_, &ChartCanvas::opened, this, &Chart::point_opened);
+  canvas_->opened = [this](int series, int point) { Q_EMIT point_opened(series, point); };
   auto* toggle = new QAction(this);
   toggle->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
   toggle->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -348,5 +345,3 @@ void Chart::fill_table() {
 }
 
 }  // namespace cusp::ui
-
-#include "chart.moc"
