@@ -1665,6 +1665,14 @@
         <source>A landmark does not lie on the tooth. It may be another file’s.</source>
         <translation>Eine Landmarke liegt nicht auf dem Zahn. Vielleicht gehört sie zu einer anderen Datei.</translation>
     </message>
+    <message>
+        <source>%1 is of a target that this exercise does not have. Remove it.</source>
+        <translation>%1 gehört zu einem Ziel, das diese Übung nicht hat. Entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>The name of a target is missing in %1.</source>
+        <translation>Der Name eines Ziels fehlt auf %1.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -3970,6 +3978,10 @@
     <message>
         <source>Remove a language</source>
         <translation>Eine Sprache entfernen</translation>
+    </message>
+    <message>
+        <source>Name of a target</source>
+        <translation>Name eines Ziels</translation>
     </message>
 </context>
 <context>
@@ -9784,6 +9796,21 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
+    <name>cusp::ui::TargetNameForm</name>
+    <message>
+        <source>graded with the whole target</source>
+        <translation>wird mit dem ganzen Ziel bewertet</translation>
+    </message>
+    <message>
+        <source>A shape with a name is a target of its own: criteria can ask for its depth, walls and over-cut alone.</source>
+        <translation>Eine Form mit Namen ist ein eigenes Ziel: Kriterien können Tiefe, Wände und Überschnitt für sie allein verlangen.</translation>
+    </message>
+    <message>
+        <source>Name as a target of its own</source>
+        <translation>Name als eigenes Ziel</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::TargetView</name>
     <message>
         <source>Turn</source>
@@ -12255,6 +12282,19 @@ Ihr bester davor</translation>
         <extracomment>%1: a fault (&quot;too deep&quot;), %2: its size (&quot;0.9 mm&quot;)</extracomment>
         <translation>Referenzbediener mit einem Fehler: %1, %2</translation>
     </message>
+    <message>
+        <source>%1 is no name of a target: a letter, then letters, digits and _, all small.</source>
+        <translation>%1 ist kein Name eines Ziels: ein Buchstabe, dann Buchstaben, Ziffern und _, alles klein.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a measurement of one of several targets</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>The rest counts only as far as its own target was cut, the least of it: %1.</source>
+        <translation>Der Rest zählt nur so weit, wie das eigene Ziel präpariert wurde, am wenigsten: %1.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -12291,6 +12331,11 @@ Ihr bester davor</translation>
     <message>
         <source>Add a language</source>
         <translation>Sprache hinzufügen</translation>
+    </message>
+    <message>
+        <source>Name of target %1, %2</source>
+        <extracomment>%1: which of several targets, %2: a language</extracomment>
+        <translation>Name von Ziel %1, %2</translation>
     </message>
 </context>
 <context>

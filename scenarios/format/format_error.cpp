@@ -26,6 +26,7 @@ std::string_view key_of(FormatError code) noexcept {
     case FormatError::unknown_shape: return "unknown_shape";
     case FormatError::unknown_phenomenon: return "unknown_phenomenon";
     case FormatError::unknown_face: return "unknown_face";
+    case FormatError::bad_target_name: return "bad_target_name";
     case FormatError::unknown_severity: return "unknown_severity";
     case FormatError::unknown_hardness: return "unknown_hardness";
     case FormatError::unknown_level: return "unknown_level";

@@ -35,6 +35,7 @@ enum class FormatError : std::uint8_t {
   unknown_severity,
   unknown_hardness,   // of a leaf lesion
   unknown_level,
+  bad_target_name,    // other than small letters, digits and '_' after a letter
   unknown_landmark,   // its kind or its state
   unknown_bur,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key

@@ -1,5 +1,6 @@
 #include "scenarios/format/keys.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace cusp::scenarios {
@@ -12,7 +13,24 @@ constexpr std::size_t kFirstOwn = 16;
 
 }  // namespace
 
+bool is_target_name(std::string_view name) noexcept {
+  constexpr std::size_t kMost = 32;
+  const auto small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto allowed = [small](char c) { return small(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && name.size() <= kMost && small(name.front()) && std::ranges::all_of(name, allowed);
+}
+
+bool is_of_cavity(std::string_view metric) noexcept {
+  constexpr std::array<std::string_view, 10> kNot = {"time",           "force_",   "dry_cutting_time", "temperature_rise_peak", "protected_removed",
+                                                     "contact_broken", "clearance_", "caries_left_",     "sound_lost",            "gingival_floor_mesiodistal"};
+  return std::ranges::none_of(kNot, [metric](std::string_view key) { return metric.starts_with(key); });
+}
+
 std::optional<MetricKey> metric_from_key(std::string_view key) noexcept {
+  if (key.find('@') != std::string_view::npos) {
+    const auto [metric, target] = split_metric(key);
+    return is_target_name(target) && is_of_cavity(metric) ? metric_from_key(metric) : std::nullopt;
+  }
   for (const MetricKey& metric : kMetricKeys) {
     if (metric.key == key) return metric;
   }

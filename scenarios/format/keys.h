@@ -120,7 +120,25 @@ inline constexpr std::array<std::string_view, 7> kPhenomenonKeys = {
 inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_pivot, Method::ray,
                                         Method::penalty,   Method::gradient,        Method::surface};
 
-/// The metric of a key, with "removed_<tissue>" among them; nullopt when there is none.
+/// "depth_mean@mesial_pit": a metric of one of several targets (named_targets of region.h). Of the whole target the name is empty.
+struct MetricOfTarget {
+  std::string_view metric, target;
+};
+constexpr MetricOfTarget split_metric(std::string_view key) noexcept {
+  const std::size_t at = key.find('@');
+  return at == std::string_view::npos ? MetricOfTarget{key, {}} : MetricOfTarget{key.substr(0, at), key.substr(at + 1)};
+}
+/// The key of `metric` of the target `target`; of the whole target `metric` itself.
+inline std::string metric_key(std::string_view metric, std::string_view target) {
+  return target.empty() ? std::string(metric) : std::string(metric).append("@").append(target);
+}
+/// A name of a target: a small letter, then small letters, digits and '_', 32 at most.
+bool is_target_name(std::string_view name) noexcept;
+/// Whether a metric can be of one of several targets: what is measured on its own cavity. Not time, force and heat, which are of the
+/// attempt; not caries, contact and neighbours, which are of the tooth.
+bool is_of_cavity(std::string_view metric) noexcept;
+
+/// The metric of a key, with "removed_<tissue>" and those of one of several targets among them; nullopt when there is none.
 std::optional<MetricKey> metric_from_key(std::string_view key) noexcept;
 
 /// What the engine makes of a scenario's phenomena. Of several spindles the first counts.

@@ -95,7 +95,7 @@ Scenario read_document(const json& document, Problems& problems) {
       out.phenomena.push_back(v.key(FormatError::unknown_phenomenon, one_of(kPhenomenonKeys)));
     });
   });
-  out.target = read_region(root.need("target"));
+  out.target = read_region(root.need("target"), RegionUse::target);
   out.leeway = read_leeway(root.need("leeway"));
   root.maybe("protected", [&](const Value& list) {
     list.list(0, kTissueCodes, [&](const Value& v) { out.protected_parts.push_back(read_protected(v)); });

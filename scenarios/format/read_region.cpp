@@ -1,5 +1,7 @@
 // Regions: the target, and what an attempt is to spare.
 
+#include <algorithm>
+
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read_sections.h"
 
@@ -77,8 +79,17 @@ void read_leaf(Object& object, Region& out) {
   if (k == RegionKind::half_space) out.z_axis = object.need("z_axis").point();
 }
 
-/// `left`: how many leaves and nodes the tree may still have.
-Region read_part(const Value& value, int& left) {
+void read_name(Object& object, Region& out) {
+  object.maybe("name", [&](const Value& v) {
+    out.name = v.text(1, 32);
+    if (!is_target_name(out.name)) v.refuse(FormatError::bad_target_name, out.name);
+  });
+  if (!out.name.empty()) object.maybe("title", [&](const Value& v) { out.title = v.texts(); });
+}
+
+/// `left`: how many leaves and nodes the tree may still have. `naming`: what may have a name, the region's parts or nothing.
+enum class Naming : std::uint8_t { parts, own, none };
+Region read_part(const Value& value, Naming naming, int& left) {
   Region out;
   Object object(value.node(), value.where(), value.problems());
   if (--left < 0) {
@@ -88,8 +99,13 @@ Region read_part(const Value& value, int& left) {
   out.kind = object.need("kind").key(FormatError::unknown_shape, kind_from_key);
   if (is_node(out.kind)) {
     const std::size_t least = out.kind == RegionKind::offset ? 1 : 2, most = out.kind == RegionKind::offset ? 1 : 32;
+    const Naming of_parts = naming == Naming::parts && out.kind == RegionKind::joined ? Naming::own : Naming::none;
     object.need("parts").list(least, most, [&](const Value& part) {
-      if (left >= 0) out.parts.push_back(read_part(part, left));
+      if (left < 0) return;
+      out.parts.push_back(read_part(part, of_parts, left));
+      const std::string& name = out.parts.back().name;
+      const auto named_so = [&name](const Region& one) { return one.name == name; };
+      if (!name.empty() && std::ranges::count_if(out.parts, named_so) > 1) part.refuse(FormatError::duplicate_value, name);
     });
     if (out.kind == RegionKind::offset) out.by_mm = object.need("by_mm").number({-10, 10});
     else object.maybe("rounding_mm", [&](const Value& v) { out.rounding_mm = v.number({0, 10}); });
@@ -97,6 +113,7 @@ Region read_part(const Value& value, int& left) {
     read_leaf(object, out);
     read_faces(object, out);
   }
+  if (naming == Naming::own) read_name(object, out);
   object.nothing_else();
   return out;
 }
@@ -111,9 +128,9 @@ FaceName read_face(const Value& value) {
   });
 }
 
-Region read_region(const Value& value) {
+Region read_region(const Value& value, RegionUse use) {
   int left = kMostRegionParts;
-  return read_part(value, left);
+  return read_part(value, use == RegionUse::target ? Naming::parts : Naming::none, left);
 }
 
 Leeway read_leeway(const Value& value) {
@@ -136,7 +153,7 @@ Protected read_protected(const Value& value) {
   Protected out(Tissue::empty);
   if (one.has("region")) {
     out.tissue.reset();
-    out.region = read_region(one.need("region"));
+    out.region = read_region(one.need("region"), RegionUse::spared);
   } else {
     out.tissue = read_tissue(one.need("tissue"));
   }

@@ -42,6 +42,14 @@ FaceName default_face(RegionKind kind, std::size_t slot) noexcept {
   return slot == 0 && face_slots(kind).size() > 1 ? FaceName::pulpal_floor : FaceName::side_wall;
 }
 
+std::vector<const Region*> named_targets(const Region& target) {
+  std::vector<const Region*> out;
+  if (target.kind != RegionKind::joined) return out;
+  for (const Region& part : target.parts)
+    if (!part.name.empty()) out.push_back(&part);
+  return out;
+}
+
 std::vector<const Outline*> outlines_of(const Region& region) {
   std::vector<const Outline*> out;
   collect(region, out);

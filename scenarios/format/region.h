@@ -100,6 +100,8 @@ struct Region {
   std::map<std::string, FaceName> faces;  // by face_slots(kind); those left out: default_face()
   double rounding_mm = 0;              // union, intersection, difference: radius at the edges between the parts
   double by_mm = 0;                    // offset
+  std::string name;                        // of one of several targets, a direct part of the target's union; else empty
+  std::map<std::string, std::string> title;  // its name for people, by language code
   std::vector<Region> parts;
   friend bool operator==(const Region&, const Region&) = default;
 };
@@ -116,6 +118,8 @@ std::span<const std::string_view> face_slots(RegionKind kind) noexcept;
 bool needs_voxels(const Region& region) noexcept;
 /// Slot 0 of outline, box, cylinder and cone is the pulpal floor (it faces the deep end); any other a side_wall.
 FaceName default_face(RegionKind kind, std::size_t slot) noexcept;
+/// Several targets: the named parts of a union, first to last. Of any other region none.
+std::vector<const Region*> named_targets(const Region& target);
 /// The region's outlines, first to last; a lone outline is its own.
 std::vector<const Outline*> outlines_of(const Region& region);
 

@@ -91,6 +91,9 @@ class Checks {
     for (const std::string& language : languages) {
       if (!s_.title.contains(language)) warn("/title", "language_missing", {}, language);
       if (!s_.briefing.contains(language)) warn("/briefing", "language_missing", {}, language);
+      for (std::size_t i = 0; i < s_.target.parts.size(); ++i)
+        if (const auto& title = s_.target.parts[i].title; !title.empty() && !title.contains(language))
+          warn(at("/target/parts", i, "/title"), "language_missing", {}, language);
     }
     if (s_.time_limit_s > 0 && s_.expected_time_s > s_.time_limit_s)
       warn("/expected_time_s", "expected_beyond_limit", {{"value", s_.expected_time_s}, {"limit", s_.time_limit_s}});
@@ -178,14 +181,24 @@ class Checks {
     }
   }
 
+  /// The target of that name, the whole one for none; nullptr where the exercise has no such target.
+  const Region* target_of(std::string_view name) const {
+    if (name.empty()) return &s_.target;
+    for (const Region* one : named_targets(s_.target))
+      if (one->name == name) return one;
+    return nullptr;
+  }
+
   /// What this metric reads when the target is met exactly; nullopt if the target does not determine it.
-  std::optional<double> perfect(std::string_view metric) const {
+  std::optional<double> perfect(std::string_view key) const {
+    const auto [metric, name] = split_metric(key);
     if (metric == "target_removed") return 100.0;
     if (metric == "uncut_remainder" || metric.starts_with("overcut_")) return 0.0;
     // A lone outline with upright walls is straight and has a level floor; of other targets nothing more is known here.
-    const bool upright = s_.target.kind == RegionKind::outline && s_.target.outline.taper_deg == std::array<double, 4>{};
+    const Region* target = target_of(name);
+    const bool upright = target != nullptr && target->kind == RegionKind::outline && target->outline.taper_deg == std::array<double, 4>{};
     if (!upright) return std::nullopt;
-    if (metric.starts_with("depth_")) return s_.target.outline.depth_mm;
+    if (metric.starts_with("depth_")) return target->outline.depth_mm;
     if (metric.starts_with("wall_angle_") || metric.starts_with("convergence_") || metric.starts_with("floor_")) return 0.0;
     return std::nullopt;
   }
@@ -216,6 +229,7 @@ class Checks {
       const Criterion& c = r.criteria[i];
       const Bands& b = c.bands;
       weights += c.weight;
+      if (target_of(split_metric(c.metric).target) == nullptr) error(at("/rubric/criteria", i, "/metric"), "target_missing", {}, c.metric);
       if (c.weight == 0) error(at("/rubric/criteria", i, "/weight"), "weight_zero", {}, c.metric);
       const std::array edges = {b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi};
       if (!std::ranges::is_sorted(edges)) {

@@ -153,6 +153,8 @@ Json json_of(const Region& region) {
     out["parts"] = std::move(parts);
   }
   for (const auto& [slot, face] : region.faces) out["faces"][slot] = key_of(face);
+  if (!region.name.empty()) out["name"] = region.name;
+  if (!region.title.empty()) out["title"] = json_of<Json>(region.title);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/grading/bands.h"
 
 namespace cusp::scenarios {
@@ -25,7 +26,7 @@ bool is_of_the_whole(std::string_view metric) {
 /// Whether a tooth that nobody touched, or touched once, earns points here. A single plunge has a depth, the bur's own width
 /// and taper, its push and its time; and it spoiled nothing. Tissue that the bands ask to be removed is earned by removing it.
 bool counts_with_target(const Criterion& criterion) {
-  const std::string_view metric = criterion.metric;
+  const std::string_view metric = split_metric(criterion.metric).metric;
   if (is_of_the_whole(metric)) return false;
   return !metric.starts_with("removed_") || share_of_points(criterion.bands, 0.0) > 0.0;
 }
@@ -52,9 +53,33 @@ double share_drilled(const Bands& asked, double removed) {
   return half / 100.0 + (1.0 - half / 100.0) * ((removed - half) / (ideal - half));
 }
 
-const Criterion* target_criterion(const Rubric& rubric) {
-  const auto it = std::ranges::find(rubric.criteria, "target_removed", &Criterion::metric);
-  return it == rubric.criteria.end() ? nullptr : &*it;
+/// What asks how much of a criterion's target was removed: of its own one of several targets, else of the whole target, else of each of
+/// the several. Empty where the rubric asks for none of them.
+std::vector<const Criterion*> target_criteria(const Rubric& rubric, std::string_view criterion) {
+  constexpr std::string_view kRemoved = "target_removed";
+  for (const std::string& key : {metric_key(kRemoved, split_metric(criterion).target), std::string(kRemoved)}) {
+    const auto it = std::ranges::find(rubric.criteria, key, &Criterion::metric);
+    if (it != rubric.criteria.end()) return {&*it};
+  }
+  std::vector<const Criterion*> out;
+  for (const Criterion& c : rubric.criteria)
+    if (split_metric(c.metric).metric == kRemoved) out.push_back(&c);
+  return out;
+}
+
+/// The share of the points that a criterion has which counts with its target; of several targets the mean.
+/// `removed_of(key)`: the measure, nullptr for none.
+template <class RemovedOf, class ShareOf>
+double share_of_targets(const Rubric& rubric, std::string_view criterion, RemovedOf removed_of, ShareOf share_of) {
+  double sum = 0;
+  int measured = 0;
+  for (const Criterion* asked : target_criteria(rubric, criterion)) {
+    const Measure* removed = removed_of(asked->metric);
+    if (removed == nullptr || !removed->measured) continue;
+    sum += share_of(asked->bands, removed->value);
+    ++measured;
+  }
+  return measured > 0 ? sum / measured : 1.0;
 }
 
 /// Weights to points of the score's maximum, over what was measured.
@@ -117,29 +142,32 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
 }  // namespace
 
 void mark_counted_with_target(Grade& grade, const Rubric& rubric) {
-  const bool asked = target_criterion(rubric) != nullptr, before_4 = is_before_4(grade.evaluator);
+  const bool before_4 = is_before_4(grade.evaluator);
   for (CriterionGrade& c : grade.criteria) {
     const auto own = std::ranges::find_if(rubric.criteria, [&](const Criterion& r) { return r.metric == c.id; });
+    const bool asked = !target_criteria(rubric, c.id).empty();
     c.counts_with_target = asked && own != rubric.criteria.end() && (before_4 ? counted_with_target_before_4(*own) : counts_with_target(*own));
   }
 }
 
-double share_counted(const Grade& grade, const Rubric& rubric) {
-  const Criterion* asked = target_criterion(rubric);
-  const auto removed = std::ranges::find(grade.criteria, "target_removed", &CriterionGrade::id);
-  if (asked == nullptr || removed == grade.criteria.end() || !removed->measure.measured) return 1.0;
-  if (!is_before_4(grade.evaluator)) return share_drilled(asked->bands, removed->measure.value);
-  return std::clamp(removed->measure.value / asked->bands.ideal_lo, 0.0, 1.0);
+double share_counted(const Grade& grade, const Rubric& rubric, std::string_view criterion) {
+  const auto removed_of = [&](const std::string& key) -> const Measure* {
+    const auto it = std::ranges::find(grade.criteria, key, &CriterionGrade::id);
+    return it == grade.criteria.end() ? nullptr : &it->measure;
+  };
+  const bool before_4 = is_before_4(grade.evaluator);
+  return share_of_targets(rubric, criterion, removed_of, [before_4](const Bands& asked, double removed) {
+    return before_4 ? std::clamp(removed / asked.ideal_lo, 0.0, 1.0) : share_drilled(asked, removed);
+  });
 }
 
 Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int device_dof) {
   Grade out;
   out.pass_mark = scenario.rubric.pass;
-  const Criterion* asked = target_criterion(scenario.rubric);
-  const Measure* removed = find(measures, "target_removed");
-  const double share = asked != nullptr && removed != nullptr && removed->measured ? share_drilled(asked->bands, removed->value) : 1.0;
   double points = 0, most = 0;
   for (const Criterion& criterion : scenario.rubric.criteria) {
+    const auto removed_of = [&](const std::string& key) { return find(measures, key); };
+    const double share = share_of_targets(scenario.rubric, criterion.metric, removed_of, share_drilled);
     out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), share, device_dof));
     points += out.criteria.back().points;
     most += out.criteria.back().points_max;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/patch_faces.h"
 #include "scenarios/metrics/remaining.h"
@@ -63,9 +64,17 @@ double limit_mm(std::string_view metric) noexcept {
 
 EvidencePatches::EvidencePatches(std::shared_ptr<const Reference> reference, std::shared_ptr<const Volume> volume)
     : reference_(std::move(reference)), volume_(std::move(volume)), faces_(*reference_, *volume_, floor_depth(*reference_, *volume_)),
-      margin_(margin_points(*volume_)), tissues_(std::make_shared<TissuePatches>(reference_, volume_)) {}
+      margin_(margin_points(*volume_)), tissues_(std::make_shared<TissuePatches>(reference_, volume_)) {
+  for (const SeveralTargets::One& one : reference_->targets().asked())
+    targets_.try_emplace(one.name, one.reference, std::make_shared<const Volume>(reference_->targets().cavity(*volume_, one)));
+}
 
-EvidencePatch EvidencePatches::of(std::string_view metric) const {
+EvidencePatch EvidencePatches::of(std::string_view key) const {
+  const auto [metric, target] = split_metric(key);
+  if (!target.empty()) {
+    const auto own = targets_.find(target);
+    return own == targets_.end() ? EvidencePatch{} : own->second.of(metric);
+  }
   if (TissuePatches::has(metric)) return tissues_->of(metric, faces_, margin_);
   if (reference_->shape().empty()) return {};
   EvidencePatch out = faces_of(metric);

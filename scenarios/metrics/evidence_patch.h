@@ -2,7 +2,10 @@
 /// Frame: specimen. Millimetres.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +30,7 @@ class EvidencePatches {
  public:
   /// Keeps both. Pre: the volume is of the reference's specimen, and does not change.
   EvidencePatches(std::shared_ptr<const Reference> reference, std::shared_ptr<const Volume> volume);
-  [[nodiscard]] EvidencePatch of(std::string_view metric) const;
+  [[nodiscard]] EvidencePatch of(std::string_view key) const;
 
   static constexpr double kOffMm = 0.1, kThinMm = 0.2;
 
@@ -41,6 +44,7 @@ class EvidencePatches {
   CutFaces faces_;
   std::vector<MarginPoint> margin_;
   std::shared_ptr<const TissuePatches> tissues_;
+  std::map<std::string, EvidencePatches, std::less<>> targets_;  // by name: of several targets
 };
 
 }  // namespace cusp::scenarios

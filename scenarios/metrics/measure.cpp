@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/volume/cut_volume.h"
+#include "scenarios/format/keys.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/form.h"
 #include "scenarios/metrics/groups.h"
@@ -138,7 +139,10 @@ std::string removed_key(Tissue tissue) {
   return "removed_" + (i < kTissueKeys.size() ? std::string(kTissueKeys[i]) : std::to_string(i));
 }
 
-std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process) {
+namespace {
+
+/// What is measured of one cavity and of the attempt, but for several targets.
+std::vector<Measure> measure_whole(const Reference& reference, const Volume& volume, const Process& process) {
   RegionShares sum;
   std::vector<BrickShares> bricks;
   for (const int brick : bricks_to_measure(volume)) {
@@ -179,6 +183,20 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
   }
   if (reference.heat()) add_heat(process, out);
   add_groups(faces, margin, reference, volume, out);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process) {
+  std::vector<Measure> out = measure_whole(reference, volume, process);
+  for (const SeveralTargets::One& one : reference.targets().asked()) {
+    for (Measure& m : measure_whole(*one.reference, reference.targets().cavity(volume, one), process)) {
+      if (!one.reference->asks(m.metric)) continue;
+      m.metric = metric_key(m.metric, one.name);
+      out.push_back(std::move(m));
+    }
+  }
   return out;
 }
 

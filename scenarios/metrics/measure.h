@@ -10,6 +10,8 @@
 /// protected also protected_removed (mm3) and protected_damage (how many; protected_parts.h). With the phenomenon "heat" also dry_cutting_time (s), temperature_rise_peak (K, of
 /// the model of engine/removal/heat.h) and dry_cutting (how often the pulp's criterion was reached).
 ///
+/// Of several targets (several_targets.h) those keys that a criterion names: depth_mean@NAME and so on.
+///
 /// Only where the rubric asks for one of their keys: the groups of groups.h, each with its definition and source: volume.h,
 /// surface.h, box.h, margin.h, unsupported.h, proximal.h, caries.h.
 #pragma once

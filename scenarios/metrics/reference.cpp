@@ -37,11 +37,12 @@ TissueSet only(Tissue tissue) noexcept {
 }  // namespace
 
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
-    : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), leeway_(scenario.leeway), pulp_(specimen_, only(Tissue::pulp)),
+    : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), targets_(scenario, specimen_), leeway_(scenario.leeway), pulp_(specimen_, only(Tissue::pulp)),
       fdi_(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0), seed_(scenario.specimen.seed),
       marked_(scenario.specimen.landmarks), heat_(has_phenomenon(scenario.phenomena, "heat")),
       mesial_x_(fdi_ != 0 ? scenarios::mesial_x(fdi_) : mesial_x_of(marked_)) {
-  for (const Criterion& c : scenario.rubric.criteria) asked_.push_back(c.metric);
+  for (const Criterion& c : scenario.rubric.criteria)
+    if (split_metric(c.metric).target.empty()) asked_.push_back(c.metric);
   for (const std::string& key : scenario.rubric.critical) asked_.push_back(key);
   for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
   for (const Protected& one : scenario.protected_parts)

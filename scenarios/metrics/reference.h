@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scenarios/format/scenario.h"
+#include "scenarios/metrics/several_targets.h"
 #include "scenarios/metrics/target_surface.h"
 #include "scenarios/modules.h"
 #include "scenarios/shapes/border_surface.h"
@@ -51,10 +52,13 @@ class Reference {
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
+  /// Of one exercise's several targets those that the rubric asks for by name.
+  const SeveralTargets& targets() const noexcept { return targets_; }
   const std::vector<ProtectedPart>& protected_parts() const noexcept { return protected_parts_; }
   bool heat() const noexcept { return heat_; }  // the scenario reckons coolant and warmth
   bool has(Tissue tissue) const noexcept { return present_[index_of(tissue)]; }
-  /// Whether the rubric has a criterion or a critical event whose key begins so: what nobody asks for is not computed.
+  /// Whether the rubric has a criterion of the whole target, or a critical event, whose key begins so: what nobody asks for is not
+  /// computed.
   bool asks(std::string_view start) const noexcept;
   /// Made at the first call, which may take tenths of a second; any thread. Of an empty target or a filled reading empty.
   const std::vector<SurfacePatch>& target_surface() const;
@@ -72,6 +76,7 @@ class Reference {
  private:
   std::shared_ptr<const Specimen> specimen_;
   TargetShape shape_;
+  SeveralTargets targets_;
   Leeway leeway_;
   BorderSurface pulp_;
   std::vector<Tissue> tissues_;

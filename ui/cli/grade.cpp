@@ -69,8 +69,8 @@ int grade_verb(const GradeOptions& o) {
   }
   if (!o.json.write(nlohmann::ordered_json::parse(report_text(*result, store, *student)))) return kFailed;
   if (o.json.on_stdout()) return kDone;
-  print_grade(result->grade);
-  if (result->changes) print_line(plain(changes_text(*result->changes)));
+  print_grade(result->grade, result->scenario.target);
+  if (result->changes) print_line(plain(changes_text(*result->changes, &result->scenario.target)));
   return kDone;
 }
 

@@ -31,24 +31,24 @@ Message cannot_write(const std::filesystem::path& file) {
   return {CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
 }
 
-void print_criteria(const Grade& grade, const std::string& indent) {
+void print_criteria(const Grade& grade, const std::string& indent, const Region* whole) {
   const std::vector<ScaledPoints> scaled = scaled_points(grade);
   for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
     const CriterionGrade& c = grade.criteria[i];
     print_line(indent + plain(QStringLiteral("%1/%2  %3: %4")
                            .arg(scaled[i].points, 5, 'f', 1)
                            .arg(scaled[i].points_max, 0, 'f', 1)
-                           .arg(metric_name(c.id), reason_text(c))));
+                           .arg(metric_name(c.id, whole), reason_text(c))));
   }
 }
 
-void print_grade(const Grade& g) {
+void print_grade(const Grade& g, const Region& whole) {
   print_line(plain(CliText::tr("%1 of %2 points: %3")
                 .arg(g.score, 0, 'f', 1)
                 .arg(g.score_max, 0, 'f', 0)
                 .arg(g.passed ? CliText::tr("passed") : CliText::tr("not passed"))));
   for (const std::string& critical : g.critical) print_line("! " + plain(critical_name(critical)));
-  print_criteria(g, {});
+  print_criteria(g, {}, &whole);
 }
 
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder) {

@@ -19,10 +19,10 @@ namespace cusp::ui {
 Message cannot_write(const std::filesystem::path& file);
 
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
-void print_criteria(const Grade& grade, const std::string& indent);
+void print_criteria(const Grade& grade, const std::string& indent, const Region* whole = nullptr);
 
 /// Points and result on one line of stdout, then critical events and criteria.
-void print_grade(const Grade& grade);
+void print_grade(const Grade& grade, const Region& whole);
 
 /// The names of those files.
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder);

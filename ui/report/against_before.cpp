@@ -25,7 +25,7 @@ QString with_sign(double points) {
 
 }  // namespace
 
-AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, QWidget* parent) : QWidget(parent) {
+AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region* whole, QWidget* parent) : QWidget(parent) {
   QStringList spoken;
   const std::vector<ScaledPoints> points_now = scaled_points(now), points_before = scaled_points(before);
   for (std::size_t i = 0; i < now.criteria.size(); ++i) {
@@ -34,7 +34,7 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, QWidget* par
     for (std::size_t j = 0; j < before.criteria.size(); ++j) {
       const CriterionGrade& b = before.criteria[j];
       if (b.id != c.id || !(b.points_max > 0)) continue;
-      rows_ += {metric_name(c.id), b.points / b.points_max, c.points / c.points_max,
+      rows_ += {metric_name(c.id, whole), b.points / b.points_max, c.points / c.points_max,
                 points_now[i].points - points_before[j].points};
       spoken += tr("%1 %2").arg(rows_.last().name, with_sign(rows_.last().points));
     }

@@ -14,7 +14,8 @@ class AgainstBefore : public QWidget {
   Q_OBJECT
 
  public:
-  AgainstBefore(const Grade& now, const Grade& before, QWidget* parent = nullptr);
+  /// `whole`: the exercise's target, for the titles of several.
+  AgainstBefore(const Grade& now, const Grade& before, const Region* whole = nullptr, QWidget* parent = nullptr);
   struct Row {
     QString name;
     double before = 0, now = 0;  // shares of the full points, 0 to 1

@@ -7,8 +7,8 @@
 
 namespace cusp::ui {
 
-CriteriaModel::CriteriaModel(const Grade& grade, const Rubric& rubric, std::vector<PointsChange> changes, QObject* parent)
-    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(rubric), changes_(std::move(changes)) {}
+CriteriaModel::CriteriaModel(const Grade& grade, const Scenario& scenario, std::vector<PointsChange> changes, QObject* parent)
+    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(scenario.rubric), target_(scenario.target), changes_(std::move(changes)) {}
 
 int CriteriaModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(grade_.criteria.size());
@@ -131,7 +131,10 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
   const Measure& m = c.measure;
   const bool marked = m.measured && c.points_max > 0;
   switch (index.column()) {
-    case kName: return change(index.row()).isEmpty() ? metric_name(c.id) : tr("%1 (changed)").arg(metric_name(c.id));
+    case kName: {
+      const QString name = metric_name(c.id, &target_);
+      return change(index.row()).isEmpty() ? name : tr("%1 (changed)").arg(name);
+    }
     case kYours:
       return m.measured ? format_value({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
     case kWanted:

@@ -27,7 +27,7 @@ class CriteriaModel : public QAbstractTableModel {
 
  public:
   enum Column { kSign, kName, kYours, kWanted, kPoints, kOwn, kPlace, kColumns };
-  CriteriaModel(const Grade& grade, const Rubric& rubric, std::vector<PointsChange> changes = {}, QObject* parent = nullptr);
+  CriteriaModel(const Grade& grade, const Scenario& scenario, std::vector<PointsChange> changes = {}, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -55,6 +55,7 @@ class CriteriaModel : public QAbstractTableModel {
   Grade grade_;
   std::vector<ScaledPoints> points_;
   Rubric rubric_;
+  Region target_;  // of the exercise: titles of several targets
   std::vector<PointsChange> changes_;
   std::optional<SelfAssessment> own_;
   Detail detail_ = Detail::whole;

@@ -38,7 +38,7 @@ QString short_text(const Remark& remark) {
 }  // namespace
 
 MarkingCard::MarkingCard(Store& store, const Actor& actor, const ReportData& report, const Ports& ports, QWidget* parent)
-    : Card(MarkingCard::tr("Marking"), {}, parent), store_(store), actor_(actor), ports_(ports), session_(report.result.session) {
+    : Card(MarkingCard::tr("Marking"), {}, parent), store_(store), actor_(actor), ports_(ports), session_(report.result.session), target_(report.result.scenario.target) {
   setAccessibleName(tr("Marking"));
   band_ = new Band;
   body()->addWidget(band_);
@@ -155,9 +155,9 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
     points_label_->setText(tr("Choose a criterion to change its points."));
     return;
   }
-  points_label_->setText(tr("%1, of %2").arg(metric_name(criterion->id), format_points(criterion->points_max)));
+  points_label_->setText(tr("%1, of %2").arg(metric_name(criterion->id, &target_), format_points(criterion->points_max)));
   points_->setRange(0, criterion->points_max);
-  points_->setAccessibleName(tr("Points of %1").arg(metric_name(criterion->id)));
+  points_->setAccessibleName(tr("Points of %1").arg(metric_name(criterion->id, &target_)));
   points_->show_value(criterion->points);
 }
 

@@ -52,6 +52,7 @@ class MarkingCard : public Card {
   Actor actor_;
   const Ports& ports_;
   SessionId session_;
+  Region target_;  // of the exercise: titles of several targets
   std::string criterion_;
   std::optional<Vec3> place_mm_;
   Band* band_;

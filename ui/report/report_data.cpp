@@ -39,7 +39,7 @@ std::vector<std::optional<QPointF>> places_of(const Picture& picture) {
 
 namespace {
 
-QString remark_head(const SignedStatement& s, const Grade& stored) {
+QString remark_head(const SignedStatement& s, const Grade& stored, const Region* whole) {
   switch (s.kind) {
     case StatementKind::comment:
     case StatementKind::withdrawal:
@@ -48,7 +48,7 @@ QString remark_head(const SignedStatement& s, const Grade& stored) {
       const auto criterion = std::ranges::find(stored.criteria, s.criterion, &CriterionGrade::id);
       const double before = criterion == stored.criteria.end() ? 0 : criterion->points;
       return ReportText::tr("%1: %2 instead of %3 points")
-          .arg(metric_name(s.criterion), format_points(s.points.value_or(0)), format_points(before));
+          .arg(metric_name(s.criterion, whole), format_points(s.points.value_or(0)), format_points(before));
     }
     case StatementKind::override_critical: return ReportText::tr("Does not count: %1").arg(critical_name(s.criterion));
     case StatementKind::confirmation: return ReportText::tr("Result confirmed");
@@ -58,7 +58,7 @@ QString remark_head(const SignedStatement& s, const Grade& stored) {
 }
 
 /// Comments first come from older programs, then everything that is stated.
-std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionDetails& details) {
+std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionDetails& details, const Region& whole) {
   std::vector<Remark> out;
   const auto name_of = [&](UserId id) {
     const auto account = store.accounts.find(id);
@@ -75,7 +75,7 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
     if (s.grade && *s.grade != details.grade->stored.number) continue;
     const bool of_procedure = s.kind == StatementKind::confirmation || s.kind == StatementKind::release;
     if (of_procedure && !may(reader.role, Action::comment)) continue;
-    out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), remark_head(s, details.grade->stored.grade),
+    out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), remark_head(s, details.grade->stored.grade, &whole),
                    QString::fromStdString(s.text), s.place_mm});
   }
   return out;
@@ -121,7 +121,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   }
   if (!kept) return data;
   if (details) {
-    data.remarks = remarks_of(*store, *reader, *details);
+    data.remarks = remarks_of(*store, *reader, *details, result.scenario.target);
     data.released = details->row.released;
     if (auto own = store->statements.self_assessment(*reader, result.session)) data.own = std::move(*own);
     // An assessment is marked without the name.
@@ -183,7 +183,7 @@ std::vector<Advice> next_time(const ReportData& data) {
     if (!reason.critical.empty()) continue;
     const CriterionGrade& c = grade.criteria[reason.criterion];
     if (c.reason_code == "little_drilled") continue;
-    out.push_back({lost_text(c, reason.lost), reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
+    out.push_back({lost_text(c, reason.lost, &data.result.scenario.target), reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
                    c.points < c.points_max / 2, c.id});
   }
   return out;

@@ -240,7 +240,7 @@ QWidget* ReportPage::make_criteria() {
   auto* card = new Card;
   card->setAccessibleName(tr("Criteria"));
   card->body()->setContentsMargins(px(kTableSide), px(6), px(kTableSide), px(6));
-  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, data_.changes, this);
+  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario, data_.changes, this);
   model_->set_own(data_.own);
   table_ = new Table;
   table_->setAccessibleName(tr("Criteria"));
@@ -260,7 +260,7 @@ void ReportPage::choose(int row) {
   const CriterionGrade& c = model_->criterion(row);
   const Measure& m = c.measure;
   const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
-  tooth_->pin(m.where_mm, metric_name(c.id) + u": "_qs + value, reason_text(c), c.id);
+  tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, reason_text(c), c.id);
   if (section_) section_->go_through(m.where_mm);
   Q_EMIT criterion_chosen();
 }
@@ -358,7 +358,7 @@ QWidget* ReportPage::make_against() {
   dot(u"dot"_qs, Ink::accent, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
   legend->addStretch();
   card->body()->addLayout(legend);
-  against_ = new AgainstBefore(data_.result.grade, *data_.before);
+  against_ = new AgainstBefore(data_.result.grade, *data_.before, &data_.result.scenario.target);
   card->body()->addWidget(against_);
   card->body()->addStretch();
   return card;

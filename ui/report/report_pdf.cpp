@@ -124,7 +124,7 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
 }
 
 void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
-  CriteriaModel model(d.result.grade, d.result.scenario.rubric, d.changes);
+  CriteriaModel model(d.result.grade, d.result.scenario, d.changes);
   model.set_own(d.own);
   const bool rated = d.own && !d.own->skipped();
   const QRectF page = paper.page();
@@ -302,7 +302,7 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   painter.setPen(t.text3);
   QString foot = PdfText::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
   if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
-  if (data.result.changes) foot = changes_text(*data.result.changes) + u'\n' + foot;
+  if (data.result.changes) foot = changes_text(*data.result.changes, &data.result.scenario.target) + u'\n' + foot;
   painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, foot);
   if (tooth && !tooth->closeups.empty()) {
     new_page();

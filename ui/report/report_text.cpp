@@ -16,9 +16,9 @@ std::string hex(std::uint64_t value) {
 
 }  // namespace
 
-ReportTexts report_texts() {
+ReportTexts report_texts(const Region* whole) {
   ReportTexts out;
-  out.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
+  out.label = [whole](const CriterionGrade& c) { return plain(metric_name(c.id, whole)); };
   out.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
   return out;
 }
@@ -39,7 +39,7 @@ std::string report_text(const SessionResult& result, Store& store, const Account
   head.duration_s = result.seconds;
   head.state = result.interrupted ? "interrupted" : "finished";
   head.volume_hash = hex(result.volume_hash);
-  return report_json(head, result.grade, report_texts());
+  return report_json(head, result.grade, report_texts(&result.scenario.target));
 }
 
 }  // namespace cusp::ui

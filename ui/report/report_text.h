@@ -13,6 +13,6 @@ namespace cusp::ui {
 std::string report_text(const SessionResult& result, Store& store, const Account& student);
 
 /// Names and reasons of a report's criteria, in the installed language.
-ReportTexts report_texts();
+ReportTexts report_texts(const Region* whole);
 
 }  // namespace cusp::ui

@@ -190,7 +190,7 @@ QWidget* Briefing::make_points() {
     const Criterion& c = s.rubric.criteria[i];
     auto* weight = new QStandardItem(format_points(maxima[i]));
     weight->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
-    model->appendRow({new QStandardItem(metric_name(c.metric)), new QStandardItem(wanted_text(c)), weight});
+    model->appendRow({new QStandardItem(metric_name(c.metric, &s.target)), new QStandardItem(wanted_text(c)), weight});
   }
   model->setHeaderData(2, Qt::Horizontal, static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter), Qt::TextAlignmentRole);
   table->setModel(model);

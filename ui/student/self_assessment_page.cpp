@@ -65,7 +65,7 @@ void SelfAssessmentPage::add_rows(QVBoxLayout& column, const Scenario& scenario)
   grid->setVerticalSpacing(px(8));
   grid->setColumnStretch(0, 1);
   for (const Criterion& c : scenario.rubric.criteria) {
-    const QString name = metric_name(c.metric);
+    const QString name = metric_name(c.metric, &scenario.target);
     auto* text = new QVBoxLayout;
     text->setSpacing(0);
     for (QLabel* label : {make_label(name), make_label(tr("Full points: %1").arg(wanted_text(c)), TextRole::caption, Weight::regular, "text2")}) {

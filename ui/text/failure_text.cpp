@@ -49,6 +49,8 @@ Message describe(const FormatFailure& f) {
     case FormatError::unknown_bur:
       return at(detail.isEmpty() ? Text::tr("%1 names something that is not known.").arg(where)
                                  : Text::tr("%1 names something that is not known: %2.").arg(where, detail));
+    case FormatError::bad_target_name:
+      return at(Text::tr("%1 is no name of a target: a letter, then letters, digits and _, all small.").arg(where));
     case FormatError::unknown_landmark: return at(Text::tr("%1 names no kind or state of a landmark: %2.").arg(where, detail));
     case FormatError::unknown_level: return at(Text::tr("%1 names no level of an exercise: %2.").arg(where, detail));
     case FormatError::unknown_builtin: return at(Text::tr("No exercise called %1 comes with the program.").arg(where));

@@ -12,7 +12,18 @@
 
 namespace cusp::ui {
 
-QString metric_name(const std::string& m) {
+QString target_title(std::string_view name, const Region* whole) {
+  if (whole != nullptr)
+    for (const Region* one : named_targets(*whole))
+      if (one->name == name && !one->title.empty()) return local(one->title);
+  QString out = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).replace(u'_', u' ');
+  if (!out.isEmpty()) out[0] = out[0].toUpper();
+  return out;
+}
+
+QString metric_name(const std::string& m, const Region* whole) {
+  if (const auto [metric, target] = scenarios::split_metric(m); !target.empty())
+    return Text::tr("%1 (%2)", "a measurement of one of several targets").arg(metric_name(std::string(metric)), target_title(target, whole));
   if (m == "target_removed") return Text::tr("Target removed");
   if (m == "overcut_leeway_floor") return Text::tr("Over-cut within tolerance, floor");
   if (m == "overcut_leeway_side") return Text::tr("Over-cut within tolerance, walls");
@@ -130,7 +141,7 @@ QString reason_text(const CriterionGrade& g) {
   if (g.reason_code == "too_dry") return Text::tr("%1 without coolant; full points up to %2").arg(whole, l);
   if (g.reason_code == "too_warm") return Text::tr("%1 warmer; full points up to %2").arg(whole, l);
   if (g.reason_code == "too_little") {
-    return g.id == "target_removed" ? Text::tr("%1 removed; full points from %2").arg(whole, l)
+    return scenarios::split_metric(g.id).metric == "target_removed" ? Text::tr("%1 removed; full points from %2").arg(whole, l)
                                     : Text::tr("%1; full points from %2").arg(whole, l);
   }
   return text(g.reason_code);
@@ -138,22 +149,29 @@ QString reason_text(const CriterionGrade& g) {
 
 int point_forms(double points) { return format_points(points) == format_points(1) ? 1 : 2; }
 
-QString lost_text(const CriterionGrade& g, double lost) {
-  return Text::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id), format_points(lost));
+QString lost_text(const CriterionGrade& g, double lost, const Region* whole) {
+  return Text::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id, whole), format_points(lost));
 }
 
 QString counted_text(const Grade& grade, const Rubric& rubric) {
   if (std::ranges::none_of(grade.criteria, &CriterionGrade::counts_with_target)) return {};
-  const double share = scenarios::share_counted(grade, rubric);
+  double share = 1.0;
+  bool own = false;  // criteria of one of several targets count with it
+  for (const CriterionGrade& c : grade.criteria) {
+    if (!c.counts_with_target) continue;
+    share = std::min(share, scenarios::share_counted(grade, rubric, c.id));
+    own = own || !scenarios::split_metric(c.id).target.empty();
+  }
   if (!(share < 1.0)) return {};
+  if (own) return Text::tr("The rest counts only as far as its own target was cut, the least of it: %1.").arg(share_text(share));
   return Text::tr("The rest counts only as far as the target was cut: %1.").arg(share_text(share));
 }
 
-QString changes_text(const GradeChanges& c) {
+QString changes_text(const GradeChanges& c, const Region* whole) {
   const QString before = text(c.evaluator_before);
   if (c.none()) return Text::tr("Stored with marking %1: the same points.").arg(before);
   QStringList names;
-  for (const CriterionChange& one : c.criteria) names += metric_name(one.id);
+  for (const CriterionChange& one : c.criteria) names += metric_name(one.id, whole);
   return Text::tr("Stored with marking %1: %2 points. What differs: %3.").arg(before, format_points(c.score_before), names.join(u", "_qs));
 }
 
@@ -163,7 +181,7 @@ QString advice_text(const CriterionGrade& g) {
       g.reason_code == "needs_dof") {
     return {};
   }
-  const std::string& m = g.id;
+  const std::string m(scenarios::split_metric(g.id).metric);
   if (m == "target_removed") return Text::tr("Turn the view and look for what remains inside the target line.");
   if (m == "overcut_leeway_floor" || m == "overcut_beyond_floor")
     return Text::tr("Lift off and read the depth before you go deeper.");

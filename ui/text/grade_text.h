@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <string>
+#include <string_view>
 
 #include "scenarios/format/scenario.h"
 #include "scenarios/grading/changes.h"
@@ -11,8 +12,11 @@
 
 namespace cusp::ui {
 
-/// "Floor depth, deepest" for a key of scenarios/metrics; the key itself for one that has no name yet.
-QString metric_name(const std::string& metric);
+/// "Floor depth, deepest" for a key of scenarios/metrics; the key itself for one that has no name yet. Of one of several targets
+/// "Floor depth, deepest (mesial pit)": by its title in `whole`, the exercise's target, else by its name.
+QString metric_name(const std::string& metric, const Region* whole = nullptr);
+/// The title of one of several targets; its name in words where it has none.
+QString target_title(std::string_view name, const Region* whole);
 QString metric_unit(const std::string& metric);
 QString critical_name(const std::string& critical);
 
@@ -23,14 +27,14 @@ QString reason_text(const CriterionGrade& grade);
 /// What to give tr() as %n for points that may be a fraction: only a plain "1" is singular, "1.5" and "0.5" are not.
 int point_forms(double points);
 /// "Floor depth, deepest: 1 point lost". `lost`: scaled points (scenarios/grading/maxima.h).
-QString lost_text(const CriterionGrade& grade, double lost);
-/// The one sentence about criteria that count only as far as the target was cut; empty where all of it was, or where no
+QString lost_text(const CriterionGrade& grade, double lost, const Region* whole = nullptr);
+/// The one sentence about criteria that count only as far as their target was cut; empty where all of it was, or where no
 /// criterion counts so. The grade's criteria carry their mark (mark_counted_with_target).
 QString counted_text(const Grade& grade, const Rubric& rubric);
 /// "met", "partly met", "not met": a student's own rating of a criterion.
 QString own_rating_name(OwnRating rating);
 /// A grade that was made anew against the stored one: its evaluator, its points, and the criteria that differ.
-QString changes_text(const GradeChanges& changes);
+QString changes_text(const GradeChanges& changes, const Region* whole = nullptr);
 /// What to do next time, for a criterion that lost points by what was done; empty for the others.
 QString advice_text(const CriterionGrade& grade);
 

@@ -106,6 +106,82 @@ TEST(RegionFormat, WhatIsWrongIsRefusedWhereItStands) {
   }
 }
 
+Scenario with_two_targets() {
+  Scenario s = composed();
+  s.target.parts[4].name = "mesial_pit";
+  s.target.parts[4].title = {{"en", "Mesial pit"}, {"de", "Mesiale Grube"}};
+  s.target.parts[6].name = "b2";
+  s.rubric.criteria.push_back({"depth_mean@mesial_pit", 5, {0, 1, 2, 3, 4, 5}});
+  return s;
+}
+
+TEST(RegionFormat, SeveralTargetsReadBackAndTheirNamesAndTitlesCount) {
+  const Scenario s = with_two_targets();
+  const auto back = read_scenario(write_scenario(s));
+  ASSERT_TRUE(back) << back.error().where;
+  EXPECT_EQ(*back, s);
+  for (const Finding& f : check_schema(write_scenario(s))) ADD_FAILURE() << f.path << ' ' << f.detail;
+  ASSERT_EQ(named_targets(back->target).size(), 2u);
+  EXPECT_EQ(named_targets(back->target)[1]->name, "b2");
+  Scenario other = s;
+  other.target.parts[6].name = "b3";
+  EXPECT_NE(content_hash(other), content_hash(s));
+  other = s;
+  other.target.parts[4].title["de"] = "Grube";
+  EXPECT_NE(content_hash(other), content_hash(s));
+  other = s;
+  for (Region& part : other.target.parts) part.name.clear(), part.title.clear();
+  other.rubric = composed().rubric;
+  EXPECT_EQ(content_hash(other), content_hash(composed())) << "an exercise without names keeps its hash";
+}
+
+TEST(RegionFormat, ANameStandsOnADirectPartOfTheTargetsUnionAlone) {
+  const auto failure = [](const std::string& pointer, const json& value) {
+    json out = json::parse(write_scenario(with_two_targets()));
+    out[json::json_pointer(pointer)] = value;
+    return failure_of(out.dump());
+  };
+  const struct {
+    const char* pointer;
+    json value;
+    FormatError code;
+  } cases[] = {{"/target/parts/6/name", "Pit", FormatError::bad_target_name},      {"/target/parts/6/name", "2b", FormatError::bad_target_name},
+               {"/target/parts/6/name", "a@b", FormatError::bad_target_name},      {"/target/parts/6/name", 7, FormatError::wrong_type},
+               {"/target/parts/6/name", "mesial_pit", FormatError::duplicate_value}, {"/target/name", "whole", FormatError::unknown_key},
+               {"/target/parts/13/parts/0/name", "deep", FormatError::unknown_key}, {"/target/parts/5/title", {{"en", "T"}}, FormatError::unknown_key},
+               {"/target/parts/4/title", {{"de", "T"}}, FormatError::bad_language}, {"/protected/1/region/name", "spared", FormatError::unknown_key}};
+  for (const auto& one : cases) EXPECT_EQ(failure(one.pointer, one.value).code, one.code) << one.pointer << ' ' << one.value;
+  const std::string last = "/rubric/criteria/" + std::to_string(with_two_targets().rubric.criteria.size() - 1) + "/metric";
+  for (const char* key : {"depth_mean@", "depth_mean@Pit", "time@b2", "caries_left_pulp@b2", "depth@b2", "depth_mean@b2@b2", "removed_gold@b2"}) {
+    EXPECT_EQ(failure(last, key).code, FormatError::unknown_metric) << key;
+    json out = json::parse(write_scenario(with_two_targets()));
+    out[json::json_pointer(last)] = key;
+    EXPECT_FALSE(check_schema(out.dump()).empty()) << "the schema takes " << key;
+  }
+  for (const char* key : {"depth_most@b2", "removed_plastic@b2", "target_removed@mesial_pit"}) {
+    json out = json::parse(write_scenario(with_two_targets()));
+    out[json::json_pointer(last)] = key;
+    EXPECT_TRUE(read_scenario(out.dump())) << key;
+    EXPECT_TRUE(check_schema(out.dump()).empty()) << key;
+  }
+}
+
+TEST(RegionFormat, ACriterionOfATargetThatIsNotThereIsFound) {
+  Scenario s = with_two_targets();
+  const auto found = [&](std::string_view code) {
+    return std::ranges::any_of(validate(s, nullptr), [code](const Finding& f) { return f.code == code; });
+  };
+  EXPECT_FALSE(found("target_missing"));
+  s.rubric.criteria.back().metric = "depth_mean@distal_pit";
+  EXPECT_TRUE(found("target_missing"));
+  s = with_two_targets();
+  s.title["de"] = "Titel";
+  s.briefing["de"] = "Text";
+  EXPECT_FALSE(found("language_missing"));
+  s.target.parts[4].title.erase("de");
+  EXPECT_TRUE(found("language_missing"));
+}
+
 TEST(RegionFormat, EveryKeyOfAKindIsNeeded) {
   const json parts = document()["target"]["parts"];
   for (std::size_t i = 0; i < parts.size(); ++i)

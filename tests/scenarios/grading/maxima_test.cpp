@@ -177,11 +177,36 @@ TEST(Grade, StatesTheShareByTheRuleOfItsEvaluator) {
   Scenario s;
   s.rubric.criteria = {{"target_removed", 50, {80, 90, 96, 100, 100, 100}}, {"depth_mean", 20, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
   Grade g = grade(s, {{"target_removed", true, 24.0, 0.0, "%", {}}});
-  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric), 0.24);
+  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric, "depth_mean"), 0.24);
   g.evaluator = "3";
-  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric), 0.25);
+  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric, "depth_mean"), 0.25);
   s.rubric.criteria.erase(s.rubric.criteria.begin());
-  EXPECT_EQ(share_counted(g, s.rubric), 1.0);
+  EXPECT_EQ(share_counted(g, s.rubric, "depth_mean"), 1.0);
+}
+
+TEST(Grade, OneOfSeveralTargetsCountsAsFarAsItWasCutItself) {
+  Scenario s;
+  s.rubric.criteria = {{"target_removed@a", 20, kMostRemoved}, {"depth_mean@a", 20, kAll}, {"target_removed@b", 20, kMostRemoved}, {"depth_mean@b", 20, kAll}};
+  const std::vector<Measure> cut_one = {{"target_removed@a", true, 100.0, 0.0, "%", {}}, {"depth_mean@a", true, 2.0, 0.0, "mm", {}},
+                                        {"target_removed@b", true, 5.0, 0.0, "%", {}},   {"depth_mean@b", true, 2.0, 0.0, "mm", {}}};
+  const Grade g = grade(s, cut_one);
+  EXPECT_DOUBLE_EQ(g.criteria[1].points, 25.0);
+  EXPECT_DOUBLE_EQ(g.criteria[3].points, 0.05 * 25.0);
+  EXPECT_EQ(g.criteria[3].reason_code, "little_drilled");
+  EXPECT_DOUBLE_EQ(share_counted(g, s.rubric, "depth_mean@b"), 0.05);
+  EXPECT_EQ(share_counted(g, s.rubric, "depth_mean@a"), 1.0);
+  // What is of the whole counts with the mean of both.
+  s.rubric.criteria.push_back({"ridge_mesial", 20, kAll});
+  std::vector<Measure> ridge = cut_one;
+  ridge.push_back({"ridge_mesial", true, 2.0, 0.0, "mm", {}});
+  EXPECT_DOUBLE_EQ(grade(s, ridge).criteria[4].points, 0.525 * 20.0);
+  s.rubric.criteria.pop_back();
+  // Without a share of its own it counts with the whole target's.
+  s.rubric.criteria[2].metric = "target_removed";
+  std::vector<Measure> whole = cut_one;
+  whole[2].metric = "target_removed";
+  EXPECT_DOUBLE_EQ(grade(s, whole).criteria[3].points, 0.05 * 25.0);
+  EXPECT_EQ(grade(s, {{"depth_mean@b", true, 2.0, 0.0, "mm", {}}}).criteria[3].reason_code, "full");
 }
 
 TEST(LossReasons, PutTheOpenedPulpFirstThenTheGreatestLoss) {

@@ -7,12 +7,14 @@
 #include <set>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/grading/grader.h"
 #include "scenarios/operators/single_fault.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
+#include "ui/text/plain.h"
 #include "ui/settings/settings.h"
 
 namespace cusp::test {
@@ -240,6 +242,30 @@ TEST(Sentences, every_metric_and_tissue_has_a_name) {
   EXPECT_EQ(metric_unit("removed_16").toStdString(), "mm3");
   EXPECT_EQ(metric_unit("unknown").toStdString(), "");
   for (std::size_t i = 0; i < kTissueKeys.size(); ++i) EXPECT_FALSE(tissue_name(static_cast<Tissue>(i)).isEmpty());
+}
+
+TEST(Text, OneOfSeveralTargetsIsNamedByItsTitleElseByItsName) {
+  Region whole;
+  whole.kind = RegionKind::joined;
+  whole.parts.resize(2);
+  whole.parts[0].name = "mesial_pit";
+  whole.parts[0].title = {{"en", "Pit beside the ridge"}};
+  EXPECT_EQ(metric_name("depth_mean@mesial_pit", &whole).toStdString(), "Floor depth, mean (Pit beside the ridge)");
+  EXPECT_EQ(metric_name("depth_mean@mesial_pit").toStdString(), "Floor depth, mean (Mesial pit)");
+  EXPECT_EQ(metric_name("depth_mean@other", &whole).toStdString(), "Floor depth, mean (Other)");
+  EXPECT_EQ(metric_unit("depth_mean@mesial_pit"), QStringLiteral("mm"));
+  EXPECT_EQ(metric_name("depth_mean", &whole), metric_name("depth_mean"));
+}
+
+TEST(Text, TheShareThatCountsNamesTheLeastOfSeveralTargets) {
+  Rubric rubric;
+  const Bands removed{80, 90, 96, 100, 100, 100}, any{0, 0, 0, 100, 100, 100};
+  rubric.criteria = {{"target_removed@a", 1, removed}, {"depth_mean@a", 1, any}, {"target_removed@b", 1, removed}, {"depth_mean@b", 1, any}};
+  Scenario s;
+  s.rubric = rubric;
+  const Grade g = scenarios::grade(s, {{"target_removed@a", true, 100, 0, "%", {}}, {"depth_mean@a", true, 2, 0, "mm", {}},
+                                       {"target_removed@b", true, 24, 0, "%", {}}, {"depth_mean@b", true, 2, 0, "mm", {}}});
+  EXPECT_EQ(plain(counted_text(g, rubric)), "The rest counts only as far as its own target was cut, the least of it: 24\u00a0%.");
 }
 
 TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {

@@ -1,0 +1,42 @@
+/// Several targets of one exercise (named_targets of scenarios/format/region.h), each measured as if it were alone: on its own
+/// cavity, with its own region. Immutable; any thread but the haptic one.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/volume/volume.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/modules.h"
+#include "scenarios/shapes/target.h"
+
+namespace cusp::scenarios {
+
+class Reference;
+
+class SeveralTargets {
+ public:
+  struct One {
+    std::string name;
+    std::size_t part;  // of the whole target's union
+    std::shared_ptr<const Reference> reference;
+  };
+
+  /// Those that the rubric asks for: tens of milliseconds each.
+  SeveralTargets(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen);
+  std::span<const One> asked() const noexcept { return asked_; }
+  /// The volume with the cuts of this target alone: those within it, and those that lie nearer to it than to any other part. Where
+  /// two cavities meet beside their targets, each ends half-way, as at a wall.
+  [[nodiscard]] Volume cavity(const Volume& volume, const One& target) const;
+
+ private:
+  /// How far p lies on the other side of the border of the target's own cuts, mm, at least; below 0: of its own.
+  double beyond_mm(std::size_t part, Vec3 p) const noexcept;
+
+  std::vector<TargetShape> parts_;
+  std::vector<One> asked_;
+};
+
+}  // namespace cusp::scenarios
