@@ -182,6 +182,7 @@ QString check_message(const Finding& f) {
   for (const auto message : {exercise_message, target_message, tool_message})
     if (const QString found = message(f, value, limit); !found.isEmpty()) return found;
   if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
+  if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail));
   if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
   if (c == u"bands_not_ordered") {
     return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
@@ -196,6 +197,7 @@ QString check_message(const Finding& f) {
     return CheckText::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
   }
   if (c == u"language_missing") {
+    if (f.path.starts_with("/target")) return CheckText::tr("The name of a target is missing in %1.").arg(language_of(f));
     return f.path == "/title" ? CheckText::tr("The title is missing in %1.").arg(language_of(f))
                               : CheckText::tr("The briefing is missing in %1.").arg(language_of(f));
   }

@@ -7,6 +7,7 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "ui/editor/commands.h"
+#include "ui/editor/target_names.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -76,6 +77,7 @@ EditorModel::EditorModel(EditorStart start, QObject* parent)
 bool EditorModel::edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change) {
   Scenario after = scenario_;
   change(after);
+  settle_targets(scenario_, after);
   if (after == scenario_) return true;
   if (!finite(after)) return false;
   // The reader of the format decides what an exercise may hold: a draft must open again.
@@ -174,6 +176,23 @@ bool EditorModel::remove_language(const std::string& language) {
   return edit(tr("Remove a language"), u"language"_qs, [&](Scenario& s) {
     s.title.erase(language);
     s.briefing.erase(language);
+    for (Region& part : s.target.parts)
+      if (!part.name.empty()) ui::set_target_title(part, s.target, language, {});
+  });
+}
+
+bool EditorModel::set_target_title(std::size_t part, const std::string& language, const QString& text) {
+  if (!can_be_target(scenario_.target, {part})) return false;
+  return edit(tr("Name of a target"), u"target_title/%1/%2"_qs.arg(part).arg(QString::fromStdString(language)), [&](Scenario& s) {
+    ui::set_target_title(s.target.parts[part], s.target, language, text.toStdString());
+  });
+}
+
+bool EditorModel::clear_target(std::size_t part) {
+  if (!can_be_target(scenario_.target, {part})) return false;
+  return edit(tr("Name of a target"), u"clear_target"_qs, [&](Scenario& s) {
+    s.target.parts[part].name.clear();
+    s.target.parts[part].title.clear();
   });
 }
 

@@ -50,6 +50,10 @@ class EditorModel : public QObject {
   bool set_briefing(const std::string& language, const QString& text);
   /// Title and briefing of a language, as one step. False for English, which stays.
   bool remove_language(const std::string& language);
+  /// Makes a part of the root's union one of several targets, or titles it; an empty text removes the title, of which English has
+  /// another's. False for any other part.
+  bool set_target_title(std::size_t part, const std::string& language, const QString& text);
+  bool clear_target(std::size_t part);  // none of several targets any more: the criteria that name it go within the same step
   bool set_level(std::optional<Level> level);
   bool set_expected_time_s(double seconds);  // 0: not stated
   enum class OwnAssessment : std::uint8_t { not_asked, asked };

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/shapes/target.h"
 #include "ui/editor/editor_model.h"
 
@@ -132,8 +133,10 @@ bool EditorModel::set_depth_mm(double mm) {
     t.depth_mm = mm;
     settle_on_floor(t);
     if (!std::isfinite(by) || !has_pulpal_floor(*part_at(s.target, part_))) return;
+    const Region* own = part_.empty() ? nullptr : part_at(s.target, {part_.front()});
     for (Criterion& c : s.rubric.criteria) {
-      if (!c.metric.starts_with("depth_")) continue;
+      const auto [metric, target] = scenarios::split_metric(c.metric);
+      if (!metric.starts_with("depth_") || target != (own == nullptr ? std::string() : own->name)) continue;
       Bands& b = c.bands;
       // A side with three equal edges is open and has no bands to move.
       if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {

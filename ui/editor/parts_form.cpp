@@ -13,6 +13,8 @@
 #include "scenarios/format/ranges.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/shape_form.h"
+#include "ui/editor/target_name_form.h"
+#include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -72,6 +74,7 @@ PartsForm::PartsForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(6));
   make_list(column);
+  column->addWidget(new TargetNameForm(model_));
   make_numbers(column);
   connect(&model_, &EditorModel::changed, this, &PartsForm::follow_model);
   connect(&model_, &EditorModel::part_chosen, this, &PartsForm::follow_model);
@@ -179,7 +182,8 @@ void PartsForm::show_list() {
   for (const PartPath& path : parts_of(root)) {
     line.resize(path.size());
     auto* item = path.empty() ? new QTreeWidgetItem(list_) : new QTreeWidgetItem(line.back());
-    item->setText(0, part_name(*part_at(root, path)));
+    const Region& part = *part_at(root, path);
+    item->setText(0, part.name.empty() ? part_name(part) : tr("%1: %2").arg(target_title(part.name, &root), part_name(part)));
     line.push_back(item);
     ++rows;
     if (path == model_.part()) list_->setCurrentItem(item);

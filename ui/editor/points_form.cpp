@@ -31,9 +31,18 @@ bool has_tissue(const Scenario& s, Tissue tissue) {
   return std::ranges::any_of(s.tissues, [tissue](const ScenarioTissue& t) { return t.tissue == tissue; });
 }
 
+/// One of several targets by its name; the whole target for any other name.
+const Region& target_of(const Region& whole, std::string_view name) {
+  for (const Region* one : named_targets(whole))
+    if (one->name == name) return *one;
+  return whole;
+}
+
 }  // namespace
 
-Bands first_bands(const std::string& metric, const Region& target, int fdi) {
+Bands first_bands(const std::string& of, const Region& whole, int fdi) {
+  const std::string metric(split_metric(of).metric);
+  const Region& target = target_of(whole, split_metric(of).target);
   if (const auto offered = default_bands(metric, fdi)) return *offered;
   for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
     const auto known = load_builtin(key);
@@ -138,7 +147,7 @@ QBoxLayout* PointsForm::make_measuring() {
 
 PointsForm::Row PointsForm::make_row(std::size_t index) {
   const std::string metric = model_.scenario().rubric.criteria[index].metric;
-  const QString name = metric_name(metric);
+  const QString name = metric_name(metric, &model_.scenario().target);
   Row row{};
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
@@ -231,13 +240,16 @@ void PointsForm::follow_model() {
   metric_->clear();
   const auto offer = [&](const std::string& metric) {
     if (std::ranges::find(metrics, metric) == metrics.end()) {
-      metric_->addItem(metric_name(metric), QString::fromStdString(metric));
+      metric_->addItem(metric_name(metric, &s.target), QString::fromStdString(metric));
     }
   };
   for (const MetricKey& known : kMetricKeys) {
     if ((known.key != "remaining_over_pulp" || pulp) && (heat || !needs_heat(known.key))) offer(std::string(known.key));
   }
   for (const ScenarioTissue& t : s.tissues) offer("removed_" + std::string(key_of_scenario_tissue(t.tissue)));
+  for (const Region* one : named_targets(s.target))
+    for (const MetricKey& known : kMetricKeys)
+      if (is_of_cavity(known.key) && (known.key != "remaining_over_pulp" || pulp)) offer(metric_key(known.key, one->name));
   metric_->setCurrentIndex(std::max(metric_->findData(kept), 0));
   add_->setEnabled(metric_->count() > 0);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/editor/form_parts.h"
+#include "ui/editor/target_names.h"
 #include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -50,10 +51,24 @@ struct TextsForm::Section {
   QWidget* whole = nullptr;
   QLineEdit* title = nullptr;
   QPlainTextEdit* briefing = nullptr;
+  QVBoxLayout* targets = nullptr;
+  struct TargetTitle {
+    std::size_t part;  // of the target's union
+    QWidget* row;
+    QLineEdit* edit;
+  };
+  std::vector<TargetTitle> target_titles;
   QPushButton* away = nullptr;  // null: the language stays
 
+  /// From the briefing through the fields below it.
+  QWidget* last_focus() const {
+    QWidget* from = briefing;
+    for (const TargetTitle& one : target_titles) setTabOrder(std::exchange(from, one.edit), one.edit);
+    if (away) setTabOrder(std::exchange(from, away), away);
+    return from;
+  }
   void focus_goes_to(const Section& next) const {
-    QWidget* from = away ? static_cast<QWidget*>(away) : briefing;
+    QWidget* from = last_focus();
     for (QWidget* to : std::initializer_list<QWidget*>{next.title, next.briefing, next.away})
       if (to) setTabOrder(std::exchange(from, to), to);
   }
@@ -83,7 +98,7 @@ QStringList TextsForm::shown_languages() const {
 }
 
 std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code) {
-  auto out = std::make_unique<Section>(Section{code, new QWidget, new QLineEdit, new QPlainTextEdit, nullptr});
+  auto out = std::make_unique<Section>(Section{code, new QWidget, new QLineEdit, new QPlainTextEdit, new QVBoxLayout, {}, nullptr});
   auto* column = new QVBoxLayout(out->whole);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(8));
@@ -93,6 +108,8 @@ std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code)
   column->addWidget(labelled(tr("Title, %1").arg(language_name(code)), out->title));
   //: %1: a language
   column->addWidget(labelled(tr("Briefing, %1").arg(language_name(code)), out->briefing));
+  out->targets->setSpacing(px(8));
+  column->addLayout(out->targets);
   if (!is_spoken(code)) {
     out->away = make_button(tr("Remove %1").arg(language_name(code)), ButtonKind::quiet, u"trash"_qs);
     column->addWidget(out->away, 0, Qt::AlignLeft);
@@ -134,6 +151,8 @@ QStringList TextsForm::wanted_languages() const {
   const Scenario& s = model_.scenario();
   for (const LocalText* texts : {&s.title, &s.briefing})
     for (const auto& [code, text] : *texts) out += QString::fromStdString(code);
+  for (const Region* one : named_targets(s.target))
+    for (const auto& [code, text] : one->title) out += QString::fromStdString(code);
   out += shown_languages();  // a cleared text may be typed anew
   return out;
 }
@@ -179,6 +198,37 @@ void TextsForm::make_level_and_time(QVBoxLayout& column) {
   add_row(&column, tr("Expected time"), expected_);
 }
 
+/// A field for each of several targets; fields that stay keep what is typed in them.
+void TextsForm::fit_target_titles(Section& section) {
+  const Region& whole = model_.scenario().target;
+  const auto is_titled = [&](std::size_t part) { return can_be_target(whole, {part}) && !whole.parts[part].name.empty(); };
+  std::erase_if(section.target_titles, [&](const Section::TargetTitle& one) {
+    if (is_titled(one.part)) return false;
+    one.row->hide();
+    one.row->deleteLater();
+    return true;
+  });
+  for (std::size_t part = 0, at = 0; part < whole.parts.size(); ++part) {
+    if (!is_titled(part)) continue;
+    if (at == section.target_titles.size() || section.target_titles[at].part != part) {
+      auto* edit = new QLineEdit;
+      //: %1: which of several targets, %2: a language
+      QWidget* row = labelled(tr("Name of target %1, %2").arg(part + 1).arg(language_name(section.code)), edit);
+      section.targets->insertWidget(static_cast<int>(at), row);
+      section.target_titles.insert(section.target_titles.begin() + static_cast<std::ptrdiff_t>(at), {part, row, edit});
+      section.last_focus();
+      // A name that is cleared to be typed anew is none yet.
+      connect(edit, &QLineEdit::editingFinished, this, [this, part, edit, key = section.code.toStdString()] {
+        model_.set_target_title(part, key, edit->text().trimmed());
+        model_.end_gesture();
+        follow_model();
+      });
+    }
+    QLineEdit* edit = section.target_titles[at++].edit;
+    if (!edit->hasFocus() || !edit->isModified()) show_text(*edit, whole.parts[part].title, section.code.toStdString());
+  }
+}
+
 void TextsForm::follow_model() {
   const Scenario& s = model_.scenario();
   level_->setCurrentIndex(level_->findData(s.level ? static_cast<int>(*s.level) : kNoLevel));
@@ -187,6 +237,7 @@ void TextsForm::follow_model() {
   for (const auto& section : sections_) {
     const std::string code = section->code.toStdString();
     show_text(*section->title, s.title, code);
+    fit_target_titles(*section);
     const auto it = s.briefing.find(code);
     const QString text = it == s.briefing.end() ? QString() : QString::fromStdString(it->second);
     if (section->briefing->toPlainText().trimmed() != text && !section->briefing->hasFocus()) {
