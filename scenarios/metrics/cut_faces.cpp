@@ -1,11 +1,14 @@
 #include "scenarios/metrics/cut_faces.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "engine/volume/cell_field.h"
 #include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/evidence.h"
 #include "scenarios/metrics/region_shares.h"
+#include "scenarios/teeth/two_threads.h"
 
 namespace cusp::scenarios {
 
@@ -43,15 +46,17 @@ double floor_inset_mm(const Reference& reference) noexcept {
   return reference.shape().corner_mm() - 0.25 * reference.specimen().grid().voxel_mm;
 }
 
+using FacesByName = std::array<std::vector<CutFace>, kFaceNames>;
+
 /// Of a lone upright outline, by normals.
 class UprightFaces final : public FaceSink {
  public:
-  UprightFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth,
-               std::array<std::vector<CutFace>, kFaceNames>& faces)
-      : FaceSink(volume), reference_(reference), faces_(faces) {
+  UprightFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth)
+      : FaceSink(volume), reference_(reference) {
     const double floor = depth ? reference.shape().top_mm() - depth->mean_mm : reference.shape().floor_mm();
     wall_from_mm_ = floor + reference.shape().corner_mm() + 0.5 * volume.grid().voxel_mm;
   }
+  const FacesByName& faces() const noexcept { return faces_; }
 
  private:
   void take(const CutFace& face, double mm2) override {
@@ -66,48 +71,71 @@ class UprightFaces final : public FaceSink {
   }
 
   const Reference& reference_;
-  std::array<std::vector<CutFace>, kFaceNames>& faces_;
+  FacesByName faces_;
   double wall_from_mm_ = 0;
 };
 
-/// Of a tree, by the faces that they face. Walls wait until it is known how deep each floor was cut.
+/// Of a tree, by the faces that they face.
 class TreeFaces final : public FaceSink {
  public:
-  TreeFaces(const Reference& reference, const Volume& volume) : FaceSink(volume), reference_(reference) {}
-
-  void divide(std::array<std::vector<CutFace>, kFaceNames>& faces, std::array<bool, kFaceNames>& side_known) const {
-    const double above_floor = reference_.shape().corner_mm() + 0.5 * volume_.grid().voxel_mm;
-    for (const Candidate& one : candidates_) {
-      const auto floor = static_cast<std::size_t>(one.facing.floor);
-      const double cut_beyond = floor_mm2_[floor] > 0.0 ? floor_sum_[floor] / floor_mm2_[floor] : 0.0;
-      if (!is_floor(one.facing.face) && one.facing.floor_mm > cut_beyond - above_floor) continue;
-      FaceName name = one.facing.face;
-      const bool named = name != FaceName::side_wall;
-      if (!named && reference_.mesial_x() != 0) name = wall_by_normal(one.face.normal, reference_.mesial_x());
-      faces[static_cast<std::size_t>(name)].push_back(one.face);
-      side_known[static_cast<std::size_t>(name)] = named || reference_.mesial_x() != 0;
-    }
-  }
-
- private:
   struct Candidate {
     CutFace face;
-    Facing facing;
+    double mm2, beyond_mm, floor_mm;  // of Facing
+    FaceName name, floor;
   };
+  TreeFaces(const Reference& reference, const Volume& volume) : FaceSink(volume), reference_(reference) {}
+  const std::vector<Candidate>& candidates() const noexcept { return candidates_; }
+
+ private:
   void take(const CutFace& face, double mm2) override {
     const std::optional<Facing> facing = reference_.shape().facing(face.middle_mm, face.area_mm2 / mm2);
     if (!facing || facing->beyond_mm > kWallReachMm || facing->beside_mm > kWallReachMm) return;
-    if (is_floor(facing->face)) {
-      if (facing->wall_mm > -floor_inset_mm(reference_) || !reference_.shape().bounded_by(*facing, face.middle_mm)) return;
-      const auto floor = static_cast<std::size_t>(facing->face);
-      floor_sum_[floor] += mm2 * facing->beyond_mm;
-      floor_mm2_[floor] += mm2;
-    }
-    candidates_.push_back({face, *facing});
+    if (is_floor(facing->face) && (facing->wall_mm > -floor_inset_mm(reference_) || !reference_.shape().bounded_by(*facing, face.middle_mm))) return;
+    candidates_.push_back({face, mm2, facing->beyond_mm, facing->floor_mm, facing->face, facing->floor});
   }
 
   const Reference& reference_;
   std::vector<Candidate> candidates_;
+};
+
+/// Parts of the cut surface in the order of their bricks, each a sink of its own: two threads fill them.
+template <class Sink, class Make>
+std::vector<std::unique_ptr<Sink>> sinks_of(const Volume& volume, Make make) {
+  constexpr std::size_t kBricks = 16;  // of a part
+  const std::vector<int> bricks = bricks_to_measure(volume);
+  std::vector<std::unique_ptr<Sink>> out((bricks.size() + kBricks - 1) / kBricks);
+  in_two_threads(static_cast<int>(out.size()), [&](int i) {
+    auto& sink = out[static_cast<std::size_t>(i)] = make();
+    const std::size_t first = static_cast<std::size_t>(i) * kBricks;
+    for (std::size_t k = first; k < std::min(first + kBricks, bricks.size()); ++k) emit_removed(volume, bricks[k], *sink);
+  });
+  return out;
+}
+
+/// Divides candidates by name, once it is known how deep each floor was cut.
+class TreeDivision {
+ public:
+  TreeDivision(const Reference& reference, double voxel_mm) : reference_(reference), above_floor_(reference.shape().corner_mm() + 0.5 * voxel_mm) {}
+  void sum_floors(const std::vector<TreeFaces::Candidate>& candidates) {
+    for (const TreeFaces::Candidate& one : candidates) {
+      if (!is_floor(one.name)) continue;
+      const auto floor = static_cast<std::size_t>(one.name);
+      floor_sum_[floor] += one.mm2 * one.beyond_mm;
+      floor_mm2_[floor] += one.mm2;
+    }
+  }
+  /// nullopt: a wall below the floor that was cut there.
+  std::optional<FaceName> name_of(const TreeFaces::Candidate& one) const noexcept {
+    const auto floor = static_cast<std::size_t>(one.floor);
+    const double cut_beyond = floor_mm2_[floor] > 0.0 ? floor_sum_[floor] / floor_mm2_[floor] : 0.0;
+    if (!is_floor(one.name) && one.floor_mm > cut_beyond - above_floor_) return std::nullopt;
+    return one.name == FaceName::side_wall && reference_.mesial_x() != 0 ? wall_by_normal(one.face.normal, reference_.mesial_x()) : one.name;
+  }
+  bool knows_side(const TreeFaces::Candidate& one) const noexcept { return one.name != FaceName::side_wall || reference_.mesial_x() != 0; }
+
+ private:
+  const Reference& reference_;
+  double above_floor_;
   std::array<double, kFaceNames> floor_sum_{}, floor_mm2_{};  // mm3, mm2: how far beyond the target's floors the cut ones lie
 };
 
@@ -123,16 +151,30 @@ FaceName wall_by_normal(Vec3 into_void, int mesial_x) noexcept {
 
 CutFaces::CutFaces(const Reference& reference, const Volume& volume, const std::optional<FloorDepth>& depth) {
   if (reference.shape().empty() || volume.specimen().reading() == Reading::filled) return;
-  const std::vector<int> bricks = bricks_to_measure(volume);
   if (reference.shape().upright() != nullptr) {
     side_known_.fill(reference.mesial_x() != 0);
-    UprightFaces sink(reference, volume, depth, faces_);
-    for (const int brick : bricks) emit_removed(volume, brick, sink);
+    for (const auto& sink : sinks_of<UprightFaces>(volume, [&] { return std::make_unique<UprightFaces>(reference, volume, depth); }))
+      for (std::size_t name = 0; name < kFaceNames; ++name)
+        faces_[name].insert(faces_[name].end(), sink->faces()[name].begin(), sink->faces()[name].end());
     return;
   }
-  TreeFaces sink(reference, volume);
-  for (const int brick : bricks) emit_removed(volume, brick, sink);
-  sink.divide(faces_, side_known_);
+  auto sinks = sinks_of<TreeFaces>(volume, [&] { return std::make_unique<TreeFaces>(reference, volume); });
+  TreeDivision division(reference, volume.grid().voxel_mm);
+  for (const auto& sink : sinks) division.sum_floors(sink->candidates());
+  std::array<std::size_t, kFaceNames> count{};
+  for (const auto& sink : sinks)
+    for (const TreeFaces::Candidate& one : sink->candidates())
+      if (const auto name = division.name_of(one)) ++count[static_cast<std::size_t>(*name)];
+  for (std::size_t name = 0; name < kFaceNames; ++name) faces_[name].reserve(count[name]);
+  for (auto& sink : sinks) {
+    for (const TreeFaces::Candidate& one : sink->candidates()) {
+      const auto name = division.name_of(one);
+      if (!name) continue;
+      faces_[static_cast<std::size_t>(*name)].push_back(one.face);
+      side_known_[static_cast<std::size_t>(*name)] = division.knows_side(one);
+    }
+    sink.reset();
+  }
 }
 
 }  // namespace cusp::scenarios

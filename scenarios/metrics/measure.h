@@ -16,6 +16,7 @@
 /// surface.h, box.h, margin.h, unsupported.h, proximal.h, caries.h.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,12 @@
 
 namespace cusp::scenarios {
 
-/// Not for the haptic thread; some tens of milliseconds. Pre: `volume` is of the reference's specimen.
-[[nodiscard]] std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process);
+/// Takes a rising share of the work, in [0, 1), on the thread that measures.
+using MeasureProgress = std::function<void(double share)>;
+
+/// Not for the haptic thread: tenths of a second, at 512³ voxels seconds, on two threads. Pre: `volume` is of the reference's specimen.
+[[nodiscard]] std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process,
+                                           const MeasureProgress& progress = {});
 
 /// "removed_enamel", "removed_16".
 [[nodiscard]] std::string removed_key(Tissue tissue);

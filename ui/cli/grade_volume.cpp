@@ -20,6 +20,7 @@
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
+#include "ui/cli/terminal.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/session/scene_builder.h"
@@ -139,7 +140,8 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   result.operator_name = o.operator_name;
   result.volume = std::make_shared<const Volume>(std::move(cut->volume));
   result.volume_hash = result.volume->hash();
-  result.measures = measure(Reference(scenario, *specimen), *result.volume, Process::lasting(cut->dry_s, cut->dry_s));
+  result.measures = measure(Reference(scenario, *specimen), *result.volume, Process::lasting(cut->dry_s, cut->dry_s), show_progress);
+  end_progress();
   result.grade = grade(scenario, result.measures);
   const std::string text = report_of(*loaded, result);
   if (!o.out.empty()) {

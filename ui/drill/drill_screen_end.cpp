@@ -1,6 +1,8 @@
 // How an attempt ends on the drilling screen: finished and graded, or left.
 
+#include <QLocale>
 #include <QPointer>
+#include <utility>
 
 #include "ui/drill/drill_screen_inner.h"
 
@@ -41,7 +43,12 @@ void DrillScreen::finish_now() {
   in.stats.write_where_asked();
   in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
   in.worker = std::thread([this, session = in.attempt->session.get()] {
-    auto result = std::make_shared<Outcome<SessionResult>>(session->finish());
+    const auto progress = [this, shown = 0](double share) mutable {
+      const int percent = static_cast<int>(100 * share);
+      if (std::exchange(shown, percent) == percent) return;
+      QMetaObject::invokeMethod(this, [this, share] { if (inner_->working) inner_->busy->set_progress(share, QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%'); }, Qt::QueuedConnection);
+    };
+    auto result = std::make_shared<Outcome<SessionResult>>(session->finish(progress));
     QMetaObject::invokeMethod(this, [this, result] { graded(result); }, Qt::QueuedConnection);
   });
 }

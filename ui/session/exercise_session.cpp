@@ -107,7 +107,7 @@ void ExerciseSession::change_bur(std::size_t index) {
 
 void ExerciseSession::set_coolant(bool on) { inner_->loop->set_coolant(on); }
 
-Outcome<SessionResult> ExerciseSession::finish() {
+Outcome<SessionResult> ExerciseSession::finish(const MeasureProgress& progress) {
   Inner& in = *inner_;
   if (in.over) return session_fail(SessionError::wrong_state, in.setup.session.text());
   in.stop();
@@ -130,7 +130,7 @@ Outcome<SessionResult> ExerciseSession::finish() {
     if (in.store) static_cast<void>(in.store->sessions.interrupt(in.setup.session, "not_deterministic"));
     return session_fail(SessionError::not_deterministic, std::to_string(tick));
   }
-  auto result = conclude(in.plan, in.setup, in.store.get(), in.mirror->state(), in.follower->process(), in.end());
+  auto result = conclude(in.plan, in.setup, in.store.get(), in.mirror->state(), in.follower->process(), in.end(), progress);
   if (result || result.error().code != SessionError::recording_failed) in.over = true;
   return result;
 }

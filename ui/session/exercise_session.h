@@ -15,6 +15,7 @@
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/grading/changes.h"
+#include "scenarios/metrics/measure.h"
 #include "scenarios/metrics/reference.h"
 #include "storage/repositories/sessions.h"
 #include "ui/modules.h"
@@ -87,8 +88,8 @@ class ExerciseSession {
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
   /// session as it was (stopped): finish() may be tried again when the disk is well. An attempt that ended by itself because inputs
-  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set.
-  Outcome<SessionResult> finish();
+  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set. `progress`: of the measuring, on the calling thread.
+  Outcome<SessionResult> finish(const MeasureProgress& progress = {});
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();
 

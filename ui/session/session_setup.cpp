@@ -188,7 +188,7 @@ Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume
 }  // namespace
 
 Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& setup, Store* store, const StepState& state,
-                        const Process& process, SessionEnd end) {
+                        const Process& process, SessionEnd end, const MeasureProgress& progress) {
   SessionResult result;
   result.session = setup.session;
   result.scenario = plan.scenario;
@@ -199,7 +199,7 @@ Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& set
   result.stiffness_share = setup.stiffness_share;
   result.operator_name = plan.operator_name;
   result.interrupted = interrupts(end);
-  result.measures = measure(*setup.reference, *result.volume, process);
+  result.measures = measure(*setup.reference, *result.volume, process, progress);
   result.grade = grade(plan.scenario, result.measures, sensed_axes(setup.device));
   if (!store) return result;
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/step/step.h"
+#include "scenarios/metrics/measure.h"
 #include "scenarios/metrics/process.h"
 #include "storage/store.h"
 #include "ui/modules.h"
@@ -41,9 +42,10 @@ enum class SessionEnd : std::uint8_t {
 std::string_view key_of(SessionEnd end) noexcept;
 constexpr bool interrupts(SessionEnd end) noexcept { return end == SessionEnd::recorder_full || end == SessionEnd::stopped; }
 
-/// Grades the volume and, with a store, writes final volume, event and grade. Measured before anything is written.
+/// Grades the volume and, with a store, writes final volume, event and grade. Measured before anything is written. `progress`: of the
+/// measuring.
 Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& setup, Store* store, const StepState& state,
-                        const Process& process, SessionEnd end);
+                        const Process& process, SessionEnd end, const MeasureProgress& progress = {});
 
 /// Of the rubric's canonical JSON, as stored beside a grade.
 Hash256 rubric_hash(const Rubric& rubric);

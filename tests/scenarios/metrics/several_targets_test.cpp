@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "scenarios/format/keys.h"
 #include "scenarios/metrics/evidence_patch.h"
@@ -166,6 +167,25 @@ TEST(SeveralTargets, OneThatNobodyCutIsNotMeasuredWhereTheOtherIs) {
   EXPECT_NEAR(value(all, "target_removed@shallow"), 100.0, 0.5);
   EXPECT_EQ(value(all, "target_removed@deep"), 0.0);
   EXPECT_FALSE(find(all, "depth_mean@deep")->measured);
+}
+
+TEST(SeveralTargets, ProgressRisesOverTheWholeAndEachTargetOnTheCallingThread) {
+  const auto specimen = block();
+  Volume volume(specimen);
+  cut(volume, kShallow);
+  cut(volume, kDeep);
+  std::vector<double> shares;
+  const auto caller = std::this_thread::get_id();
+  const std::vector<Measure> all = measure(Reference(exercise(kShallow, kDeep, {"depth_mean"}), specimen), volume, {}, [&](double share) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    shares.push_back(share);
+  });
+  EXPECT_FALSE(all.empty());
+  ASSERT_GE(shares.size(), 3u);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_GT(shares.front(), 0.0);
+  EXPECT_GT(shares.back(), 2.0 / 3.0);
+  EXPECT_LT(shares.back(), 1.0);
 }
 
 TEST(SeveralTargets, ANameThatTheExerciseDoesNotHaveIsNotMeasured) {
