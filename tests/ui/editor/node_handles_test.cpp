@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <QLabel>
+#include <QApplication>
 #include <QTest>
+#include <tuple>
 
 #include "scenarios/shapes/region.h"
 #include "tests/scenarios/regions.h"
@@ -199,6 +200,28 @@ TEST_F(NodeHandlesOnThePage, a_drag_moves_the_whole_union_as_one_step_of_undo) {
   EXPECT_EQ(page->model().stack().count(), 1);
   page->model().stack().undo();
   EXPECT_EQ(page->model().chosen(), before);
+}
+
+TEST_F(NodeHandlesOnThePage, rounding_and_growth_go_with_the_hand_along_their_line) {
+  const auto page = open_at({});
+  EditorModel& model = page->model();
+  for (const auto& [path, name, mm] : {std::tuple(PartPath{}, "Rounding of the edges", 0.3), std::tuple(PartPath{2}, "Grown by", -0.6)}) {
+    model.choose_part(path);
+    const auto value = [&model] { return model.chosen().kind == RegionKind::offset ? model.chosen().by_mm : model.chosen().rounding_mm; };
+    HandleKnob* handle = knob(*page, name);
+    ASSERT_NE(handle, nullptr);
+    const double before = value();
+    const int steps = model.stack().count();
+    const TargetHandle at = handle->handle();
+    const QPointF way = *page->stage()->view()->project(at.at_mm + mm * at.along) - *page->stage()->view()->project(at.at_mm);
+    const QPoint middle = handle->rect().center();
+    QTest::mousePress(handle, Qt::LeftButton, {}, middle);
+    QMouseEvent move(QEvent::MouseMove, middle + way, handle->mapToGlobal(middle + way), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(handle, &move);
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, middle);
+    EXPECT_NEAR(value(), before + mm, 0.011) << name << ": rounded to a step of 0.01 mm";
+    EXPECT_EQ(model.stack().count(), steps + 1) << name;
+  }
 }
 
 TEST_F(NodeHandlesOnThePage, arrow_keys_move_round_and_grow_and_names_say_so) {
