@@ -6967,6 +6967,10 @@
         <source>Radius at the other end</source>
         <translation>Radius am anderen Ende</translation>
     </message>
+    <message>
+        <source>Place of all shapes</source>
+        <translation>Lage aller Formen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PasswordDialog</name>
@@ -9930,6 +9934,26 @@ Ihr bester davor</translation>
     <message>
         <source>A place snaps to a landmark, with Shift it does not; L takes it to the nearest.</source>
         <translation>Ein Ort rastet an einer Landmarke ein, mit der Umschalttaste nicht; L setzt ihn an die nächste.</translation>
+    </message>
+    <message>
+        <source>Place of all shapes</source>
+        <translation>Lage aller Formen</translation>
+    </message>
+    <message>
+        <source>Rounding of the edges</source>
+        <translation>Rundung der Kanten</translation>
+    </message>
+    <message>
+        <source>Rounding %1</source>
+        <translation>Rundung %1</translation>
+    </message>
+    <message>
+        <source>Grown by</source>
+        <translation>Vergrößert um</translation>
+    </message>
+    <message>
+        <source>Grown by %1</source>
+        <translation>Vergrößert um %1</translation>
     </message>
 </context>
 <context>

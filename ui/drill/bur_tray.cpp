@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSignalBlocker>
@@ -20,7 +21,9 @@
 namespace cusp::ui {
 namespace {
 
-/// One bur: its silhouette to scale, number and diameter.
+constexpr int kHeight = 72, kFoldedHeight = 40, kMargin = 8, kFoldedMargin = 4;  // px at 100 %
+
+/// One bur: its silhouette to scale, number and diameter; folded its number.
 class BurButton : public QAbstractButton {
  public:
   BurButton(const Bur& bur, QWidget* parent) : QAbstractButton(parent), bur_(bur) {
@@ -34,9 +37,14 @@ class BurButton : public QAbstractButton {
     setToolTip(uses.isEmpty() ? accessibleName() : accessibleName() + u'\n' + uses);
   }
   QSize sizeHint() const override {
-    const int text = std::max(QFontMetrics(font_of(TextRole::body, Weight::bold)).horizontalAdvance(number_),
-                              QFontMetrics(font_of(TextRole::caption)).horizontalAdvance(kind_));
-    return {px(46) + text, px(56)};
+    const int number = QFontMetrics(font_of(TextRole::body, Weight::bold)).horizontalAdvance(number_);
+    if (folded_) return {px(24) + number, px(kFoldedHeight - 2 * kFoldedMargin)};
+    return {px(46) + std::max(number, QFontMetrics(font_of(TextRole::caption)).horizontalAdvance(kind_)), px(kHeight - 2 * kMargin)};
+  }
+  void fold(bool on) {
+    folded_ = on;
+    updateGeometry();
+    update();
   }
 
  protected:
@@ -55,6 +63,19 @@ class BurButton : public QAbstractButton {
       p.setBrush(Qt::NoBrush);
       p.drawRoundedRect(box.adjusted(3, 3, -3, -3), px(3), px(3));
     }
+    p.setFont(font_of(TextRole::body, Weight::bold));
+    if (folded_) {
+      p.setPen(t.text);
+      p.drawText(rect(), Qt::AlignCenter, number_);
+    } else {
+      paint_whole(p, t);
+    }
+  }
+  void enterEvent(QEnterEvent*) override { update(); }
+  void leaveEvent(QEvent*) override { update(); }
+
+ private:
+  void paint_whole(QPainter& p, const Tokens& t) const {
     // The head is true to its shape, as large as its height allows; of neck and shank only the widths are.
     const double x = px(17), length = bur_.radius_mm + bur_head_top_mm(bur_);
     const double scale = std::min({double(px(6.5)), px(26) / length, px(7) / bur_.radius_mm});
@@ -70,40 +91,37 @@ class BurButton : public QAbstractButton {
     p.drawPath(bur_head_path(bur_, scale));
     p.restore();
     p.setPen(t.text);
-    p.setFont(font_of(TextRole::body, Weight::bold));
     p.drawText(QRectF(px(34), px(9), width() - px(36), px(20)), Qt::AlignVCenter | Qt::AlignLeft, number_);
     p.setPen(t.text2);
     p.setFont(font_of(TextRole::caption));
     p.drawText(QRectF(px(34), px(28), width() - px(36), px(18)), Qt::AlignVCenter | Qt::AlignLeft, kind_);
   }
-  void enterEvent(QEnterEvent*) override { update(); }
-  void leaveEvent(QEvent*) override { update(); }
 
- private:
   Bur bur_;
   QString number_, kind_;
+  bool folded_ = false;
 };
 
 }  // namespace
 
 BurTray::BurTray(QWidget* parent) : QFrame(parent) {
   set_kind(this, "bar_bottom");
-  setFixedHeight(px(72));
-  auto* lay = new QHBoxLayout(this);
-  lay->setContentsMargins(px(12), px(8), px(12), px(8));
-  lay->setSpacing(px(8));
+  whole_ = new QHBoxLayout(this);
+  whole_->setSpacing(px(8));
   auto* names = new QVBoxLayout;
   names->setSpacing(0);
   names->addStretch();
   names->addWidget(make_label(tr("Burs"), TextRole::body, Weight::bold));
-  names->addWidget(make_label(tr("[ and ]"), TextRole::caption, Weight::regular, "text2"));
+  keys_ = make_label(tr("[ and ]"), TextRole::caption, Weight::regular, "text2");
+  names->addWidget(keys_);
   names->addStretch();
-  lay->addLayout(names);
-  lay->addSpacing(px(20));
+  whole_->addLayout(names);
+  whole_->addSpacing(px(20));
   row_ = new QHBoxLayout;
   row_->setSpacing(px(6));
-  lay->addLayout(row_);
-  lay->addStretch();
+  whole_->addLayout(row_);
+  whole_->addStretch();
+  fold(false);
   group_ = new QButtonGroup(this);
   // However it is set down: a screen reader does it without a click.
   connect(group_, &QButtonGroup::idToggled, this, [this](int index, bool on) {
@@ -119,10 +137,20 @@ void BurTray::set_burs(const std::vector<Bur>& burs) {
   count_ = static_cast<int>(burs.size());
   for (int i = 0; i < count_; ++i) {
     auto* button = new BurButton(burs[static_cast<std::size_t>(i)], this);
+    button->fold(folded_);
     group_->addButton(button, i);
     row_->addWidget(button);
   }
   choose(0);
+}
+
+void BurTray::fold(bool on) {
+  folded_ = on;
+  const int edge = px(on ? kFoldedMargin : kMargin);
+  setFixedHeight(px(on ? kFoldedHeight : kHeight));
+  whole_->setContentsMargins(px(12), edge, px(12), edge);
+  keys_->setVisible(!on);
+  for (int i = 0; i < row_->count(); ++i) static_cast<BurButton*>(row_->itemAt(i)->widget())->fold(on);
 }
 
 void BurTray::choose(int index) {

@@ -9,6 +9,7 @@
 
 class QButtonGroup;
 class QHBoxLayout;
+class QLabel;
 
 namespace cusp::ui {
 
@@ -22,15 +23,19 @@ class BurTray : public QFrame {
   /// To the next (+1) or the one before (-1); stays at the ends.
   void step(int by);
   int chosen() const;
+  /// Numbers alone, in a lower tray.
+  void fold(bool on);
 
  Q_SIGNALS:
   /// By the user, not by choose().
   void bur_chosen(int index);
 
  private:
-  QHBoxLayout* row_;
+  QHBoxLayout *whole_, *row_;
+  QLabel* keys_;
   QButtonGroup* group_;
   int count_ = 0;
+  bool folded_ = false;
 };
 
 }  // namespace cusp::ui

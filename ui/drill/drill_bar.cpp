@@ -16,6 +16,8 @@
 namespace cusp::ui {
 namespace {
 
+constexpr int kLeastTitle = 96;  // px at 100 %
+
 struct TimeWarning {
   double left_s;
   const char* ink;
@@ -72,7 +74,7 @@ void DrillBar::resizeEvent(QResizeEvent* event) {
 }
 
 void DrillBar::fit() {
-  for (const Detail detail : {Detail::whole, Detail::no_device, Detail::icons, Detail::short_title}) {
+  for (const Detail detail : {Detail::whole, Detail::no_device, Detail::icons, Detail::short_texts}) {
     show_detail(detail);
     if (layout()->sizeHint().width() <= width()) return;
   }
@@ -90,20 +92,32 @@ void DrillBar::show_detail(Detail detail) {
   show_text(leave_);
   show_text(pause_);
   device_name_->setVisible(delayed_ || detail < Detail::no_device);
-  QString title = whole_title_;
-  if (detail == Detail::short_title) {
-    title_->setText(title);
+  show_texts(detail);
+}
+
+/// Down to kLeastTitle the title alone gives way, then the tag.
+void DrillBar::show_texts(Detail detail) {
+  title_->setText(whole_title_);
+  aside_->setText(whole_aside_);
+  const auto shorten = [this](QLabel* label, const QString& whole, int least) {
     const int too_wide = layout()->sizeHint().width() - width();
-    title = title_->fontMetrics().elidedText(title, Qt::ElideRight, std::max(0, title_->sizeHint().width() - too_wide));
+    if (too_wide <= 0) return;
+    const int beside = label->sizeHint().width() - label->fontMetrics().horizontalAdvance(whole);
+    label->setText(label->fontMetrics().elidedText(whole, Qt::ElideRight, std::max(least, label->sizeHint().width() - too_wide) - beside));
+  };
+  if (detail == Detail::short_texts) {
+    shorten(title_, whole_title_, std::min(px(kLeastTitle), title_->sizeHint().width()));
+    shorten(aside_, whole_aside_, 0);
   }
-  title_->setText(title);
-  title_->setToolTip(title == whole_title_ ? QString() : whole_title_);
+  title_->setToolTip(title_->text() == whole_title_ ? QString() : whole_title_);
+  aside_->setToolTip(aside_->text() == whole_aside_ ? QString() : whole_aside_);
 }
 
 void DrillBar::set_exercise(const QString& title, const QString& aside) {
   whole_title_ = title;
   title_->setAccessibleName(title);
-  aside_->setText(aside);
+  whole_aside_ = aside;
+  aside_->setAccessibleName(aside);
   aside_->setVisible(!aside.isEmpty());
   fit();
 }

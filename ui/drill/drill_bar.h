@@ -1,5 +1,5 @@
 /// The bar over the drilling screen: the way out, the exercise, the clock, the device, Pause and Finish. A narrow bar leaves out
-/// the device's name, then the texts of Leave and Pause, and shortens the title at last. Thread: GUI.
+/// the device's name, then the texts of Leave and Pause, and shortens the title and the tag at last. Thread: GUI.
 #pragma once
 
 #include <QFrame>
@@ -42,15 +42,16 @@ class DrillBar : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class Detail { whole, no_device, icons, short_title };
+  enum class Detail { whole, no_device, icons, short_texts };
   void show_time_left(double left_s);
   void show_detail(Detail detail);
+  void show_texts(Detail detail);
   /// The most detail that the width holds.
   void fit();
 
   QLabel *title_, *aside_, *clock_, *limit_, *device_name_;
   QPushButton *leave_, *pause_, *finish_;
-  QString whole_title_;
+  QString whole_title_, whole_aside_;
   DeviceLimits device_;
   double limit_s_ = 0;
   int warned_ = 0;  // how many of the two warnings were given

@@ -18,6 +18,7 @@
 namespace cusp::ui {
 namespace {
 
+constexpr int kFoldsBelowWidth = 800, kFoldsBelowHeight = 480;  // px at 100 %: panel and tray to titles and numbers
 constexpr int kLookMs = 33;           // bur and clock
 constexpr int kTextEvery = 3;         // looks between two of texts and gauges, about ten a second
 constexpr std::chrono::milliseconds kFollow{30};
@@ -66,6 +67,7 @@ DrillScreen::DrillScreen(Ports ports, QWidget* parent) : QWidget(parent), inner_
   in.look_timer.setInterval(kLookMs);
   connect(&in.look_timer, &QTimer::timeout, this, &DrillScreen::look);
   make_keys();
+  fold(true);  // a window that is too narrow for the whole would grow before it is folded
   enable_controls(false);
 }
 
@@ -99,6 +101,16 @@ void DrillScreen::make_main(QVBoxLayout& column) {
   });
   middle->addWidget(in.panel);
   column.addLayout(middle, 1);
+}
+
+void DrillScreen::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fold(width() < px(kFoldsBelowWidth) || height() < px(kFoldsBelowHeight));
+}
+
+void DrillScreen::fold(bool on) {
+  inner_->panel->fold(on);
+  inner_->tray->fold(on);
 }
 
 void DrillScreen::make_keys() {

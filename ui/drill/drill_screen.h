@@ -60,11 +60,13 @@ class DrillScreen : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void make_main(class QVBoxLayout& column);
   void make_keys();
+  void fold(bool on);
   void look();
   void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
   void follow_pointer();

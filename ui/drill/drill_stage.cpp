@@ -29,6 +29,7 @@ namespace {
 
 constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::buccal, PresetView::distal,
                                               PresetView::lingual};
+constexpr int kLeastWidth = 400, kLeastHeight = 284, kScarceWidth = 560, kScarceHeight = 356;  // px at 100 %
 constexpr double kLidMm = 24.0, kWideLidMm = 44.0, kLidMmPerPx = 0.05;  // a tooth is 25 mm high, a row of three 34 long
 
 QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number) {
@@ -48,7 +49,7 @@ QFrame* DrillStage::make_card(QWidget* parent) {
 }
 
 DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(px(480), px(320));
+  setMinimumSize(px(kLeastWidth), px(kLeastHeight));
   view_ = new ToothView(this);
   mirror_hold_ = new MirrorHold(*view_);
   hand_ghost_ = new HandGhost(*view_, this);
@@ -89,7 +90,7 @@ void DrillStage::make_tools() {
     QLabel* cap = make_key_cap(QString::number(number++));
     cap->setFixedHeight(px(18));
     row->addWidget(cap, 0, Qt::AlignVCenter);
-    row->addSpacing(px(6));
+    if (button != handpiece_) row->addSpacing(px(4));
     caps_.emplace_back(button, cap);
   }
 }
@@ -117,7 +118,7 @@ void DrillStage::connect_tools() {
   connect(handpiece_, &QPushButton::clicked, this, &DrillStage::handpiece_switched);
   connect(target_, &QPushButton::toggled, this, [this](bool on) {
     view_->set_target_shown(on);
-    legend_->setVisible(on && look_ && !look_->empty());
+    place_all();
   });
 }
 
@@ -173,7 +174,6 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   depth_->setVisible(setup.guidance == Guidance::full);
   view_->set_camera(Camera::about(setup.start_view.centre_mm, setup.start_view.radius_mm));
   target_->setVisible(!look.empty());
-  legend_->setVisible(!look.empty());
   compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
   coach_card_->hide();
   wanted_push_->setVisible(by_mouse_);
@@ -314,41 +314,60 @@ void DrillStage::set_centre(QWidget* widget) {
   place_all();
 }
 
+bool DrillStage::is_scarce() const { return width() < px(kScarceWidth) || height() < px(kScarceHeight); }
+
 void DrillStage::place_all() {
-  const int gap = px(kStageGap), w = width(), h = height();
+  const bool scarce = is_scarce();
+  const int gap = px(scarce ? kStageGap / 2 : kStageGap), w = width(), h = height();
   view_->setGeometry(rect());
-  const auto place = [](QWidget* widget, int x, int y) {
-    widget->adjustSize();
-    widget->move(x, y);
-  };
-  // Where the row is too long its keys stand in the tooltips alone, then the handpiece's name, and at last all names.
-  for (const auto& [button, cap] : caps_) button->setText(u' ' + button->accessibleName());  // as make_button: the style leaves no space
-  int long_row = tools_->sizeHint().width();
-  for (const auto& [button, cap] : caps_)
-    if (cap->isHidden() && !button->isHidden()) long_row += cap->sizeHint().width() + px(2);
-  for (const auto& [button, cap] : caps_) cap->setVisible(!button->isHidden() && long_row <= w - 2 * gap);
-  if (tools_->sizeHint().width() > w - 2 * gap) handpiece_->setText({});
-  if (tools_->sizeHint().width() > w - 2 * gap)
-    for (const auto& [button, cap] : caps_) button->setText({});
-  tools_->adjustSize();
-  tools_->move((w - tools_->width()) / 2, gap);
-  const QSize depth = depth_->sizeHint(), push = push_->sizeHint();
-  const int top = std::max(tools_->geometry().bottom() + gap, (h - depth.height()) / 2 + px(20));
-  const int below = px(60) + (hold_->isHidden() ? 0 : hold_->sizeHint().height() + px(6));  // legend, and the button above it
-  depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - below));
-  push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - px(110)));
-  hold_->setFixedWidth(depth.width());
-  hold_->move(gap, depth_->geometry().bottom() + px(6));
-  wanted_push_->move(w - gap - (push.width() + wanted_push_->width()) / 2, push_->geometry().bottom() + px(6));
+  legend_->setVisible(!scarce && target_->isChecked() && look_ && !look_->empty());
   legend_->adjustSize();
-  place(legend_, gap, h - legend_->height() - px(16));
-  compass_->move(w - compass_->width() - px(18), h - compass_->height() - px(14));
-  place_coach();
-  stop_card_->fit_width(std::min(px(420), w - 4 * gap));
+  legend_->move(gap, h - legend_->height() - px(16));
+  place_tools(gap);
+  compass_->move(w - compass_->width() - (scarce ? gap : px(18)), h - compass_->height() - (scarce ? gap : px(14)));
+  place_gauges(gap);
+  place_coach(gap);
+  stop_card_->fit({std::min(px(420), w - 4 * gap), h - 2 * gap});
   stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
   if (centre_ != nullptr) {
     centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);
     centre_->raise();
+  }
+}
+
+/// Where the row is too long its keys stand in the tooltips alone, then the handpiece's name, and at last all names.
+void DrillStage::place_tools(int gap) {
+  const int wheel = is_scarce() && !wanted_push_->isHidden() ? wanted_push_->width() + gap : 0;
+  const int room = width() - 2 * gap - wheel;
+  for (const auto& [button, cap] : caps_) button->setText(u' ' + button->accessibleName());  // as make_button: the style leaves no space
+  int long_row = tools_->sizeHint().width();
+  for (const auto& [button, cap] : caps_)
+    if (cap->isHidden() && !button->isHidden()) long_row += cap->sizeHint().width() + px(2);
+  for (const auto& [button, cap] : caps_) cap->setVisible(!button->isHidden() && long_row <= room);
+  if (tools_->sizeHint().width() > room) handpiece_->setText({});
+  if (tools_->sizeHint().width() > room)
+    for (const auto& [button, cap] : caps_) button->setText({});
+  tools_->adjustSize();
+  tools_->move(wheel > 0 ? gap : (width() - tools_->width()) / 2, gap);
+}
+
+/// Depth with its button at the left; at the right push, with what the wheel asks for, above the compass.
+void DrillStage::place_gauges(int gap) {
+  const int w = width(), h = height();
+  const bool scarce = is_scarce();
+  const QSize depth = depth_->sizeHint(), push = push_->sizeHint();
+  const int highest = tools_->geometry().bottom() + gap;
+  const int top = std::max(highest, (h - depth.height()) / 2 + px(20));
+  const int held = hold_->isHidden() ? 0 : hold_->sizeHint().height() + px(6);
+  const int below_depth = held + (scarce ? gap : px(60)), below_push = scarce ? compass_->height() + 2 * gap : px(110);
+  depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - below_depth));
+  push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - below_push));
+  hold_->setFixedWidth(depth.width());
+  hold_->move(gap, depth_->geometry().bottom() + px(6));
+  if (scarce) {
+    wanted_push_->move(w - gap - wanted_push_->width(), tools_->geometry().center().y() - wanted_push_->height() / 2);
+  } else {
+    wanted_push_->move(w - gap - (push.width() + wanted_push_->width()) / 2, push_->geometry().bottom() + px(6));
   }
 }
 

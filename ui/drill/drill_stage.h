@@ -90,7 +90,11 @@ class DrillStage : public QWidget {
   void make_coach();
   void make_legend();
   void place_all();
-  void place_coach();
+  void place_tools(int gap);
+  void place_gauges(int gap);
+  void place_coach(int gap);
+  /// Without room for all of it the stage leaves out the legend and puts the wheel's force beside the tools.
+  bool is_scarce() const;
   void want_sections();
   void hold_mirror(bool on);
   double required_depth_mm() const;

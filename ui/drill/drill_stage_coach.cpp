@@ -17,9 +17,7 @@ namespace cusp::ui {
 
 void DrillStage::make_coach() {
   coach_card_ = make_card(this);
-  auto* row = new QHBoxLayout(coach_card_);
-  row->setContentsMargins(px(16), px(8), px(16), px(8));
-  row->setSpacing(px(12));
+  auto* row = new QHBoxLayout(coach_card_);  // place_coach() sets its margins
   coach_sign_ = new QLabel(coach_card_);
   coach_sign_->setObjectName(QStringLiteral("coach_sign"));
   coach_sign_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -95,11 +93,17 @@ void DrillStage::show_coach(CoachLine line) {
   if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
-/// In the middle, in one line; where that is too narrow, in smaller letters between legend and compass.
-void DrillStage::place_coach() {
-  const int gap = px(kStageGap), w = width(), h = height();
-  const int left = legend_->isHidden() ? gap : legend_->geometry().right() + gap, right = compass_->x() - gap;
+/// In the middle, in one line; where that is too narrow, in smaller letters between what stands at the left and at the right.
+void DrillStage::place_coach(int gap) {
+  const int w = width(), h = height(), below = px(is_scarce() ? kStageGap / 2 : 16);
+  const int gauge = hold_->isHidden() ? gap : hold_->geometry().right() + gap;
+  const int left = legend_->isHidden() ? gauge : legend_->geometry().right() + gap;
+  const int wheel = wanted_push_->isHidden() ? w : wanted_push_->x();
+  const int right = std::min(compass_->isHidden() ? w : compass_->x(), is_scarce() ? push_->x() : wheel) - gap;
   const int beside = std::max(left, w - right);
+  const int side = px(is_scarce() ? 8 : 16), between = px(is_scarce() ? 6 : 12);
+  coach_card_->layout()->setContentsMargins(side, px(8), side, px(8));
+  coach_card_->layout()->setSpacing(between);
   const auto fit = [this](TextRole role) {
     coach_->setFont(font_of(role, Weight::bold));
     coach_->setMinimumWidth(0);
@@ -111,14 +115,14 @@ void DrillStage::place_coach() {
   if (coach_card_->width() > most) {
     x = left;
     most = right - left;
-    fit(TextRole::section);
+    fit(is_scarce() ? TextRole::body : TextRole::section);
   }
   if (coach_card_->width() > most) {
-    coach_->setMinimumWidth(most - px(16 + 18 + 12 + 16));
+    coach_->setMinimumWidth(most - 2 * side - coach_sign_->sizeHint().width() - between - 2 * coach_card_->frameWidth());
     coach_->setWordWrap(true);
-    coach_card_->resize(most, coach_card_->layout()->heightForWidth(most));
+    coach_card_->resize(most, coach_card_->heightForWidth(most));
   }
-  coach_card_->move(x + (most - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
+  coach_card_->move(x + (most - coach_card_->width()) / 2, h - coach_card_->height() - below);
 }
 
 }  // namespace cusp::ui

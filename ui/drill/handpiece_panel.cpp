@@ -37,9 +37,9 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(11), px(16), px(11));
   column->setSpacing(px(8));
-  auto* head = new QHBoxLayout;
-  head->addWidget(make_label(tr("Handpiece"), TextRole::section, Weight::bold), 1);
-  column->addLayout(head);
+  head_ = new QHBoxLayout;
+  head_->addWidget(make_label(tr("Handpiece"), TextRole::section, Weight::bold), 1);
+  column->addLayout(head_);
   speed_row_ = make_fact_row(QStringLiteral("turn"), tr("Speed"), &speed_);
   column->addWidget(speed_row_);
 
@@ -50,7 +50,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
     show_coolant(on);
     Q_EMIT coolant_changed(on);
   });
-  head->addWidget(coolant_);
+  head_->addWidget(coolant_);
 
   heat_part_ = make_fact_row(QStringLiteral("heat"), tr("Tooth warmer by"), &heat_);
   column->addWidget(heat_part_);
@@ -99,10 +99,16 @@ void HandpiecePanel::set_exercise(const Scenario& scenario) {
   speed_row_->setVisible(spindle_);
   coolant_->setVisible(reckons_heat_);
   heat_part_->setVisible(reckons_heat_);
-  heat_bar_->setVisible(reckons_heat_);
+  heat_bar_->setVisible(reckons_heat_ && !folded_);
   heat_note_->setVisible(reckons_heat_);
   sound_row_->setVisible(sounds_);
   setVisible(spindle_ || reckons_heat_);
+}
+
+void HandpiecePanel::fold(bool on) {
+  folded_ = on;
+  head_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);  // the button is as wide as the title
+  heat_bar_->setVisible(reckons_heat_ && !on);
 }
 
 void HandpiecePanel::set_sound(const Sound& sound) {

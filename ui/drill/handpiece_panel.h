@@ -8,6 +8,7 @@
 #include "ui/modules.h"
 #include "ui/session/observer.h"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -32,6 +33,8 @@ class HandpiecePanel : public QFrame {
     bool muted = false;
   };
   void set_sound(const Sound& sound);
+  /// Titles and numbers alone.
+  void fold(bool on);
   /// Speed, coolant and warmth as one sentence; empty where there is none.
   QString spoken() const;
 
@@ -44,13 +47,14 @@ class HandpiecePanel : public QFrame {
   void show_coolant(bool on);
   void show_muted();
 
+  QBoxLayout* head_;
   QWidget *speed_row_, *heat_part_, *sound_row_;
   QLabel *speed_, *heat_, *heat_note_, *no_sound_;
   QPushButton* coolant_;
   Bar* heat_bar_;
   QToolButton* mute_;
   QSlider* volume_;
-  bool spindle_ = false, reckons_heat_ = false, sounds_ = false, over_ = false;
+  bool spindle_ = false, reckons_heat_ = false, sounds_ = false, over_ = false, folded_ = false;
 };
 
 }  // namespace cusp::ui

@@ -1,6 +1,7 @@
 #include "ui/drill/homing_card.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/device/homing_view.h"
 #include "ui/widgets/theme.h"
@@ -8,20 +9,20 @@
 namespace cusp::ui {
 
 namespace {
-constexpr int kWidth = 420;  // px at 100 %
+constexpr int kWidth = 420, kBeside = 64;  // px at 100 %
 }
 
 HomingCard::HomingCard(QWidget* over) : Card(over), homing_(new HomingView(this)) {
-  homing_->setFixedWidth(px(kWidth));
   body()->addWidget(homing_);
   hide();
 }
 
 void HomingCard::show_falcon(const FalconView& view) {
+  const QWidget& over = *parentWidget();
+  homing_->setFixedWidth(std::min(px(kWidth), over.width() - px(kBeside)));
   homing_->show_falcon(view);
   show();
   adjustSize();
-  const QWidget& over = *parentWidget();
   move((over.width() - width()) / 2, (over.height() - height()) / 2);
   raise();
 }

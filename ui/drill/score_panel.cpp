@@ -19,6 +19,8 @@
 namespace cusp::ui {
 namespace {
 
+constexpr int kWidth = 304, kFoldedWidth = 224;  // px at 100 %
+
 Bar::Role role_of(Tissue tissue) {
   switch (tissue) {
     case Tissue::enamel: return Bar::Role::enamel;
@@ -58,6 +60,12 @@ QColor on_tooth(Tissue tissue) {
 
 void set_value(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
+}
+
+/// A name beside a number takes as many lines as it needs.
+void wrap_name(const QWidget& fact_row) {
+  for (QLabel* label : fact_row.findChildren<QLabel*>())
+    if (!label->text().isEmpty()) label->setWordWrap(true);
 }
 
 QLabel* make_value() {
@@ -129,11 +137,16 @@ void SectionView::paintEvent(QPaintEvent*) {
   p.drawPath(clip);
 }
 
-QFrame* ScorePanel::add_part(const QString& title, QLabel** aside) {
+QVBoxLayout* ScorePanel::add_part(const QString& title, QLabel** aside) {
   auto* part = new QFrame(this);
-  auto* lay = new QVBoxLayout(part);
-  lay->setContentsMargins(px(16), px(11), px(16), px(11));
-  lay->setSpacing(px(8));
+  auto* whole = new QVBoxLayout(part);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* rows = new QVBoxLayout;
+  rows->setContentsMargins(px(16), px(11), px(16), px(11));
+  rows->setSpacing(px(8));
+  whole->addLayout(rows);
+  whole->addWidget(make_rule());
   auto* head = new QHBoxLayout;
   head->addWidget(make_label(title, TextRole::section, Weight::bold));
   head->addStretch();
@@ -141,40 +154,41 @@ QFrame* ScorePanel::add_part(const QString& title, QLabel** aside) {
     *aside = make_label({}, TextRole::caption, Weight::regular, "text2");
     head->addWidget(*aside);
   }
-  lay->addLayout(head);
+  rows->addLayout(head);
   body_->layout()->addWidget(part);
-  body_->layout()->addWidget(make_rule());
-  return part;
+  return rows;
 }
 
 ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   set_kind(this, "panel_right");
-  setFixedWidth(px(304));
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(1, 0, 0, 0);
   whole->setSpacing(0);
   QVBoxLayout* column = make_scrolled(*whole);
 
-  QFrame* part = add_part(tr("Section at the bur"), &section_aside_);
-  section_ = new SectionView(part);
-  part->layout()->addWidget(section_);
+  QVBoxLayout* rows = add_part(tr("Section at the bur"), &section_aside_);
+  section_part_ = rows->parentWidget();
+  section_ = new SectionView(section_part_);
+  rows->addWidget(section_);
   handpiece_ = new HandpiecePanel(this);
   column->addWidget(handpiece_);
   handpiece_rule_ = make_rule();
   handpiece_rule_->hide();
   column->addWidget(handpiece_rule_);
   make_progress();
-  removed_part_ = part = add_part(tr("Removed so far"));
+  rows = add_part(tr("Removed so far"));
+  removed_part_ = rows->parentWidget();
   tissue_grid_ = new QGridLayout;
   tissue_grid_->setHorizontalSpacing(px(8));
   tissue_grid_->setVerticalSpacing(px(8));
   tissue_grid_->setColumnStretch(2, 1);
-  static_cast<QVBoxLayout*>(part->layout())->addLayout(tissue_grid_);
+  rows->addLayout(tissue_grid_);
   make_device();
 
   column->addStretch();
   whole->addWidget(make_rule());
   whole->addLayout(make_recording());
+  fold(false);
 }
 
 /// A small window scrolls what does not fit; whether the record is safe always stands below it.
@@ -196,35 +210,41 @@ QVBoxLayout* ScorePanel::make_scrolled(QVBoxLayout& whole) {
 }
 
 void ScorePanel::make_progress() {
-  QFrame* part = add_part(tr("Progress"));
-  progress_part_ = part;
+  QVBoxLayout* rows = add_part(tr("Progress"));
+  progress_part_ = rows->parentWidget();
   auto* line = new QHBoxLayout;
   line->setSpacing(px(8));
   percent_ = make_label({}, TextRole::page_title, Weight::bold);
   percent_->setAccessibleDescription(tr("Target removed"));
   line->addWidget(percent_);
-  line->addWidget(make_label(tr("of the target removed"), TextRole::caption, Weight::regular, "text2"), 1);
-  static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
-  percent_bar_ = new Bar(Bar::Role::target, part);
+  QLabel* unit = make_label(tr("of the target removed"), TextRole::caption, Weight::regular, "text2");
+  unit->setWordWrap(true);
+  line->addWidget(unit, 1);
+  rows->addLayout(line);
+  percent_bar_ = new Bar(Bar::Role::target, progress_part_);
   percent_bar_->setAccessibleName(tr("Target removed"));
-  part->layout()->addWidget(percent_bar_);
-  part->layout()->addWidget(make_fact_row(QStringLiteral("warning"), tr("Over-cut"), &over_cut_));
+  rows->addWidget(percent_bar_);
+  QWidget* over_cut = make_fact_row(QStringLiteral("warning"), tr("Over-cut"), &over_cut_);
   over_pulp_row_ = make_fact_row(QStringLiteral("shield"), tr("Least dentine over pulp"), &over_pulp_);
-  part->layout()->addWidget(over_pulp_row_);
+  for (QWidget* row : {over_cut, over_pulp_row_}) {
+    wrap_name(*row);
+    rows->addWidget(row);
+  }
 }
 
 void ScorePanel::make_device() {
-  QFrame* part = add_part(tr("Device"));
+  QVBoxLayout* rows = add_part(tr("Device"));
   auto* line = new QHBoxLayout;
   device_ = make_label({});
+  device_->setWordWrap(true);
   device_state_ = make_value();
   line->addWidget(device_, 1);
   line->addWidget(device_state_);
-  static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
+  rows->addLayout(line);
   softened_ = make_label({}, TextRole::caption, Weight::regular, "text2");
   softened_->setWordWrap(true);
   softened_->hide();
-  part->layout()->addWidget(softened_);
+  rows->addWidget(softened_);
 }
 
 QHBoxLayout* ScorePanel::make_recording() {
@@ -237,6 +257,22 @@ QHBoxLayout* ScorePanel::make_recording() {
   foot->addWidget(recording_icon_);
   foot->addWidget(recording_, 1);
   return foot;
+}
+
+void ScorePanel::fold(bool on) {
+  folded_ = on;
+  setFixedWidth(px(on ? kFoldedWidth : kWidth));
+  section_part_->setVisible(!on);
+  percent_bar_->setVisible(!on);
+  for (const TissueRow& row : tissues_) fold_row(row);
+  handpiece_->fold(on);
+}
+
+void ScorePanel::fold_row(const TissueRow& row) const {
+  row.bar->setVisible(!folded_);
+  row.name->setWordWrap(folded_);
+  tissue_grid_->setColumnStretch(folded_ ? 1 : 2, 1);
+  tissue_grid_->setColumnStretch(folded_ ? 2 : 1, 0);
 }
 
 void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
@@ -253,16 +289,17 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
   handpiece_rule_->setVisible(!handpiece_->isHidden());
   int at = 0;
   for (const ScenarioTissue& t : scenario.tissues) {
-    TissueRow r{t.tissue, new Bar(role_of(t.tissue), this), make_value()};
     const QString name = tissue_name(t.tissue);
+    TissueRow r{t.tissue, make_label(name), new Bar(role_of(t.tissue), this), make_value()};
     r.bar->setAccessibleName(name);
     r.bar->setMinimumWidth(px(32));  // gives way to long names
     r.value->setAccessibleDescription(name);
     tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), at, 0);
-    tissue_grid_->addWidget(make_label(name), at, 1);
+    tissue_grid_->addWidget(r.name, at, 1);
     tissue_grid_->addWidget(r.bar, at, 2);
     tissue_grid_->addWidget(r.value, at, 3);
     tissues_.push_back(r);
+    fold_row(r);
     ++at;
   }
 }

@@ -57,12 +57,15 @@ class ScorePanel : public QFrame {
   /// stiffness_share: what the device leaves of the tissues' stiffness; below 1 the panel names it.
   void set_device(const DeviceLimits& limits, double stiffness_share = 1.0);
   void show_values(const LiveView& live);
+  /// Titles and numbers alone, in a narrower panel.
+  void fold(bool on);
   SectionView* section() { return section_; }
   HandpiecePanel* handpiece() { return handpiece_; }
 
  private:
   struct TissueRow {
     Tissue tissue;
+    QLabel* name;
     Bar* bar;
     QLabel* value;
   };
@@ -72,19 +75,21 @@ class ScorePanel : public QFrame {
   QHBoxLayout* make_recording();
   void show_tissues(const LiveView& live);
   void show_recording(RecordingState state);
-  QFrame* add_part(const QString& title, QLabel** aside = nullptr);
+  /// The rows of a part with a title and a rule below; it is their parent widget.
+  QVBoxLayout* add_part(const QString& title, QLabel** aside = nullptr);
+  void fold_row(const TissueRow& row) const;
 
   QWidget* body_;
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
   QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
-  QWidget *progress_part_, *over_pulp_row_, *removed_part_;
+  QWidget *section_part_, *progress_part_, *over_pulp_row_, *removed_part_;
   Bar* percent_bar_;
   QGridLayout* tissue_grid_;
   std::vector<TissueRow> tissues_;
   RecordingState recording_state_ = RecordingState::off;
-  bool recording_known_ = false;
+  bool recording_known_ = false, folded_ = false;
 };
 
 }  // namespace cusp::ui

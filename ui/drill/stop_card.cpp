@@ -77,7 +77,7 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
       break;
   }
   title_->setText(title);
-  more_->setText(more);
+  more_text_ = more;
   raise();
   announce(this, title);
   return true;
@@ -93,8 +93,18 @@ bool StopCard::show_falcon(const FalconView* view) {
   return true;
 }
 
-void StopCard::fit_width(int width) {
-  resize(width, std::max(layout()->heightForWidth(width), sizeHint().height()));
+void StopCard::fit(QSize most) {
+  const bool homing = !homing_text_.isEmpty();
+  const auto high = [&] { return std::max(heightForWidth(most.width()), minimumSizeHint().height()); };
+  more_->setText(more_text_);
+  homing_->setVisible(homing);
+  int height = high();
+  if (homing && height > most.height()) {
+    homing_->hide();
+    more_->setText(more_text_ + u'\n' + homing_text_);
+    height = high();
+  }
+  resize(most.width(), height);
 }
 
 }  // namespace cusp::ui

@@ -26,8 +26,8 @@ class StopCard : public QFrame {
   bool show_stop(Stop stop, const Message& record, Fault fault);
   /// While a Falcon is gone, its state, with the picture of homing. True if the card grew or shrank.
   bool show_falcon(const FalconView* view);
-  /// Its height at that width.
-  void fit_width(int width);
+  /// As wide as `most` and as high as it needs. If that is too high, the text of homing takes the place of its picture.
+  void fit(QSize most);
 
  Q_SIGNALS:
   void go_on();
@@ -37,6 +37,7 @@ class StopCard : public QFrame {
   QLabel *title_, *more_;
   HomingView* homing_;
   QString homing_text_;  // by the homing, as it was laid out
+  QString more_text_;    // without it
   QString cause_;  // of Stop::record, as it is shown
   Stop stop_ = Stop::none;
 };

@@ -29,6 +29,12 @@ bool finite(const Region& region) {
   return all && std::ranges::all_of(region.parts, [](const Region& part) { return finite(part); });
 }
 
+bool finite(const SpecimenSource& specimen) {
+  return std::isfinite(specimen.voxel_mm) && std::ranges::all_of(specimen.lesions, [](const LesionSource& lesion) {
+    return std::isfinite(lesion.radius_mm) && std::isfinite(lesion.depth_mm) && std::isfinite(lesion.softness);
+  });
+}
+
 bool finite(const SpecimenLandmarks& landmarks) {
   return std::ranges::all_of(landmarks.marks, [](const Landmark& mark) {
     return std::ranges::all_of(mark.points_mm, [](Vec3 p) { return finite(p); });
@@ -43,8 +49,8 @@ bool has_same_voxels(const SpecimenSource& a, SpecimenSource b) {
 
 /// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
-  bool all = finite(s.target) && finite(s.specimen.landmarks) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.expected_time_s) &&
-             std::isfinite(s.rubric.pass) && std::isfinite(s.specimen.voxel_mm);
+  bool all = finite(s.target) && finite(s.specimen) && finite(s.specimen.landmarks) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.expected_time_s) &&
+             std::isfinite(s.rubric.pass);
   for (const Criterion& c : s.rubric.criteria) {
     const Bands& b = c.bands;
     for (const double v : {c.weight, b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi}) {

@@ -85,7 +85,7 @@ class EditorModel : public QObject {
   const Region& chosen() const { return *part_at(scenario_.target, part_); }
   bool has_outline() const { return chosen().kind == RegionKind::outline; }
   const Outline& outline() const { return chosen().outline; }
-  /// The values of the chosen part; its own parts stay. `field` as in ScenarioEdit.
+  /// Replaces the chosen part and the parts below it. `field` as in ScenarioEdit.
   bool set_part(const Region& part, const QString& field);
   bool add_part(RegionKind kind);  // beside the chosen one, which it becomes
   bool remove_part();              // false for the root

@@ -4,16 +4,13 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/target.h"
 #include "ui/editor/editor_model.h"
+#include "ui/editor/target_handles.h"
 
 namespace cusp::ui {
 namespace {
 
 constexpr double kNewSegmentMm = 1.0;  // length of a branch, about that of a fissure's arm
 constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape after set_shape()
-
-/// Rounds to 0.1 µm, so that sums of steps print short.
-double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
-Vec3 tidy(Vec3 v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
 
 /// Bounding rectangle of all points.
 void bounds(const Outline& target, Vec3& low, Vec3& high) {
@@ -55,12 +52,7 @@ bool EditorModel::edit_outline(const QString& text, const QString& field, const 
 }
 
 bool EditorModel::set_part(const Region& part, const QString& field) {
-  return edit(tr("Shape"), field, [&](Scenario& s) {
-    Region& held = *part_at(s.target, part_);
-    std::vector<Region> parts = std::move(held.parts);
-    held = part;
-    held.parts = std::move(parts);
-  });
+  return edit(tr("Shape"), field, [&](Scenario& s) { *part_at(s.target, part_) = part; });
 }
 
 bool EditorModel::add_part(RegionKind kind) {

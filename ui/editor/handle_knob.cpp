@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kBody = 14, kWhole = 22;                // px: a handle, and with its focus ring
 constexpr double kCoreShare = 0.5;                     // of the body's width: the core of a landmark that is set
+constexpr double kCrossMargin = 0.25;                  // of the body's width: about the cross
 constexpr double kStepMm = 0.05, kFineStepMm = 0.01;  // of an arrow key
 
 /// A handle for screen readers: a slider with place or size as its value. Two actions change a depth or a width by one step; a
@@ -68,6 +69,14 @@ void paint_core(QPainter& p, const QRectF& body) {
   fill(p, body.adjusted(edge, edge, -edge, -edge), ToothColours::get().casing, Form::round);
 }
 
+/// Two arms across a body that moves several shapes.
+void paint_cross(QPainter& p, const QRectF& body) {
+  const double edge = body.width() * kCrossMargin, half = px(1);
+  const QPointF middle = body.center();
+  fill(p, {body.left() + edge, middle.y() - half, body.width() - 2 * edge, 2 * half}, ToothColours::get().casing, Form::square);
+  fill(p, {middle.x() - half, body.top() + edge, 2 * half, body.height() - 2 * edge}, ToothColours::get().casing, Form::square);
+}
+
 QAccessibleInterface* knob_for_readers(const QString&, QObject* object) {
   auto* knob = qobject_cast<HandleKnob*>(object);
   return knob ? new KnobForReaders(knob) : nullptr;
@@ -110,6 +119,7 @@ void HandleKnob::paintEvent(QPaintEvent*) {
   if (hasFocus()) fill(p, body.adjusted(-2, -2, 2, 2), Tokens::light().surface, form);
   paint_body(p, body, form);
   if (handle_.kind == TargetHandle::Kind::landmark && handle_.state == MarkState::set) paint_core(p, body);
+  if (handle_.kind == TargetHandle::Kind::whole) paint_cross(p, body);
 }
 
 void HandleKnob::mousePressEvent(QMouseEvent* event) {

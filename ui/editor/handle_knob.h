@@ -1,5 +1,6 @@
 /// One handle on the tooth, of the target or of a landmark: the left button drags it, arrow keys move it by 0.05 mm, with Shift by
-/// 0.01 mm. A dragged place goes to landmarks unless Shift is held; L takes it to the nearest. Delete removes a point or a landmark. A landmark that is set has a dark core. Thread: GUI.
+/// 0.01 mm. A dragged place goes to landmarks unless Shift is held; L takes it to the nearest. Delete removes a point or a landmark.
+/// A landmark that is set has a dark core, and the handle of several shapes a cross. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/format/ranges.h"
+#include "ui/editor/node_handles.h"
+
 namespace cusp::ui {
 namespace {
 
@@ -28,6 +31,12 @@ Vec3 aside(const Region& part) {
   const Vec3 along = part.to_mm - part.from_mm;
   const Vec3 level = glm::cross(along, Vec3(0, 0, 1));
   return glm::length(level) < 1e-6 ? Vec3(1, 0, 0) : glm::normalize(level);
+}
+
+/// A rounding and a growth may be 0.
+double in_range(std::string_view range, double mm) {
+  const NumberRange& ends = *range_of(range);
+  return std::clamp(on_handle_step(mm), ends.least, ends.most);
 }
 
 TargetHandle at(Kind kind, Vec3 place_mm, Vec3 along = Vec3(0.0)) { return {.kind = kind, .at_mm = place_mm, .along = along}; }
@@ -62,10 +71,12 @@ std::vector<TargetHandle> handles_of_part(const Region& part) {
 Region moved_part(const Region& part, const TargetHandle& handle, Vec3 to_mm) {
   Region out = part;
   const auto from_middle = [&](Vec3 middle) { return std::abs(glm::dot(to_mm - middle, handle.along)); };
+  const double further = glm::dot(to_mm - handle.at_mm, handle.along);
   switch (handle.kind) {
-    case Kind::place:
-      out.from_mm = on_handle_step(to_mm);
-      break;
+    case Kind::whole: return shifted(part, on_handle_step(to_mm - handle.at_mm));
+    case Kind::rounding: out.rounding_mm = in_range("/target/rounding_mm", part.rounding_mm + further); break;
+    case Kind::growth: out.by_mm = in_range("/target/by_mm", part.by_mm + further); break;
+    case Kind::place: out.from_mm = on_handle_step(to_mm); break;
     case Kind::end: out.to_mm = on_handle_step(to_mm); break;
     case Kind::radius: out.radius_mm = least(from_middle(part.from_mm)); break;
     case Kind::end_radius: out.end_radius_mm = least(from_middle(part.to_mm)); break;

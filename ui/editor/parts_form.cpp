@@ -12,6 +12,7 @@
 
 #include "scenarios/format/ranges.h"
 #include "ui/editor/form_parts.h"
+#include "ui/editor/node_handles.h"
 #include "ui/editor/shape_form.h"
 #include "ui/editor/target_name_form.h"
 #include "ui/text/grade_text.h"
@@ -53,10 +54,12 @@ QString floor_name(const Region& part) {
   return floor != part.faces.end() && floor->second == FaceName::gingival_floor ? face_name("gingival_floor") : QString();
 }
 
-bool is_join(RegionKind kind) { return std::ranges::find(kJoins, kind) != kJoins.end(); }
-bool has_ends(RegionKind kind) { return kind == RegionKind::cylinder || kind == RegionKind::cone || kind == RegionKind::capsule; }
-bool has_place(RegionKind kind) {
-  return has_ends(kind) || kind == RegionKind::box || kind == RegionKind::sphere || kind == RegionKind::ellipsoid || kind == RegionKind::half_space;
+bool is_join(const Region& part) { return std::ranges::find(kJoins, part.kind) != kJoins.end(); }
+bool has_place(const Region& part) { return !is_node(part.kind) && !is_of_voxels(part.kind) && part.kind != RegionKind::outline; }
+bool has_leaves_to_move(const Region& part) { return is_node(part.kind) && middle_of_leaves(part).has_value(); }
+
+QString axis_name(int axis) {
+  return axis == 0 ? PartsForm::tr("Along the arch") : axis == 1 ? PartsForm::tr("Towards the cheek") : PartsForm::tr("Height");
 }
 
 }  // namespace
@@ -114,7 +117,7 @@ void PartsForm::make_list(QVBoxLayout* column) {
   column->addLayout(buttons);
 }
 
-QVBoxLayout* PartsForm::add_group(QVBoxLayout* column, const QString& title, std::function<bool(RegionKind)> of) {
+QVBoxLayout* PartsForm::add_group(QVBoxLayout* column, const QString& title, std::function<bool(const Region&)> of) {
   auto* box = new QWidget;
   auto* rows = new QVBoxLayout(box);
   rows->setContentsMargins(0, px(4), 0, 0);
@@ -125,23 +128,38 @@ QVBoxLayout* PartsForm::add_group(QVBoxLayout* column, const QString& title, std
   return rows;
 }
 
-void PartsForm::add_number(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double&(Region&)> in) {
+void PartsForm::add_box(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double(Region&)> of, std::function<bool(double)> take) {
   const NumberRange& mm = *range_of(range);
+  auto* box = new NumberBox(model_, name, u"mm"_qs, mm.least, mm.most, 0.05, 2, std::move(take));
+  add_row(group, name, box);
+  numbers_.push_back({box, std::move(of)});
+}
+
+void PartsForm::add_number(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double&(Region&)> in) {
   const QString field = u"part/"_qs + QString::number(numbers_.size());
-  auto* box = new NumberBox(model_, name, u"mm"_qs, mm.least, mm.most, 0.05, 2, [this, in, field](double value) {
+  add_box(group, name, range, in, [this, in, field](double value) {
     Region part = model_.chosen();
     in(part) = value;
     return model_.set_part(part, field);
   });
-  add_row(group, name, box);
-  numbers_.push_back({box, std::move(in)});
 }
 
 void PartsForm::add_point(QVBoxLayout* group, const QString& title, std::string_view range, std::function<Vec3&(Region&)> in) {
-  const std::array names = {tr("Along the arch"), tr("Towards the cheek"), tr("Height")};
   for (int axis = 0; axis < 3; ++axis) {
-    add_number(group, names[static_cast<std::size_t>(axis)], range, [in, axis](Region& part) -> double& { return in(part)[axis]; });
-    numbers_.back().box->setAccessibleName(tr("%1: %2").arg(title, names[static_cast<std::size_t>(axis)]));
+    add_number(group, axis_name(axis), range, [in, axis](Region& part) -> double& { return in(part)[axis]; });
+    numbers_.back().box->setAccessibleName(tr("%1: %2").arg(title, axis_name(axis)));
+  }
+}
+
+void PartsForm::add_middle(QVBoxLayout* group, const QString& title) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto of = [axis](const Region& part) { return middle_of_leaves(part).value_or(Vec3(0.0))[axis]; };
+    add_box(group, axis_name(axis), "/target/from_mm/0", of, [this, of, axis](double value) {
+      Vec3 by(0.0);
+      by[axis] = on_handle_step(value - of(model_.chosen()));
+      return model_.set_part(shifted(model_.chosen(), by), u"middle/%1"_qs.arg(axis));
+    });
+    numbers_.back().box->setAccessibleName(tr("%1: %2").arg(title, axis_name(axis)));
   }
 }
 
@@ -159,17 +177,19 @@ void PartsForm::make_numbers(QVBoxLayout* column) {
     model_.end_gesture();
   });
   add_number(rows, tr("Rounding of the edges"), "/target/rounding_mm", [](Region& part) -> double& { return part.rounding_mm; });
-  rows = add_group(column, {}, [](RegionKind kind) { return kind == RegionKind::offset; });
+  rows = add_group(column, {}, [](const Region& part) { return part.kind == RegionKind::offset; });
   add_number(rows, tr("Grown by"), "/target/by_mm", [](Region& part) -> double& { return part.by_mm; });
+  rows = add_group(column, tr("Place of all shapes"), has_leaves_to_move);
+  add_middle(rows, tr("Place of all shapes"));
   rows = add_group(column, tr("Place"), has_place);
   add_point(rows, tr("Place"), "/target/from_mm/0", [](Region& part) -> Vec3& { return part.from_mm; });
-  rows = add_group(column, tr("Other end"), has_ends);
+  rows = add_group(column, tr("Other end"), [](const Region& part) { return has_ends(part.kind); });
   add_point(rows, tr("Other end"), "/target/to_mm/0", [](Region& part) -> Vec3& { return part.to_mm; });
-  rows = add_group(column, tr("Size"), [](RegionKind kind) { return kind == RegionKind::box || kind == RegionKind::ellipsoid; });
+  rows = add_group(column, tr("Size"), [](const Region& part) { return part.kind == RegionKind::box || part.kind == RegionKind::ellipsoid; });
   add_point(rows, tr("Size"), "/target/size_mm/0", [](Region& part) -> Vec3& { return part.size_mm; });
-  rows = add_group(column, {}, [](RegionKind kind) { return has_ends(kind) || kind == RegionKind::sphere; });
+  rows = add_group(column, {}, [](const Region& part) { return has_ends(part.kind) || part.kind == RegionKind::sphere; });
   add_number(rows, tr("Radius"), "/target/radius_mm", [](Region& part) -> double& { return part.radius_mm; });
-  rows = add_group(column, {}, [](RegionKind kind) { return kind == RegionKind::cone; });
+  rows = add_group(column, {}, [](const Region& part) { return part.kind == RegionKind::cone; });
   add_number(rows, tr("Radius at the other end"), "/target/end_radius_mm", [](Region& part) -> double& { return part.end_radius_mm; });
 }
 
@@ -197,9 +217,9 @@ void PartsForm::follow_model() {
   show_list();
   const Region& chosen = model_.chosen();
   remove_->setEnabled(!model_.part().empty());
-  for (const Group& group : groups_) group.box->setVisible(group.of(chosen.kind));
+  for (const Group& group : groups_) group.box->setVisible(group.of(chosen));
   Region shown = chosen;
-  for (const Number& number : numbers_) number.box->show_value(number.in(shown));
+  for (const Number& number : numbers_) number.box->show_value(number.of(shown));
   const QSignalBlocker quiet(joined_);
   joined_->setCurrentIndex(std::max(joined_->findData(static_cast<int>(chosen.kind)), 0));
 }

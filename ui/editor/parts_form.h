@@ -28,19 +28,22 @@ class PartsForm : public QWidget {
   /// Rows that stand only where `of` holds.
   struct Group {
     QWidget* box;
-    std::function<bool(RegionKind)> of;
+    std::function<bool(const Region&)> of;
   };
   /// A number of the chosen part.
   struct Number {
     NumberBox* box;
-    std::function<double&(Region&)> in;
+    std::function<double(Region&)> of;
   };
   void make_list(QVBoxLayout* column);
   void make_numbers(QVBoxLayout* column);
-  QVBoxLayout* add_group(QVBoxLayout* column, const QString& title, std::function<bool(RegionKind)> of);
+  QVBoxLayout* add_group(QVBoxLayout* column, const QString& title, std::function<bool(const Region&)> of);
   /// `range`: the place of a number in a document, of scenarios/format/ranges.h.
   void add_number(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double&(Region&)> in);
   void add_point(QVBoxLayout* group, const QString& title, std::string_view range, std::function<Vec3&(Region&)> in);
+  /// Of a node: the middle of its leaves, which moves them.
+  void add_middle(QVBoxLayout* group, const QString& title);
+  void add_box(QVBoxLayout* group, const QString& name, std::string_view range, std::function<double(Region&)> of, std::function<bool(double)> take);
   void follow_model();
   void show_list();
 

@@ -63,9 +63,9 @@ Region new_part(RegionKind kind, Vec3 middle_mm) {
     out.outline.corner_radius_mm = 0.3;
   }
   if (kind == RegionKind::box || kind == RegionKind::ellipsoid) out.size_mm = Vec3(2 * kHalfMm);
-  if (kind == RegionKind::sphere || kind == RegionKind::cylinder || kind == RegionKind::cone || kind == RegionKind::capsule) out.radius_mm = kHalfMm;
+  if (kind == RegionKind::sphere || has_ends(kind)) out.radius_mm = kHalfMm;
   if (kind == RegionKind::cone) out.end_radius_mm = 0.5 * kHalfMm;
-  if (kind == RegionKind::cylinder || kind == RegionKind::cone || kind == RegionKind::capsule) out.to_mm = middle_mm + Vec3(0, 0, 2 * kHalfMm);
+  if (has_ends(kind)) out.to_mm = middle_mm + Vec3(0, 0, 2 * kHalfMm);
   return out;
 }
 

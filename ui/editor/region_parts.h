@@ -12,6 +12,8 @@ namespace cusp::ui {
 /// Indices into `parts`, from the root on; empty: the root.
 using PartPath = std::vector<std::size_t>;
 
+/// A shape between from_mm and to_mm.
+constexpr bool has_ends(RegionKind kind) noexcept { return kind == RegionKind::cylinder || kind == RegionKind::cone || kind == RegionKind::capsule; }
 /// nullptr if the tree has no such part.
 const Region* part_at(const Region& root, const PartPath& path);
 Region* part_at(Region& root, const PartPath& path);

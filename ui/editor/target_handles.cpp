@@ -34,8 +34,11 @@ Stretch widest_seen(const Outline& t) {
 
 }  // namespace
 
-double on_handle_step(double mm) { return std::round(std::round(mm / kHandleStepMm) * kHandleStepMm * 1e4) / 1e4; }
+double on_handle_step(double mm) { return tidy(std::round(mm / kHandleStepMm) * kHandleStepMm); }
 Vec3 on_handle_step(Vec3 mm) { return {on_handle_step(mm.x), on_handle_step(mm.y), on_handle_step(mm.z)}; }
+
+double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
+Vec3 tidy(Vec3 mm) { return {tidy(mm.x), tidy(mm.y), tidy(mm.z)}; }
 
 std::vector<TargetHandle> handles_of(const Outline& t) {
   std::vector<TargetHandle> out;

@@ -80,9 +80,7 @@ void TargetView::name_landmark_handle(HandleKnob& knob, const TargetHandle& hand
   QLabel* tag = tag_of(handle);
   if (tag == nullptr) return;
   tag->setText(with_state(name));
-  tag->adjustSize();
-  tag->show();
-  tag->raise();
+  show_tag(*tag);
 }
 
 }  // namespace cusp::ui

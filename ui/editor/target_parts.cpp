@@ -1,5 +1,6 @@
-// The handles of a shape that is no outline, in the editor's view.
+// The handles of a node, and of a shape that is no outline, in the editor's view.
 
+#include <QLabel>
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +43,19 @@ Vec3 TargetView::way_of(glm::ivec2 keys) const {
   return static_cast<double>(keys.x) * nearest_axis(camera.right()) + static_cast<double>(keys.y) * nearest_axis(camera.up());
 }
 
-/// A radius, an extent and a floor move along their line; a place moves in the plane that faces the viewer.
+/// The search of an anchor takes too long for each turn of the camera.
+std::vector<TargetHandle> TargetView::node_handles() {
+  Region node = model_.chosen();
+  node.rounding_mm = node.by_mm = 0;
+  if (found_.grown != grown_ || !(found_.node == node)) {
+    const std::shared_ptr<const Specimen> specimen(grown_->whole, &grown_->whole->specimen());
+    std::optional<NodeAnchor> anchor = node_anchor(node, specimen);
+    found_ = {std::move(node), grown_, anchor};
+  }
+  return handles_of_node(model_.chosen(), found_.anchor);
+}
+
+/// A radius, an extent, a rounding, a growth and a floor move along their line; a place moves in the plane that faces the viewer.
 void TargetView::drag_part(const TargetHandle& handle, const Region& from, const Way& way) {
   Vec3 to = handle.at_mm;
   if (handle.along != Vec3(0.0)) {
@@ -70,8 +83,13 @@ void TargetView::step_part(const TargetHandle& handle, glm::ivec2 keys, double s
   place_part(handle, handle.at_mm + step_mm * by);
 }
 
-void TargetView::name_part_handle(HandleKnob& knob, const TargetHandle& handle) const {
+void TargetView::name_part_handle(HandleKnob& knob, const TargetHandle& handle) {
   const Region& part = model_.chosen();
+  const auto tagged = [&](const QString& name, const QString& value, const QString& tag) {
+    knob.set_handle(handle, name, value);
+    tag_of(handle)->setText(tag);
+    show_tag(*tag_of(handle));
+  };
   const auto place = [](Vec3 at) { return tr("%1 across, %2 along, %3 high").arg(part_mm(at.y), part_mm(at.x), part_mm(at.z)); };
   switch (handle.kind) {
     case TargetHandle::Kind::place: return knob.set_handle(handle, tr("Place"), place(part.from_mm));
@@ -81,6 +99,10 @@ void TargetView::name_part_handle(HandleKnob& knob, const TargetHandle& handle) 
     case TargetHandle::Kind::extent_x: return knob.set_handle(handle, tr("Length"), part_mm(part.size_mm.x));
     case TargetHandle::Kind::extent_y: return knob.set_handle(handle, tr("Width"), part_mm(part.size_mm.y));
     case TargetHandle::Kind::floor: return knob.set_handle(handle, tr("Floor"), part_mm(handle.at_mm.z));
+    case TargetHandle::Kind::whole: return knob.set_handle(handle, tr("Place of all shapes"), place(handle.at_mm));
+    case TargetHandle::Kind::rounding:
+      return tagged(tr("Rounding of the edges"), part_mm(part.rounding_mm), tr("Rounding %1").arg(part_mm(part.rounding_mm)));
+    case TargetHandle::Kind::growth: return tagged(tr("Grown by"), part_mm(part.by_mm), tr("Grown by %1").arg(part_mm(part.by_mm)));
     default: return;
   }
 }

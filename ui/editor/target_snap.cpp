@@ -53,9 +53,7 @@ void TargetView::name_place(HandleKnob& knob, const TargetHandle& handle) {
   knob.set_handle(handle, knob.accessibleName(), tr("%1; %2").arg(knob.accessibleDescription(), name));
   if (!knob.hasFocus()) return;
   mark_tag_->setText(name);
-  mark_tag_->adjustSize();
-  mark_tag_->show();
-  mark_tag_->raise();
+  show_tag(*mark_tag_);
   place_tag(mark_tag_, knob.geometry().center());
 }
 

@@ -216,9 +216,10 @@ void TargetView::place_all() {
   if (centre_) centre_->raise();
 }
 
-std::vector<TargetHandle> TargetView::present_handles() const {
+std::vector<TargetHandle> TargetView::present_handles() {
   if (!grown_) return {};
   if (shows_landmarks()) return handles_of_landmarks(model_.landmarks(), model_.landmark());
+  if (is_node(model_.chosen().kind)) return node_handles();
   return model_.has_outline() ? handles_of(model_.outline()) : handles_of_part(model_.chosen());
 }
 
@@ -254,7 +255,9 @@ QLabel* TargetView::tag_of(const TargetHandle& handle) const {
   switch (handle.kind) {
     case TargetHandle::Kind::depth: return depth_tag_;
     case TargetHandle::Kind::width:
-    case TargetHandle::Kind::size_y: return width_tag_;
+    case TargetHandle::Kind::size_y:
+    case TargetHandle::Kind::rounding:
+    case TargetHandle::Kind::growth: return width_tag_;
     case TargetHandle::Kind::landmark: return is_chosen(handle) ? mark_tag_ : nullptr;
     default: return nullptr;
   }
@@ -289,10 +292,13 @@ void TargetView::name_outline_handle(HandleKnob& knob, std::size_t i, QPointF at
     default: break;
   }
   knob.set_handle(h, name, value);
-  if (!tag) return;
-  tag->adjustSize();
-  tag->show();
-  tag->raise();
+  if (tag) show_tag(*tag);
+}
+
+void TargetView::show_tag(QLabel& tag) {
+  tag.adjustSize();
+  tag.show();
+  tag.raise();
 }
 
 void TargetView::place_tag(QLabel* tag, QPoint at) {

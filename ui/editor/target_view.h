@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/editor/editor_model.h"
+#include "ui/editor/node_handles.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/target_handles.h"
 #include "ui/render/overlay_line.h"
@@ -58,8 +59,10 @@ class TargetView : public QWidget {
   void follow_model();
   void place_all();
   void place_handles();
-  std::vector<TargetHandle> present_handles() const;
+  std::vector<TargetHandle> present_handles();
+  std::vector<TargetHandle> node_handles();
   void place_tag(QLabel* tag, QPoint at);
+  static void show_tag(QLabel& tag);
   void look_at_target();
   void show_scenery();
   void run_next();
@@ -97,7 +100,7 @@ class TargetView : public QWidget {
   Vec3 moved_in_view(Vec3 from_mm, const Way& way) const;
   /// Unit steps along the axes of the frame that lie nearest to right and up.
   Vec3 way_of(glm::ivec2 keys) const;
-  void name_part_handle(HandleKnob& knob, const TargetHandle& handle) const;
+  void name_part_handle(HandleKnob& knob, const TargetHandle& handle);
   void name_outline_handle(HandleKnob& knob, std::size_t i, QPointF at);
   QLabel* tag_of(const TargetHandle& handle) const;
   /// Place on the reference plane under a position of the widget.
@@ -116,6 +119,13 @@ class TargetView : public QWidget {
   std::vector<HandleKnob*> knobs_;  // in the order of handles_of(); the others are hidden
   std::vector<TargetHandle> handles_;
   std::shared_ptr<const GrownSpecimen> grown_;
+  /// The anchor of the chosen node's handle, and what it was found for.
+  struct FoundAnchor {
+    Region node;  // with neither rounding nor growth
+    std::shared_ptr<const GrownSpecimen> grown;
+    std::optional<NodeAnchor> anchor;
+  };
+  FoundAnchor found_;
   std::shared_ptr<const Volume> preview_;          // that the view shows; null: not yet
   std::shared_ptr<const SceneryLook> scenery_;     // of the same tooth; null: none, or not yet
   std::optional<SpecimenSource> looked_at_;

@@ -1,12 +1,7 @@
 // A target that is a tree of shapes: each is chosen, changed, added and removed, and nothing of it is lost.
 #include <QTest>
 #include <QTreeWidget>
-#include <array>
-#include <random>
 
-#include "scenarios/format/read.h"
-#include "scenarios/format/write.h"
-#include "tests/full_run.h"
 #include "tests/scenarios/regions.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/looks.h"
@@ -129,72 +124,6 @@ TEST_F(ComposedTarget, the_zones_of_single_faces_stay) {
   EditorModel model(start);
   EXPECT_TRUE(model.set_leeway(0.2, 0.25));
   EXPECT_EQ(model.scenario().leeway.faces, (std::map<FaceName, double>{{FaceName::gingival_floor, 0.1}}));
-}
-
-/// One edit of any kind, with values that fit and values that do not.
-void edit_at_random(EditorModel& model, std::mt19937& random) {
-  const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
-  const auto mm = [&] { return std::round(std::uniform_real_distribution<>(-1.0, 6.0)(random) * 100) / 100; };
-  const auto parts = parts_of(model.scenario().target);
-  switch (pick(14)) {
-    case 0: model.choose_part(parts[pick(parts.size())]); break;
-    case 1: model.set_depth_mm(mm()); break;
-    case 2: model.set_width_mm(mm()); break;
-    case 3: model.set_box_size_mm(mm(), mm()); break;
-    case 4: model.set_point_mm(pick(3), pick(4), mm(), mm()); break;
-    case 5: model.add_point(pick(2)); break;
-    case 6: model.remove_point(pick(2), pick(4)); break;
-    case 7: model.set_shape(std::array{"channel", "outline", "box"}[pick(3)]); break;
-    case 8: model.set_taper_deg(pick(4), 10 * mm()); break;
-    case 9: model.add_part(static_cast<RegionKind>(pick(8))); break;
-    case 10: model.remove_part(); break;
-    case 11: model.set_leeway(mm(), mm()); break;
-    case 12: model.set_title("en", QString::number(pick(1000))); break;
-    default: {
-      Region part = model.chosen();
-      part.from_mm = {mm(), mm(), mm()};
-      part.size_mm = {mm(), mm(), mm()};
-      part.radius_mm = mm();
-      model.set_part(part, QStringLiteral("part"));
-    }
-  }
-  model.end_gesture();
-}
-
-/// 400 edits; with CUSP_FULL=1 10,000.
-TEST_F(ComposedTarget, after_random_edits_every_state_opens_equal_and_undo_restores_each) {
-  const int edits = full_run() ? 10'000 : 400;
-  EditorStart start;
-  start.draft = *load_builtin("class-2-46-mo");
-  EditorModel model(start);
-  const unsigned seed = 5;
-  std::mt19937 random(seed);
-  std::vector<Scenario> states = {model.scenario()};
-  for (int i = 0; i < edits; ++i) {
-    const int before = model.stack().index();
-    if (random() % 5 == 0 && model.stack().canUndo()) {
-      model.stack().undo();
-      states.resize(static_cast<std::size_t>(model.stack().index()) + 1);
-      ASSERT_EQ(model.scenario(), states.back()) << "seed " << seed << ", edit " << i;
-      continue;
-    }
-    edit_at_random(model, random);
-    ASSERT_NE(part_at(model.scenario().target, model.part()), nullptr) << "seed " << seed << ", edit " << i;
-    if (model.stack().index() == before) continue;  // refused, or no change
-    states.push_back(model.scenario());
-    const auto back = read_scenario(canonical_json(model.scenario()));
-    ASSERT_TRUE(back && *back == model.scenario()) << "seed " << seed << ", edit " << i;
-  }
-  ASSERT_EQ(states.size(), static_cast<std::size_t>(model.stack().index()) + 1);
-  for (std::size_t left = states.size(); left-- > 0;) {
-    ASSERT_EQ(model.scenario(), states[left]) << "seed " << seed << ", undone to " << left;
-    model.stack().undo();
-  }
-  EXPECT_EQ(model.scenario(), start.draft);
-  for (const Scenario& state : states) {
-    ASSERT_EQ(model.scenario(), state) << "seed " << seed;
-    model.stack().redo();
-  }
 }
 
 }  // namespace

@@ -302,6 +302,8 @@ TEST(editor_model, turning_a_lesions_number_is_one_step_and_two_lesions_are_two)
   EXPECT_EQ(model.stack().count(), 3);
   tooth.lesions[1].softness = 1.5;  // what a file may not hold
   EXPECT_FALSE(model.set_tooth(tooth, QStringLiteral("lesion/1/soft")));
+  tooth.lesions[1].softness = std::nan("");
+  EXPECT_FALSE(model.set_tooth(tooth, QStringLiteral("lesion/1/soft")));
   EXPECT_EQ(model.stack().count(), 3);
 }
 

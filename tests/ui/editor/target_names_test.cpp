@@ -12,6 +12,7 @@
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "ui/editor/editor_model.h"
