@@ -112,10 +112,20 @@ bool take_another_draft(EditorModel& model, Dice& dice) {
   return model.take(other);
 }
 
+/// Of one of several targets, while there is one.
+bool add_a_criterion_of_a_target(EditorModel& model, Dice& dice) {
+  const auto targets = named_targets(model.scenario().target);
+  if (targets.empty()) return false;
+  return model.add_criterion(metric_key(dice.one_of(kMetricKeys).key, dice.one_of(targets)->name), {0, 0, 0, 1, 2, 3});
+}
+
 /// Every edit of EditorModel.
 constexpr Edit kEdits[] = {
     drag_a_handle, drag_a_handle, drag_a_handle, drag_a_handle, change_a_part, change_a_node, change_the_tooth, change_bands, move_a_landmark,
-    take_another_draft,
+    take_another_draft, add_a_criterion_of_a_target, add_a_criterion_of_a_target,
+    [](EditorModel& m, Dice& d) { return m.set_target_title(d.below(4), d.one_of(std::array{"en", "de", "ar"}), d.text()); },
+    [](EditorModel& m, Dice& d) { return m.set_target_title(d.below(4), "en", d.text()); },
+    [](EditorModel& m, Dice& d) { return m.clear_target(d.below(4)); },
     [](EditorModel& m, Dice& d) { return m.set_depth_mm(d.mm()); },
     [](EditorModel& m, Dice& d) { return m.set_width_mm(d.mm()); },
     [](EditorModel& m, Dice& d) { return m.set_top_mm(d.mm()); },
