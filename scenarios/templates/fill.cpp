@@ -18,9 +18,15 @@ using Json = nlohmann::ordered_json;
 /// Hundredths of a millimetre: what a bur can keep, and a file can be read in.
 double rounded(double value) noexcept { return std::floor(100.0 * value + 0.5) / 100.0; }
 
+/// A target with a name that follows a groove which the tooth has not.
+bool is_missing(const Json& region) { return region.is_object() && region.contains("name") && region.contains("paths") && region.at("paths").empty(); }
+
 class Filler {
  public:
-  Filler(const ToothLandmarks& landmarks, const Scope& scope) : landmarks_(landmarks), scope_(scope) {}
+  Filler(const ToothLandmarks& landmarks, Scope scope) : landmarks_(landmarks), scope_(std::move(scope)) {}
+
+  /// The template's target on the tooth. Adds has.NAME to the scope for each part that has a name: whether the tooth has it.
+  Json target(const Json& node);
 
   /// Strings at `keys_kept` stay; every other one is an expression.
   Json filled(const Json& node, const std::string& where);
@@ -46,7 +52,7 @@ class Filler {
   }
 
   const ToothLandmarks& landmarks_;
-  const Scope& scope_;
+  Scope scope_;
   std::optional<FitFailure> failure_;
 };
 
@@ -79,7 +85,8 @@ Json Filler::paths(const Json& node, double floor, const std::string& where) {
 }
 
 Json Filler::object(const Json& node, const std::string& where) {
-  static const std::set<std::string, std::less<>> kWords = {"kind", "shape", "metric", "tissue", "faces", "severity", "site", "down_to"};
+  static const std::set<std::string, std::less<>> kWords = {"kind", "shape", "metric", "tissue", "faces", "severity", "site", "down_to",
+                                                              "name", "title"};
   Json out = Json::object();
   for (const auto& [key, value] : node.items()) {
     if (key == "when" || key == "paths") continue;
@@ -89,8 +96,10 @@ Json Filler::object(const Json& node, const std::string& where) {
     const double floor = rounded(out.value("top_mm", 0.0) - out.value("depth_mm", 0.0));
     out["paths"] = paths(node.at("paths"), floor, where + "/paths");
   }
-  if (out.contains("parts") && out["parts"].size() == 1 && out.value("kind", "") != "offset") return out["parts"][0];
-  return out;
+  if (!out.contains("parts") || out["parts"].size() != 1 || out.value("kind", "") == "offset") return out;
+  Json alone = out["parts"][0];
+  for (const char* key : {"name", "title"}) alone.erase(key);
+  return alone;
 }
 
 Json Filler::filled(const Json& node, const std::string& where) {
@@ -100,8 +109,23 @@ Json Filler::filled(const Json& node, const std::string& where) {
   Json out = Json::array();
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::string at = where + "/" + std::to_string(i);
-    if (wanted(node.at(i), at)) out.push_back(filled(node.at(i), at));
+    if (!wanted(node.at(i), at)) continue;
+    Json one = filled(node.at(i), at);
+    if (!is_missing(one)) out.push_back(std::move(one));
   }
+  return out;
+}
+
+Json Filler::target(const Json& node) {
+  const auto named = [](const Json& of) {
+    std::set<std::string> out;
+    for (const Json& part : of.value("parts", Json::array()))
+      if (part.contains("name")) out.insert(part.at("name").get<std::string>());
+    return out;
+  };
+  Json out = filled(node, "/target");
+  const std::set<std::string> found = named(out);
+  for (const std::string& name : named(node)) scope_["has." + name] = found.contains(name) ? 1.0 : 0.0;
   return out;
 }
 
@@ -201,6 +225,7 @@ Json texts(const Json& node, const FitRequest& request, const Scope& scope, Fill
 Result<Json, FitFailure> fill_template(const Json& body, const Json& common, const FitRequest& request, const ToothLandmarks& landmarks,
                                        const Scope& scope) {
   Filler filler(landmarks, scope);
+  Json target = filler.target(body.at("target"));
   Json out = Json::object();
   out["format"] = 2;
   out["id"] = request.id.text();
@@ -221,7 +246,7 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   out["instruments"] = body.at("instruments");
   for (const char* key : {"device", "method", "phenomena", "limits", "tolerance"}) out[key] = common.at(key);
   for (const char* key : {"target", "leeway", "protected", "rubric"}) out[key] = Json();
-  out["target"] = filler.filled(body.at("target"), "/target");
+  out["target"] = std::move(target);
   out["leeway"] = body.at("leeway");
   out["protected"] = filler.filled(body.at("protected"), "/protected");
   out["rubric"] = filler.filled(Json{{"pass", body.at("rubric").at("pass")}, {"criteria", body.at("rubric").at("criteria")}}, "/rubric");

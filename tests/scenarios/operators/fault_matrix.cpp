@@ -13,7 +13,9 @@ namespace cusp::test {
 
 namespace {
 
-bool in(std::span<const std::string_view> patterns, std::string_view key) {
+// A criterion of one of several targets is its metric's.
+bool in(std::span<const std::string_view> patterns, std::string_view criterion) {
+  const std::string_view key = split_metric(criterion).metric;
   return std::ranges::any_of(patterns, [key](std::string_view one) {
     return one.ends_with('*') ? key.starts_with(one.substr(0, one.size() - 1)) : key == one;
   });

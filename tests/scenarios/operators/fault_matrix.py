@@ -55,8 +55,9 @@ def judged(program, file):
     return json.loads(run(program, "--judge", str(file)))
 
 
-def matches(patterns, key):
-    return any(fnmatch.fnmatchcase(key, pattern) for pattern in patterns)
+def matches(patterns, criterion):
+    """A criterion of one of several targets, metric@target, is its metric's."""
+    return any(fnmatch.fnmatchcase(criterion.split("@")[0], pattern) for pattern in patterns)
 
 
 def losses(matrix, fault, size):

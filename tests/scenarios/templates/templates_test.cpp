@@ -128,6 +128,41 @@ TEST(Templates, EndABoxAboveTheJunctionAndBelowThePulpalFloor) {
   }
 }
 
+TEST(Templates, AskForEachCavityBesideAnUpperMolarsObliqueRidge) {
+  const auto asks = [](const Scenario& of, std::string_view metric) { return std::ranges::count(of.rubric.criteria, metric, &Criterion::metric) == 1; };
+  for (const char* key : {"class-1-adhesive", "class-1-classical"}) {
+    const auto upper = fitted(key, 16), lower = fitted(key, 36), premolar = fitted(key, 14);
+    ASSERT_TRUE(upper && lower && premolar) << key;
+    const auto targets = named_targets(upper->target);
+    ASSERT_EQ(targets.size(), 2u) << key;
+    EXPECT_EQ(targets[0]->name, "mesial");
+    EXPECT_EQ(targets[1]->title.at("de"), "distale Kavität");
+    for (const char* metric : {"target_removed@mesial", "target_removed@distal", "depth_mean@mesial", "depth_mean@distal", "depth_most"})
+      EXPECT_TRUE(asks(*upper, metric)) << key << " " << metric;
+    EXPECT_FALSE(asks(*upper, "target_removed") || asks(*upper, "depth_mean")) << key;
+    EXPECT_NE(upper->briefing.at("en").find("oblique ridge between them"), std::string::npos) << key;
+    for (const Scenario& other : {*lower, *premolar}) {
+      EXPECT_EQ(other.target.kind, RegionKind::outline) << key;
+      EXPECT_TRUE(other.target.name.empty() && other.target.title.empty()) << key;
+      EXPECT_TRUE(asks(other, "target_removed") && asks(other, "depth_mean") && !asks(other, "depth_mean@distal")) << key;
+      EXPECT_EQ(other.briefing.at("en").find("oblique"), std::string::npos) << key;
+    }
+    double weights = 0;
+    for (const Criterion& c : upper->rubric.criteria) weights += c.weight;
+    for (const Criterion& c : lower->rubric.criteria) weights -= c.weight;
+    EXPECT_NEAR(weights, 0.0, 1e-9) << key;
+  }
+}
+
+// So much of the ridge stays that nothing is left of the distal groove.
+TEST(Templates, LeaveOutATargetWhoseFissureTheToothLacks) {
+  const auto scenario = fitted("class-1-classical", 18, {{"ridge", 3.4}});
+  ASSERT_TRUE(scenario) << text_of(scenario.error());
+  EXPECT_EQ(scenario->target.kind, RegionKind::outline);
+  EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "depth_mean", &Criterion::metric), 1);
+  EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "depth_mean@distal", &Criterion::metric), 0);
+}
+
 TEST(Templates, TellWhetherTheBoxBreaksTheContact) {
   for (const double beyond : {0.0, -0.15}) {
     const auto scenario = fitted("class-2-adhesive", 36, {{"beyond", beyond}});
