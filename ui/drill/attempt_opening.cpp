@@ -103,9 +103,9 @@ void AttemptOpening::open(Order order, const Answer& answer) {
   plan.specimen = specimen;
   plan.reference = (*ready)->reference;
   attempt->scenery = (*ready)->scenery;
-  const auto target = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
+  const auto target = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway, specimen);
   const bool guided = plan.guidance == Guidance::full;
-  attempt->look = guided ? target : std::make_shared<TargetLook>(Region{}, plan.scenario.leeway);
+  attempt->look = guided ? target : std::make_shared<TargetLook>(Region{}, plan.scenario.leeway, specimen);
   FeedSettings feed = target->feed();
   if (!guided) feed.deviation = {};
   attempt->patches = std::make_shared<PatchFeed>(std::move(feed));

@@ -10,26 +10,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kRegionMarginMm = 0.4, kRegionLidMm = 10.0;  // as TargetLook: cusps above the reference plane belong to it
-
-/// TargetLook alone has no specimen for leaves of voxels.
-TargetShape shape_of(const PreviewWish& wish) { return TargetShape(wish.target, lent(wish.whole->specimen())); }
-
-std::vector<OverlayLine> lines_of(const PreviewWish& wish, const TargetShape& shape) {
-  if (!needs_voxels(wish.target)) return TargetLook(wish.target, wish.leeway).lines(*wish.whole);
-  return target_lines(*wish.whole, [&shape](Vec3 p) { return shape.distance_mm(p); }, wish.leeway.side_mm);
-}
-
-FeedSettings feed_of(const PreviewWish& wish, const TargetShape& shape) {
-  FeedSettings out = TargetLook(wish.target, wish.leeway).feed();
-  if (needs_voxels(wish.target)) {
-    const double beside = wish.leeway.most() + kRegionMarginMm;
-    out.region = Box{Vec3(shape.low() - beside, shape.floor_mm() - beside), Vec3(shape.high() + beside, shape.top_mm() + kRegionLidMm)};
-  }
-  // The ideal preparation has neither over-cut nor uncut remainder.
-  if (wish.carved) out.deviation = {};
-  return out;
-}
+TargetLook look_of(const PreviewWish& wish) { return {wish.target, wish.leeway, wish.whole->specimen_ptr()}; }
 
 /// Carves the target out: the cut field becomes the distance to the target's wall.
 void carve_target(Volume& volume, const TargetShape& shape) {
@@ -67,15 +48,18 @@ void carve_target(Volume& volume, const TargetShape& shape) {
 
 }  // namespace
 
-std::vector<OverlayLine> preview_lines(const PreviewWish& wish) { return lines_of(wish, shape_of(wish)); }
+std::vector<OverlayLine> preview_lines(const PreviewWish& wish) { return look_of(wish).lines(*wish.whole); }
 
 TargetPreview make_preview(const PreviewWish& wish) {
-  const TargetShape shape = shape_of(wish);
+  const TargetLook look = look_of(wish);
   TargetPreview out;
-  out.lines = lines_of(wish, shape);
+  out.lines = look.lines(*wish.whole);
   Volume volume = *wish.whole;
-  if (wish.carved && !shape.empty()) carve_target(volume, shape);
-  out.patches = std::make_shared<PatchFeed>(feed_of(wish, shape));
+  if (wish.carved && !look.empty()) carve_target(volume, look.shape());
+  FeedSettings settings = look.feed();
+  // The ideal preparation has neither over-cut nor uncut remainder.
+  if (wish.carved) settings.deviation = {};
+  out.patches = std::make_shared<PatchFeed>(std::move(settings));
   out.patches->build_all(volume);
   out.shown = std::make_shared<const Volume>(std::move(volume));
   return out;

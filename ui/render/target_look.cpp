@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "scenarios/metrics/deviation.h"
 #include "scenarios/shapes/place.h"
@@ -13,8 +14,8 @@ namespace {
 constexpr double kRegionMarginMm = 0.4;  // what a bur reaches beyond it becomes fine anyway
 }
 
-TargetLook::TargetLook(const Region& target, const Leeway& leeway)
-    : shape_(std::make_shared<TargetShape>(target)), leeway_(leeway) {}
+TargetLook::TargetLook(const Region& target, const Leeway& leeway, std::shared_ptr<const Specimen> specimen)
+    : shape_(std::make_shared<TargetShape>(target, std::move(specimen))), leeway_(leeway) {}
 
 DeviationAt TargetLook::deviation() const {
   if (empty()) return {};

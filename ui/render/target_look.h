@@ -16,7 +16,8 @@ namespace cusp::ui {
 
 class TargetLook {
  public:
-  TargetLook(const Region& target, const Leeway& leeway);
+  /// `specimen`: uncut, for leaves of its voxels, which take tens of milliseconds each. Without one such a target is empty.
+  TargetLook(const Region& target, const Leeway& leeway, std::shared_ptr<const Specimen> specimen);
 
   bool empty() const noexcept { return shape_->empty(); }
   const TargetShape& shape() const noexcept { return *shape_; }

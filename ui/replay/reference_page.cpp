@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/shapes/target.h"
 #include "ui/replay/playback_bar.h"
 #include "ui/text/bur_text.h"
 #include "ui/text/failure_text.h"
@@ -34,7 +35,7 @@ constexpr std::array kViews = {PresetView::occlusal, PresetView::buccal, PresetV
 }  // namespace
 
 bool ReferencePage::offered(const Scenario& scenario) {
-  return !scenario.instruments.empty() && !TargetLook(scenario.target, scenario.leeway).empty();
+  return !scenario.instruments.empty() && (needs_voxels(scenario.target) || !TargetShape(scenario.target).empty());
 }
 
 ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish& wish, const QString& title, QWidget* parent)

@@ -57,7 +57,7 @@ void ReferencePlayer::work(Shared& shared, ToothCache& teeth, const ToothWish& w
   if (shared.stop) return;
   if (!plan) return shared.fail(OperatorCutError::no_path);
   ReferenceCut cut(scenario, (*tooth)->specimen, PathTimeline(std::move(*plan), kSeconds));
-  const TargetLook look(scenario.target, scenario.leeway);
+  const TargetLook look(scenario.target, scenario.leeway, (*tooth)->specimen);
   auto patches = std::make_shared<PatchFeed>(look.feed());
   patches->begin(cut.volume(), (*tooth)->mesh);
   auto show = std::make_shared<const Show>(Show{cut.timeline(), scenario.instruments[cut.timeline().bur()], cut.last_step(), patches,

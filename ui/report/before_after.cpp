@@ -62,7 +62,7 @@ void BeforeAfter::make_before() {
   before_->set_scenery(after_->scenery());
   connect(before_, &ToothView::camera_changed, this, [this] { after_->view()->set_camera(before_->camera()); });
   QThreadPool::globalInstance()->start([self = QPointer(this), specimen = volume_->specimen_ptr(), target = scenario_.target, leeway = scenario_.leeway] {
-    auto mesh = std::make_shared<WholeMesh>(PatchFeed::build_mesh(Volume(specimen), TargetLook(target, leeway).feed()));
+    auto mesh = std::make_shared<WholeMesh>(PatchFeed::build_mesh(Volume(specimen), TargetLook(target, leeway, specimen).feed()));
     QMetaObject::invokeMethod(qApp, [self, mesh] {
       if (!self) return;
       self->before_->show_mesh(std::move(*mesh));

@@ -150,7 +150,7 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
 
 void PinnedTooth::build_mesh(const Scenario& scenario) {
   QThreadPool::globalInstance()->start([self = QPointer(this), volume = volume_, target = scenario.target, leeway = scenario.leeway] {
-    auto mesh = std::make_shared<WholeMesh>(PatchFeed::build_mesh(*volume, TargetLook(target, leeway).feed()));
+    auto mesh = std::make_shared<WholeMesh>(PatchFeed::build_mesh(*volume, TargetLook(target, leeway, volume->specimen_ptr()).feed()));
     QMetaObject::invokeMethod(qApp, [self, mesh] {
       if (!self) return;
       self->view_->show_mesh(std::move(*mesh));

@@ -247,7 +247,7 @@ QString own_assessment_text(const ReportData& data) {
 
 DrawnTooth draw_report_tooth(const SessionResult& result, const DrawingOrder& order) {
   if (!result.volume) return fail(PictureError::drawing, "volume", "no volume");
-  const TargetLook look(result.scenario.target, result.scenario.leeway);
+  const TargetLook look(result.scenario.target, result.scenario.leeway, result.volume->specimen_ptr());
   PictureRequest request;
   request.width_px = request.height_px = order.side_px;
   request.colouring = Colouring::deviation;

@@ -305,8 +305,11 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     card.body()->addLayout(line);
   };
   SpecimenSource specimen;
+  const Region* target = nullptr;
   for (const CourseRow& row : course_.rows) {
-    if (row.exercise.scenario.id == last.scenario) specimen = row.exercise.scenario.specimen;
+    if (row.exercise.scenario.id != last.scenario) continue;
+    specimen = row.exercise.scenario.specimen;
+    target = &row.exercise.scenario.target;
   }
   for (const CriticalEvent& event : critical_events(grade, {}, &store_, last.session)) {
     add(u"cross"_qs, Ink::bad, critical_text(event, specimen) + u'.', critical_advice(event.key));
@@ -317,7 +320,7 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     const CriterionGrade& c = grade.criteria[reason.criterion];
     const QString advice = advice_text(c);
     if (advice.isEmpty() || ++shown > kAdviceShown) continue;
-    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id) + u':', advice);
+    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id, target) + u':', advice);
   }
   return shown > 0 || !grade.critical.empty();
 }

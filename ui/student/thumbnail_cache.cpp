@@ -22,7 +22,7 @@ namespace {
 // Drawn at twice the size and halved: smooth edges without multisampling.
 constexpr QSize kCard(560, 460), kCover(1080, 1200);
 constexpr double kCardVoxelMm = 0.2;     // five pixels of a card; grown in an eighth of the time of 0.1 mm
-constexpr const char* kLook = "-look2";  // of files: rises when the drawing changes
+constexpr const char* kLook = "-look3";  // of files: rises when the drawing changes
 
 Colour linear(const QColor& c) {
   return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF()), 1.0f};
@@ -46,7 +46,7 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Thumb
   if (!context) return {};
   const auto picture = ToothPicture::create();
   if (!picture) return {};
-  const TargetLook look(scenario.target, scenario.leeway);
+  const TargetLook look(scenario.target, scenario.leeway, *specimen);
   const bool card = use == ThumbnailCache::Use::card;
   PatchFeed feed(card ? look.feed() : FeedSettings{});
   if (stop) return {};

@@ -9,6 +9,7 @@
 #include <QThreadPool>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "scenarios/shapes/target.h"
 #include "scenarios/teeth/landmarks.h"
@@ -29,13 +30,30 @@ constexpr double kTurnsOver = 0.1;                    // sine of the angle by wh
 constexpr double kAtWallMm = 0.8;                     // from the middle: a wall, which the plane then meets at right angles [M]
 constexpr double kThroughMiddleMm = 0.05;             // half a step of the slider
 
-SectionImage picture_of(const SectionBar::Cut& cut, const SectionPlane& plane) {
+}  // namespace
+
+/// The look of a cut's target, made where it is first drawn: leaves of voxels take longer than a frame.
+class SectionBar::CutLook {
+ public:
+  const TargetLook& of(const Cut& cut) {
+    std::call_once(made_, [&] { look_.emplace(cut.target, cut.leeway, cut.volume->specimen_ptr()); });
+    return *look_;
+  }
+
+ private:
+  std::once_flag made_;
+  std::optional<TargetLook> look_;
+};
+
+namespace {
+
+SectionImage picture_of(const SectionBar::Cut& cut, const TargetLook& look, const SectionPlane& plane) {
   SectionSettings settings;
   settings.plane = plane;
   settings.width = settings.height = static_cast<int>(kPictureMm / kMmPerPx);
   settings.mm_per_px = kMmPerPx;
   settings.scenery = cut.scenery;
-  TargetLook(cut.target, cut.leeway).put_into(settings);
+  look.put_into(settings);
   if (cut.ideal) {
     settings.ghost = cut.ideal;
     settings.target = {};
@@ -100,6 +118,7 @@ Vec3 SectionBar::across() const { return way_ == Way::mesiodistal ? Vec3(0, 1, 0
 void SectionBar::show_cut(Cut cut) {
   const bool other_tooth = !cut_.volume || cut.volume->specimen_ptr() != cut_.volume->specimen_ptr();
   const bool other_target = cut.target != cut_.target;
+  if (other_tooth || other_target || cut.leeway != cut_.leeway) look_ = std::make_shared<CutLook>();
   cut_ = std::move(cut);
   if (other_tooth || other_target) measure();
   if (other_tooth && open_) {  // the view was turned to the new tooth
@@ -243,8 +262,8 @@ void SectionBar::draw() {
   }
   drawing_ = true;
   stale_ = false;
-  QThreadPool::globalInstance()->start([self = QPointer(this), cut = cut_, plane = plane()] {
-    auto image = std::make_shared<SectionImage>(picture_of(cut, plane));
+  QThreadPool::globalInstance()->start([self = QPointer(this), cut = cut_, look = look_, plane = plane()] {
+    auto image = std::make_shared<SectionImage>(picture_of(cut, look->of(cut), plane));
     QMetaObject::invokeMethod(qApp, [self, image] {
       if (self) self->take(std::move(*image));
     }, Qt::QueuedConnection);

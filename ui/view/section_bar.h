@@ -68,6 +68,8 @@ class SectionBar : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  class CutLook;
+
   Vec3 across() const;
   void measure();
   void fit_slider();
@@ -91,6 +93,7 @@ class SectionBar : public QFrame {
   int fdi_ = 0;
   double facing_ = 1.0;           // -1: the viewer stands on the other side of the plane
   std::optional<Camera> before_;  // the section was opened
+  std::shared_ptr<CutLook> look_;  // of cut_
   bool open_ = false, drawing_ = false, stale_ = false;
 };
 

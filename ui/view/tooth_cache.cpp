@@ -21,7 +21,7 @@ std::unexpected<SessionFailure> cancelled() {
 
 bool is_set(const std::atomic<bool>* stop) { return stop != nullptr && stop->load(); }
 
-std::string_view mesh_name(Guidance guidance) { return guidance == Guidance::full ? "mesh" : "mesh without deviation"; }
+std::string_view mesh_name(Guidance guidance) { return guidance == Guidance::full ? "mesh with deviation" : "mesh without deviation"; }
 
 /// Only what is generated is the same for equal scenarios: a file may have changed.
 bool may_be_kept(const ToothWish& wish) { return wish.specimen == nullptr && !wish.scenario.specimen.generator.empty(); }
@@ -59,7 +59,7 @@ WholeMesh ToothCache::mesh(const ToothWish& wish, const Specimen& specimen, cons
     auto mesh = bytes ? mesh_from_bytes(*bytes, static_cast<std::size_t>(n.x * n.y * n.z)) : std::nullopt;
     if (mesh) return std::move(*mesh);
   }
-  FeedSettings settings = TargetLook(wish.scenario.target, wish.scenario.leeway).feed();
+  FeedSettings settings = TargetLook(wish.scenario.target, wish.scenario.leeway, whole.specimen_ptr()).feed();
   if (wish.guidance != Guidance::full) settings.deviation = {};
   WholeMesh built = PatchFeed::build_mesh(whole, settings);
   if (kept) files_.files().keep(key, mesh_bytes(built));

@@ -93,7 +93,7 @@ struct DrillGauges : testing::Test {
     scenario.leeway = {0.2, 0.2};
     stage.resize(900, 600);
     stage.show();
-    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway), {.bounds = {{-10, -10, -10}, {10, 10, 0}}, .by_mouse = true, .is_tooth = true, .pulp_depth_mm = 3.1});
+    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway, nullptr), {.bounds = {{-10, -10, -10}, {10, 10, 0}}, .by_mouse = true, .is_tooth = true, .pulp_depth_mm = 3.1});
     live.phase = LoopPhase::running;
     live.output.contact = true;
     live.push_n = 0.8;
@@ -174,12 +174,12 @@ TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
   target.paths = {{{-4, 2, -1.8}, {4, 2, -1.8}}};
   target.width_mm = 1.6;
   target.depth_mm = 1.8;
-  SectionPlace place(TargetLook(region_of(target), {0.2, 0.2}), {{-10, -10, -10}, {10, 10, 0}});
+  SectionPlace place(TargetLook(region_of(target), {0.2, 0.2}, nullptr), {{-10, -10, -10}, {10, 10, 0}});
   EXPECT_EQ(place.follow({40, 30, 5}), Vec3(0, 2, 0)) << "not there yet: the target's middle";
   EXPECT_EQ(place.follow({1.5, 2.2, -1}), Vec3(1.5, 2.2, 0)) << "where it works";
   EXPECT_EQ(place.follow({1.5, 2.2, 12}), Vec3(1.5, 2.2, 0)) << "lifted straight out";
   EXPECT_EQ(place.follow({1.5, -30, 12}), Vec3(1.5, 2.2, 0)) << "laid aside: as it was";
-  SectionPlace free(TargetLook(Region{}, {}), {{-10, -10, -10}, {10, 10, 0}});
+  SectionPlace free(TargetLook(Region{}, {}, nullptr), {{-10, -10, -10}, {10, 10, 0}});
   EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
 }
 
@@ -227,12 +227,12 @@ TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
   auto* compass = stage.findChild<Compass*>();
   Scenario scenario;
   scenario.specimen.volume = "molar.nrrd";
-  stage.set_exercise(scenario, TargetLook(Region{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
+  stage.set_exercise(scenario, TargetLook(Region{}, {}, nullptr), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_TRUE(compass->isHidden());
   scenario.specimen = {};
   scenario.specimen.generator = "tooth";
   scenario.specimen.fdi = 46;
-  stage.set_exercise(scenario, TargetLook(Region{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
+  stage.set_exercise(scenario, TargetLook(Region{}, {}, nullptr), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_FALSE(compass->isHidden());
 }
 

@@ -54,7 +54,7 @@ Vec3 lowest_place(const TargetShape& shape) {
 class Painter {
  public:
   Painter(const Scenario& scenario, const Volume& uncut, std::filesystem::path folder)
-      : look_(scenario.target, scenario.leeway), folder_(std::move(folder)), scenery_(scenery_of(scenario.specimen)),
+      : look_(scenario.target, scenario.leeway, uncut.specimen_ptr()), folder_(std::move(folder)), scenery_(scenery_of(scenario.specimen)),
         lines_(look_.lines(uncut)), place_(lowest_place(look_.shape())) {}
 
   bool draw(const Volume& volume, const std::string& state) const {

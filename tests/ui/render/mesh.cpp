@@ -282,7 +282,7 @@ TEST(TargetLook, deviation_counts_what_stands_and_what_went_too_far) {
   target.depth_mm = 1.0;
   target.top_mm = 0.0;
   target.corner_radius_mm = 0.0;
-  const TargetLook look(region_of(target), Leeway{0.3, 0.2});
+  const TargetLook look(region_of(target), Leeway{0.3, 0.2}, nullptr);
   const DeviationAt at = look.deviation();
   EXPECT_NEAR(at({0, 0.9, -0.5}, SurfaceKind::cut).mm, 0.4, 1e-6);   // 0.4 mm beyond the wall at 0.5
   EXPECT_TRUE(at({0, 0.9, -0.5}, SurfaceKind::cut).beyond);
@@ -294,8 +294,29 @@ TEST(TargetLook, deviation_counts_what_stands_and_what_went_too_far) {
   EXPECT_EQ(at({0, 0.9, 0}, SurfaceKind::original).mm, 0.0f);            // never touched, outside: nothing was to be done
 }
 
+TEST(TargetLook, has_the_voxels_of_a_lesion_from_the_specimen) {
+  VoxelVolume dense = ball(2.0);
+  for (std::size_t i = 0; i < dense.tissue.size(); ++i) {
+    const IVec3 v(static_cast<int>(i) % dense.grid.size.x, static_cast<int>(i) / dense.grid.size.x % dense.grid.size.y,
+                  static_cast<int>(i) / (dense.grid.size.x * dense.grid.size.y));
+    if (dense.tissue[i] != Tissue::empty && glm::length(dense.grid.centre_mm(v) - Vec3(0, 0, 2)) < 1.0) dense.tissue[i] = Tissue::carious_dentine;
+  }
+  const Volume whole(Specimen::build(dense, Reading::banded));
+  Region lesion;
+  lesion.kind = RegionKind::lesion;
+  const TargetLook look(lesion, Leeway{0.3, 0.2}, whole.specimen_ptr());
+  EXPECT_FALSE(look.empty());
+  EXPECT_FALSE(look.lines(whole).empty());
+  EXPECT_NEAR(look.shape().floor_mm(), 1.0, kVoxel);
+  EXPECT_NEAR(look.deviation()({0, 0, 1.4}, SurfaceKind::cut).mm, -0.4, kVoxel) << "left over the lesion's bed";
+  EXPECT_NEAR(look.deviation()({0, 0, 0.6}, SurfaceKind::cut).mm, 0.4, kVoxel) << "over-cut below it";
+  const Box around = look.feed().region;
+  EXPECT_LT(around.low.z, 0.8);
+  EXPECT_TRUE(TargetLook(lesion, Leeway{0.3, 0.2}, nullptr).empty()) << "its voxels are not known";
+}
+
 TEST(TargetLook, without_a_target_everything_is_fine_and_nothing_is_drawn) {
-  const TargetLook look(Region{}, Leeway{});
+  const TargetLook look(Region{}, Leeway{}, nullptr);
   EXPECT_TRUE(look.empty());
   EXPECT_FALSE(look.deviation());
   EXPECT_EQ(look.feed().region, Box{});

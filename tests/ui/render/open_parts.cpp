@@ -50,7 +50,7 @@ bool print_parts(const std::string& name) {
     for (const JawSurface& one : *grown) meshes.push_back(one.mesh);
     return SceneryLook(std::move(meshes));
   });
-  const TargetLook look(scenario->target, scenario->leeway);
+  const TargetLook look(scenario->target, scenario->leeway, specimen);
   const Volume volume(specimen);
   PatchFeed feed(look.feed());
   timed("the mesh", [&] { return feed.build_all(volume), 0; });

@@ -112,7 +112,7 @@ bool show(const Scenario& scenario, Shown& shown) {
   if (!specimen) return false;
   shown.specimen = *specimen;
   shown.volume = std::make_unique<Volume>(shown.specimen);
-  shown.look = std::make_unique<TargetLook>(scenario.target, scenario.leeway);
+  shown.look = std::make_unique<TargetLook>(scenario.target, scenario.leeway, shown.specimen);
   shown.feed = std::make_unique<PatchFeed>(shown.look->feed());
   const double from = cpu_s();
   shown.feed->build_all(*shown.volume);

@@ -126,5 +126,9 @@ TEST(Reference, is_not_offered_without_target_or_bur) {
   EXPECT_FALSE(ReferencePage::offered(scenario));
 }
 
+TEST(Reference, is_offered_of_a_target_whose_leaves_are_of_the_tooths_voxels) {
+  EXPECT_TRUE(ReferencePage::offered(load_builtin("caries-26").value()));
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -46,7 +46,7 @@ TEST_F(ToothCacheTest, reads_specimen_and_mesh_as_they_were_made_bit_for_bit) {
   const auto read = ask(wish);
   EXPECT_FALSE(grew);
   EXPECT_EQ(read->specimen->hash(), made->specimen->hash());
-  const WholeMesh built = PatchFeed::build_mesh(Volume(made->specimen), TargetLook(wish.scenario.target, wish.scenario.leeway).feed());
+  const WholeMesh built = PatchFeed::build_mesh(Volume(made->specimen), TargetLook(wish.scenario.target, wish.scenario.leeway, nullptr).feed());
   EXPECT_FALSE(built.patches.empty());
   EXPECT_EQ(mesh_bytes(made->mesh), mesh_bytes(built));
   EXPECT_EQ(mesh_bytes(read->mesh), mesh_bytes(built));
