@@ -131,7 +131,7 @@ TEST(Templates, EndABoxAboveTheJunctionAndBelowThePulpalFloor) {
 TEST(Templates, AskForEachCavityBesideAnUpperMolarsObliqueRidge) {
   const auto asks = [](const Scenario& of, std::string_view metric) { return std::ranges::count(of.rubric.criteria, metric, &Criterion::metric) == 1; };
   for (const char* key : {"class-1-adhesive", "class-1-classical"}) {
-    const auto upper = fitted(key, 16), lower = fitted(key, 36), premolar = fitted(key, 14);
+    const auto upper = fitted(key, 16, {{"ridge", 1.6}, {"arm", 1.4}}), lower = fitted(key, 36), premolar = fitted(key, 14);
     ASSERT_TRUE(upper && lower && premolar) << key;
     const auto targets = named_targets(upper->target);
     ASSERT_EQ(targets.size(), 2u) << key;
@@ -155,8 +155,8 @@ TEST(Templates, AskForEachCavityBesideAnUpperMolarsObliqueRidge) {
 }
 
 // So much of the ridge stays that nothing is left of the distal groove.
-TEST(Templates, LeaveOutATargetWhoseFissureTheToothLacks) {
-  const auto scenario = fitted("class-1-classical", 18, {{"ridge", 3.4}});
+TEST(Templates, LeaveOutATargetThatNothingIsLeftOf) {
+  const auto scenario = fitted("class-1-classical", 16, {{"ridge", 2.0}});
   ASSERT_TRUE(scenario) << text_of(scenario.error());
   EXPECT_EQ(scenario->target.kind, RegionKind::outline);
   EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "depth_mean", &Criterion::metric), 1);
