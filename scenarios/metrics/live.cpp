@@ -59,16 +59,31 @@ void LiveMetrics::note_dirty(const Volume& volume, std::int32_t brick) {
       }
 }
 
+LiveMetrics::Brick LiveMetrics::measured(const Volume& volume, int brick) const {
+  Brick out{shares_of_brick(*reference_, volume, brick), {}};
+  for (std::size_t i = 0; i < several(); ++i)
+    out.of_mm3[i] = removed_of_target_mm3(*reference_->targets().asked()[i].reference, volume, brick);
+  return out;
+}
+
 void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> changed) {
   if (changed.empty()) return;
   dirty_.clear();
   for (const std::int32_t brick : changed) note_dirty(volume, brick);
   std::sort(dirty_.begin(), dirty_.end());
   dirty_.erase(std::unique(dirty_.begin(), dirty_.end()), dirty_.end());
-  for (const int b : dirty_) bricks_[b] = shares_of_brick(*reference_, volume, b);
+  for (const int b : dirty_) bricks_[b] = measured(volume, b);
 
   RegionShares sum;
-  for (const auto& [brick, shares] : bricks_) sum.add(shares);
+  std::array<double, LiveReading::kMostTargets> of_mm3{};
+  for (const auto& [number, brick] : bricks_) {
+    sum.add(brick.shares);
+    for (std::size_t i = 0; i < several(); ++i) of_mm3[i] += brick.of_mm3[i];
+  }
+  for (std::size_t i = 0; i < several(); ++i) {
+    const double whole = reference_->targets().asked()[i].reference->target_mm3();
+    reading_.removed_of[i] = whole > 0.0 ? 100.0 * std::clamp(of_mm3[i] / whole, 0.0, 1.0) : 0.0;
+  }
   reading_.overcut_mm3 = sum.removed_mm3;
   reading_.removed_mm3 = sum.tissue_mm3;
   constexpr auto kTarget = static_cast<std::size_t>(Place::target);

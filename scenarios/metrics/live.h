@@ -2,6 +2,7 @@
 /// Thread: the mirror's (or whichever owns the volume). About every 100 ms of the session's time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -10,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "scenarios/metrics/reference.h"
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/modules.h"
 
@@ -17,7 +19,9 @@ namespace cusp::scenarios {
 
 /// Plain values; safe to copy between threads.
 struct LiveReading {
+  static constexpr std::size_t kMostTargets = 8;
   double target_removed = 0;                    // %
+  std::array<double, kMostTargets> removed_of{};  // % of the first of several targets, in the order of asked_targets()
   bool target_measured = false;                 // false: the target holds no tissue
   std::array<double, kPlaces> overcut_mm3{};    // by Place; [target] is what was rightly removed
   std::array<double, kTissueCodes> removed_mm3{};
@@ -36,8 +40,15 @@ class LiveMetrics {
  private:
   void note_dirty(const Volume& volume, std::int32_t brick);
 
+  struct Brick {
+    RegionShares shares;
+    std::array<double, LiveReading::kMostTargets> of_mm3{};  // removed of each of several targets
+  };
+  Brick measured(const Volume& volume, int brick) const;
+  std::size_t several() const noexcept { return std::min(reference_->targets().asked().size(), LiveReading::kMostTargets); }
+
   std::shared_ptr<const Reference> reference_;
-  std::map<int, RegionShares> bricks_;  // ascending: the sum has the order of measure()
+  std::map<int, Brick> bricks_;  // ascending: the sum has the order of measure()
   std::map<std::int32_t, std::array<std::uint16_t, kBrickVoxels>> cut_;  // [brick]: its cut field at the last update
   std::vector<int> dirty_;
   LiveReading reading_;

@@ -65,6 +65,16 @@ class ShareSink final : public RegionClassifier {
   std::size_t next_asked_ = 0;
 };
 
+class TargetSink final : public RegionClassifier {
+ public:
+  explicit TargetSink(const Reference& reference) : RegionClassifier(reference.shape(), reference.leeway()) {}
+  void face(const std::array<Vec3, 3>&, double, Tissue) override {}
+  double mm3 = 0;
+
+ private:
+  void solid(Place place, double part_mm3, Tissue) override { mm3 += place == Place::target ? part_mm3 : 0.0; }
+};
+
 /// Removed border between tissues: it is known to a voxel only, which the uncertainty owns up to.
 void add_seams(const Volume& volume, int brick, RegionShares& shares) {
   const Specimen& specimen = volume.specimen();
@@ -116,6 +126,15 @@ RegionShares shares_of_brick(const Reference& reference, const Volume& volume, i
   emit_removed_by_place(volume, brick, sink);
   add_seams(volume, brick, shares);
   return shares;
+}
+
+double removed_of_target_mm3(const Reference& reference, const Volume& volume, int brick) {
+  TargetSink sink(reference);
+  const Grid& grid = volume.grid();
+  const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
+  if (!sink.within(grid.centre_mm(corner), grid.centre_mm(corner + IVec3(kBrickEdge)))) return 0.0;
+  emit_removed_by_place(volume, brick, sink);
+  return sink.mm3;
 }
 
 std::vector<int> bricks_to_measure(const Volume& volume) {

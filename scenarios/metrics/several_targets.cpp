@@ -31,14 +31,19 @@ Scenario alone(const Scenario& scenario, const Region& target) {
 
 }  // namespace
 
+std::vector<const Region*> asked_targets(const Scenario& scenario) {
+  std::vector<const Region*> out = named_targets(scenario.target);
+  std::erase_if(out, [&](const Region* one) {
+    return std::ranges::none_of(scenario.rubric.criteria, [one](const Criterion& c) { return split_metric(c.metric).target == one->name; });
+  });
+  return out;
+}
+
 SeveralTargets::SeveralTargets(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen) {
-  const auto asks_for = [&](std::string_view name) {
-    return std::ranges::any_of(scenario.rubric.criteria, [name](const Criterion& c) { return split_metric(c.metric).target == name; });
-  };
-  const std::vector<const Region*> named = named_targets(scenario.target);
-  if (std::ranges::none_of(named, [&](const Region* one) { return asks_for(one->name); })) return;
+  const std::vector<const Region*> asked = asked_targets(scenario);
+  if (asked.empty()) return;
   for (const Region& part : scenario.target.parts) {
-    if (!part.name.empty() && asks_for(part.name))
+    if (std::ranges::find(asked, &part) != asked.end())
       asked_.push_back({part.name, parts_.size(), std::make_shared<const Reference>(alone(scenario, part), specimen)});
     parts_.emplace_back(part, specimen);
   }

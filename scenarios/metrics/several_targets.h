@@ -16,6 +16,9 @@ namespace cusp::scenarios {
 
 class Reference;
 
+/// The named targets that the rubric asks for, in the order of SeveralTargets::asked().
+[[nodiscard]] std::vector<const Region*> asked_targets(const Scenario& scenario);
+
 class SeveralTargets {
  public:
   struct One {

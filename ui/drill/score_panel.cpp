@@ -9,7 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "scenarios/metrics/several_targets.h"
 #include "ui/drill/handpiece_panel.h"
+#include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
@@ -20,6 +22,14 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kWidth = 304, kFoldedWidth = 224;  // px at 100 %
+constexpr int kLeastBar = 32;                     // gives way to long names
+
+QGridLayout* make_grid() {
+  auto* out = new QGridLayout;
+  out->setHorizontalSpacing(px(8));
+  out->setVerticalSpacing(px(8));
+  return out;
+}
 
 Bar::Role role_of(Tissue tissue) {
   switch (tissue) {
@@ -178,10 +188,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   make_progress();
   rows = add_part(tr("Removed so far"));
   removed_part_ = rows->parentWidget();
-  tissue_grid_ = new QGridLayout;
-  tissue_grid_->setHorizontalSpacing(px(8));
-  tissue_grid_->setVerticalSpacing(px(8));
-  tissue_grid_->setColumnStretch(2, 1);
+  tissue_grid_ = make_grid();
   rows->addLayout(tissue_grid_);
   make_device();
 
@@ -224,6 +231,8 @@ void ScorePanel::make_progress() {
   percent_bar_ = new Bar(Bar::Role::target, progress_part_);
   percent_bar_->setAccessibleName(tr("Target removed"));
   rows->addWidget(percent_bar_);
+  target_grid_ = make_grid();
+  rows->addLayout(target_grid_);
   QWidget* over_cut = make_fact_row(QStringLiteral("warning"), tr("Over-cut"), &over_cut_);
   over_pulp_row_ = make_fact_row(QStringLiteral("shield"), tr("Least dentine over pulp"), &over_pulp_);
   for (QWidget* row : {over_cut, over_pulp_row_}) {
@@ -264,15 +273,39 @@ void ScorePanel::fold(bool on) {
   setFixedWidth(px(on ? kFoldedWidth : kWidth));
   section_part_->setVisible(!on);
   percent_bar_->setVisible(!on);
-  for (const TissueRow& row : tissues_) fold_row(row);
+  for (const TissueRow& one : tissues_) fold_bars(*tissue_grid_, one.row);
+  for (const BarRow& row : targets_) fold_bars(*target_grid_, row);
   handpiece_->fold(on);
 }
 
-void ScorePanel::fold_row(const TissueRow& row) const {
+ScorePanel::BarRow ScorePanel::add_bar(QGridLayout& grid, const QString& name, Bar::Role role) {
+  const BarRow row{make_label(name), new Bar(role, this), make_value()};
+  row.bar->setAccessibleName(name);
+  row.bar->setMinimumWidth(px(kLeastBar));
+  row.value->setAccessibleDescription(name);
+  const int at = grid.rowCount();
+  grid.addWidget(row.name, at, 1);
+  grid.addWidget(row.bar, at, 2);
+  grid.addWidget(row.value, at, 3);
+  fold_bars(grid, row);
+  return row;
+}
+
+/// A row for each of several targets: which of them is still to be cut.
+void ScorePanel::add_targets(const Scenario& scenario) {
+  for (const Region* one : asked_targets(scenario)) {
+    if (targets_.size() == LiveReading::kMostTargets) return;
+    QString name = target_title(one->name, &scenario.target);
+    if (!name.isEmpty()) name[0] = name[0].toUpper();
+    targets_.push_back(add_bar(*target_grid_, name, Bar::Role::target));
+  }
+}
+
+void ScorePanel::fold_bars(QGridLayout& grid, const BarRow& row) const {
   row.bar->setVisible(!folded_);
   row.name->setWordWrap(folded_);
-  tissue_grid_->setColumnStretch(folded_ ? 1 : 2, 1);
-  tissue_grid_->setColumnStretch(folded_ ? 2 : 1, 0);
+  grid.setColumnStretch(folded_ ? 1 : 2, 1);
+  grid.setColumnStretch(folded_ ? 2 : 1, 0);
 }
 
 void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
@@ -285,22 +318,12 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
   progress_part_->setVisible(has.target && guided);
   removed_part_->setVisible(guided);
   over_pulp_row_->setVisible(has.pulp);
+  add_targets(scenario);
   handpiece_->set_exercise(scenario);
   handpiece_rule_->setVisible(!handpiece_->isHidden());
-  int at = 0;
   for (const ScenarioTissue& t : scenario.tissues) {
-    const QString name = tissue_name(t.tissue);
-    TissueRow r{t.tissue, make_label(name), new Bar(role_of(t.tissue), this), make_value()};
-    r.bar->setAccessibleName(name);
-    r.bar->setMinimumWidth(px(32));  // gives way to long names
-    r.value->setAccessibleDescription(name);
-    tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), at, 0);
-    tissue_grid_->addWidget(r.name, at, 1);
-    tissue_grid_->addWidget(r.bar, at, 2);
-    tissue_grid_->addWidget(r.value, at, 3);
-    tissues_.push_back(r);
-    fold_row(r);
-    ++at;
+    tissues_.push_back({t.tissue, add_bar(*tissue_grid_, tissue_name(t.tissue), role_of(t.tissue))});
+    tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), tissue_grid_->rowCount() - 1, 0);
   }
 }
 
@@ -318,6 +341,10 @@ void ScorePanel::show_values(const LiveView& live) {
   const QString mm3 = QStringLiteral("mm3");
   set_value(percent_, format({live.target_removed_percent, {}, QStringLiteral("%"), 0}));
   percent_bar_->set_share(live.target_removed_percent / 100, percent_->text());
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    set_value(targets_[i].value, format({live.removed_of_percent[i], {}, QStringLiteral("%"), 0}));
+    targets_[i].bar->set_share(live.removed_of_percent[i] / 100, targets_[i].value->text());
+  }
   set_value(over_cut_, format({live.over_leeway_mm3 + live.over_beyond_mm3, {}, mm3, 1}));
   set_value(over_pulp_, live.pulp_exposed    ? tr("open")
                         : live.over_pulp_mm ? format({*live.over_pulp_mm, {}, QStringLiteral("mm"), 1})
@@ -340,8 +367,8 @@ void ScorePanel::show_tissues(const LiveView& live) {
   for (const TissueRow& r : tissues_) most = std::max(most, live.removed_mm3[index_of(r.tissue)]);
   for (const TissueRow& r : tissues_) {
     const double removed = live.removed_mm3[index_of(r.tissue)];
-    set_value(r.value, format({removed, {}, mm3, 2}));
-    r.bar->set_share(removed / most, r.value->text());
+    set_value(r.row.value, format({removed, {}, mm3, 2}));
+    r.row.bar->set_share(removed / most, r.row.value->text());
   }
 }
 

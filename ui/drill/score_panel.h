@@ -63,21 +63,26 @@ class ScorePanel : public QFrame {
   HandpiecePanel* handpiece() { return handpiece_; }
 
  private:
-  struct TissueRow {
-    Tissue tissue;
+  struct BarRow {
     QLabel* name;
     Bar* bar;
     QLabel* value;
+  };
+  struct TissueRow {
+    Tissue tissue;
+    BarRow row;
   };
   QVBoxLayout* make_scrolled(QVBoxLayout& whole);
   void make_progress();
   void make_device();
   QHBoxLayout* make_recording();
+  void add_targets(const Scenario& scenario);
   void show_tissues(const LiveView& live);
   void show_recording(RecordingState state);
   /// The rows of a part with a title and a rule below; it is their parent widget.
   QVBoxLayout* add_part(const QString& title, QLabel** aside = nullptr);
-  void fold_row(const TissueRow& row) const;
+  BarRow add_bar(QGridLayout& grid, const QString& name, Bar::Role role);
+  void fold_bars(QGridLayout& grid, const BarRow& row) const;
 
   QWidget* body_;
   SectionView* section_;
@@ -86,7 +91,8 @@ class ScorePanel : public QFrame {
   QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
   QWidget *section_part_, *progress_part_, *over_pulp_row_, *removed_part_;
   Bar* percent_bar_;
-  QGridLayout* tissue_grid_;
+  QGridLayout *target_grid_, *tissue_grid_;
+  std::vector<BarRow> targets_;  // of several
   std::vector<TissueRow> tissues_;
   RecordingState recording_state_ = RecordingState::off;
   bool recording_known_ = false, folded_ = false;

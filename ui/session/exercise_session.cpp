@@ -170,6 +170,7 @@ LiveView ExerciseSession::view() const {
   view.time_is_up = in.follower->time_is_up();
   view.shown_tick = followed.tick;
   view.target_removed_percent = scores.target_measured ? scores.target_removed : 0.0;
+  if (scores.target_measured) view.removed_of_percent = scores.removed_of;
   view.over_leeway_mm3 = over(Place::tolerated_floor) + over(Place::tolerated_side);
   view.over_beyond_mm3 = over(Place::beyond_floor) + over(Place::beyond_side);
   view.removed_mm3 = scores.removed_mm3;

@@ -12,6 +12,7 @@
 #include "engine/loop/tick.h"
 #include "engine/mirror/mirror.h"
 #include "engine/volume/tissue.h"
+#include "scenarios/metrics/live.h"
 #include "storage/base/error.h"
 #include "ui/modules.h"
 
@@ -44,6 +45,7 @@ struct LiveView {
   // The mirror's newest state; `shown_tick` is its tick.
   std::uint64_t shown_tick = 0;
   double target_removed_percent = 0;    // of the target's volume
+  std::array<double, LiveReading::kMostTargets> removed_of_percent{};  // of each of several targets (asked_targets())
   double over_leeway_mm3 = 0;           // cut outside the target, within the leeway shell
   double over_beyond_mm3 = 0;           // cut beyond the leeway
   std::array<double, kTissueCodes> removed_mm3{};

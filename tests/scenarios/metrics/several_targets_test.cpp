@@ -10,6 +10,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/metrics/evidence_patch.h"
+#include "scenarios/metrics/live.h"
 #include "scenarios/metrics/measure.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
@@ -118,6 +119,30 @@ TEST(SeveralTargets, EachMeasuresTheSameBitsAsIfItWereAlone) {
       }
       EXPECT_GE(compared, reading == Reading::banded ? 20 : 10);
     }
+  }
+}
+
+TEST(SeveralTargets, LiveScoresShowWhatIsRemovedOfEachAsItIsMeasured) {
+  for (const Reading reading : {Reading::banded, Reading::filled}) {
+    const auto specimen = block(reading);
+    const auto reference = std::make_shared<const Reference>(exercise(kShallow, kDeep, {"target_removed"}), specimen);
+    LiveMetrics live(reference);
+    EXPECT_EQ(live.reading().removed_of, (std::array<double, LiveReading::kMostTargets>{}));
+    Volume volume(specimen);
+    const auto look = [&] {
+      const auto bricks = volume.cut_bricks();
+      live.update(volume, std::vector<std::int32_t>(bricks.begin(), bricks.end()));
+      const std::vector<Measure> all = measure(*reference, volume, {});
+      EXPECT_NEAR(live.reading().removed_of[0], value(all, "target_removed@shallow"), 1e-9);
+      EXPECT_NEAR(live.reading().removed_of[1], value(all, "target_removed@deep"), 1e-9);
+    };
+    cut(volume, {kDeep.x_mm - 0.3, kDeep.size_mm - Vec3(0, 0, 0.5)});
+    look();
+    EXPECT_EQ(live.reading().removed_of[0], 0.0);
+    EXPECT_GT(live.reading().removed_of[1], 50.0);
+    cut(volume, {kShallow.x_mm + 0.4, kShallow.size_mm});
+    look();
+    EXPECT_GT(live.reading().removed_of[0], 50.0);
   }
 }
 

@@ -7,12 +7,14 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/score_panel.h"
 #include "ui/drill/section_place.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/theme.h"
 
@@ -181,6 +183,24 @@ TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
   EXPECT_EQ(place.follow({1.5, -30, 12}), Vec3(1.5, 2.2, 0)) << "laid aside: as it was";
   SectionPlace free(TargetLook(Region{}, {}, nullptr), {{-10, -10, -10}, {10, 10, 0}});
   EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
+}
+
+TEST(ScorePanel, shows_what_is_removed_of_each_of_several_targets) {
+  ScorePanel panel;
+  panel.set_exercise(load_builtin("class-1-16").value(), {.target = true, .pulp = true, .tooth = true});
+  LiveView live;
+  live.removed_of_percent = {45.2, 7.9};
+  panel.show_values(live);
+  const auto shown = [&panel](const QString& name) {
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->accessibleDescription() == name) return label->text();
+    return QString();
+  };
+  EXPECT_EQ(shown(QStringLiteral("Mesial cavity")), format({45.2, {}, QStringLiteral("%"), 0}));
+  EXPECT_EQ(shown(QStringLiteral("Distal cavity")), format({7.9, {}, QStringLiteral("%"), 0}));
+  ScorePanel of_one;
+  of_one.set_exercise(load_builtin("class-1-36").value(), {.target = true, .pulp = true, .tooth = true});
+  EXPECT_EQ(of_one.findChildren<Bar*>().size(), panel.findChildren<Bar*>().size() - 2);
 }
 
 TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
