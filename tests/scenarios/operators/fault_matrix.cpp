@@ -43,8 +43,9 @@ std::span<const FaultRules> fault_rules() {
        {"remaining_over_pulp", "box_height", "gingival_above_cej", "axial_*", "unsupported_enamel", "surface_within_*", "sound_lost"},
        "the floor comes nearer to the pulp and the gingival floor, takes the upper part of the axial wall and dentine beneath enamel, and "
        "leaves the target's surface"},
-      {SingleFault::too_shallow, {"depth_*", "target_removed"}, {"box_height", "axial_*", "surface_within_*"},
-       "the floor stands further from the gingival floor, the axial wall below it reaches up into enamel, and the target's surface is not met"},
+      {SingleFault::too_shallow, {"depth_*", "target_removed"}, {"box_height", "axial_*", "surface_within_*", "caries_left_*"},
+       "the floor stands further from the gingival floor, the axial wall below it reaches up into enamel, the target's surface is not met, "
+       "and caries stays under what is left of the access"},
       {SingleFault::too_wide, {"overcut_leeway_side", "overcut_beyond_side", "isthmus_width"},
        {"ridge_*", "surface_within_*", "clearance_*", "cavosurface_*", "unsupported_enamel", "axial_*", "remaining_over_pulp", "sound_lost"},
        "walls come nearer to ridges, pulp horns and the neighbour, meet the surface elsewhere, cut rods of the cusps, and a straight axial "
@@ -53,8 +54,9 @@ std::span<const FaultRules> fault_rules() {
        {"cavosurface_*", "isthmus_width", "surface_within_*", "clearance_*", "sound_lost"},
        "a wall that opens is wider at the top, and meets the surface at another angle"},
       {SingleFault::undermined, {"unsupported_enamel", "wall_angle_*", "convergence_*", "overcut_leeway_side", "overcut_beyond_side"},
-       {"surface_within_*", "sound_lost", "ridge_*", "remaining_over_pulp", "clearance_*"},
-       "the hollow leaves the target's surface, comes nearer to ridges and pulp horns, and reaches the margin beside the neighbour"},
+       {"surface_within_*", "sound_lost", "ridge_*", "remaining_over_pulp", "clearance_*", "isthmus_width"},
+       "the hollow leaves the target's surface, widens the isthmus, comes nearer to ridges and pulp horns, and reaches the margin beside "
+       "the neighbour"},
       {SingleFault::rough_floor, {"floor_flatness", "depth_most"},
        {"depth_mean", "overcut_leeway_floor", "overcut_beyond_floor", "remaining_over_pulp", "floor_tilt", "wall_angle_*",
         "convergence_*", "box_height", "axial_*", "surface_within_*", "sound_lost"},
@@ -73,8 +75,8 @@ std::span<const FaultRules> fault_rules() {
       {SingleFault::caries_left, {"caries_left_*", "target_removed"}, {"surface_within_*", "floor_*", "wall_angle_*"},
        "what is left is a ledge"},
       {SingleFault::over_excavated, {"sound_lost", "overcut_*"},
-       {"remaining_over_pulp", "depth_*", "floor_*", "wall_angle_*", "convergence_*", "surface_within_*"},
-       "the lesion's bed is floor and walls"},
+       {"remaining_over_pulp", "depth_*", "floor_*", "wall_angle_*", "convergence_*", "surface_within_*", "unsupported_enamel"},
+       "the lesion's bed is floor and walls, and dentine goes beneath enamel"},
       {SingleFault::wrong_bur, {"overcut_leeway_side", "overcut_beyond_side", "isthmus_width"},
        {"ridge_*", "surface_within_*", "clearance_*", "cavosurface_*", "wall_angle_*", "convergence_*", "target_removed",
         "unsupported_enamel", "remaining_over_pulp", "protected_*", "sound_lost"},
@@ -101,7 +103,14 @@ constexpr std::string_view kWideZone = "the tolerance zone holds a tremor of 0.2
 
 constexpr std::string_view kBelowBisector = "over-cut below the bisector of wall and floor is the floor's: 0.7 to 1.4 mm3 about a deep channel";
 
+constexpr std::string_view kInLesion = "access and lesion go anyway: nothing beyond target and tolerance zone is cut, and no sound tissue";
+
 constexpr std::array kKnown = {
+    Known{SingleFault::too_deep, "caries-26", kNotFound, kInLesion},
+    Known{SingleFault::tilted_wall, "caries-26", kNotFound, "the tolerance zone holds the wedge: 0.02 mm3 lie beyond it"},
+    Known{SingleFault::undermined, "caries-26", kNotFound, kInLesion},
+    Known{SingleFault::wrong_bur, "caries-26", kNotFound, "the tolerance zone holds 0.2 mm: 0.03 mm3 lie beyond it; the large one is found"},
+    Known{SingleFault::too_wide, "caries-26", "overcut_beyond_floor", "over-cut below the bisector of wall and floor is the floor's: 0.4 mm3"},
     Known{SingleFault::undermined, "class-*", kNotInOrder,
           "a hollow of 0.3 mm leans by more than 45 degrees at its ends, which are no wall: wall angles fall from 6.3 to 5.5 degrees; "
           "unsupported_enamel and over-cut go on growing"},
@@ -177,7 +186,8 @@ FaultRow judge(SingleFault fault, const Graded& reference, std::array<Graded, 3>
       out.by_rubric = out.by_rubric || at.of_rubric;
       if (*largest > most) out.own_metric = metric;
       most = std::max(most, *largest);
-    } else if (!in(rules.cross_talk, metric) && *largest > kForeignLoss) {
+    } else if (!in(rules.cross_talk, metric) && *largest > kForeignLoss && (at.of_rubric || at.share >= 1.0)) {
+      // No rubric would ask for what the reference preparation itself has not.
       out.foreign.push_back({metric, *largest, static_cast<FaultSize>(largest - loss.begin())});
     }
   }

@@ -109,7 +109,7 @@ def table(faults, matrices, missing):
         "*Loss*: share of its own criteria's points that a fault costs, small, medium and large; the mean of those that lose any. "
         "It counts by the bands alone, the exercise's and for other measurements the default ones. *By rubric*: exercises whose own "
         "rubric has a criterion that loses. *Points*: what the exercise's score loses. *Violations*: exercises where the fault is not "
-        "found, its losses are not in order, or it costs another's criteria more than a tenth.", "",
+        "found, its losses are not in order, or it costs another's criteria more than a tenth; a default one counts there if the reference has full points by it.", "",
         "| fault | sizes | possible | loss | by rubric | points | violations |", "|---|---|---|---|---|---|---|"]
     lines += [row_of(fault, matrices) for fault in faults]
     lines += ["", "## Violations", "", "| fault | what | where, loss | cause |", "|---|---|---|---|"]
