@@ -47,6 +47,11 @@ class SectionBar::CutLook {
 
 namespace {
 
+/// A target at its top; nullopt for an empty one.
+std::optional<Vec3> middle_of(const TargetShape& shape) {
+  return shape.empty() ? std::nullopt : std::optional(Vec3(0.5 * (shape.low() + shape.high()), shape.top_mm()));
+}
+
 SectionImage picture_of(const SectionBar::Cut& cut, const TargetLook& look, const SectionPlane& plane) {
   SectionSettings settings;
   settings.plane = plane;
@@ -128,16 +133,18 @@ void SectionBar::show_cut(Cut cut) {
   draw();
 }
 
-/// Middle and reach of the slider. A plane that was moved stays where it is.
+/// Middle and reach of the slider. Leaves of voxels are found with the first picture.
 void SectionBar::measure() {
-  const bool moved = through_mm_ != middle_mm_;
   const Grid& grid = cut_.volume->grid();
   low_mm_ = grid.centre_mm(IVec3(0));
   high_mm_ = grid.centre_mm(grid.size - IVec3(1));
-  const TargetShape shape(cut_.target);
-  middle_mm_ = {0.5 * (low_mm_.x + high_mm_.x), 0.5 * (low_mm_.y + high_mm_.y), high_mm_.z};
-  if (!shape.empty()) middle_mm_ = {0.5 * (shape.low() + shape.high()), shape.top_mm()};
-  middle_mm_ = glm::clamp(middle_mm_, low_mm_, high_mm_);  // a half-space has no end
+  centre_on(middle_of(TargetShape(cut_.target)).value_or(Vec3(0.5 * (low_mm_.x + high_mm_.x), 0.5 * (low_mm_.y + high_mm_.y), high_mm_.z)));
+}
+
+/// A plane that was moved stays where it is.
+void SectionBar::centre_on(Vec3 middle_mm) {
+  const bool moved = through_mm_ != middle_mm_;
+  middle_mm_ = glm::clamp(middle_mm, low_mm_, high_mm_);  // a half-space has no end
   if (!moved) through_mm_ = middle_mm_;
   fit_slider();
 }
@@ -264,14 +271,19 @@ void SectionBar::draw() {
   stale_ = false;
   QThreadPool::globalInstance()->start([self = QPointer(this), cut = cut_, look = look_, plane = plane()] {
     auto image = std::make_shared<SectionImage>(picture_of(cut, look->of(cut), plane));
-    QMetaObject::invokeMethod(qApp, [self, image] {
-      if (self) self->take(std::move(*image));
+    QMetaObject::invokeMethod(qApp, [self, image, look, target_mm = middle_of(look->of(cut).shape())] {
+      if (self) self->take(std::move(*image), look, target_mm);
     }, Qt::QueuedConnection);
   });
 }
 
-void SectionBar::take(SectionImage image) {
+void SectionBar::take(SectionImage image, const std::shared_ptr<CutLook>& of, const std::optional<Vec3>& target_mm) {
   drawing_ = false;
+  if (of == look_ && target_mm && needs_voxels(cut_.target) && glm::clamp(*target_mm, low_mm_, high_mm_) != middle_mm_) {
+    centre_on(*target_mm);
+    face();
+    return draw();
+  }
   if (open_) view_.set_cutaway(std::move(image));
   if (stale_) return draw();
   Q_EMIT shown();

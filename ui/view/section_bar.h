@@ -72,13 +72,15 @@ class SectionBar : public QFrame {
 
   Vec3 across() const;
   void measure();
+  void centre_on(Vec3 middle_mm);
   void fit_slider();
   void face();
   void follow_camera();
   void show_place();
   void fit_head();
   void draw();
-  void take(SectionImage image);
+  /// target_mm: the target's middle at its top, as the picture's CutLook has it.
+  void take(SectionImage image, const std::shared_ptr<CutLook>& of, const std::optional<Vec3>& target_mm);
 
   ToothView& view_;
   QBoxLayout* head_;  // ways and place: beside each other where they fit

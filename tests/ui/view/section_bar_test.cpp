@@ -10,6 +10,7 @@
 #include <QSlider>
 
 #include "scenarios/library/library.h"
+#include "scenarios/shapes/target.h"
 #include "tests/modules.h"
 #include "ui/session/scene_builder.h"
 #include "ui/view/tooth_view.h"
@@ -43,6 +44,22 @@ struct SectionOfABlock : testing::Test {
 TEST_F(SectionOfABlock, begins_in_the_middle_of_the_target) {
   EXPECT_EQ(bar.slider()->value(), 0);
   EXPECT_TRUE(texts().contains(QStringLiteral("Through the middle")));
+}
+
+TEST(SectionOfALesion, begins_in_the_middle_of_the_target_once_its_voxels_are_found) {
+  Scenario scenario = *load_builtin("caries-26");
+  scenario.specimen.voxel_mm = 0.4;
+  const auto whole = std::make_shared<const Volume>(build_specimen(scenario, {}).value());
+  ToothView view;
+  SectionBar bar(view);
+  bar.show_cut({.volume = whole, .target = scenario.target, .leeway = scenario.leeway, .scenery = nullptr, .ideal = nullptr});
+  QSignalSpy shown(&bar, &SectionBar::shown);
+  bar.open();
+  ASSERT_TRUE(shown.wait(kSectionPatienceMs));
+  const TargetShape target(scenario.target, whole->specimen_ptr());
+  ASSERT_FALSE(target.empty());
+  EXPECT_NEAR(bar.plane().centre_mm.x, 0.5 * (target.low().x + target.high().x), 1e-9);
+  EXPECT_NEAR(bar.place_mm(), 0.0, 1e-9);
 }
 
 TEST_F(SectionOfABlock, holds_the_top_of_the_block_where_the_target_has_no_end) {
