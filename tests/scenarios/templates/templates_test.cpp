@@ -32,8 +32,8 @@ Result<Scenario, FitFailure> fitted(const std::string& key, int fdi, std::map<st
 std::string text_of(const FitFailure& f) { return std::string(key_of(f.code)) + " " + f.where + " " + f.detail; }
 
 TEST(Templates, FitEveryPremolarAndMolarWithoutAFinding) {
-  ASSERT_EQ(exercise_templates().size(), 5u);
-  std::size_t n = 0;  // by default each template on five teeth, together on all twenty
+  ASSERT_EQ(exercise_templates().size(), 6u);
+  std::size_t n = 0;  // by default each template on five teeth, four of them on all twenty
   for (const ExerciseTemplate& one : exercise_templates())
     for (const int fdi : posterior_teeth()) {
       const std::size_t at = n++;
@@ -184,6 +184,28 @@ TEST(Templates, PlaceALesionAndAskForItsSoftPartOverThePulpWhereItIsDeep) {
     const bool asked = deep > 1.7;  // 0.85 * 0.85 of it is soft, and 1 mm is the periphery
     EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "caries_left_pulp", &Criterion::metric), asked ? 1 : 0) << deep;
     EXPECT_EQ(scenario->briefing.at("en").find("in enamel and over the pulp") != std::string::npos, asked) << deep;
+  }
+}
+
+TEST(Templates, PlaceALesionBelowTheContactThatIsAskedFor) {
+  for (const double distal : {0.0, 1.0}) {
+    const auto scenario = fitted("caries-proximal", 46, {{"distal", distal}, {"beyond", 0.1 - 0.2 * distal}});
+    ASSERT_TRUE(scenario) << distal;
+    ASSERT_EQ(scenario->specimen.lesions.size(), 1u);
+    EXPECT_EQ(scenario->specimen.lesions[0].kind, "proximal");
+    const std::string side = distal != 0 ? "distal" : "mesial";
+    EXPECT_EQ(scenario->specimen.lesions[0].site, side);
+    EXPECT_NE(scenario->title.at("en").find(side), std::string::npos);
+    EXPECT_NE(scenario->briefing.at("de").find(side + "en Kontaktpunkt"), std::string::npos);
+    // The shell of enamel that stays at the contact is asked for as little as its clearance.
+    const bool opens = distal == 0;
+    EXPECT_EQ(std::ranges::count(scenario->rubric.criteria, "contact_broken", &Criterion::metric), opens ? 1 : 0);
+    EXPECT_EQ(scenario->briefing.at("en").find("breaks the contact") != std::string::npos, opens);
+    // One box and the lesion's two parts.
+    ASSERT_EQ(scenario->target.parts.size(), 3u);
+    const auto landmarks = tooth_landmarks({.fdi = 46});
+    const Vec3 contact = distal != 0 ? landmarks->distal_contact : landmarks->mesial_contact;
+    EXPECT_LT(TargetShape(scenario->target.parts[0]).distance_mm(contact - Vec3(std::copysign(0.5, contact.x), 0, 0.5)), 0.0);
   }
 }
 
