@@ -154,6 +154,24 @@ std::optional<Region> access_of(const Region& region) {
   return out.parts.empty() ? std::nullopt : std::optional(std::move(out));
 }
 
+/// Whether the target without its leaves of voxels takes the lesion anyway, as a box that reaches its bed.
+bool takes_lesion(const Exercise& on, const Region& access, const TissueShape& lesion) {
+  constexpr double kAlmostAll = 0.95;
+  const TargetShape shape(access, on.borrowed);
+  const IVec3 from = on.voxel(lesion.low()), to = on.voxel(lesion.high());
+  int all = 0, taken = 0;
+  IVec3 v;
+  for (v.z = from.z; v.z <= to.z; ++v.z)
+    for (v.y = from.y; v.y <= to.y; ++v.y)
+      for (v.x = from.x; v.x <= to.x; ++v.x) {
+        const Vec3 p = on.specimen.grid().centre_mm(v);
+        if (!lesion.contains(p) || on.target.distance_mm(p) >= 0.0) continue;
+        ++all;
+        taken += shape.distance_mm(p) < 0.0;
+      }
+  return taken > kAlmostAll * all;
+}
+
 /// The lesion stays where it is outside a column about its middle, which is narrower than the lesion by `mm` on each side.
 std::optional<Region> caries_left(const Exercise& on, double mm) {
   const Region lesion = lesion_of(on.scenario.target);
@@ -169,7 +187,9 @@ std::optional<Region> caries_left(const Exercise& on, double mm) {
   Region rest = without(on.scenario.target, without(lesion, std::move(column)));
   if (!needs_voxels(on.scenario.target)) return rest;
   auto access = access_of(on.scenario.target);
-  return access ? either(std::move(*access), std::move(rest)) : std::move(rest);
+  // An access through sound tissue is cut all the same; one that takes the lesion spares its rim.
+  if (!access || takes_lesion(on, *access, shape)) return rest;
+  return either(std::move(*access), std::move(rest));
 }
 
 std::optional<Region> over_excavated(const Exercise& on, double mm) {
@@ -180,6 +200,8 @@ std::optional<Region> over_excavated(const Exercise& on, double mm) {
   Region more = grown(lesion, mm);
   const Region pulp = region_of(Tissue::pulp);
   if (on.has(pulp)) more = without(std::move(more), grown(pulp, kOverPulpMm));
+  const Region neighbour = region_of(kNeighbourEnamel);
+  if (on.has(neighbour)) more = without(std::move(more), grown(neighbour, kContactMm));
   return either(on.scenario.target, std::move(more));
 }
 

@@ -70,13 +70,13 @@ std::span<const FaultRules> fault_rules() {
       {SingleFault::nicked_neighbour, {"protected_removed", "protected_damage"}, {"overcut_*"},
        "the neighbour's tissue is over-cut too"},
       {SingleFault::contact_closed, {"contact_broken", "target_removed", "gingival_floor_mesiodistal"},
-       {"clearance_*", "surface_within_*", "cavosurface_*", "unsupported_enamel", "box_height"},
-       "the shell bounds floor and walls, the margin moves to it, and its enamel has no dentine beneath it"},
-      {SingleFault::caries_left, {"caries_left_*", "target_removed"}, {"surface_within_*", "floor_*", "wall_angle_*"},
-       "what is left is a ledge"},
+       {"clearance_*", "surface_within_*", "cavosurface_*", "unsupported_enamel", "box_height", "caries_left_enamel"},
+       "the shell bounds floor and walls, the margin moves to it, its enamel has no dentine beneath it, and may be carious"},
+      {SingleFault::caries_left, {"caries_left_*", "target_removed"}, {"surface_within_*", "floor_*", "wall_angle_*", "clearance_*", "contact_broken"},
+       "what is left is a ledge, at a contact in enamel"},
       {SingleFault::over_excavated, {"sound_lost", "overcut_*"},
-       {"remaining_over_pulp", "depth_*", "floor_*", "wall_angle_*", "convergence_*", "surface_within_*", "unsupported_enamel"},
-       "the lesion's bed is floor and walls, and dentine goes beneath enamel"},
+       {"remaining_over_pulp", "depth_*", "floor_*", "wall_angle_*", "convergence_*", "surface_within_*", "unsupported_enamel", "gingival_above_cej"},
+       "the lesion's bed is floor and walls, dentine goes beneath enamel, and the bed reaches below a gingival floor"},
       {SingleFault::wrong_bur, {"overcut_leeway_side", "overcut_beyond_side", "isthmus_width"},
        {"ridge_*", "surface_within_*", "clearance_*", "cavosurface_*", "wall_angle_*", "convergence_*", "target_removed",
         "unsupported_enamel", "remaining_over_pulp", "protected_*", "sound_lost"},
@@ -106,6 +106,8 @@ constexpr std::string_view kBelowBisector = "over-cut below the bisector of wall
 constexpr std::string_view kInLesion = "access and lesion go anyway: nothing beyond target and tolerance zone is cut, and no sound tissue";
 
 constexpr std::array kKnown = {
+    Known{SingleFault::undermined, "caries-46", kNotInOrder,
+          "without a pulpal floor the hollow lies beside the gingival one and moves one wall's angle by 0.4 to 0.9 degrees"},
     Known{SingleFault::too_deep, "caries-26", kNotFound, kInLesion},
     Known{SingleFault::tilted_wall, "caries-26", kNotFound, "the tolerance zone holds the wedge: 0.02 mm3 lie beyond it"},
     Known{SingleFault::undermined, "caries-26", kNotFound, kInLesion},
