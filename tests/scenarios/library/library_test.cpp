@@ -27,7 +27,7 @@ TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
   std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet",    "class-1-36-jaw", "class-1-35",    "class-1-37",
                                   "class-1-46",  "class-1-25", "class-1-16",        "class-1-17",     "class-2-36-do", "class-2-26-do",
-                                  "class-2-46-mo", "class-2-25-mod", "caries-26"};
+                                  "class-2-46-mo", "class-2-25-mod", "caries-26", "caries-46"};
   for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
     for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
   }
@@ -224,6 +224,7 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"class-1-35", "973d2613b156f6256908e89b4902ff84aeaebb7f54c11ee7b3831d78726c16ce"},
       {"class-1-37", "610503dc31e34ddc7d36433030fd34753dfd9cac1931ad4b797cc596cfcab3cd"},
       {"class-1-17", "2bd5e1fc0c45474772d11274ba3eb3f3494c0fad299b8244284577cba2417c35"},
+      {"caries-46", "9059565ded85a549864dc452528eb1427cb128049c945bb82161dbb5af692feb"},
       {"caries-26", "2b9088f0d08a4fcaaf3c9ab4f04fb8cdd9a9126454de9d72dd722d3ec55d2894"},
       {"paper-block", "b88d0e0ff749ef2c5d46c46c644325d1da514768c8bf0fde4849fecada616437"},
       {"channel-2", "8bbe2ac81ca7e6f29b54ea99332cede5db9edc26d4d7a5faf2afbefb9cd8917b"},
