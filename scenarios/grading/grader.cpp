@@ -93,17 +93,31 @@ void scale_to_maximum(Grade& grade, double most) {
   }
 }
 
-CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share, int device_dof) {
+/// Whether one of several targets was left alone: what there is nothing to measure of then counts all the same, or who leaves a
+/// target out would be graded on fewer points.
+bool is_left_out(const Criterion& criterion, double share) {
+  constexpr double kHardly = 0.5;
+  return !split_metric(criterion.metric).target.empty() && counts_with_target(criterion) && share < kHardly;
+}
+
+CriterionGrade not_measured(const Criterion& criterion, const Measure* measure, double share) {
   CriterionGrade out;
   out.id = criterion.metric;
-  if (measure == nullptr || !measure->measured) {
-    if (measure != nullptr) out.measure = *measure;
-    out.measure.metric = criterion.metric;
-    out.measure.measured = false;
-    out.band = "not_measured";
-    out.reason_code = "not_measured";
-    return out;
-  }
+  if (measure != nullptr) out.measure = *measure;
+  out.measure.metric = criterion.metric;
+  out.measure.measured = false;
+  out.band = out.reason_code = "not_measured";
+  if (!is_left_out(criterion, share)) return out;
+  out.points_max = criterion.weight;
+  out.reason_code = "little_drilled";
+  out.reason_args = {{"share", share}, {"lost", criterion.weight}};
+  return out;
+}
+
+CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share, int device_dof) {
+  if (measure == nullptr || !measure->measured) return not_measured(criterion, measure, share);
+  CriterionGrade out;
+  out.id = criterion.metric;
   out.measure = *measure;
   if (criterion.needs_dof > device_dof) {
     out.band = "not_expressible";

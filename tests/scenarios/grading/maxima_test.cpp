@@ -184,6 +184,23 @@ TEST(Grade, StatesTheShareByTheRuleOfItsEvaluator) {
   EXPECT_EQ(share_counted(g, s.rubric, "depth_mean"), 1.0);
 }
 
+TEST(Grade, OneOfSeveralTargetsThatIsLeftOutCostsItsPoints) {
+  Scenario s;
+  s.rubric.criteria = {{"target_removed@a", 20, kMostRemoved}, {"depth_mean@a", 20, kAll}, {"target_removed@b", 20, kMostRemoved}, {"depth_mean@b", 20, kAll}};
+  std::vector<Measure> cut_one = {{"target_removed@a", true, 100.0, 0.0, "%", {}}, {"depth_mean@a", true, 2.0, 0.0, "mm", {}},
+                                  {"target_removed@b", true, 0.0, 0.0, "%", {}},   {"depth_mean@b", false, 0.0, 0.0, "mm", {}}};
+  const Grade left_out = grade(s, cut_one);
+  EXPECT_DOUBLE_EQ(left_out.score, 50.0) << "a depth that is not there is no full one";
+  EXPECT_DOUBLE_EQ(left_out.criteria[3].points_max, 25.0);
+  EXPECT_EQ(left_out.criteria[3].reason_code, "little_drilled");
+  EXPECT_FALSE(left_out.criteria[3].measure.measured);
+  // Cut, but too coarse to be measured: nobody's fault.
+  cut_one[2].value = 100.0;
+  const Grade unmeasured = grade(s, cut_one);
+  EXPECT_DOUBLE_EQ(unmeasured.score, 100.0);
+  EXPECT_EQ(unmeasured.criteria[3].reason_code, "not_measured");
+}
+
 TEST(Grade, OneOfSeveralTargetsCountsAsFarAsItWasCutItself) {
   Scenario s;
   s.rubric.criteria = {{"target_removed@a", 20, kMostRemoved}, {"depth_mean@a", 20, kAll}, {"target_removed@b", 20, kMostRemoved}, {"depth_mean@b", 20, kAll}};
