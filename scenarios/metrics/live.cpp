@@ -61,8 +61,16 @@ void LiveMetrics::note_dirty(const Volume& volume, std::int32_t brick) {
 
 LiveMetrics::Brick LiveMetrics::measured(const Volume& volume, int brick) const {
   Brick out{shares_of_brick(*reference_, volume, brick), {}};
-  for (std::size_t i = 0; i < several(); ++i)
-    out.of_mm3[i] = removed_of_target_mm3(*reference_->targets().asked()[i].reference, volume, brick);
+  if (several() == 0) return out;
+  const SeveralTargets& targets = reference_->targets();
+  const Grid& grid = volume.grid();
+  const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
+  const auto only = targets.only_part(grid.centre_mm(corner), grid.centre_mm(corner + IVec3(kBrickEdge)));
+  for (std::size_t i = 0; i < several(); ++i) {
+    const SeveralTargets::One& one = targets.asked()[i];
+    if (only) out.of_mm3[i] = *only == one.part ? out.shares.removed_mm3[static_cast<std::size_t>(Place::target)] : 0.0;
+    else out.of_mm3[i] = removed_of_target_mm3(*one.reference, volume, brick);
+  }
   return out;
 }
 

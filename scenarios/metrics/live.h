@@ -21,7 +21,9 @@ namespace cusp::scenarios {
 struct LiveReading {
   static constexpr std::size_t kMostTargets = 8;
   double target_removed = 0;                    // %
-  std::array<double, kMostTargets> removed_of{};  // % of the first of several targets, in the order of asked_targets()
+  /// % of the first of several targets, in the order of asked_targets(). Within 0.01 of measure(): where one target alone reaches a
+  /// brick, what is removed of the whole target counts, which is found already.
+  std::array<double, kMostTargets> removed_of{};
   bool target_measured = false;                 // false: the target holds no tissue
   std::array<double, kPlaces> overcut_mm3{};    // by Place; [target] is what was rightly removed
   std::array<double, kTissueCodes> removed_mm3{};

@@ -42,6 +42,7 @@ std::vector<const Region*> asked_targets(const Scenario& scenario) {
 SeveralTargets::SeveralTargets(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen) {
   const std::vector<const Region*> asked = asked_targets(scenario);
   if (asked.empty()) return;
+  rounding_mm_ = scenario.target.rounding_mm;
   for (const Region& part : scenario.target.parts) {
     if (std::ranges::find(asked, &part) != asked.end())
       asked_.push_back({part.name, parts_.size(), std::make_shared<const Reference>(alone(scenario, part), specimen)});
@@ -55,6 +56,17 @@ double SeveralTargets::beyond_mm(std::size_t part, Vec3 p) const noexcept {
   for (std::size_t i = 0; i < parts_.size(); ++i)
     if (i != part) other = std::min(other, parts_[i].distance_mm(p));
   return std::min(own, 0.5 * (own - other));
+}
+
+std::optional<std::size_t> SeveralTargets::only_part(Vec3 low, Vec3 high) const noexcept {
+  const double reach = 0.51 * std::sqrt(glm::dot(high - low, high - low)) + rounding_mm_;
+  std::optional<std::size_t> out;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].distance_mm(0.5 * (low + high)) > reach) continue;
+    if (out) return std::nullopt;
+    out = i;
+  }
+  return out;
 }
 
 Volume SeveralTargets::cavity(const Volume& volume, const One& target) const {

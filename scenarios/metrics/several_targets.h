@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ class SeveralTargets {
   /// Those that the rubric asks for: tens of milliseconds each.
   SeveralTargets(const Scenario& scenario, const std::shared_ptr<const Specimen>& specimen);
   std::span<const One> asked() const noexcept { return asked_; }
+  /// The one part of the whole target that reaches into a box, by its number; nullopt: none does, or several do.
+  [[nodiscard]] std::optional<std::size_t> only_part(Vec3 low, Vec3 high) const noexcept;
   /// The volume with the cuts of this target alone: those within it, and those that lie nearer to it than to any other part. Where
   /// two cavities meet beside their targets, each ends half-way, as at a wall.
   [[nodiscard]] Volume cavity(const Volume& volume, const One& target) const;
@@ -39,6 +42,7 @@ class SeveralTargets {
   double beyond_mm(std::size_t part, Vec3 p) const noexcept;
 
   std::vector<TargetShape> parts_;
+  double rounding_mm_ = 0;  // of the whole, where its parts meet
   std::vector<One> asked_;
 };
 
