@@ -93,10 +93,9 @@ void scale_to_maximum(Grade& grade, double most) {
   }
 }
 
-/// Whether one of several targets was left alone: what there is nothing to measure of then counts all the same, or who leaves a
-/// target out would be graded on fewer points.
+/// Whether one of several targets was left out. What was not measured of it costs its points: else fewer points would be graded.
 bool is_left_out(const Criterion& criterion, double share) {
-  constexpr double kHardly = 0.5;
+  constexpr double kHardly = 0.5;  // of the target [M]: of one that was cut, voxels may hide a measure
   return !split_metric(criterion.metric).target.empty() && counts_with_target(criterion) && share < kHardly;
 }
 

@@ -24,7 +24,7 @@ struct ScaledPoints {
 };
 
 /// Points of each criterion of a grade, new or stored, in its order. The maxima sum to grade.score_max over what was
-/// measured; where all was measured they are scaled_maxima(). What was not measured has 0 of 0. Points sum to the score
+/// measured; where all was measured they are scaled_maxima(). What was not measured has 0 of 0, but of a target that was left out. Points sum to the score
 /// rounded to kShownPoint, but full points stay full and none stays none, which can put the sum off by a step or two.
 [[nodiscard]] std::vector<ScaledPoints> scaled_points(const Grade& grade);
 

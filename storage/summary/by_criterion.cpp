@@ -34,7 +34,7 @@ class CriterionCount {
 
 void add_all(const std::vector<CriterionGrade>& criteria, CriterionCount& count) {
   for (const CriterionGrade& c : criteria) {
-    if (c.measure.measured && c.points_max > 0) count.add(c.id, c.points, c.points_max);
+    if (c.points_max > 0) count.add(c.id, c.points, c.points_max);
   }
 }
 

@@ -75,7 +75,7 @@ Bar::Role CriteriaModel::bar_role(int row) const {
 QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
   const CriterionGrade& c = criterion(index.row());
   const Measure& m = c.measure;
-  const bool marked = m.measured && c.points_max > 0;
+  const bool marked = c.points_max > 0;  // of a target that was left out, what was not measured
   if (index.column() == kOwn) return own_data(index.row(), role);
   switch (role) {
     case Qt::TextAlignmentRole:
@@ -85,13 +85,13 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kPlace) return m.where_mm ? u"target"_qs : QString();
       if (index.column() == kName) return change(index.row()).isEmpty() ? QString() : u"edit"_qs;
       if (index.column() != kSign) return {};
-      if (!m.measured) return u"info"_qs;
+      if (!m.measured && !marked) return u"info"_qs;
       if (neutral(index.row())) return u"minus"_qs;
       return bar_role(index.row()) == Bar::Role::good  ? u"check"_qs
              : bar_role(index.row()) == Bar::Role::bad ? u"cross"_qs
                                                        : u"warning"_qs;
     case IconInkRole:
-      if (index.column() != kSign || !m.measured || neutral(index.row())) return static_cast<int>(Ink::text2);
+      if (index.column() != kSign || neutral(index.row())) return static_cast<int>(Ink::text2);
       return static_cast<int>(bar_role(index.row()) == Bar::Role::good  ? Ink::good
                               : bar_role(index.row()) == Bar::Role::bad ? Ink::bad
                                                                         : Ink::look);
@@ -129,7 +129,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
 QString CriteriaModel::text_of(const QModelIndex& index) const {
   const CriterionGrade& c = criterion(index.row());
   const Measure& m = c.measure;
-  const bool marked = m.measured && c.points_max > 0;
+  const bool marked = c.points_max > 0;  // of a target that was left out, what was not measured
   switch (index.column()) {
     case kName: {
       const QString name = metric_name(c.id, &target_);

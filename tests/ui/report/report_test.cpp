@@ -67,6 +67,18 @@ TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
   EXPECT_FALSE(model.index(1, CriteriaModel::kPoints).data(ShareRole).isValid());
 }
 
+TEST(CriteriaModel, what_was_not_measured_of_a_target_that_was_left_out_shows_the_points_that_it_costs) {
+  Grade grade = test::sample_grade(81);
+  grade.criteria[1].measure.measured = false;
+  grade.criteria[1].points = 0;
+  grade.criteria[1].reason_code = "little_drilled";
+  const CriteriaModel model(grade, {});
+  EXPECT_EQ(model.index(1, CriteriaModel::kYours).data().toString().toStdString(), "not measured");
+  EXPECT_EQ(plain(model.index(1, CriteriaModel::kPoints).data().toString()), "0");
+  EXPECT_EQ(plain(model.index(1, CriteriaModel::kPoints).data(SecondRole).toString()), "/ 33.3");
+  EXPECT_EQ(model.index(1, CriteriaModel::kSign).data(IconRole).toString().toStdString(), "minus");
+}
+
 TEST(CriteriaModel, points_sum_to_a_hundred_whatever_the_weights_sum_to) {
   Grade grade = test::sample_grade(81);
   const double weights[] = {20, 15, 15, 10, 10, 10, 10, 10, 10};  // 110, as class I had
