@@ -19,7 +19,7 @@ namespace cusp::scenarios {
 
 /// Plain values; safe to copy between threads.
 struct LiveReading {
-  static constexpr std::size_t kMostTargets = 8;
+  static constexpr std::size_t kMostTargets = 8;  // the panel has room for them; no more are shown
   double target_removed = 0;                    // %
   /// % of the first of several targets, in the order of asked_targets(). Within 0.01 of measure(): where one target alone reaches a
   /// brick, what is removed of the whole target counts, which is found already.

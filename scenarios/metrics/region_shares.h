@@ -28,7 +28,7 @@ struct RegionShares {
 /// Of the cells of one brick (see cut_volume.h); depends on this brick and its 26 neighbours.
 [[nodiscard]] RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick);
 
-/// removed_mm3 of the target alone: a tenth of the work, or none where the target does not reach into the brick's cells.
+/// removed_mm3 of the target alone. It cuts no cell of a brick that the target does not reach.
 [[nodiscard]] double removed_of_target_mm3(const Reference& reference, const Volume& volume, int brick);
 
 /// Bricks whose cells can have lost something: those that were cut and their neighbours, ascending.

@@ -154,9 +154,8 @@ std::optional<Region> access_of(const Region& region) {
   return out.parts.empty() ? std::nullopt : std::optional(std::move(out));
 }
 
-/// Whether the target without its leaves of voxels takes the lesion anyway, as a box that reaches its bed.
+/// Whether the access takes most of the lesion: the box of caries-46 takes 96 % of it, the outline of caries-26 26 %.
 bool takes_lesion(const Exercise& on, const Region& access, const TissueShape& lesion) {
-  constexpr double kAlmostAll = 0.95;
   const TargetShape shape(access, on.borrowed);
   const IVec3 from = on.voxel(lesion.low()), to = on.voxel(lesion.high());
   int all = 0, taken = 0;
@@ -169,7 +168,7 @@ bool takes_lesion(const Exercise& on, const Region& access, const TissueShape& l
         ++all;
         taken += shape.distance_mm(p) < 0.0;
       }
-  return taken > kAlmostAll * all;
+  return 2 * taken > all;
 }
 
 /// The lesion stays where it is outside a column about its middle, which is narrower than the lesion by `mm` on each side.

@@ -21,7 +21,7 @@ std::unexpected<SessionFailure> cancelled() {
 
 bool is_set(const std::atomic<bool>* stop) { return stop != nullptr && stop->load(); }
 
-std::string_view mesh_name(Guidance guidance) { return guidance == Guidance::full ? "mesh with deviation" : "mesh without deviation"; }
+std::string_view mesh_name(Guidance guidance) { return guidance == Guidance::full ? "mesh" : "mesh without deviation"; }
 
 /// Only what is generated is the same for equal scenarios: a file may have changed.
 bool may_be_kept(const ToothWish& wish) { return wish.specimen == nullptr && !wish.scenario.specimen.generator.empty(); }

@@ -121,9 +121,10 @@ TEST(ProposedLandmarks, OfEveryKindOfToothAreWithinTheirStatedErrors) {
 
 // Nothing was set on these: seeds that were drawn once the errors stood.
 TEST(ProposedLandmarks, OfTeethThatNothingWasSetOnAreWithinTheStatedErrorsToo) {
-  if (!full_run()) GTEST_SKIP() << "three minutes; ./check --full sets CUSP_FULL";
+  if (!full_run()) GTEST_SKIP() << "a minute; ./check --full sets CUSP_FULL";
   expect_within_stated({{101, 0.1}, {102, 0.15}, {103, 0.2}, {104, 0.1}, {105, 0.15}, {106, 0.2}});
 }
+
 TEST(ProposedLandmarks, FollowAToothThatIsTurned) {
   const auto tooth = grow_tooth({.fdi = 26, .seed = 3, .voxel_mm = 0.3});
   ASSERT_TRUE(tooth);

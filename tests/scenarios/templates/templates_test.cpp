@@ -33,7 +33,7 @@ std::string text_of(const FitFailure& f) { return std::string(key_of(f.code)) + 
 
 TEST(Templates, FitEveryPremolarAndMolarWithoutAFinding) {
   ASSERT_EQ(exercise_templates().size(), 6u);
-  std::size_t n = 0;  // by default each template on five teeth, four of them on all twenty
+  std::size_t n = 0;  // by default each template on five teeth, the first four on all twenty
   for (const ExerciseTemplate& one : exercise_templates())
     for (const int fdi : posterior_teeth()) {
       const std::size_t at = n++;
