@@ -26,6 +26,8 @@ class DeskRecords {
   /// A graded attempt at a built-in exercise. Points are of 100 with pass mark 70.
   SessionId attempt(const Account& student, const std::string& key, double score, double seconds,
                const std::string& device_class = "pointer");
+  SessionId graded_attempt(const Account& student, const std::string& key, const Grade& grade, double seconds,
+                           const std::string& device_class = "pointer");
   /// An attempt that broke off, not graded.
   SessionId broken_attempt(const Account& student, const std::string& key);
 

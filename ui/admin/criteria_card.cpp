@@ -18,8 +18,9 @@ QString percent(double share) { return format({100 * share, std::nullopt, u"%"_q
 
 }  // namespace
 
-void CriterionFiguresModel::set_rows(std::vector<CriterionFigures> rows) {
+void CriterionFiguresModel::set_rows(std::vector<CriterionFigures> rows, const Region& target) {
   beginResetModel();
+  target_ = target;
   rows_ = std::move(rows);
   endResetModel();
 }
@@ -38,7 +39,7 @@ QVariant CriterionFiguresModel::data(const QModelIndex& index, int role) const {
   if (role == BoldRole) return index.column() == kShare;
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-    case kName: return metric_name(c.id);
+    case kName: return metric_name(c.id, &target_);
     case kShare: return percent(c.mean_share);
     case kFull: return percent(static_cast<double>(c.full) / c.attempts);
     case kAttempts: return format_number(c.attempts, 0);
@@ -69,9 +70,9 @@ CriteriaCard::CriteriaCard(QWidget* parent) : Card(CriteriaCard::tr("By criterio
   hide();
 }
 
-void CriteriaCard::show_figures(std::vector<CriterionFigures> figures) {
+void CriteriaCard::show_figures(std::vector<CriterionFigures> figures, const Region& target) {
   table_->set_rows_shown(std::clamp(static_cast<int>(figures.size()), 1, kMostRows));
-  model_->set_rows(std::move(figures));
+  model_->set_rows(std::move(figures), target);
 }
 
 }  // namespace cusp::ui

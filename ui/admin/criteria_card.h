@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
+#include "scenarios/format/scenario.h"
 #include "storage/summary/history.h"
 #include "ui/modules.h"
 #include "ui/widgets/parts.h"
@@ -18,7 +19,8 @@ class CriterionFiguresModel : public QAbstractTableModel {
  public:
   enum Column { kName, kShare, kFull, kAttempts, kColumns };
   using QAbstractTableModel::QAbstractTableModel;
-  void set_rows(std::vector<CriterionFigures> rows);
+  /// `target`: of the exercise, for the titles of several targets.
+  void set_rows(std::vector<CriterionFigures> rows, const Region& target);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -26,6 +28,7 @@ class CriterionFiguresModel : public QAbstractTableModel {
 
  private:
   std::vector<CriterionFigures> rows_;
+  Region target_;
 };
 
 class CriteriaCard : public Card {
@@ -33,7 +36,7 @@ class CriteriaCard : public Card {
 
  public:
   explicit CriteriaCard(QWidget* parent = nullptr);
-  void show_figures(std::vector<CriterionFigures> figures);
+  void show_figures(std::vector<CriterionFigures> figures, const Region& target);
   const CriterionFiguresModel& model() const { return *model_; }
 
  private:

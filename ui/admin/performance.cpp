@@ -12,6 +12,7 @@
 #include <QStackedWidget>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "storage/export/csv.h"
 #include "ui/admin/criteria_card.h"
@@ -249,7 +250,17 @@ void Performance::read() {
   if (!shown.scenario) return;
   const auto by_criterion = store_.history.by_criterion(reader_, shown);
   if (!by_criterion) return show_failure(by_criterion.error());
-  criteria_->show_figures(*by_criterion);
+  criteria_->show_figures(*by_criterion, target_of(shown));
+}
+
+Region Performance::target_of(const HistoryFilter& shown) {
+  const auto versions = store_.scenarios.versions(*shown.scenario);
+  if (!versions) return {};
+  for (const ScenarioVersion& v : *versions | std::views::reverse) {
+    if (shown.version_number && v.number != *shown.version_number) continue;
+    if (auto exercise = load_exercise(store_, v.id)) return std::move(exercise->scenario.target);
+  }
+  return {};
 }
 
 void Performance::fetch_for_order(int column, Qt::SortOrder order) {

@@ -73,9 +73,9 @@ constexpr Named kNames[] = {
 };
 
 /// The item of a list, by the name that people read.
-QString part_name(const Change& c) {
+QString part_name(const Change& c, const Region* whole) {
   const QString key = QString::fromStdString(c.part);
-  if (c.path.starts_with("/rubric/criteria")) return metric_name(c.part);
+  if (c.path.starts_with("/rubric/criteria")) return metric_name(c.part, whole);
   if (c.path.starts_with("/rubric/critical")) return critical_name(c.part);
   if (c.path.starts_with("/tissues")) {
     const auto tissue = scenario_tissue_from_key(c.part);
@@ -87,11 +87,11 @@ QString part_name(const Change& c) {
   return key;
 }
 
-QString place_name(const Change& c) {
+QString place_name(const Change& c, const Region* whole) {
   const auto* at = std::ranges::find_if(kNames, [&](const Named& n) { return c.path.starts_with(n.path); });
   if (at == std::end(kNames)) return isolate(QString::fromStdString(c.path));
   const QString name = ChangeText::tr(at->name);
-  return name.contains(u"%1") ? name.arg(isolate(part_name(c))) : name;
+  return name.contains(u"%1") ? name.arg(isolate(part_name(c, whole))) : name;
 }
 
 /// With the unit that the table of ranges gives the place. Zero where it means none.
@@ -111,16 +111,17 @@ QString wanted_in(const Rubric& rubric, const std::string& metric) {
 }
 
 /// What earns full points, now and before; empty if that is the same.
-QString bands_message(const std::string& metric, const Rubric& before, const Rubric& after) {
-  const QString was = wanted_in(before, metric), is = wanted_in(after, metric);
+QString bands_message(const std::string& metric, const Scenario& before, const Scenario& after) {
+  const QString was = wanted_in(before.rubric, metric), is = wanted_in(after.rubric, metric);
   if (was == is) return {};
-  return ChangeText::tr("%1: %2, was %3").arg(ChangeText::tr("Full points for %1").arg(isolate(metric_name(metric))), isolate(is), isolate(was));
+  const QString full = ChangeText::tr("Full points for %1").arg(isolate(metric_name(metric, &after.target)));
+  return ChangeText::tr("%1: %2, was %3").arg(full, isolate(is), isolate(was));
 }
 
 }  // namespace
 
-QString change_message(const Change& c) {
-  const QString name = place_name(c);
+QString change_message(const Change& c, const Region* whole) {
+  const QString name = place_name(c, whole);
   if (c.before && c.after) {
     //: %1: what changed ("Depth"), %2: its value now, %3: its value before
     return ChangeText::tr("%1: %2, was %3").arg(name, value_text(c, *c.after), value_text(c, *c.before));
@@ -137,8 +138,9 @@ QString change_message(const Change& c) {
 QStringList change_messages(const Scenario& before, const Scenario& after) {
   QStringList out;
   for (const Change& change : compare(before, after)) {
-    const QString bands = change.path == "/rubric/criteria/*/bands" ? bands_message(change.part, before.rubric, after.rubric) : QString();
-    out << (bands.isEmpty() ? change_message(change) : bands);
+    const QString bands = change.path == "/rubric/criteria/*/bands" ? bands_message(change.part, before, after) : QString();
+    const Scenario& has_it = change.kind == ChangeKind::removed ? before : after;
+    out << (bands.isEmpty() ? change_message(change, &has_it.target) : bands);
   }
   out.removeDuplicates();
   return out;

@@ -8,8 +8,8 @@
 
 namespace cusp::ui {
 
-/// "Depth: 1.50 mm, was 2.00 mm".
-QString change_message(const Change& change);
+/// "Depth: 1.50 mm, was 2.00 mm". `whole`: the target of the exercise that has it, for the titles of several.
+QString change_message(const Change& change, const Region* whole = nullptr);
 /// One line for each difference, none twice.
 QStringList change_messages(const Scenario& before, const Scenario& after);
 

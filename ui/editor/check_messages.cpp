@@ -62,7 +62,7 @@ QString range_message(const Finding& f, double value, double least, double most)
 }
 
 /// Message of a finding of scenarios/checks; empty for any other.
-QString exercise_message(const Finding& f, double value, double limit) {
+QString exercise_message(const Finding& f, const Region* whole, double value, double limit) {
   const QString& c = QString::fromStdString(f.code);
   const bool title = f.path.starts_with("/title");
   if (c == u"target_holds_pulp") {
@@ -85,7 +85,7 @@ QString exercise_message(const Finding& f, double value, double limit) {
         .arg(format_points(value));
   }
   if (c == u"weight_vanishes") {
-    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail));
+    return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, whole));
   }
   if (c == u"text_of_template") {
     return title ? CheckText::tr("The title in %1 is still that of the exercise it was copied from.").arg(language_of(f))
@@ -107,7 +107,7 @@ double arg_of(const Finding& f, const char* key) {
 }
 
 /// Message of a finding about the target; empty for any other.
-QString target_message(const Finding& f, double value, double limit) {
+QString target_message(const Finding& f, const Region* whole, double value, double limit) {
   const QString c = QString::fromStdString(f.code);
   if (c == u"no_target" || c == u"empty_target") return CheckText::tr("There is no target to cut.");
   if (c == u"no_direction") return CheckText::tr("A shape of the target has no direction: an axis has no length, or two are parallel.");
@@ -132,7 +132,7 @@ QString target_message(const Finding& f, double value, double limit) {
   if (c == u"point_off_floor") return CheckText::tr("A point of the target does not lie on its floor.");
   if (c == u"target_scores_less") {
     return CheckText::tr("An attempt that meets the target exactly loses %1 points for %2.")
-        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail));
+        .arg(format_points(arg_of(f, "lost")), metric_name(f.detail, whole));
   }
   if (c == u"target_opens_pulp") {
     return f.detail == "horn"
@@ -146,7 +146,7 @@ QString target_message(const Finding& f, double value, double limit) {
 }
 
 /// Message of a finding about burs and handpieces; empty for any other.
-QString tool_message(const Finding& f, double value, double limit) {
+QString tool_message(const Finding& f, const Region* whole, double value, double limit) {
   const QString c = QString::fromStdString(f.code);
   const QString name = QString::fromStdString(f.detail);
   if (c == u"no_instrument") return CheckText::tr("There is no bur to work with. Add one.");
@@ -168,24 +168,24 @@ QString tool_message(const Finding& f, double value, double limit) {
                                : CheckText::tr("Vibration needs a handpiece.");
   }
   if (c == u"heat_missing") {
-    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail));
+    return CheckText::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail, whole));
   }
   return {};
 }
 
 }  // namespace
 
-QString check_message(const Finding& f) {
+QString check_message(const Finding& f, const Region* whole) {
   const QString c = QString::fromStdString(f.code);
   const double value = arg_of(f, "value"), limit = arg_of(f, "limit");
   if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg_of(f, "least"), arg_of(f, "most"));
   for (const auto message : {exercise_message, target_message, tool_message})
-    if (const QString found = message(f, value, limit); !found.isEmpty()) return found;
+    if (const QString found = message(f, whole, value, limit); !found.isEmpty()) return found;
   if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
-  if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail));
-  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
+  if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail, whole));
+  if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail, whole));
   if (c == u"bands_not_ordered") {
-    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
+    return CheckText::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail, whole));
   }
   if (c == u"pass_unreachable") {
     return CheckText::tr("The pass mark %1 is out of reach: at most %2 points can be had.")

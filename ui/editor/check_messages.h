@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include "scenarios/format/scenario.h"
 #include "scenarios/format/validate.h"
 #include "ui/modules.h"
 
@@ -11,8 +12,9 @@ namespace cusp::ui {
 
 enum class EditorPlace { title, tooth, shape, points, burs, tissues };
 
-/// "The target reaches out of the tooth: its edge lies at 12.3 mm, the tooth ends at 11.0 mm."
-QString check_message(const Finding& finding);
+/// "The target reaches out of the tooth: its edge lies at 12.3 mm, the tooth ends at 11.0 mm." `whole`: the exercise's target, for
+/// the titles of several.
+QString check_message(const Finding& finding, const Region* whole = nullptr);
 EditorPlace place_of(const Finding& finding);
 
 }  // namespace cusp::ui

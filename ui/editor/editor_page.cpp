@@ -211,7 +211,7 @@ void EditorPage::follow_model() {
                                                                          : tr("ready to publish"));
   checks_chip_->set(failing ? tr("Check fails") : tr("Checks passed"), failing ? Chip::Kind::bad : Chip::Kind::good);
   checks_chip_->setHidden(check_aside_->isHidden());  // set() shows it in a narrow window too
-  check_->setText(wrong > 0 ? check_message(findings.front()) : QString());
+  check_->setText(wrong > 0 ? check_message(findings.front(), &model_->scenario().target) : QString());
   show_->setVisible(wrong > 0);
 }
 

@@ -19,6 +19,7 @@
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -272,6 +273,21 @@ TEST_F(AdminPages, performance_shows_an_exercise_by_criterion_the_hardest_first)
   EXPECT_EQ(at(0, CriterionFiguresModel::kFull), "0 %");
   EXPECT_EQ(at(1, CriterionFiguresModel::kShare), "100 %");
   EXPECT_EQ(at(1, CriterionFiguresModel::kAttempts), "1");
+}
+
+TEST_F(AdminPages, performance_names_a_criterion_of_one_of_several_targets_by_the_target_s_title) {
+  Grade grade = sample_grade(60);
+  for (CriterionGrade& c : grade.criteria) c.id += "@mesial";
+  records.graded_attempt(records.student("1", "Lena Brandt"), "class-1-16", grade, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.exercise()->setCurrentIndex(1);
+  const CriterionFiguresModel& model = page.criteria()->model();
+  ASSERT_GT(model.rowCount(), 0);
+  const QString title = target_title("mesial", &load_builtin("class-1-16")->target);
+  EXPECT_EQ(title, QStringLiteral("mesial cavity"));
+  for (int row = 0; row < model.rowCount(); ++row)
+    EXPECT_TRUE(model.index(row, CriterionFiguresModel::kName).data().toString().contains(title));
 }
 
 }  // namespace

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "scenarios/library/library.h"
 #include "tests/modules.h"
+#include "ui/editor/change_messages.h"
 #include "ui/editor/check_messages.h"
 #include "ui/editor/tissues_form.h"
+#include "ui/text/grade_text.h"
 
 namespace cusp::test {
 namespace {
@@ -30,6 +35,17 @@ TEST(check_messages, every_code_of_the_checks_has_a_message) {
     EXPECT_FALSE(shown.startsWith(QStringLiteral("Something is wrong"))) << code;
     EXPECT_FALSE(shown.contains(u'%')) << shown.toStdString();
   }
+}
+
+TEST(check_messages, and_changes_name_one_of_several_targets_by_its_title) {
+  const Scenario exercise = *load_builtin("class-1-16");
+  const QString named = metric_name("depth_mean@mesial", &exercise.target);
+  EXPECT_NE(named, metric_name("depth_mean@mesial"));
+  EXPECT_TRUE(check_message({Severity::error, "/rubric", "weight_zero", {}, "depth_mean@mesial"}, &exercise.target).contains(named));
+  Scenario lighter = exercise;
+  std::ranges::find(lighter.rubric.criteria, "depth_mean@mesial", &Criterion::metric)->weight += 1;
+  ASSERT_EQ(change_messages(exercise, lighter).size(), 1);
+  EXPECT_TRUE(change_messages(exercise, lighter).front().contains(named));
 }
 
 }  // namespace
