@@ -94,7 +94,7 @@ Stored<void> KeyStateCache::write(SessionId session, const KeyState& state, cons
   put_u64(body, kFormat);
   for (const std::uint8_t byte : session.uuid.bytes) body.push_back(std::byte{byte});
   put_u64(body, state.tick);
-  const auto packed = pack(state.state);
+  const auto packed = pack(state.state, Packing::quick);
   put_u64(body, packed.size());
   body.insert(body.end(), packed.begin(), packed.end());
   body.insert(body.end(), state.process.begin(), state.process.end());

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kTraceSeal = 16;  // bytes of BLAKE2b in front
 constexpr std::byte kTraceFormat{1};    // after the seal
 constexpr int kFields = 12;
+constexpr int kQuickLevel = 1;
 constexpr int kLevel = 9;                // compresses 1 s of inputs in under a millisecond
 constexpr std::size_t kMostVarint = 10;  // bytes of 64 bits in groups of 7
 
@@ -83,10 +84,10 @@ std::unexpected<StorageFailure> bad(const char* detail) { return fail(StorageErr
 
 }  // namespace
 
-std::vector<std::byte> pack(std::span<const std::byte> bytes) {
+std::vector<std::byte> pack(std::span<const std::byte> bytes, Packing packing) {
   std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context{ZSTD_createCCtx(), ZSTD_freeCCtx};
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, packing == Packing::quick ? kQuickLevel : kLevel);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   const std::size_t size = ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
   assert(!ZSTD_isError(size));  // `out` has the bound's size and the parameters are valid
