@@ -5,13 +5,13 @@
 
 #include "engine/base/lanes.h"
 #include "engine/contact/surface_near.h"
-#include "engine/tool/swept.h"
 
 namespace cusp::engine {
 
 namespace {
 
 constexpr double kNoWay2 = 1e-18;    // mm^2: a place nearer to a point or an edge has no direction from it
+constexpr double kRounding = 1e-9;   // mm: far more than a distance to a head is rounded by
 constexpr double kMostShift = 0.06;  // mm: near candidates are reused within this of the last full build
 
 }  // namespace
@@ -32,15 +32,24 @@ inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, 
   if (!plane_of(tool, c, at, slack_mm, plane, trusted)) return;
   double low = glm::dot(plane.n, at) - plane.c;
   if (c.kind == Kind::surface) {
-    // A ball may come under its plane a little further on; for another head nothing is known.
+    // A ball may come under its plane a little further on.
     const double height = glm::dot(c.normal, at) - c.level;
-    if (!tool.ball())
-      low = -slack_mm;
-    else if (height > 0.0)
-      low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
+    if (height > 0.0) low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
   add_constraint(i, {plane.n, plane.c, trusted, low});
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
+}
+
+/// As constrain(), for a head that is no ball. `place`: the candidate's point by the head at `at`.
+inline void SurfaceContact::constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept {
+  const Candidate& c = candidates_[i];
+  Plane plane;
+  bool trusted = false;
+  if (!plane_of_head(tool, c, place, at, slack_mm, plane, trusted)) return;
+  // How far such a head may come under a surface's plane further on is not known.
+  const double low = c.kind == Kind::surface ? -slack_mm : glm::dot(plane.n, at) - plane.c;
+  add_constraint(i, {plane.n, plane.c, trusted, low});
+  near_cut_ = near_cut_ || c.field == Field::cut || c.kind == Kind::edge;
 }
 
 /// Constraints of broad_faces_, two at a time: as plane_of_surface().
@@ -221,13 +230,20 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
   const Reach reach = head_within(tool, slack_mm + beside);
   TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
   shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
+  const double far = step + beside;
+  // A distance to the head changes by no more than the head moves: few are reckoned at `centre` too.
+  const Vec3 moved = at - centre;
+  const double most = std::sqrt(glm::dot(moved, moved)) + kRounding;
   std::size_t looked = 0;
   for_inside(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), shape, [&](int k) {
     const auto i = static_cast<std::size_t>(k);
     known_of(volume, tool, i);
     ++looked;
-    const double far = step + beside;
-    if (head_distance(*tool.bur, tool.axis, candidates_[i].point - centre) <= far) constrain(tool, i, at, slack_mm);
+    const Vec3 point = candidates_[i].point;
+    const ByHead place = by_head(*tool.bur, tool.axis, point - at);
+    if (place.distance > far + most) return;
+    if (place.distance > far - most && head_distance(*tool.bur, tool.axis, point - centre) > far) return;
+    constrain_head(tool, i, place, at, slack_mm);
   });
   return looked;
 }

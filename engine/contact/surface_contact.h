@@ -14,6 +14,7 @@
 #include "engine/contact/kept_planes.h"
 #include "engine/contact/plane_search.h"
 #include "engine/scene/scene.h"
+#include "engine/tool/swept.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
@@ -245,8 +246,9 @@ class SurfaceContact {
     Vec3 at{0.0}, normal{0.0};
     bool deepest = true;  // no place of the head stands deeper over the surface's plane
   };
-  HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, double beside2) const noexcept;
-  bool plane_of_head(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
+  HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double beside2) const noexcept;
+  bool plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm, Plane& plane,
+                     bool& trusted) const noexcept;
   bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page, ToolPart part) noexcept;
@@ -261,6 +263,7 @@ class SurfaceContact {
   void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
+  void constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept;
   struct Constraint { Vec3 normal; double level; bool trusted; double low_mm; };
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;

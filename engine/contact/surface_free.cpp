@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/contact/surface_near.h"
-#include "engine/tool/swept.h"
 
 namespace cusp::engine {
 

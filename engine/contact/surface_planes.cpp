@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/contact/surface_contact.h"
-#include "engine/tool/swept.h"
 
 namespace cusp::engine {
 
@@ -131,13 +130,11 @@ bool SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y
 /// believed there. Else its place at the height along the axis where the head is nearest to the point: a flank, or an end,
 /// that all but lies on the surface, which bends away from the plane before the flank ends; there the head's own normal
 /// holds it off.
-SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot,
+SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point,
                                                    double beside2) const noexcept {
   const Profile& head = tool.bur->head;
-  OnHalf at{glm::dot(point_from_pivot, tool.axis), 0.0};
-  const Vec3 off = point_from_pivot - tool.axis * at.t;
-  at.rho = length_of(off);
-  const Vec3 of_point = at.rho > 0.0 ? off / at.rho : across(tool.axis);
+  const OnHalf at = point.at, gradient = point.gradient;
+  const Vec3 of_point = at.rho > 0.0 ? point.off / at.rho : across(tool.axis);
   OnHalf down{-glm::dot(normal, tool.axis), 0.0};
   const Vec3 sideways = -normal - tool.axis * down.t;
   down.rho = length_of(sideways);
@@ -147,9 +144,7 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
   const Vec3 d = foot.at - point_from_pivot;
   const double height = glm::dot(normal, d);
   if (glm::dot(d, d) - height * height <= beside2) return foot;
-  OnHalf gradient;
-  const double gap = head.distance(at, gradient);
-  const OnHalf near{at.t - gap * gradient.t, at.rho - gap * gradient.rho};
+  const OnHalf near{at.t - point.distance * gradient.t, at.rho - point.distance * gradient.rho};
   foot.deepest = false;
   if (std::fabs(gradient.t) < std::fabs(gradient.rho)) {
     // A flank: on the side that the surface faces.
@@ -176,18 +171,18 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
   return foot;
 }
 
-/// As plane_of, for a head that is no ball.
-bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
+/// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y.
+bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm, Plane& plane,
                                    bool& trusted) const noexcept {
   const double thin = tool.thin(c.field);
   const double beside = kPlaneReach * voxel_mm_;
   trusted = false;
-  Vec3 point = c.point - y;
+  double gap = place.distance + thin;
   Vec3 gradient;
-  double gap = head_distance(*tool.bur, tool.axis, point, gradient) + thin;
   if (c.kind == Kind::surface) {
     if (gap > slack_mm + beside) return false;
-    const HeadFoot foot = head_foot(tool, c.normal, point, beside * beside);
+    const Vec3 point = c.point - y;
+    const HeadFoot foot = head_foot(tool, c.normal, point, place, beside * beside);
     const double facing = glm::dot(c.normal, foot.normal);
     const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;
     const Vec3 d = foot.at - point;
@@ -206,6 +201,7 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
         return true;
       }
     }
+    gradient = gradient_in_space(place, tool.axis);
   } else {
     if (gap > slack_mm + voxel_mm_) return false;
     // The distance along a piece is all but convex: where its slope changes sign.
@@ -213,7 +209,7 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
     const Vec3 tangent = c.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
     const auto slope = [&](double t) {
       const Vec3 turn = twist + t * fourth;
-      point = c.point + t * (tangent + t * (bend + t * turn)) - y;
+      const Vec3 point = c.point + t * (tangent + t * (bend + t * turn)) - y;
       gap = head_distance(*tool.bur, tool.axis, point, gradient) + thin;
       return glm::dot(gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
     };
@@ -238,7 +234,7 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
     trusted = false;
     return plane_of_shank(tool, c, y, slack_mm, plane);
   }
-  if (!tool.ball()) return plane_of_head(tool, c, y, slack_mm, plane, trusted);
+  if (!tool.ball()) return plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm, plane, trusted);
   const double r = tool.bur->radius_mm - tool.thin(c.field);
   if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm, plane, trusted);
   trusted = false;

@@ -22,7 +22,7 @@ SurfaceContact::HeadFoot SurfaceContact::foot_of(const Tool& tool, Field field, 
   const double thin = tool.thin(field);
   if (tool.ball()) return {normal * -(tool.bur->radius_mm - thin), normal, true};
   const double beside = kPlaneReach * voxel_mm_;
-  HeadFoot foot = head_foot(tool, normal, point - pose, beside * beside);
+  HeadFoot foot = head_foot(tool, normal, point - pose, by_head(*tool.bur, tool.axis, point - pose), beside * beside);
   foot.at += foot.normal * thin;
   return foot;
 }

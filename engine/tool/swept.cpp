@@ -91,6 +91,17 @@ Vec3 head_furthest(const Bur& bur, Vec3 axis, Vec3 direction) noexcept {
   return in_space(axis, way, at);
 }
 
+ByHead by_head(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
+  ByHead out;
+  out.at.t = glm::dot(from_pivot, axis);
+  out.off = from_pivot - axis * out.at.t;
+  out.at.rho = std::sqrt(glm::dot(out.off, out.off));
+  out.distance = bur.head.distance(out.at, out.gradient);
+  return out;
+}
+
+Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept { return in_space(axis, {place.at, place.off}, place.gradient); }
+
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
   if (bur.head.ball()) return std::sqrt(glm::dot(from_pivot, from_pivot)) - bur.radius_mm;
   OnHalf gradient;
@@ -99,11 +110,9 @@ double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
 
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
   if (bur.head.ball()) return ball_distance(bur.radius_mm, axis, from_pivot, gradient);
-  const Cylindrical place = by_axis(axis, from_pivot);
-  OnHalf on_half;
-  const double distance = bur.head.distance(place.at, on_half);
-  gradient = in_space(axis, place, on_half);
-  return distance;
+  const ByHead place = by_head(bur, axis, from_pivot);
+  gradient = gradient_in_space(place, axis);
+  return place.distance;
 }
 
 Vec3 head_support(const Bur& bur, Vec3 axis, Vec3 direction, Vec3 near) noexcept {

@@ -14,6 +14,17 @@ inline double head_reach(const Bur& bur) noexcept { return bur.head.ball() ? bur
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept;
 double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept;
 
+/// A place by a head that is no ball: in the half plane that holds it, and the head's distance and gradient there.
+struct ByHead {
+  OnHalf at;
+  Vec3 off{0.0};  // from the axis; at.rho long
+  double distance = 0.0;
+  OnHalf gradient;
+};
+ByHead by_head(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept;
+/// Of a place's distance, as head_distance() gives it.
+Vec3 gradient_in_space(const ByHead& place, Vec3 axis) noexcept;
+
 /// From the pivot: the head's place furthest along a unit direction, by Profile::support().
 Vec3 head_furthest(const Bur& bur, Vec3 axis, Vec3 direction) noexcept;
 
