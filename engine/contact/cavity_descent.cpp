@@ -60,15 +60,15 @@ bool CavityWalls::add_runs(const Volume& volume, const Cutting& cutting, Descent
 /// The surfaces about where it stands.
 int CavityWalls::sides_at(const Volume& volume, const Descent& d, Side* out) noexcept {
   const Vec3 x = d.x;
-  sweeps_.deepest_each({d.run, static_cast<std::size_t>(d.runs)}, x, out);
-  int count = d.runs;
+  const double reach = kSideReachVoxels * voxel_mm_;
+  int count = sweeps_.deepest_each({d.run, static_cast<std::size_t>(d.runs)}, x, reach, out);
   if (d.near_base) {
     const FieldPoint base = void_.base(volume, x);
     if (base.known) out[count++] = {Sweeps::kNone, Vec3(0.0), base.normal, base.d_mm};
   }
   double deepest = -1e300;
   for (int k = 0; k < count; ++k) deepest = std::max(deepest, out[k].depth_mm);
-  const double least = deepest - kSideReachVoxels * voxel_mm_;
+  const double least = deepest - reach;
   int kept = 0;
   for (int k = 0; k < count; ++k) {
     if (out[k].depth_mm <= least) continue;

@@ -129,7 +129,7 @@ class CavityWalls {
     bool in_void = false;
     bool at_rest = false;  // nowhere nearby is nearer
     // All that the cells on its way have named: one cell's names alone would let it go round in circles.
-    static constexpr int kMostRuns = 20;
+    static constexpr int kMostRuns = Sweeps::kMostRuns;
     SweepRun run[kMostRuns];
     IVec3 cell{1 << 30};
     int runs = 0;

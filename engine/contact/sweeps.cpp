@@ -12,6 +12,7 @@ namespace cusp::engine {
 namespace {
 constexpr std::size_t kEntryBytes = 3 * 4 + 1;  // a place as saved
 constexpr double kNoWayMm = 1e-12;             // a place so near to a way has no direction to it
+constexpr float kRoundedMm = 1e-4f;           // far more than floats round a depth by, of places up to 100 mm from the middle
 constexpr float kBeyond = 1e30f;              // mm², further than any sweep
 constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();  // after every id
 }  // namespace
@@ -181,15 +182,27 @@ Sweeps::Deepest Sweeps::deepest(std::span<const SweepRun> runs, Vec3 p) const no
   return deepest == kNone ? Deepest{} : in_sweep(deepest, p);
 }
 
-void Sweeps::deepest_each(std::span<const SweepRun> runs, Vec3 p, Deepest* out) const noexcept {
+int Sweeps::deepest_each(std::span<const SweepRun> runs, Vec3 p, double within_mm, Deepest* out) const noexcept {
   const Vec3f q(p - middle_);
-  float d2;
-  std::size_t k = 0;
-  for (; k + 2 <= runs.size(); k += 2) {
-    const std::int32_t id[2] = {nearest_of(runs[k], q, d2), nearest_of(runs[k + 1], q, d2)};
-    in_two_sweeps(id, p, out + k);
+  std::int32_t id[kMostRuns];
+  float depth[kMostRuns];
+  float deepest = -kBeyond;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    float d2;
+    id[k] = nearest_of(runs[k], q, d2);
+    depth[k] = static_cast<float>(radius_mm(id[k])) - std::sqrt(d2);
+    deepest = std::max(deepest, depth[k]);
   }
-  if (k < runs.size()) out[k] = in_sweep(nearest_of(runs[k], q, d2), p);
+  const float least = deepest - static_cast<float>(within_mm) - kRoundedMm;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    id[kept] = id[k];
+    kept += depth[k] >= least;
+  }
+  std::size_t k = 0;
+  for (; k + 2 <= kept; k += 2) in_two_sweeps({id[k], id[k + 1]}, p, out + k);
+  if (k < kept) out[k] = in_sweep(id[k], p);
+  return static_cast<int>(kept);
 }
 
 bool Sweeps::holds(SweepRun run, Vec3 p, double tolerance_mm) const noexcept {

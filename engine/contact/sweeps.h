@@ -88,8 +88,10 @@ class Sweeps {
   /// How deep p lies in what a run, or runs, have swept. Pre: no run is empty.
   Deepest deepest(SweepRun run, Vec3 p) const noexcept;
   Deepest deepest(std::span<const SweepRun> runs, Vec3 p) const noexcept;
-  /// The same of each run apart, in order; out holds as many.
-  void deepest_each(std::span<const SweepRun> runs, Vec3 p, Deepest* out) const noexcept;
+  static constexpr std::size_t kMostRuns = 20;
+  /// The same of each run apart, in order, but for those that p lies less deep in than in the deepest, by within_mm and some
+  /// micrometres at least. How many; out holds as many as there are runs, at most kMostRuns.
+  int deepest_each(std::span<const SweepRun> runs, Vec3 p, double within_mm, Deepest* out) const noexcept;
   /// Squared distances of p to the ways of a run's sweeps, in order, four at a time; the least of them.
   float distances2(SweepRun run, Vec3 p, float* out) const noexcept;
   /// True if a run holds p deeper than tolerance_mm.

@@ -44,6 +44,34 @@ TEST(Sweeps, no_place_of_the_way_is_further_than_a_tenth_of_a_micrometre_from_th
   for (int k = 0; k <= kHandTicks; ++k) EXPECT_GT(depth(sweeps, hand(k)), kSweptMm - 1e-4) << k;
 }
 
+TEST(Sweeps, of_several_runs_all_are_kept_that_are_nearly_as_deep_as_the_deepest) {
+  const Sweeps sweeps = hand_sweeps();
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::int32_t> any(0, sweeps.size() - 1);
+  std::uniform_real_distribution<double> off(-0.5, 0.5);
+  constexpr double kWithinMm = 0.05;
+  int left_out = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<SweepRun> runs;
+    for (int k = 0; k < 1 + i % 7; ++k) runs.push_back(sweeps.about(any(random), 3, 4));
+    const Vec3 p = sweeps[runs[0].from].a + Vec3(off(random), off(random), off(random));
+    std::vector<Sweeps::Deepest> one, kept(runs.size());
+    double most = -1e300;
+    for (const SweepRun& run : runs) most = std::max(most, one.emplace_back(sweeps.deepest(run, p)).depth_mm);
+    std::erase_if(one, [&](const Sweeps::Deepest& d) { return d.depth_mm < most - kWithinMm - 1e-4; });
+    kept.resize(static_cast<std::size_t>(sweeps.deepest_each(runs, p, kWithinMm, kept.data())));
+    ASSERT_EQ(kept.size(), one.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(kept[k].sweep, one[k].sweep);
+      EXPECT_EQ(kept[k].depth_mm, one[k].depth_mm);
+      EXPECT_EQ(kept[k].on, one[k].on);
+      EXPECT_EQ(kept[k].inwards, one[k].inwards);
+    }
+    left_out += static_cast<int>(runs.size() - kept.size());
+  }
+  EXPECT_GT(left_out, 1000);
+}
+
 TEST(Sweeps, the_nearest_of_a_run_is_the_nearest_of_all_its_sweeps) {
   const Sweeps sweeps = hand_sweeps();
   std::mt19937 random(5);
