@@ -25,7 +25,10 @@ struct PdfText {
 };
 
 // Pixels of the screen at 100 %; `unit` of the paper to each.
-constexpr double kToothHigh = 250, kToothRatio = 1.35;  // of the picture, and how much wider than high it is
+constexpr double kToothHigh = 250, kToothLeast = 130;  // of the picture: usual, and beside the legend where a table is long
+constexpr double kToothRatio = 1.35;                    // how much wider than high it is
+constexpr double kFoot = 28, kRow = 18;                 // of what identifies the attempt; a line of the table
+constexpr double kBelowTooth = 14;                      // between the picture and the table
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
 constexpr double kRemarkFoot = 60;                      // left free below the last remark of a sheet
 constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time" that fit one page
@@ -91,9 +94,9 @@ std::vector<PaperAdvice> advice_on_paper(const ReportData& data, const DrawnToot
   return out;
 }
 
-void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperAdvice>& marked, const Tokens& t) {
+void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperAdvice>& marked, double high, const Tokens& t) {
   const QRectF page = paper.page();
-  const QRectF where(page.left(), paper.y(), paper.u(kToothHigh * kToothRatio), paper.u(kToothHigh));
+  const QRectF where(page.left(), paper.y(), paper.u(high * kToothRatio), paper.u(high));
   QPainter& p = paper.painter();
   if (!tooth) {
     p.fillRect(where, t.sunken);
@@ -123,6 +126,13 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
   p.restore();
 }
 
+/// A name that is wider than its column takes a second line.
+double high_of_name(Paper& paper, const QString& name, const QRectF& cell) {
+  paper.painter().setFont(paper.font(11));
+  const QRectF room(cell.left(), cell.top(), cell.width(), paper.u(10 * kRow));
+  return std::max(paper.u(kRow), paper.painter().boundingRect(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, name).height());
+}
+
 void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   CriteriaModel model(d.result.grade, d.result.scenario, d.changes);
   model.set_own(d.own);
@@ -130,10 +140,11 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   const QRectF page = paper.page();
   const std::vector<double> widths = rated ? std::vector{0.32, 0.19, 0.17, 0.19, 0.13} : std::vector{0.36, 0.22, 0.2, 0.22};
   constexpr int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints, CriteriaModel::kOwn};
+  double high = paper.u(kRow);
   const auto cell = [&](std::size_t i) {
     double x = page.left();
     for (std::size_t j = 0; j < i; ++j) x += widths[j] * page.width();
-    return QRectF(x, paper.y(), widths[i] * page.width() - paper.u(10), paper.u(18));
+    return QRectF(x, paper.y(), widths[i] * page.width() - paper.u(10), high);
   };
   for (std::size_t i = 0; i < widths.size(); ++i) {
     const bool at_right = i == 1 || i == 3;
@@ -147,6 +158,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   for (int row = 0; row < model.rowCount(); ++row) {
     paper.skip(3);
     const CriterionGrade& c = model.criterion(row);
+    high = high_of_name(paper, model.index(row, CriteriaModel::kName).data().toString(), cell(0));
     for (std::size_t i = 0; i < widths.size(); ++i) {
       const QModelIndex at = model.index(row, columns[i]);
       QString text = model.data(at, Qt::DisplayRole).toString();
@@ -155,14 +167,15 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
       const bool at_right = i == 1 || i == 3;
       paper.painter().setFont(paper.font(11, i == 3 ? Weight::bold : Weight::regular));
       paper.painter().setPen(t.text);
-      paper.painter().drawText(cell(i), (at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
+      const int wrap = i == 0 ? Qt::TextWordWrap : 0;
+      paper.painter().drawText(cell(i), static_cast<int>((at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter) | wrap, text);
     }
     if (c.points_max > 0) {
       const QRectF last = cell(3);
       paint_bar(paper.painter(), QRectF(last.left(), last.center().y() - paper.u(2.5), paper.u(44), paper.u(5)),
                 c.points / c.points_max, colour_of(model.bar_role(row)), t.sunken);
     }
-    paper.skip(20);
+    paper.skip(high / paper.u(1) + 2);
     if (const QString change = model.change(row); !change.isEmpty()) {
       // One line: the remarks have the whole reason.
       const QRectF line(page.left() + paper.u(10), paper.y() - paper.u(3), page.width() - paper.u(20), paper.u(15));
@@ -199,10 +212,10 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
 }
 
 /// Legend of the difference map, at the right of the tooth.
-void write_legend(Paper& paper, const Tokens& t) {
+void write_legend(Paper& paper, double high, const Tokens& t) {
   QPainter& painter = paper.painter();
   const QRectF page = paper.page();
-  const double x = page.left() + paper.u(kToothHigh * kToothRatio + 20), w = page.right() - x;
+  const double x = page.left() + paper.u(high * kToothRatio + 20), w = page.right() - x;
   const ToothColours& c = ToothColours::get();
   const std::pair<QString, QColor> lines[] = {{PdfText::tr("uncut remainder, 0.5 mm and more"), c.map[0]},
                                               {PdfText::tr("uncut remainder, 0.3 mm"), c.map[1]},
@@ -250,6 +263,28 @@ void write_remarks(QPainter& painter, const QRectF& page, double unit, const Rep
   }
 }
 
+/// How high table and advice are, px at 100 %. Draws them beyond a picture of one pixel.
+double height_of_rest(const QRectF& page, double unit, const ReportData& d, const std::vector<PaperAdvice>& advice, const Tokens& t) {
+  QImage nothing(1, 1, QImage::Format_RGB32);
+  QPainter painter(&nothing);
+  Paper paper(painter, QRectF(page.left(), page.top(), page.width(), 10 * page.height()), unit);
+  write_criteria(paper, d, t);
+  write_next_time(paper, d, advice, t);
+  return (paper.y() - page.top()) / unit;
+}
+
+/// How high the picture may be. Leaves out the last advice where the page would still be too short.
+double fit_to_page(const Paper& paper, const ReportData& d, std::vector<PaperAdvice>& advice, const Tokens& t) {
+  const QRectF& page = paper.page();
+  const double unit = paper.u(1), room = (page.bottom() - paper.y()) / unit - kFoot - kBelowTooth;
+  double high = room - height_of_rest(page, unit, d, advice, t);
+  while (high < kToothLeast && advice.size() > 1) {
+    advice.pop_back();
+    high = room - height_of_rest(page, unit, d, advice, t);
+  }
+  return std::clamp(high, kToothLeast, kToothHigh);
+}
+
 }  // namespace
 
 QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<QPointF>& taken) {
@@ -291,10 +326,11 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   Paper paper(painter, page, unit);
   write_head(paper, data, t);
   write_score(paper, data, t);
-  const std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
-  write_tooth(paper, tooth, advice, t);
-  write_legend(paper, t);
-  paper.skip(kToothHigh + 14);
+  std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
+  const double high = fit_to_page(paper, data, advice, t);
+  write_tooth(paper, tooth, advice, high, t);
+  write_legend(paper, high, t);
+  paper.skip(high + kBelowTooth);
   write_criteria(paper, data, t);
   write_next_time(paper, data, advice, t);
   // Foot: what identifies the attempt.

@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <filesystem>
 
@@ -95,6 +96,38 @@ TEST(ReportPdf, holds_the_picture_of_the_tooth) {
   ASSERT_TRUE(write_report_pdf(file, data, tooth));
   EXPECT_GE(images_in(file).size(), 1) << "no image in the PDF";
   EXPECT_EQ(text_in(file).find("could not be drawn"), std::string::npos);
+}
+
+/// Lower edges of a page's words, and the upper edge of its first foot's word.
+struct Edges {
+  double lowest = 0, foot = 0;
+};
+Edges edges_in(const std::filesystem::path& file) {
+  QProcess text;
+  text.start(QStringLiteral("pdftotext"), {QStringLiteral("-bbox"), QStringLiteral("-l"), QStringLiteral("1"), QString::fromStdString(file.string()), QStringLiteral("-")});
+  if (!text.waitForFinished(60'000)) return {};
+  static const QRegularExpression word(QStringLiteral("yMin=\"([0-9.]+)\" xMax=\"[0-9.]+\" yMax=\"([0-9.]+)\">([^<]*)<"));
+  Edges out;
+  for (const QRegularExpressionMatch& m : word.globalMatch(QString::fromUtf8(text.readAllStandardOutput()))) {
+    if (m.captured(3) == QStringLiteral("Engine")) out.foot = m.captured(1).toDouble();
+    if (out.foot == 0) out.lowest = std::max(out.lowest, m.captured(2).toDouble());
+  }
+  return out;
+}
+
+TEST(ReportPdf, has_room_for_long_names_and_all_advice_of_the_longest_rubric_above_its_foot) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  CriterionGrade lost = data.result.grade.criteria.at(1);
+  lost.id = "gingival_above_cej";
+  for (std::size_t i = 2; i < 17; ++i) data.result.grade.criteria.push_back(lost);
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const Edges edges = edges_in(file);
+  EXPECT_GT(edges.lowest, 0);
+  EXPECT_GT(edges.foot, edges.lowest);
+  const std::string text = text_in(file);
+  EXPECT_NE(text.find("junction"), std::string::npos) << text;
 }
 
 TEST(ReportPdf, has_a_picture_of_each_lost_place_of_the_longest_rubric_on_its_second_page) {
