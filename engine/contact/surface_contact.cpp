@@ -11,13 +11,18 @@ namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// Crossing cells within reach of the widest bur: the ball's own area twice over (two fields), and the shank's.
+/// Crossing cells within reach of the widest bur: the ball's own area twice over (two fields), and that of neck and shank, as
+/// far as the specimen is long.
 std::size_t candidate_room(const Scene& scene) {
   const double h = scene.specimen->grid().voxel_mm;
+  const Vec3 size = Vec3(scene.specimen->brick_count() * kBrickEdge) * h;
+  const double longest = length_of(size);
   double most = 0.0;
   for (const Bur& bur : scene.burs) {
     const double r = (bur.radius_mm + 0.6) / h;
-    const double shank = (bur.neck_radius_mm + 0.6) * bur.neck_length_mm / (h * h);
+    const double neck_mm2 = (bur.neck_radius_mm + 0.6) * bur.neck_length_mm;
+    const double shank_mm2 = (bur.shank_radius_mm + 0.6) * std::min(bur.shank_length_mm, longest);
+    const double shank = (neck_mm2 + shank_mm2) / (h * h);
     const double flank = bur.head.ball() ? 0.0 : 6.3 * r * (bur.head.high() - bur.head.low()) / h;
     most = std::max(most, 4.0 * 3.15 * r * r * 2.0 + 6.3 * shank * 1.5 + 3.0 * flank);
   }

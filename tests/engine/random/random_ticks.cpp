@@ -289,6 +289,12 @@ TEST_P(RandomTicks, with_every_phenomenon_on_forces_stay_finite_and_limited) {
   EXPECT_TRUE(counts.stalled > 0 || GetParam() == Method::penalty);  // whose push ends at the depth of its shell
 }
 
+TEST(ShankInTissue, has_room_for_all_that_is_about_it) {
+  constexpr std::uint64_t kSeed = 98;  // whose shank has 7,743 cells about it at tick 12,661
+  Counts counts;
+  run_seed(scene_for(Method::surface, tooth), kSeed, 13'000, counts);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, RandomTicks,
                          testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot, Method::ray,
                                          Method::penalty, Method::gradient),
