@@ -27,7 +27,9 @@ struct PdfText {
 // Pixels of the screen at 100 %; `unit` of the paper to each.
 constexpr double kToothHigh = 250, kToothLeast = 130;  // of the picture: usual, and beside the legend where a table is long
 constexpr double kToothRatio = 1.35;                    // how much wider than high it is
-constexpr double kFoot = 28, kRow = 18;                 // of what identifies the attempt; a line of the table
+constexpr double kRow = 18;                             // a line of the table
+constexpr double kAboveFoot = 14, kFootType = 8.5;      // between the advice and the foot; size of its type
+constexpr int kFootFlags = static_cast<int>(Qt::AlignLeft | Qt::AlignBottom) | Qt::TextWordWrap;
 constexpr double kBelowTooth = 14;                      // between the picture and the table
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
 constexpr double kRemarkFoot = 60;                      // left free below the last remark of a sheet
@@ -127,7 +129,7 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
 }
 
 /// A name that is wider than its column takes a second line.
-double high_of_name(Paper& paper, const QString& name, const QRectF& cell) {
+double height_of_name(Paper& paper, const QString& name, const QRectF& cell) {
   paper.painter().setFont(paper.font(11));
   const QRectF room(cell.left(), cell.top(), cell.width(), paper.u(10 * kRow));
   return std::max(paper.u(kRow), paper.painter().boundingRect(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, name).height());
@@ -158,7 +160,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   for (int row = 0; row < model.rowCount(); ++row) {
     paper.skip(3);
     const CriterionGrade& c = model.criterion(row);
-    high = high_of_name(paper, model.index(row, CriteriaModel::kName).data().toString(), cell(0));
+    high = height_of_name(paper, model.index(row, CriteriaModel::kName).data().toString(), cell(0));
     for (std::size_t i = 0; i < widths.size(); ++i) {
       const QModelIndex at = model.index(row, columns[i]);
       QString text = model.data(at, Qt::DisplayRole).toString();
@@ -273,10 +275,20 @@ double height_of_rest(const QRectF& page, double unit, const ReportData& d, cons
   return (paper.y() - page.top()) / unit;
 }
 
+/// What identifies the attempt, at the page's foot.
+QString foot_text(const ReportData& d) {
+  QString foot = PdfText::tr("Engine %1, marking %2").arg(d.result.engine_version).arg(QString::fromStdString(d.result.grade.evaluator));
+  if (!d.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(d.result.session.text());
+  if (d.result.changes) foot = changes_text(*d.result.changes, &d.result.scenario.target) + u'\n' + foot;
+  return foot;
+}
+
 /// How high the picture may be. Leaves out the last advice where the page would still be too short.
-double fit_to_page(const Paper& paper, const ReportData& d, std::vector<PaperAdvice>& advice, const Tokens& t) {
+double fit_to_page(Paper& paper, const ReportData& d, std::vector<PaperAdvice>& advice, const Tokens& t) {
   const QRectF& page = paper.page();
-  const double unit = paper.u(1), room = (page.bottom() - paper.y()) / unit - kFoot - kBelowTooth;
+  paper.painter().setFont(paper.font(kFootType));
+  const double foot = paper.painter().boundingRect(page, kFootFlags, foot_text(d)).height();
+  const double unit = paper.u(1), room = (page.bottom() - foot - paper.y()) / unit - kAboveFoot - kBelowTooth;
   double high = room - height_of_rest(page, unit, d, advice, t);
   while (high < kToothLeast && advice.size() > 1) {
     advice.pop_back();
@@ -333,13 +345,9 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   paper.skip(high + kBelowTooth);
   write_criteria(paper, data, t);
   write_next_time(paper, data, advice, t);
-  // Foot: what identifies the attempt.
-  painter.setFont(paper.font(8.5));
+  painter.setFont(paper.font(kFootType));
   painter.setPen(t.text3);
-  QString foot = PdfText::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
-  if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
-  if (data.result.changes) foot = changes_text(*data.result.changes, &data.result.scenario.target) + u'\n' + foot;
-  painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, foot);
+  painter.drawText(page, kFootFlags, foot_text(data));
   if (tooth && !tooth->closeups.empty()) {
     new_page();
     Paper second(painter, page, unit);
