@@ -290,7 +290,7 @@ TEST_P(RandomTicks, with_every_phenomenon_on_forces_stay_finite_and_limited) {
 }
 
 TEST(ShankInTissue, has_room_for_all_that_is_about_it) {
-  constexpr std::uint64_t kSeed = 98;  // whose shank has 7,743 cells about it at tick 12,661
+  constexpr std::uint64_t kSeed = 98;  // at tick 12,661 more than 7,743 cells lie about its shank
   Counts counts;
   run_seed(scene_for(Method::surface, tooth), kSeed, 13'000, counts);
 }
