@@ -119,25 +119,6 @@ struct DrillGauges : testing::Test {
   }
 };
 
-TEST(DrillLayout, with_large_text_in_half_a_full_hd_screen_depth_can_be_held_in_an_assessment) {
-  apply_theme(*qApp, ColourScheme::light, 200);
-  DrillStage stage;
-  stage.resize(624, 409);
-  stage.show();
-  Scenario scenario;
-  scenario.target.outline.shape = "channel";
-  scenario.target.outline.paths = {{{-4, 0, -1.8}, {4, 0, -1.8}}};
-  stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway, nullptr),
-                     {.bounds = {{-10, -10, -10}, {10, 10, 0}}, .guidance = Guidance::silent, .by_mouse = true});
-  QApplication::processEvents();
-  for (const QPushButton* button : stage.findChildren<QPushButton*>()) {
-    if (button->text() == QStringLiteral("Hold depth")) {
-      EXPECT_TRUE(stage.rect().contains(button->geometry())) << button->geometry().bottom();
-    }
-  }
-  apply_theme(*qApp, ColourScheme::light, 100);
-}
-
 TEST_F(DrillGauges, the_depth_scale_shows_what_is_too_deep_and_the_pulp) {
   EXPECT_DOUBLE_EQ(gauge("Depth").most(), 4.0);  // pulp at 3.1, and half a millimetre beyond it
   EXPECT_DOUBLE_EQ(depth_scale_mm({.required_mm = 1.8, .leeway_mm = 0.2}), 3.0);
