@@ -363,7 +363,7 @@ void DrillStage::place_gauges(int gap) {
   depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - below_depth));
   push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - below_push));
   hold_->setFixedWidth(depth.width());
-  hold_->move(gap, std::min(depth_->geometry().bottom() + px(6), h - gap - hold_->height()));
+  hold_->move(gap, depth_->geometry().bottom() + px(6));
   if (scarce) {
     wanted_push_->move(w - gap - wanted_push_->width(), tools_->geometry().center().y() - wanted_push_->height() / 2);
   } else {
