@@ -281,6 +281,10 @@
         <source>Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.</source>
         <translation>Tiefe, Punkte und Hinweise werden nicht gezeigt, auf einem Zahn auch nicht das Ziel. Das Ergebnis kommt, wenn es freigegeben wird.</translation>
     </message>
+    <message>
+        <source>Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.</source>
+        <translation>Ihr Zahn wird für Sie gelost; andere haben andere. Nach einer Unterbrechung haben Sie denselben.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentForm</name>
@@ -358,6 +362,30 @@
     <message>
         <source>Days since the self-test</source>
         <translation>Tage seit dem Selbsttest</translation>
+    </message>
+    <message>
+        <source>Another tooth for each candidate</source>
+        <translation>Für jeden Kandidaten ein anderer Zahn</translation>
+    </message>
+    <message>
+        <source>Of the same number, with its target fitted to it. The session keeps which tooth it was.</source>
+        <translation>Mit derselben Nummer und einem Ziel, das ihm angepasst ist. Die Sitzung hält fest, welcher Zahn es war.</translation>
+    </message>
+    <message>
+        <source>Its title or briefing was edited: figures in them stay those of the exercise’s own tooth.</source>
+        <translation>Titel oder Aufgabe wurden bearbeitet: Zahlen darin bleiben die des eigenen Zahns der Übung.</translation>
+    </message>
+    <message>
+        <source>All have the exercise’s own tooth: no template made this exercise.</source>
+        <translation>Alle haben den Zahn der Übung: Sie entstand aus keiner Vorlage.</translation>
+    </message>
+    <message>
+        <source>All have the exercise’s own tooth: its target was edited after the template made it.</source>
+        <translation>Alle haben den Zahn der Übung: Ihr Ziel wurde nach der Vorlage noch bearbeitet.</translation>
+    </message>
+    <message>
+        <source>All have the exercise’s own tooth: its template fits no other.</source>
+        <translation>Alle haben den Zahn der Übung: Ihre Vorlage passt auf keinen anderen.</translation>
     </message>
 </context>
 <context>
@@ -1374,6 +1402,10 @@
     <message>
         <source>Landmarks of the tooth</source>
         <translation>Landmarken des Zahns</translation>
+    </message>
+    <message>
+        <source>Template and its values</source>
+        <translation>Vorlage und ihre Werte</translation>
     </message>
 </context>
 <context>
@@ -8389,6 +8421,11 @@
         <source>Time, force and heat are not measured</source>
         <translation>Zeit, Kraft und Wärme sind nicht gemessen</translation>
     </message>
+    <message>
+        <source>drawn tooth, seed %1</source>
+        <extracomment>A tooth that an assessment drew for one candidate; the number makes it again.</extracomment>
+        <translation>geloster Zahn, Startwert %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -12318,6 +12355,22 @@ Ihr bester davor</translation>
     <message>
         <source>The rest counts only as far as its own target was cut, the least of it: %1.</source>
         <translation>Der Rest zählt nur so weit, wie das eigene Ziel präpariert wurde, am wenigsten: %1.</translation>
+    </message>
+    <message>
+        <source>No tooth was found that suits this exercise.</source>
+        <translation>Es wurde kein Zahn gefunden, der sich für diese Übung eignet.</translation>
+    </message>
+    <message>
+        <source>Tell the invigilator. No attempt was started or counted (%1).</source>
+        <translation>Sagen Sie es der Aufsicht. Es wurde kein Versuch begonnen oder gezählt (%1).</translation>
+    </message>
+    <message>
+        <source>another tooth for each candidate</source>
+        <translation>für jeden Kandidaten ein anderer Zahn</translation>
+    </message>
+    <message>
+        <source>Only an assessment draws a tooth for each candidate.</source>
+        <translation>Nur eine Prüfung lost für jeden Kandidaten einen Zahn.</translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,7 @@ struct NamedList {
   std::string_view path, key;
 };
 constexpr std::array kNamedLists = {NamedList{"/rubric/criteria", "metric"}, NamedList{"/tissues", "tissue"},
-                                    NamedList{"/instruments", "name"}};
+                                    NamedList{"/instruments", "name"}, NamedList{"/template/values", "parameter"}};
 constexpr std::array<std::string_view, 4> kWordLists = {"/rubric/critical", "/phenomena", "/specimen/around", "/device/admitted"};
 constexpr std::array<std::string_view, 2> kTexts = {"/title", "/briefing"};  // by language
 constexpr std::array<std::string_view, 1> kWholes = {"/rubric/criteria/*/bands"};

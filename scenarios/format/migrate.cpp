@@ -23,8 +23,8 @@ constexpr std::string_view kTargetKeys[] = {"shape",  "paths",            "width
                                             "top_mm", "corner_radius_mm", "box_size_mm"};
 constexpr std::string_view kLeewayKeys[] = {"floor_mm", "side_mm"};
 constexpr std::string_view kProtectedKeys[] = {"tissue"};  // the object's one key stands for format 1's bare text
-constexpr const char* kLaterKeys[] = {"level", "expected_time_s", "self_assessment"};  // of the document itself
-constexpr const char* kLandmarks = "landmarks";                                        // of the specimen
+constexpr const char* kLaterKeys[] = {"level", "expected_time_s", "self_assessment", "template"};  // of the document itself
+constexpr const char* kLandmarks = "landmarks";                                                     // of the specimen
 constexpr std::string_view kCriterionKeys[] = {"metric", "weight", "bands"};
 
 /// First key of an object that is not of the list; none where it is no object.

@@ -24,6 +24,7 @@ constexpr auto kRanges = std::to_array<NumberRange>({
     {"/format", "", kScenarioFormat, kScenarioFormat, false, "older ones are migrated before"},
     {"/version", "", 1, 1e9, false, "counts from 1; fits 32 bits"},
     {"/expected_time_s", "s", 10, 86400, true, "0: not stated; in less nobody reaches the tooth; a day"},
+    {"/template/values/*/value", "", -1000, 1000, false, "of any unit; the template has a range for each"},
     {"/specimen/fdi", "", 11, 48, false, "FDI numbers of permanent teeth"},
     {"/specimen/seed", "", 0, 9007199254740991.0, false, "2^53 - 1: every JSON reader keeps it"},
     {"/specimen/voxel_mm", "mm", 0.04, 1, false, "the finest grid of a molar that fits memory; coarser no bur is resolved"},

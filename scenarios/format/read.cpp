@@ -76,6 +76,22 @@ void read_device(const Value& value, Scenario& out) {
   device.nothing_else();
 }
 
+TemplateUse read_template(const Value& value) {
+  Object use(value.node(), value.where(), value.problems());
+  TemplateUse out;
+  const Value key = use.need("key");
+  out.key = key.text(1, 64);
+  if (key.node().is_string() && !is_key(out.key)) key.refuse(FormatError::out_of_range, "a-z 0-9 -");
+  use.need("values").list(0, 64, [&](const Value& v) {
+    Object one(v.node(), v.where(), v.problems());
+    const std::string parameter = one.need("parameter").text(1, 64);
+    if (!out.values.emplace(parameter, one.need("value").number(kCoordinate)).second) v.refuse(FormatError::duplicate_value, parameter);
+    one.nothing_else();
+  });
+  use.nothing_else();
+  return out;
+}
+
 Scenario read_document(const json& document, Problems& problems) {
   Object root(document, "", problems);
   Scenario out;
@@ -86,6 +102,7 @@ Scenario read_document(const json& document, Problems& problems) {
   root.maybe("level", [&](const Value& v) { out.level = v.key(FormatError::unknown_level, level_from_key); });
   root.maybe("expected_time_s", [&](const Value& v) { out.expected_time_s = v.number({0, 86400}); });
   root.maybe("self_assessment", [&](const Value& v) { out.self_assessment = v.yes(); });
+  root.maybe("template", [&](const Value& v) { out.made_with = read_template(v); });
   out.specimen = read_specimen(root.need("specimen"));
   read_tissues_and_burs(root, out);
   read_device(root.need("device"), out);

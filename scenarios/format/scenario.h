@@ -51,6 +51,13 @@ struct ScenarioTissue {
   friend bool operator==(const ScenarioTissue&, const ScenarioTissue&) = default;
 };
 
+/// The template that fitted the target to its tooth, and the values that its author set (scenarios/templates).
+struct TemplateUse {
+  std::string key;                       // "class-2-adhesive"
+  std::map<std::string, double> values;  // by parameter; one that is left out has the template's default for the tooth
+  friend bool operator==(const TemplateUse&, const TemplateUse&) = default;
+};
+
 /// Width of the tolerance zone about the target, by face.
 struct Leeway {
   double floor_mm = 0.3;              // of floors that `faces` does not name
@@ -130,6 +137,7 @@ struct Scenario {
   std::optional<Level> level;             // nullopt: not stated
   double expected_time_s = 0;             // that a student needs; 0: not stated; no criterion
   bool self_assessment = false;           // the student rates each criterion before the result is shown
+  std::optional<TemplateUse> made_with;   // nullopt: drawn by hand; what was edited since may differ from it
   SpecimenSource specimen;
   std::vector<ScenarioTissue> tissues;
   std::vector<Bur> instruments;

@@ -71,6 +71,21 @@ Json json_of(const SpecimenSource& specimen) {
 }
 
 template <class Json>
+Json json_of(const TemplateUse& use) {
+  Json values = Json::array();
+  for (const auto& [parameter, value] : use.values) {
+    Json one = Json::object();
+    one["parameter"] = parameter;
+    one["value"] = value;
+    values.push_back(std::move(one));
+  }
+  Json out = Json::object();
+  out["key"] = use.key;
+  out["values"] = std::move(values);
+  return out;
+}
+
+template <class Json>
 Json json_of(const Bur& bur) {
   Json out = Json::object();
   out["name"] = bur.name;
@@ -214,6 +229,7 @@ Json json_of(const Scenario& scenario) {
   if (scenario.level) out["level"] = kLevelKeys[static_cast<std::size_t>(*scenario.level)];
   if (scenario.expected_time_s != 0.0) out["expected_time_s"] = scenario.expected_time_s;
   if (scenario.self_assessment) out["self_assessment"] = true;
+  if (scenario.made_with) out["template"] = json_of<Json>(*scenario.made_with);
   out["specimen"] = json_of<Json>(scenario.specimen);
   Json tissues = Json::array();
   for (const ScenarioTissue& tissue : scenario.tissues) {

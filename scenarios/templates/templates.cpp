@@ -164,6 +164,7 @@ Result<Scenario, FitFailure> fit_template(const FitRequest& request) {
   auto scenario = read_scenario(filled->dump());
   if (!scenario) return fail(FitError::does_not_fit, scenario.error().where, std::string(key_of(scenario.error().code)));
   if (mesial_x(request.fdi) < 0) mirror_x(scenario->target);
+  if (!request.imported) scenario->made_with = TemplateUse{request.key, request.values};
   if (request.imported) {
     scenario->specimen.landmarks = request.imported->landmarks;
     scenario->specimen.landmarks.fdi = request.fdi;

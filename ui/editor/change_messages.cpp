@@ -62,6 +62,7 @@ constexpr Named kNames[] = {
     {"/limits/time_s", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Time limit")},
     {"/expected_time_s", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Expected time")},
     {"/self_assessment", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Own assessment before the result")},
+    {"/template", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Template and its values")},
     {"/level", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Level")},
     {"/title/*", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Title, %1")},
     {"/briefing/*", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Briefing, %1")},

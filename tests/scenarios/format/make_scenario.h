@@ -24,6 +24,7 @@ class ScenarioMaker {
     if (pick(4) == 0) s.level = static_cast<Level>(pick(static_cast<int>(kLevelKeys.size())));
     if (pick(4) == 0) s.expected_time_s = between(10, 86400);
     s.self_assessment = pick(4) == 0;
+    if (pick(4) == 0) s.made_with = {"class-1-adhesive", {{"depth", between(-1000, 1000)}, {"width", 1.25}}};
     s.specimen = specimen();
     for (std::size_t code = 1; code < kTissueCodes; ++code) {
       if (code >= kTissueKeys.size() && code < 16) continue;

@@ -73,7 +73,7 @@ TEST(Format1, IsGivenBackFromEveryDocumentThatItCanSay) {
 TEST(Format1, KnowsNoWordOfFormat2) {
   const std::pair<const char*, json> words[] = {
       {"/target/kind", "outline"}, {"/leeway/faces", json::object()}, {"/rubric/criteria/0/needs_dof", 5},
-      {"/level", "beginner"}, {"/expected_time_s", 600}, {"/self_assessment", true}, {"/specimen/landmarks", json::object()}};
+      {"/level", "beginner"}, {"/expected_time_s", 600}, {"/self_assessment", true}, {"/template", json::object()}, {"/specimen/landmarks", json::object()}};
   for (const auto& [pointer, value] : words) {
     const FormatFailure failure = failure_of(changed(pointer, value).dump());
     EXPECT_EQ(failure.code, FormatError::unknown_key) << pointer;

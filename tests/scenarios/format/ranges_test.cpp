@@ -94,6 +94,7 @@ json with_everything() {
   Scenario s = test::sound_scenario();
   s.specimen.generator = "tooth";
   s.specimen.fdi = 36;
+  s.made_with = {"class-1-adhesive", {{"depth", 1.6}}};
   s.specimen.lesions = {{}};
   s.tissues = {{Tissue::enamel, 3, 1}};
   s.instruments = {catalogue_bur("245")->bur};

@@ -110,6 +110,25 @@ TEST(ScenarioFile, AsksForAnOwnAssessmentOnlyWhereItSaysSo) {
   }
 }
 
+TEST(ScenarioFile, NamesTheTemplateThatItsAuthorBeganWith) {
+  const auto by_hand = read_scenario(sound().dump());
+  ASSERT_TRUE(by_hand);
+  EXPECT_FALSE(by_hand->made_with);
+  EXPECT_FALSE(json::parse(write_scenario(*by_hand)).contains("template"));  // hashes stay
+  json document = sound();
+  document["template"] = {{"key", "class-2-adhesive"}, {"values", {{{"parameter", "mesial"}, {"value", 0}}}}};
+  EXPECT_TRUE(check_schema(document.dump()).empty());
+  const auto fitted = read_scenario(document.dump());
+  ASSERT_TRUE(fitted);
+  EXPECT_EQ(fitted->made_with, (TemplateUse{"class-2-adhesive", {{"mesial", 0}}}));
+  EXPECT_EQ(json::parse(write_scenario(*fitted)), document);
+  EXPECT_EQ(with("/template", 1).code, FormatError::wrong_type);
+  EXPECT_EQ(with("/template", {{"key", "no such thing"}, {"values", json::array()}}).code, FormatError::out_of_range);
+  EXPECT_EQ(with("/template", {{"key", "a"}, {"values", {{{"parameter", "b"}, {"value", "c"}}}}}).code, FormatError::wrong_type);
+  const json twice = {{"parameter", "b"}, {"value", 1}};
+  EXPECT_EQ(with("/template", {{"key", "a"}, {"values", {twice, twice}}}).code, FormatError::duplicate_value);
+}
+
 TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
   json document = sound();
   document["tissues"] = {{{"tissue", "enamel"}}, {{"tissue", "dentine"}, {"speed_mm_s", 7}}};
