@@ -15,7 +15,7 @@ std::string secret_seal(const Uuid& id, const std::string& record) {
 
 /// How many columns at the end a later migration added. A seal leaves those out that are NULL, as they are in older rows.
 constexpr int added_columns(SealedTable table) noexcept {
-  return table == SealedTable::assignments ? 2 : table == SealedTable::adjustments ? 1 : 0;
+  return table == SealedTable::assignments ? 3 : table == SealedTable::adjustments ? 1 : 0;
 }
 
 Hash256 content_of(SealedTable table, Row row) {
@@ -33,7 +33,7 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
       return "id, name, created_at";
     case SealedTable::assignments:
       return "id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, sequence, device_classes, "
-             "self_test_days";
+             "self_test_days, drawn_tooth";
     case SealedTable::scenario_versions:
       return "id, scenario, number, key, title, json, content_hash, author, published_at, sequence";
     case SealedTable::statements:

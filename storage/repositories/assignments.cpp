@@ -23,6 +23,7 @@ Assignment assignment_of(Row row) {
   a.created_utc_us = row.integer(8);
   a.device_classes = split_keys(row.text(9));
   if (const auto days = row.maybe_integer(10)) a.self_test_days = static_cast<int>(*days);
+  a.drawn_tooth = row.maybe_integer(11).has_value();
   return a;
 }
 
@@ -60,6 +61,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
     return fail(StorageError::bad_value, "device_classes");
   const int days = a.self_test_days.value_or(1);
   if (days < 1 || days > kMostSelfTestDays || (a.self_test_days && !assessment)) return fail(StorageError::bad_value, "self_test_days");
+  if (a.drawn_tooth && !assessment) return fail(StorageError::bad_value, "drawn_tooth");
   std::ranges::sort(a.device_classes);
   const auto twice = std::ranges::unique(a.device_classes);
   a.device_classes.erase(twice.begin(), twice.end());
@@ -70,9 +72,9 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO assignments (id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, "
-      "sequence, device_classes, self_test_days) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, nullif(?11, ''), ?12)",
+      "sequence, device_classes, self_test_days, drawn_tooth) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, nullif(?11, ''), ?12, nullif(?13, 0))",
       a.id, a.version, a.cohort, key_of(a.kind), a.opens_utc_us, a.due_utc_us, a.attempts_allowed, a.author,
-      a.created_utc_us, sequence, joined_keys(a.device_classes), a.self_test_days);
+      a.created_utc_us, sequence, joined_keys(a.device_classes), a.self_test_days, a.drawn_tooth ? 1 : 0);
   log_row(c_, transaction, actor.id, "assigned", SealedTable::assignments, a.id.uuid);
   if (assessment) {
     transaction.run("INSERT INTO assessments (assignment, start_code) VALUES (?1, ?2)", a.id, start_code);
@@ -84,7 +86,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
 
 Stored<Assignment> Assignments::find(AssignmentId assignment) {
   const auto found = c_.db.first(
-      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes, self_test_days FROM assignments "
+      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes, self_test_days, drawn_tooth FROM assignments "
       "WHERE id = ?1",
       assignment_of, assignment);
   if (!found) return std::unexpected(found.error());
@@ -138,7 +140,8 @@ Stored<int> Assignments::attempts(AssignmentId assignment, UserId student) {
 
 Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {
   return c_.db.all(
-      "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at, a.device_classes, a.self_test_days "
+      "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at, a.device_classes, a.self_test_days, "
+      "a.drawn_tooth "
       "FROM assignments a JOIN cohort_students c ON c.cohort = a.cohort WHERE c.student = ?1 "
       "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0) ORDER BY a.due_at IS NULL, a.due_at, a.sequence",
       assignment_of, student);
@@ -146,7 +149,7 @@ Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {
 
 Stored<std::vector<Assignment>> Assignments::for_cohort(CohortId cohort) {
   return c_.db.all(
-      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes, self_test_days FROM assignments "
+      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes, self_test_days, drawn_tooth FROM assignments "
       "WHERE cohort = ?1 ORDER BY due_at IS NULL, due_at, sequence",
       assignment_of, cohort);
 }

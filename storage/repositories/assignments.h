@@ -22,6 +22,7 @@ struct Assignment {
   std::optional<int> attempts_allowed{};  // none = unlimited
   std::vector<std::string> device_classes{};  // DeviceLimits::device_class of the devices admitted; none = every device
   std::optional<int> self_test_days{};  // of an assessment: the device passed its newest self-test at most so many days before; none = not asked
+  bool drawn_tooth = false;  // of an assessment: each candidate has a tooth of his own; the session keeps its exercise
   UserId author{};
   std::int64_t created_utc_us = 0;
 };
@@ -45,7 +46,7 @@ class Assignments {
  public:
   explicit Assignments(StorageContext& context) : c_{context} {}
   /// Needs assign. Sets id, author and time, and puts the device classes in order. `start_code`: what the invigilator says when an assessment begins; of an
-  /// assessment alone. bad_value (where = start_code, kind, due, device_classes: a class is a-z, 0-9 and -; self_test_days: 1 to kMostSelfTestDays).
+  /// assessment alone. bad_value (where = start_code, kind, due, device_classes: a class is a-z, 0-9 and -; self_test_days: 1 to kMostSelfTestDays; drawn_tooth).
   Stored<Assignment> create(const Actor& actor, Assignment assignment, const std::string& start_code = {});
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.

@@ -52,6 +52,7 @@ std::string header_to_json(const SessionHeader& h) {
   };
   if (h.extra_time_percent > 0) out["extra_time_percent"] = h.extra_time_percent;
   if (h.large_text) out["large_text"] = true;
+  if (!h.exercise.empty()) out["exercise"] = h.exercise;
   return out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -99,6 +100,7 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     in.at("scene").get_to(h.scene);
     h.extra_time_percent = in.value("extra_time_percent", h.extra_time_percent);
     h.large_text = in.value("large_text", h.large_text);
+    h.exercise = in.value("exercise", h.exercise);
     return h;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;

@@ -24,13 +24,14 @@ struct AssignedRules {
   Adjustment adjustment;
   std::string device_classes;
   std::optional<std::int64_t> self_test_days;
+  bool drawn_tooth = false;
 };
 
 std::optional<AssignedRules> assigned_rules(Transaction& transaction, AssignmentId assignment, UserId student) {
   return transaction.first(
       "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
       "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2), "
-      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, ''), a.self_test_days "
+      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, ''), a.self_test_days, coalesce(a.drawn_tooth, 0) "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
       "LEFT JOIN adjustments d ON d.id = (SELECT id FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
       "AND student = ?2 ORDER BY sequence DESC LIMIT 1) "
@@ -46,7 +47,8 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
                              row.integer(6),
                              {static_cast<int>(row.integer(7)), row.flag(8)},
                              row.text(9),
-                             row.maybe_integer(10)};
+                             row.maybe_integer(10),
+                             row.flag(11)};
       },
       assignment, student);
 }
@@ -55,6 +57,7 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
 struct Admission {
   SessionKind kind = SessionKind::practice;
   Adjustment adjustment{};
+  bool drawn_tooth = false;
 };
 
 void require_self_test(Transaction& transaction, const std::string& device_class, int days, std::int64_t now) {
@@ -85,7 +88,7 @@ Admission admission(Transaction& transaction, const NewSession& wanted, std::int
     transaction.refuse({StorageError::other_device, device_class, rules->device_classes});
   }
   if (rules->self_test_days) require_self_test(transaction, device_class, static_cast<int>(*rules->self_test_days), now);
-  return {rules->kind, rules->adjustment};
+  return {rules->kind, rules->adjustment, rules->drawn_tooth};
 }
 
 }  // namespace
@@ -110,6 +113,7 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (!hashes) transaction.refuse({StorageError::not_found, "scenario_versions", wanted.version.text()});
   const std::int64_t now = c_.clock();
   const Admission admitted = admission(transaction, wanted, now);
+  if (admitted.drawn_tooth == h.exercise.empty()) transaction.refuse({StorageError::bad_value, "exercise"});
   if (!transaction.ok()) return std::unexpected(transaction.commit().error());
 
   const SessionKind kind = *guest ? SessionKind::try_it : admitted.kind;

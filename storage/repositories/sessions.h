@@ -49,6 +49,7 @@ struct SessionHeader {
   std::uint64_t specimen_hash = 0;  // Specimen::hash() at start
   Hash256 specimen_blob{};          // of the voxels in Blobs; zeros = none stored
   std::string scene{};              // the caller's JSON of the scene; stored as given
+  std::string exercise{};           // canonical JSON of the exercise as it was fitted to a drawn tooth; empty: the version's
   int extra_time_percent = 0;       // beyond the scenario's time limit; start() sets it
   bool large_text = false;          // start() sets it
 };
@@ -98,7 +99,8 @@ class Sessions {
   explicit Sessions(StorageContext& context) : c_{context} {}
 
   /// Row and event "started", in one transaction. Needs drill; `student` is the actor. A guest's session is always try_it.
-  /// not_found for an unknown version, bad_value for a header with a number that is not finite.
+  /// not_found for an unknown version, bad_value for a header with a number that is not finite, or with an exercise
+  /// where the assignment draws no tooth (where = exercise), or without one where it does.
   /// With an assignment kind and adjustment are the assignment's; not_allowed (where = assignment: not this student's or of another
   /// version; start_code), wrong_state (where = not_open, past_due, attempts_used),
   /// other_device and self_test_due by the header's device class.

@@ -170,6 +170,29 @@ TEST_F(AssessmentTest, it_begins_only_if_the_device_passed_its_newest_self_test_
   EXPECT_TRUE(must(verify_store(store->context())).intact());
 }
 
+TEST_F(AssessmentTest, a_drawn_tooth_begins_with_its_exercise_which_the_session_keeps) {
+  const Assignment wish{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .drawn_tooth = true};
+  const Assignment exam = must(store->assignments.create(instructor, wish, "4711"));
+  EXPECT_TRUE(must(store->assignments.find(exam.id)).drawn_tooth);
+  NewSession wanted = new_session(lena, version);
+  wanted.assignment = exam.id;
+  wanted.start_code = "4711";
+  EXPECT_TRUE(store->sessions.admit(lena.actor(), wanted)) << "the tooth is drawn once the student is admitted";
+  EXPECT_EQ(store->sessions.start(lena.actor(), wanted).error().where, "exercise");
+  wanted.header.exercise = "{\"specimen\": {\"seed\": 17}}";
+  const Session session = must(store->sessions.start(lena.actor(), wanted));
+  EXPECT_EQ(must(store->sessions.find(session.id)).header.exercise, wanted.header.exercise);
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
+TEST_F(AssessmentTest, only_an_assessment_that_draws_a_tooth_takes_another_exercise_than_its_versions) {
+  NewSession practice = new_session(lena, version);
+  practice.header.exercise = "{}";
+  EXPECT_EQ(store->sessions.start(lena.actor(), practice).error().where, "exercise");
+  const Assignment wish{.version = version.id, .cohort = cohort, .kind = SessionKind::practice, .drawn_tooth = true};
+  EXPECT_EQ(store->assignments.create(instructor, wish).error().where, "drawn_tooth");
+}
+
 TEST_F(AssessmentTest, a_self_test_is_asked_for_within_a_year_and_of_an_assessment_alone) {
   const auto where = [&](SessionKind kind, int days) {
     const Assignment wish{.version = version.id, .cohort = cohort, .kind = kind, .self_test_days = days};

@@ -69,7 +69,7 @@ TEST_F(ExchangeTest, results_arrive_with_chain_grade_and_statements_and_verify_u
 TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments_that_admit) {
   const CohortId cohort = must(office->cohorts.create(chief, "Year 2")).id;
   must(office->cohorts.add(chief, cohort, lena.id));
-  Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}, .self_test_days = 7};
+  Assignment exam{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}, .self_test_days = 7, .drawn_tooth = true};
   exam = must(office->assignments.create(instructor, exam, "4711"));
   must(office->assignments.adjust(instructor, exam.id, lena.id, {.extra_time_percent = 25, .large_text = true}));
   const fs::path file = office_file();
@@ -79,6 +79,7 @@ TEST_F(ExchangeTest, an_office_file_brings_accounts_that_sign_in_and_assignments
   NewSession wanted = new_session(lena, version);
   wanted.assignment = exam.id;
   wanted.start_code = "4711";
+  wanted.header.exercise = "{\"specimen\": {\"seed\": 17}}";
   NewSession elsewhere = wanted;
   elsewhere.header.device.device_class = "falcon";
   EXPECT_EQ(code_of(station->sessions.start(lena.actor(), elsewhere)), StorageError::other_device);

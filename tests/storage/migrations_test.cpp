@@ -50,6 +50,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "1142289534135523c7c5426070c548ce7d6e930ef7aa5d1fff7fec53904b0392",
       "4540a38c5952ea826ce7c2ccbf7b7d2b0189c7ccbdae3ec900c1551fa4733cb3",
       "9912c09a9c5470b22951b807eefd4c7d6541f25f1c3db7f88051fbe73794f2d7",
+      "936d98617f472c8627609629c39c92e79101c6cfa24b4ea6b9fdb668eea5b881",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)
@@ -152,12 +153,14 @@ TEST(Migrations, an_assessment_of_schema_7_admits_every_device_in_the_usual_text
   const Account student = must(store->accounts.find_number("20267314"));
   const auto assigned = must(store->assignments.for_student(student.id));
   ASSERT_EQ(assigned.size(), 2u);
-  for (const Assignment& a : assigned) EXPECT_TRUE(a.device_classes.empty() && !a.self_test_days);
+  for (const Assignment& a : assigned) EXPECT_TRUE(a.device_classes.empty() && !a.self_test_days && !a.drawn_tooth);
   EXPECT_EQ(must(store->assignments.adjustment(assigned[1].id, student.id)), (Adjustment{.extra_time_percent = 25}));
   must(store->database().run("UPDATE assignments SET device_classes = 'falcon' WHERE kind = 'practice'"));
   must(store->database().run("UPDATE adjustments SET large_text = 1"));
   EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
   must(store->database().run("UPDATE assignments SET device_classes = NULL, self_test_days = 7 WHERE kind = 'practice'"));
+  EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
+  must(store->database().run("UPDATE assignments SET self_test_days = NULL, drawn_tooth = 1 WHERE kind = 'practice'"));
   EXPECT_EQ(changed(), (std::vector<std::string>{"assignments", "adjustments"}));
 }
 

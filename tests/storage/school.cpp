@@ -90,11 +90,13 @@ SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVe
   const Actor examiner = instructor.actor();
   must(store.device_tests.add(examiner, {.device_class = "pointer", .device = "Mouse and keys"}));
   const Assignment asked = must(store.assignments.create(
-      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}, .self_test_days = 7}, "4711"));
+      examiner, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .device_classes = {"pointer"}, .self_test_days = 7, .drawn_tooth = true},
+      "4711"));
   must(store.assignments.adjust(examiner, asked.id, student.id, {.extra_time_percent = 25, .large_text = true}));
   NewSession wanted = new_session(student, version);
   wanted.assignment = asked.id;
   wanted.start_code = "4711";
+  wanted.header.exercise = "{\"specimen\": {\"seed\": 17}}";
   const SessionId session = must(store.sessions.start(student.actor(), wanted)).id;
   must(store.traces.append(session, second_from(1)));
   must(store.sessions.finish(session, volume_after(12), "student"));
