@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 
 #include "device/hid/hid_station.h"
-#include "scenarios/format/read.h"
 #include "ui/app/desktop.h"
 #include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
@@ -12,6 +11,7 @@
 #include "ui/modules.h"
 #include "ui/render/opengl_allowed.h"
 #include "ui/text/names.h"
+#include "ui/session/replay.h"
 #include "ui/settings/device_settings.h"
 #include "ui/view/tooth_view.h"
 
@@ -96,6 +96,7 @@ void Desktop::sit(const AssignedAssessment& assessment) {
     plan.guidance = Guidance::silent;
     plan.assignment = assessment.assignment.id;
     plan.start_code = code.toStdString();
+    plan.drawn_tooth = assessment.assignment.drawn_tooth;
     const QString candidate = QString::fromStdString(candidate_number(assessment.assignment.id, account_->id));
     use_text(assessment.adjustment.large_text ? TextSize::large : TextSize::usual);
     show_drilling(assessment.exercise, std::move(plan), tr("Assessment, candidate %1").arg(candidate));
@@ -110,7 +111,7 @@ void Desktop::resume_attempt(const SessionId& session) {
   // The exercise as it was then: a newer version may have another target.
   const auto version = store_->scenarios.version(details->session.version);
   if (!version) return show_failure(describe(version.error()));
-  auto scenario = read_scenario(version->json);
+  auto scenario = exercise_of(details->session, *version);
   if (!scenario) return show_failure(describe(scenario.error()));
   SessionPlan plan;
   plan.database = database_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/session/background_task.h"
+#include "ui/session/drawn_tooth.h"
 
 namespace cusp::ui {
 namespace {
@@ -82,12 +83,24 @@ AttemptOpening::Progress AttemptOpening::progress() const {
 }
 
 Outcome<std::shared_ptr<const ReadyTooth>> AttemptOpening::tooth(Order& order) {
-  const SessionPlan& plan = order.plan;
+  SessionPlan& plan = order.plan;
   if (!order.teeth) order.teeth = std::make_shared<ToothCache>(std::filesystem::path());
-  return order.teeth->tooth({plan.scenario, plan.scenario_folder, plan.guidance, plan.specimen}, &stop_, [this](ToothPart part, double share) {
-    const std::lock_guard lock(mutex_);
-    progress_ = {part, part == ToothPart::specimen ? share : -1};
-  });
+  const auto ready = [&](const Scenario& exercise) {
+    return order.teeth->tooth({exercise, plan.scenario_folder, plan.guidance, plan.specimen}, &stop_, [this](ToothPart part, double share) {
+      const std::lock_guard lock(mutex_);
+      progress_ = {part, part == ToothPart::specimen ? share : -1};
+    });
+  };
+  if (plan.drawn_tooth && plan.assignment) {
+    auto drawn = draw_tooth(plan.scenario, *plan.assignment, plan.student.id, [&](const Scenario& exercise) -> Outcome<std::shared_ptr<const Specimen>> {
+      const auto grown = ready(exercise);
+      if (!grown) return std::unexpected(grown.error());
+      return (*grown)->specimen;
+    });
+    if (!drawn) return std::unexpected(drawn.error());
+    plan.scenario = std::move(*drawn);
+  }
+  return ready(plan.scenario);
 }
 
 void AttemptOpening::open(Order order, const Answer& answer) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "device/catalogue.h"
+#include "scenarios/templates/other_tooth.h"
 #include "ui/text/names.h"
 #include "ui/widgets/theme.h"
 
@@ -50,12 +51,15 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   body()->addWidget(make_devices());
   self_test_row_ = make_self_test();
   body()->addWidget(self_test_row_);
+  teeth_row_ = make_teeth();
+  body()->addWidget(teeth_row_);
   code_ = new QLineEdit;
   code_->setMaxLength(static_cast<int>(kMostStartCode));
   code_->setToolTip(tr("The invigilator says it when the assessment begins"));
   code_row_ = labelled(tr("Start code"), code_);
   body()->addWidget(code_row_);
   connect(kind_, &Segments::changed, this, [this] { choose_kind(kind_->chosen() == 1 ? SessionKind::assessment : SessionKind::practice); });
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &AssignmentForm::offer_teeth);
   draw_start_code();
   choose_kind(SessionKind::practice);
   body()->addSpacing(px(8));
@@ -122,6 +126,42 @@ QWidget* AssignmentForm::make_self_test() {
   return box;
 }
 
+/// Whether each candidate of an assessment has a tooth of his own.
+QWidget* AssignmentForm::make_teeth() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(4));
+  drawn_tooth_ = new QCheckBox(tr("Another tooth for each candidate"));
+  drawn_tooth_->setToolTip(tr("Of the same number, with its target fitted to it. The session keeps which tooth it was."));
+  remark_ = make_label({}, TextRole::caption, Weight::regular, "text2");
+  remark_->setWordWrap(true);
+  column->addWidget(drawn_tooth_);
+  column->addWidget(remark_);
+  return box;
+}
+
+void AssignmentForm::offer_teeth() {
+  if (kind_->chosen() != 1 || exercises_.empty()) return;
+  const Exercise& exercise = exercises_[static_cast<std::size_t>(std::max(0, exercise_->currentIndex()))];
+  const auto bound = bound_to_its_tooth(exercise.scenario);
+  drawn_tooth_->setEnabled(!bound);
+  QString remark;
+  if (!bound) {
+    if (keeps_its_texts(exercise.scenario)) remark = tr("Its title or briefing was edited: figures in them stay those of the exercise’s own tooth.");
+  } else if (bound->code == OtherToothError::by_hand) {
+    remark = tr("All have the exercise’s own tooth: no template made this exercise.");
+  } else if (bound->code == OtherToothError::edited) {
+    remark = tr("All have the exercise’s own tooth: its target was edited after the template made it.");
+  } else {
+    remark = tr("All have the exercise’s own tooth: its template fits no other.");
+  }
+  remark_->setText(remark);
+  remark_->setVisible(!remark.isEmpty());
+}
+
+void AssignmentForm::choose_drawn_tooth() { drawn_tooth_->setChecked(true); }
+
 void AssignmentForm::choose_self_test(int days) {
   self_test_->setChecked(true);
   self_test_days_->setValue(days);
@@ -146,6 +186,8 @@ void AssignmentForm::choose_kind(SessionKind kind) {
   kind_->choose(assessment ? 1 : 0);
   code_row_->setVisible(assessment);
   self_test_row_->setVisible(assessment);
+  teeth_row_->setVisible(assessment);
+  offer_teeth();
   // A single attempt is usual in an assessment, any number in practice.
   attempts_->setValue(assessment ? 1 : 0);
 }
@@ -172,6 +214,7 @@ AssignmentForm::Wish AssignmentForm::wish() const {
   out.kind = SessionKind::assessment;
   out.start_code = code_->text().trimmed();
   if (self_test_->isChecked()) out.self_test_days = self_test_days_->value();
+  out.drawn_tooth = drawn_tooth_->isEnabled() && drawn_tooth_->isChecked();
   return out;
 }
 

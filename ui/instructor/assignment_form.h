@@ -11,6 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QDateTimeEdit;
+class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
@@ -31,6 +32,7 @@ class AssignmentForm : public Card {
     SessionKind kind = SessionKind::practice;  // or assessment
     QString start_code;                        // of an assessment
     std::optional<int> self_test_days;         // of an assessment; none = not asked
+    bool drawn_tooth = false;                  // of an assessment: another tooth for each candidate
   };
 
   /// `now`: from which usual dates are counted.
@@ -42,6 +44,8 @@ class AssignmentForm : public Card {
   void choose_devices(const std::vector<std::string>& device_classes);
   /// Of an assessment.
   void choose_self_test(int days);
+  /// Of an assessment, where the exercise can be fitted to other teeth.
+  void choose_drawn_tooth();
   /// Another code for the next assessment.
   void draw_start_code();
   Wish wish() const;
@@ -57,6 +61,9 @@ class AssignmentForm : public Card {
   };
   QWidget* make_devices();
   QWidget* make_self_test();
+  QWidget* make_teeth();
+  /// Offers other teeth where the exercise can be fitted to them; says why where not.
+  void offer_teeth();
   Moment add_moment(class QFormLayout& form, const QString& label, const QDateTime& usual);
 
   std::vector<Exercise> exercises_;
@@ -67,6 +74,9 @@ class AssignmentForm : public Card {
   QWidget* self_test_row_;
   QCheckBox* self_test_;
   QSpinBox* self_test_days_;
+  QWidget* teeth_row_;
+  QCheckBox* drawn_tooth_;
+  QLabel* remark_;  // on other teeth for the exercise
   Moment opens_, due_;
   QSpinBox* attempts_;
   std::vector<std::pair<std::string, QCheckBox*>> devices_;  // by device class

@@ -320,6 +320,7 @@ void CohortsPage::assign() {
   fresh.attempts_allowed = wish.attempts;
   fresh.device_classes = wish.device_classes;
   fresh.self_test_days = wish.self_test_days;
+  fresh.drawn_tooth = wish.drawn_tooth;
   fresh.kind = wish.kind;
   if (const auto made = store_.assignments.create(actor_, fresh, wish.start_code.toStdString()); !made) return show_failure(made.error());
   show_assignments();

@@ -123,6 +123,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   if (details) {
     data.remarks = remarks_of(*store, *reader, *details, result.scenario.target);
     data.released = details->row.released;
+    if (!details->session.header.exercise.empty()) data.drawn_tooth = result.scenario.specimen.seed;
     if (auto own = store->statements.self_assessment(*reader, result.session)) data.own = std::move(*own);
     // An assessment is marked without the name.
     data.student = details->row.kind == SessionKind::assessment && details->session.assignment
@@ -205,6 +206,8 @@ QString circumstances_text(const ReportData& data) {
   parts += ReportText::tr("%1 min").arg(format_clock(data.result.seconds));
   if (data.peak_push_n) parts += ReportText::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
   parts += device_name(data.result.device.device_class);
+  //: A tooth that an assessment drew for one candidate; the number makes it again.
+  if (data.drawn_tooth) parts += ReportText::tr("drawn tooth, seed %1").arg(*data.drawn_tooth);
   if (data.result.stiffness_share < 1.0) {
     parts += ReportText::tr("tissues at %1 of their stiffness")
                  .arg(format({data.result.stiffness_share * 100, std::nullopt, u"%"_qs, 0}));

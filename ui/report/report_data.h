@@ -44,6 +44,7 @@ struct ReportData {
   std::vector<PointsChange> changes;     // by examiners, of points that count
   std::vector<Remark> remarks;           // oldest first
   std::optional<SelfAssessment> own;     // the student's own assessment; none without one
+  std::optional<std::uint64_t> drawn_tooth;  // seed of a tooth that was drawn for this candidate
   bool released = true;                  // false: an assessment whose result the student does not see yet
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;

@@ -40,6 +40,7 @@ struct SessionPlan {
   SessionKind kind = SessionKind::practice;  // try_it and try_out stay out of histories and figures
   std::optional<AssignmentId> assignment;    // the session is then of its kind
   std::string start_code;                    // of an assessment, as the student typed it
+  bool drawn_tooth = false;                  // `scenario` is the assignment's version, fitted to a tooth of the student's own (drawn_tooth.h)
   Guidance guidance = Guidance::full;
   std::string operator_name{kUserOperator};  // else the name of a scripted operator or of a file
   SessionId resumes;                         // an interrupted session to resume; nil: a new one

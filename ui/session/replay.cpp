@@ -21,6 +21,12 @@ std::unexpected<SessionFailure> storage_failed(const Stored<T>& result) {
 
 }  // namespace
 
+Outcome<Scenario> exercise_of(const Session& session, const ScenarioVersion& version) {
+  auto scenario = read_scenario(session.header.exercise.empty() ? version.json : session.header.exercise);
+  if (!scenario) return session_fail(SessionError::scenario, scenario.error());
+  return std::move(*scenario);
+}
+
 Outcome<OpenedSession> open_session(Store& store, SessionId id) {
   OpenedSession out;
   auto session = store.sessions.find(id);
@@ -34,8 +40,8 @@ Outcome<OpenedSession> open_session(Store& store, SessionId id) {
   auto version = store.scenarios.version(out.session.version);
   if (!version) return storage_failed(version);
   out.version = std::move(*version);
-  auto scenario = read_scenario(out.version.json);
-  if (!scenario) return session_fail(SessionError::scenario, scenario.error());
+  auto scenario = exercise_of(out.session, out.version);
+  if (!scenario) return std::unexpected(scenario.error());
   out.scenario = std::move(*scenario);
   const SessionHeader& header = out.session.header;
   out.same_engine = header.engine_version == kEngineVersion;

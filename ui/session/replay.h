@@ -29,6 +29,9 @@ struct OpenedSession {
   bool same_engine = true;           // else inputs cannot be replayed, only stored results open
 };
 
+/// The exercise that a session is of: its version's, or what its header says that was fitted to a drawn tooth. scenario.
+Outcome<Scenario> exercise_of(const Session& session, const ScenarioVersion& version);
+
 /// storage, scenario, specimen_changed or scene.
 Outcome<OpenedSession> open_session(Store& store, SessionId id);
 

@@ -17,6 +17,7 @@ std::string_view key_of(SessionError code) noexcept {
     case SessionError::wrong_state: return "wrong_state";
     case SessionError::other_engine: return "other_engine";
     case SessionError::specimen_changed: return "specimen_changed";
+    case SessionError::no_tooth: return "no_tooth";
   }
   return "storage";
 }

@@ -30,6 +30,7 @@ enum class SessionError : std::uint8_t {
   wrong_state,        // finish() of an attempt that is over; grading one that still runs
   other_engine,       // recorded by another engine version: only its stored results open; where: that version
   specimen_changed,   // what is stored is not the specimen that the attempt began with
+  no_tooth,           // no tooth was drawn that the exercise suits; where: JSON pointer to what held it
 };
 
 /// Stable keys, for --json.

@@ -132,6 +132,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   row.header.stiffness_share = setup.stiffness_share;
   row.header.specimen_hash = plan.specimen->hash();
   row.header.specimen_blob = *blob;
+  if (plan.drawn_tooth) row.header.exercise = canonical_json(plan.scenario);
   nlohmann::json account;
   account["method"] = std::string(key_of(setup.scene->method));
   account["friction"] = setup.scene->friction;

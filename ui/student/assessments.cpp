@@ -131,6 +131,7 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, cons
   if (a.adjustment.large_text) facts += tr("large text");
   if (!a.assignment.device_classes.empty()) facts += tr("only with %1").arg(device_names(a.assignment.device_classes));
   if (a.assignment.self_test_days) facts += self_test_age(*a.assignment.self_test_days);
+  if (a.assignment.drawn_tooth) facts += drawn_tooth_text();
   text->addWidget(quiet(facts.join(u" · "_qs)));
   if (a.state == State::self_test_due) text->addWidget(quiet(self_test_advice(device_class)));
   row->addLayout(text, 1);
@@ -158,6 +159,7 @@ AssessmentStart::AssessmentStart(Store& store, const Actor& student, const Assig
   column->addWidget(quiet(limit.isEmpty() ? tr("There is no time limit.")
                                           : tr("You have %1. The clock starts with the tooth; a device fault stops it.").arg(limit)));
   column->addWidget(quiet(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));
+  if (a.assignment.drawn_tooth) column->addWidget(quiet(tr("Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.")));
   code_ = new QLineEdit;
   column->addWidget(labelled(tr("Start code, from the invigilator"), code_));
   auto* row = new QHBoxLayout;

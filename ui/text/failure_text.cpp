@@ -182,6 +182,9 @@ Message describe(const SessionFailure& f) {
     case SessionError::specimen_changed:
       return {Text::tr("The tooth is not the one this attempt began with."),
               Text::tr("The stored grade is kept; the tooth of %1 cannot be shown.").arg(where)};
+    case SessionError::no_tooth:
+      return {Text::tr("No tooth was found that suits this exercise."),
+              Text::tr("Tell the invigilator. No attempt was started or counted (%1).").arg(where)};
   }
   return {Text::tr("The attempt could not be played."), where};
 }

@@ -128,6 +128,8 @@ QString device_names(const std::vector<std::string>& device_classes) {
 
 QString self_test_age(int days) { return Text::tr("self-test at most %n day(s) old", nullptr, days); }
 
+QString drawn_tooth_text() { return Text::tr("another tooth for each candidate"); }
+
 QString self_test_advice(const std::string& device_class) {
   const DeviceKind* kind = device::device_kind(device_class);
   if (kind && kind->self_test) return Text::tr("Ask the staff for a self-test of the %1 on the page Device.").arg(device_name(device_class));

@@ -31,6 +31,8 @@ QString device_name(const std::string& device_class);
 QString device_names(const std::vector<std::string>& device_classes);
 /// "self-test at most 7 days old".
 QString self_test_age(int days);
+/// "another tooth for each candidate", of an assignment that draws teeth.
+QString drawn_tooth_text();
 /// What a student does for a newer self-test of the device, in one sentence.
 QString self_test_advice(const std::string& device_class);
 QString tissue_name(Tissue tissue);

@@ -110,6 +110,7 @@ Message describe_bad_value(const StorageFailure& f) {
   if (f.where == "years") return {Text::tr("Accounts are kept for 1 to 100 years."), nothing_changed()};
   if (f.where == "device_classes") return {Text::tr("A device has no such name."), nothing_changed()};
   if (f.where == "self_test_days") return {Text::tr("A self-test is 1 to 365 days old."), nothing_changed()};
+  if (f.where == "drawn_tooth") return {Text::tr("Only an assessment draws a tooth for each candidate."), nothing_changed()};
   if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
   return {Text::tr("A value is missing or outside its range."),
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};

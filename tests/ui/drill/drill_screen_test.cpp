@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "scenarios/library/library.h"
+#include "ui/session/drawn_tooth.h"
 #include "ui/settings/settings.h"
 #include "ui/drill/bur_tray.h"
 #include "ui/drill/handpiece_panel.h"
@@ -313,6 +314,26 @@ TEST_F(Screen, it_can_be_closed_in_the_middle_of_an_attempt) {
   begin("channel-1");
   QTest::keyPress(screen.get(), Qt::Key_Space);
   screen.reset();
+}
+
+TEST_F(Screen, an_assessment_that_draws_a_tooth_begins_on_the_candidates) {
+  SessionPlan plan;
+  plan.scenario = load_builtin("class-1-46").value();
+  plan.scenario.specimen.voxel_mm = 0.2;
+  plan.kind = SessionKind::assessment;
+  plan.guidance = Guidance::silent;
+  plan.assignment = AssignmentId::make();
+  plan.student = {UserId::make(), Role::student};
+  plan.drawn_tooth = true;
+  std::vector<std::uint64_t> drawn;
+  for (int draw = 0; draw < kMostDraws; ++draw) drawn.push_back(drawn_seed(*plan.assignment, plan.student.id, draw));
+  QSignalSpy finished(screen.get(), &DrillScreen::finished);
+  screen->begin(std::move(plan), {QStringLiteral("Class I"), QStringLiteral("Assessment")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kPatienceMs));
+  screen->ask_finish();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() == 1; }, kPatienceMs));
+  const auto result = finished.at(0).at(0).value<std::shared_ptr<const SessionResult>>();
+  EXPECT_TRUE(std::ranges::count(drawn, result->scenario.specimen.seed) == 1) << result->scenario.specimen.seed;
 }
 
 }  // namespace

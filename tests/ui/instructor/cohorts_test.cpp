@@ -1,3 +1,4 @@
+#include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
@@ -160,6 +161,27 @@ TEST_F(Cohorts, FitHalfOfFullHdInGermanWithTheDevicesOfAnAssignment) {
   EXPECT_LE(page.minimumSizeHint().width(), kPageAtHalfOfFullHd.width());
   EXPECT_EQ(cut(), 0);
   install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST_F(Cohorts, AnAssessmentOfATemplatesExerciseMayDrawATooth) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  AssignmentForm& form = *page.form();
+  const auto assigned = [&](const char* key, SessionKind kind) {
+    form.choose_exercise(load_builtin(key)->id);
+    form.choose_kind(kind);
+    form.choose_drawn_tooth();
+    page.assign();
+    return page.assignments().row(page.assignments().rowCount() - 1).assignment.drawn_tooth;
+  };
+  const auto says = [&](const QString& words) {
+    return std::ranges::any_of(form.findChildren<QLabel*>(), [&](const QLabel* l) { return !l->isHidden() && l->text().contains(words); });
+  };
+  EXPECT_TRUE(assigned("class-1-46", SessionKind::assessment));
+  EXPECT_FALSE(says(QStringLiteral("own tooth")));
+  EXPECT_FALSE(assigned("class-1-46", SessionKind::practice));
+  EXPECT_FALSE(assigned("class-1-36", SessionKind::assessment));
+  EXPECT_TRUE(says(QStringLiteral("no template made this exercise")));
 }
 
 TEST_F(Cohorts, AnAdministratorMakesCohortsAndAssignsNothing) {

@@ -136,6 +136,22 @@ TEST_F(Assessments, AskForASelfTestOfTheDeviceInOneSentence) {
   EXPECT_TRUE(question->findChild<Band*>()->text().contains(QStringLiteral("newer self-test of the device")));
 }
 
+TEST_F(Assessments, SayThatEachCandidateHasAnotherTooth) {
+  AssignedAssessment one = at(kMorning + 1000)[0];
+  const auto texts = [](const QWidget& widget) {
+    QStringList out;
+    for (const QLabel* label : widget.findChildren<QLabel*>()) out += label->text();
+    return out.join(u'|');
+  };
+  const QString words = QStringLiteral("another tooth for each candidate"), drawn = QStringLiteral("Your tooth is drawn for you");
+  QWidget window;
+  EXPECT_FALSE(texts(AssessmentCard(one, lena.id, "pointer")).contains(words));
+  EXPECT_FALSE(texts(*new AssessmentStart(records.store(), lena.actor(), one, "pointer", &window)).contains(drawn));
+  one.assignment.drawn_tooth = true;
+  EXPECT_TRUE(texts(AssessmentCard(one, lena.id, "pointer")).contains(words));
+  EXPECT_TRUE(texts(*new AssessmentStart(records.store(), lena.actor(), one, "pointer", &window)).contains(drawn));
+}
+
 TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
   AssignedAssessment one = at(kMorning + 1000)[0];
   one.exercise.scenario.time_limit_s = 600;
