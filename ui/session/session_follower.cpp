@@ -28,7 +28,7 @@ SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, con
       scores_(settings.scores),
       limit_us_(limit_us(settings.time_limit_s)),
       time_is_up_(start.last().elapsed_us >= limit_us_),
-      live_(reference_),
+      removed_(reference_),
       process_(std::move(settings.process)),
       next_second_us_(next_multiple(start.last().elapsed_us, kSecondUs)),
       next_key_us_(next_multiple(start.last().elapsed_us, kKeyStateUs)) {
@@ -36,6 +36,7 @@ SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, con
   seen_revision_.assign(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z), 0);
   second_.first_tick = start.last().tick + 1;
   second_.inputs.reserve(1100);
+  if (recorder_ && scores_ == Scores::for_the_record) scorer_ = std::make_unique<SecondScorer>(reference_, start.volume().specimen_ptr(), *recorder_);
 }
 
 void SessionFollower::on_tick(const StepInput& input, const StepState& after) {
@@ -67,8 +68,6 @@ void SessionFollower::flush(const StepState& after) {
   const std::uint64_t now = after.last().elapsed_us;
   const std::uint64_t next_tick = after.last().tick + 1;
   if (!second_.inputs.empty()) {
-    update_scores(after);
-    second_.metrics.removed = removed();
     second_.metrics.force_mean_n = contact_us_ > 0 ? impulse_n_us_ / static_cast<double>(contact_us_) : 0.0;
     second_.state_hash = after.hash();
     std::optional<KeyState> key_state;
@@ -76,7 +75,7 @@ void SessionFollower::flush(const StepState& after) {
       key_state = KeyState{after.last().tick, after.save(), process_.save()};
       next_key_us_ = next_multiple(now, kKeyStateUs);
     }
-    recorder_->add(std::move(second_), std::move(key_state));
+    record(after.volume(), std::move(key_state));
   }
   second_ = RecordedSecond{};
   second_.first_tick = next_tick;
@@ -86,54 +85,53 @@ void SessionFollower::flush(const StepState& after) {
   next_second_us_ = next_multiple(now, kSecondUs);
 }
 
-void SessionFollower::update_scores(const StepState& state) {
-  const Volume& volume = state.volume();
-  const Specimen& specimen = volume.specimen();
-  const bool filled = specimen.reading() == Reading::filled;
+void SessionFollower::record(const Volume& volume, std::optional<KeyState> key_state) {
+  if (!scorer_) {
+    update_scores(volume);
+    second_.metrics.removed = removed_.removed();
+    return recorder_->add(std::move(second_), std::move(key_state));
+  }
+  find_changed(volume);
+  std::vector<ChangedBrick> changed(changed_.size());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    changed[i].brick = changed_[i];
+    std::copy_n(volume.cut_of(changed_[i]), kBrickVoxels, changed[i].cut.begin());
+  }
+  scorer_->add(std::move(changed), std::move(second_), std::move(key_state));
+}
+
+void SessionFollower::find_changed(const Volume& volume) {
   changed_.clear();
   for (const std::int32_t brick : volume.cut_bricks()) {
     std::uint32_t& seen = seen_revision_[static_cast<std::size_t>(brick)];
     if (volume.revision(brick) == seen) continue;
     seen = volume.revision(brick);
     changed_.push_back(brick);
-    std::array<std::uint32_t, kTissueCodes> gone{};
-    const std::uint16_t* cut = volume.cut_of(brick);
-    for (int o = 0; o < kBrickVoxels; ++o) {
-      const std::uint16_t base = specimen.s_in(brick, o);
-      const bool was = filled ? base > 0 : base >= kHalf;
-      const bool is = filled ? std::min(base, cut[o]) > 0 : std::min(base, cut[o]) >= kHalf;
-      if (was && !is) ++gone[index_of(specimen.tissue_in(brick, o))];
-    }
-    auto& before = gone_voxels_[brick];
-    for (std::size_t t = 0; t < kTissueCodes; ++t) gone_total_[t] += gone[t] - before[t];
-    before = gone;
   }
-  live_.update(volume, changed_);
 }
 
-std::vector<RemovedTissue> SessionFollower::removed() const {
-  std::vector<RemovedTissue> out;
-  for (std::size_t t = 1; t < kTissueCodes; ++t) {
-    const double mm3 = live_.reading().removed_mm3[t];
-    if (gone_total_[t] > 0 || mm3 > 0) out.push_back({static_cast<Tissue>(t), gone_total_[t], mm3});
-  }
-  return out;
+void SessionFollower::update_scores(const Volume& volume) {
+  find_changed(volume);
+  removed_.update(volume, changed_);
 }
 
 void SessionFollower::on_state(const StepState& state, const StateNews& news) {
-  const bool read = scores_ == Scores::for_a_screen && state.last().elapsed_us >= next_scores_us_;
-  if (read || news.first || news.last) {
+  const bool due = state.last().elapsed_us >= next_scores_us_ || news.first || news.last;
+  if (scores_ == Scores::for_a_screen && due) {
     next_scores_us_ = state.last().elapsed_us + kScoresUs;
-    update_scores(state);
+    update_scores(state.volume());
   }
   if (recorder_) {
-    if (news.last) flush(state);
+    if (news.last) {
+      flush(state);
+      scorer_.reset();  // all is with the recorder
+    }
     if (recorder_->state() == RecordingState::failed && hold_) hold_();
   }
   const std::lock_guard lock(mutex_);
   view_.tick = state.last().tick;
   view_.elapsed_us = state.last().elapsed_us;
-  view_.scores = live_.reading();
+  view_.scores = removed_.reading();
   view_.deepest_mm = deepest_mm_;
   view_.peak_push_n = process_.force_peak_n();
 }

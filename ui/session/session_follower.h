@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,6 +14,8 @@
 #include "scenarios/metrics/process.h"
 #include "ui/modules.h"
 #include "ui/session/recorder.h"
+#include "ui/session/removed_scores.h"
+#include "ui/session/second_scorer.h"
 
 namespace cusp::ui {
 
@@ -28,7 +29,8 @@ struct FollowedView {
 
 class SessionFollower final : public MirrorObserver {
  public:
-  /// Who reads the live scores: a screen ten times a second, or the record alone, once a second.
+  /// Who reads the live scores: a screen ten times a second, or the record alone, once a second and on a thread of its own; view() has
+  /// none then.
   enum class Scores : std::uint8_t { for_a_screen, for_the_record };
   struct Settings {
     Recorder* recorder = nullptr;  // null: nothing is kept
@@ -51,9 +53,12 @@ class SessionFollower final : public MirrorObserver {
   const Process& process() const noexcept { return process_; }
 
  private:
-  void update_scores(const StepState& state);
+  /// Into changed_: bricks that were cut since the last call.
+  void find_changed(const Volume& volume);
+  void update_scores(const Volume& volume);
   void flush(const StepState& after);
-  std::vector<RemovedTissue> removed() const;
+  /// Gives second_ to the recorder, with what was removed.
+  void record(const Volume& volume, std::optional<KeyState> key_state);
 
   std::shared_ptr<const Reference> reference_;
   Recorder* recorder_;
@@ -61,14 +66,13 @@ class SessionFollower final : public MirrorObserver {
   Scores scores_;
   std::uint64_t limit_us_;  // of session time
   std::atomic<bool> time_is_up_{false};
-  LiveMetrics live_;
+  RemovedScores removed_;                 // for a screen
+  std::unique_ptr<SecondScorer> scorer_;  // for the record; null without one, and after the last state
   Process process_;
   double deepest_mm_ = 0;
 
   std::vector<std::uint32_t> seen_revision_;  // [brick]
   std::vector<std::int32_t> changed_;
-  std::map<std::int32_t, std::array<std::uint32_t, kTissueCodes>> gone_voxels_;  // [brick][tissue]
-  std::array<std::uint64_t, kTissueCodes> gone_total_{};
 
   RecordedSecond second_;
   std::uint64_t next_second_us_, next_key_us_;
