@@ -1,6 +1,7 @@
 #include "storage/backup/backup.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "storage/base/files.h"
@@ -24,18 +25,19 @@ StorageFailure backup_failure(const std::error_code& error, const fs::path& wher
 }
 
 /// "cusp-2026-11-20T09-14-03Z": no file system refuses it, and names sort by time.
-std::string name_at(std::int64_t utc_us) {
+std::string name_at(const std::string& what, std::int64_t utc_us) {
   std::string time = iso_utc(utc_us);
   std::ranges::replace(time, ':', '-');
-  return "cusp-" + time;
+  return what + '-' + time;
 }
 
-Stored<fs::path> new_folder(const fs::path& into, std::int64_t utc_us) {
+/// A new folder in `into`, named for `what` and the time.
+Stored<fs::path> new_folder(const fs::path& into, const std::string& what, std::int64_t utc_us) {
   std::error_code error;
   fs::create_directories(into, error);
   if (error) return std::unexpected(backup_failure(error, into));
   for (int n = 1; n < 1000; ++n) {
-    const fs::path folder = into / (name_at(utc_us) + (n == 1 ? std::string() : "-" + std::to_string(n)));
+    const fs::path folder = into / (name_at(what, utc_us) + (n == 1 ? std::string() : "-" + std::to_string(n)));
     if (fs::create_directory(folder, error)) return folder;
     if (error) return std::unexpected(backup_failure(error, folder));
   }
@@ -106,7 +108,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
     if (auto allowed = require(*actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   }
   const std::int64_t now = context.clock();
-  const auto folder = new_folder(into, now);
+  const auto folder = new_folder(into, "cusp", now);
   if (!folder) return std::unexpected(folder.error());
   auto backup = fill(context, *folder, now);
   if (!backup) {
@@ -142,12 +144,12 @@ Stored<Backup> read_backup(const fs::path& folder) {
                 static_cast<std::uint64_t>(number("bytes"))};
 }
 
-Stored<std::vector<Backup>> backups_in(const fs::path& into, const Uuid& station) {
+Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional<Uuid>& station) {
   std::vector<Backup> out;
   std::error_code error;
   if (!fs::exists(into, error)) return out;
   for (fs::directory_iterator it(into, error), end; !error && it != end; it.increment(error)) {
-    if (auto backup = read_backup(it->path()); backup && backup->station == station) out.push_back(std::move(*backup));
+    if (auto backup = read_backup(it->path()); backup && (!station || backup->station == *station)) out.push_back(std::move(*backup));
   }
   if (error) return std::unexpected(backup_failure(error, into));
   std::ranges::sort(out, [](const Backup& a, const Backup& b) {
@@ -177,6 +179,48 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file) {
   if (done) return done;
   for (const fs::path& name : {file, key, counter_file_of(key)}) remove_new(name);
   return done;
+}
+
+namespace {
+
+/// What a database may have beside its own name.
+constexpr std::array<const char*, 6> kBeside = {"", "-wal", "-shm", "-journal", ".key", ".key-counter"};
+
+Stored<void> move_all(const fs::path& from, const fs::path& to) {
+  for (std::size_t i = 0; i < kBeside.size(); ++i) {
+    std::error_code error;
+    if (!fs::exists(from.string() + kBeside[i], error)) continue;
+    fs::rename(from.string() + kBeside[i], to.string() + kBeside[i], error);
+    if (!error) continue;
+    const StorageFailure failure = backup_failure(error, from.string() + kBeside[i]);
+    for (std::size_t moved = 0; moved < i; ++moved) fs::rename(to.string() + kBeside[moved], from.string() + kBeside[moved], error);
+    return std::unexpected(failure);
+  }
+  return {};
+}
+
+}  // namespace
+
+Stored<fs::path> put_aside(const fs::path& file, std::int64_t utc_us) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return fail(StorageError::not_found, file.string());
+  const auto folder = new_folder(fs::absolute(file, error).parent_path(), file.filename().string() + "-damaged", utc_us);
+  if (!folder) return folder;
+  if (auto moved = move_all(file, *folder / file.filename()); !moved) {
+    remove_new(*folder);
+    return std::unexpected(moved.error());
+  }
+  return folder;
+}
+
+Stored<void> take_back(const fs::path& folder, const fs::path& file) {
+  for (const char* beside : kBeside) {
+    std::error_code error;
+    if (fs::exists(file.string() + beside, error)) return fail(StorageError::duplicate, file.string() + beside);
+  }
+  if (auto moved = move_all(folder / file.filename(), file); !moved) return moved;
+  remove_new(folder);
+  return {};
 }
 
 Stored<void> log_restored(StorageContext& context, const Backup& backup) {

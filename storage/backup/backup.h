@@ -25,8 +25,8 @@ struct Backup {
 /// The copy is opened, checked for damage and synced. After a failure no part of it is left.
 Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& actor, const std::filesystem::path& into);
 
-/// Of this station, newest first: several may share a folder. Empty if the folder does not exist.
-Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const Uuid& station);
+/// Of this station, or of every one without a station, newest first: several may share a folder. Empty if the folder does not exist.
+Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const std::optional<Uuid>& station);
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);
 /// Removes all of this station but the newest `keep` ones.
@@ -36,6 +36,11 @@ Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station
 /// overwritten. corrupt if the backup is damaged. A failure leaves
 /// no new file. log_restored() follows, in the store of the new file.
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file);
+/// Moves a database that cannot be read, with its log, index, key and counter, to a new folder beside it; nothing is deleted. Returns
+/// the folder, "station.db-damaged-2026-11-20T09-14-03Z". After a failure all is where it was. No process may have the file open.
+Stored<std::filesystem::path> put_aside(const std::filesystem::path& file, std::int64_t utc_us);
+/// Moves back what put_aside() moved there. duplicate if something stands in its place.
+Stored<void> take_back(const std::filesystem::path& folder, const std::filesystem::path& file);
 /// The entry "restored" of the audit log.
 Stored<void> log_restored(StorageContext& context, const Backup& backup);
 

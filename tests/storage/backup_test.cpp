@@ -111,6 +111,48 @@ TEST_F(BackupTest, restoring_overwrites_nothing) {
   EXPECT_FALSE(fs::exists(folder / "y.db"));
 }
 
+TEST_F(BackupTest, damaged_records_are_put_aside_whole_and_a_backup_takes_their_place) {
+  const SessionId session = complete_session(*store, lena, version);
+  const Backup backup = make();
+  store.reset();
+  const fs::path file = folder / "a.db";
+  const auto size = fs::file_size(file);
+  fs::resize_file(file, size / 2);
+  const fs::path aside = must(put_aside(file, *now));
+  EXPECT_EQ(aside.filename(), "a.db-damaged-2026-11-20T09-14-03Z");
+  EXPECT_EQ(fs::file_size(aside / "a.db"), size / 2);
+  EXPECT_TRUE(fs::exists(aside / "a.db.key"));
+  EXPECT_FALSE(fs::exists(file));
+  must(restore_backup(backup, file));
+  store = open(file, quick(now));
+  must(log_restored(store->context(), backup));
+  EXPECT_FALSE(store->context().incident);
+  EXPECT_EQ(must(store->history.details(lena.actor(), session)).row.score, 81.5);
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
+TEST_F(BackupTest, what_was_put_aside_comes_back_where_nothing_took_its_place) {
+  store.reset();
+  const fs::path file = folder / "a.db";
+  const fs::path aside = must(put_aside(file, *now));
+  std::ofstream(file.string() + ".key") << "another";
+  EXPECT_EQ(code_of(take_back(aside, file)), StorageError::duplicate);
+  EXPECT_TRUE(fs::exists(aside / "a.db"));
+  fs::remove(file.string() + ".key");
+  must(take_back(aside, file));
+  EXPECT_FALSE(fs::exists(aside));
+  EXPECT_TRUE(must(verify_store(open(file, quick(now))->context())).intact());
+  EXPECT_EQ(code_of(put_aside(folder / "nowhere.db", *now)), StorageError::not_found);
+}
+
+TEST_F(BackupTest, all_in_a_folder_are_listed_where_no_station_is_known) {
+  const Backup backup = make();
+  EXPECT_EQ(must(backups_in(into(), Uuid::v7())).size(), 0u);
+  const auto all = must(backups_in(into(), std::nullopt));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].folder, backup.folder);
+}
+
 TEST_F(BackupTest, a_damaged_one_is_not_restored) {
   complete_session(*store, lena, version);
   const Backup backup = make();
