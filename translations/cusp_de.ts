@@ -677,6 +677,29 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::BackupsTable</name>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::BandPicture</name>
     <message>
         <source>No points below</source>
@@ -9166,6 +9189,10 @@
         <source>Checking…</source>
         <translation>Wird geprüft …</translation>
     </message>
+    <message>
+        <source>Go back to a backup</source>
+        <translation>Zu einer Sicherung zurück</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::SliceView</name>
@@ -9580,22 +9607,6 @@ Ihr bester davor</translation>
     <message>
         <source>Choose a folder</source>
         <translation>Ordner wählen</translation>
-    </message>
-    <message>
-        <source>Made</source>
-        <translation>Erstellt</translation>
-    </message>
-    <message>
-        <source>Sessions</source>
-        <translation>Sitzungen</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Folder</source>
-        <translation>Ordner</translation>
     </message>
     <message>
         <source>To go back, restore a backup to a new database with &quot;cusp restore FOLDER NEW.db&quot;. Nothing is overwritten.</source>
@@ -12372,6 +12383,14 @@ Ihr bester davor</translation>
         <source>Only an assessment draws a tooth for each candidate.</source>
         <translation>Nur eine Prüfung lost für jeden Kandidaten einen Zahn.</translation>
     </message>
+    <message>
+        <source>The records are damaged.</source>
+        <translation>Die Aufzeichnungen sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>What is whole can be read and exported. Nothing can be drilled or changed until a backup takes their place.</source>
+        <translation>Was unversehrt ist, kann gelesen und ausgegeben werden. Gebohrt oder geändert wird nichts, bis eine Sicherung an ihre Stelle tritt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -12835,6 +12854,75 @@ Ihr bester davor</translation>
     <message>
         <source>from</source>
         <translation>ab</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::WayBack</name>
+    <message>
+        <source>Go back to a backup</source>
+        <translation>Zu einer Sicherung zurück</translation>
+    </message>
+    <message>
+        <source>A backup can take the place of the records. The damaged files are moved to a folder beside them; nothing is deleted or overwritten. Attempts after the backup stay in that folder alone.</source>
+        <translation>Eine Sicherung kann an die Stelle der Aufzeichnungen treten. Die beschädigten Dateien kommen in einen Ordner daneben; nichts wird gelöscht oder überschrieben. Versuche nach der Sicherung bleiben nur in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>Go back to this backup</source>
+        <translation>Zu dieser Sicherung zurück</translation>
+    </message>
+    <message>
+        <source>Look in another folder</source>
+        <translation>In einem anderen Ordner suchen</translation>
+    </message>
+    <message>
+        <source>Try the records again</source>
+        <translation>Aufzeichnungen erneut öffnen</translation>
+    </message>
+    <message>
+        <source>There is no backup in %1.</source>
+        <translation>In %1 liegt keine Sicherung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n backup(s) in %1.</source>
+        <translation>
+            <numerusform>%n Sicherung in %1.</numerusform>
+            <numerusform>%n Sicherungen in %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a folder with backups</source>
+        <translation>Ordner mit Sicherungen wählen</translation>
+    </message>
+    <message>
+        <source>Go back to the backup of %1?</source>
+        <translation>Zur Sicherung vom %1 zurück?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It holds %n session(s). No other Cusp may run with these records.</source>
+        <translation>
+            <numerusform>Sie enthält %n Sitzung. Kein anderes Cusp darf mit diesen Aufzeichnungen laufen.</numerusform>
+            <numerusform>Sie enthält %n Sitzungen. Kein anderes Cusp darf mit diesen Aufzeichnungen laufen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück zur Sicherung</translation>
+    </message>
+    <message>
+        <source>Checking and copying the backup</source>
+        <translation>Die Sicherung wird geprüft und kopiert</translation>
+    </message>
+    <message>
+        <source>The backup was not put in place.</source>
+        <translation>Die Sicherung wurde nicht eingesetzt.</translation>
+    </message>
+    <message>
+        <source>The records are those of %1.</source>
+        <translation>Die Aufzeichnungen sind die vom %1.</translation>
+    </message>
+    <message>
+        <source>What was damaged is kept in %1.</source>
+        <translation>Was beschädigt war, liegt in %1.</translation>
     </message>
 </context>
 </TS>

@@ -688,4 +688,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>cusp::ui::WayBack</name>
+    <message numerus="yes">
+        <source>%n backup(s) in %1.</source>
+        <translation>
+            <numerusform>%n backup in %1.</numerusform>
+            <numerusform>%n backups in %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It holds %n session(s). No other Cusp may run with these records.</source>
+        <translation>
+            <numerusform>It holds %n session. No other Cusp may run with these records.</numerusform>
+            <numerusform>It holds %n sessions. No other Cusp may run with these records.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1,5 +1,6 @@
 #include "ui/admin/backup_work.h"
 
+#include "storage/base/clock.h"
 #include "storage/store.h"
 #include "ui/session/records_task.h"
 
@@ -16,7 +17,30 @@ Stored<Backup> back_up_and_thin(const RecordsBeside& records, const std::filesys
   return backup;
 }
 
+Stored<void> restore_in_place(const std::filesystem::path& database, const Backup& backup) {
+  if (auto done = restore_backup(backup, database); !done) return done;
+  StoreOptions options;
+  options.database.access = DatabaseOptions::Access::existing;
+  const auto store = Store::open(database, options);
+  if (!store) return std::unexpected(store.error());
+  return log_restored((*store)->context(), backup);
+}
+
+Stored<WentBack> put_in_place(const std::filesystem::path& database, const Backup& backup) {
+  const auto aside = put_aside(database, system_utc_us());
+  if (!aside) return std::unexpected(aside.error());
+  if (auto done = restore_in_place(database, backup); !done) {
+    static_cast<void>(take_back(*aside, database));  // the cause is what people read
+    return std::unexpected(done.error());
+  }
+  return WentBack{backup, *aside};
+}
+
 }  // namespace
+
+BackgroundTask go_back(std::filesystem::path database, Backup backup, std::function<void(Stored<WentBack>)> then) {
+  return BackgroundTask([database = std::move(database), backup = std::move(backup), then = std::move(then)] { then(put_in_place(database, backup)); });
+}
 
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<Backup>)> then) {

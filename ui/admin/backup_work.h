@@ -23,6 +23,13 @@ inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
 /// Without an actor it is the program's own daily one.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
                        std::function<void(Stored<Backup>)> then);
+struct WentBack {
+  Backup backup;
+  std::filesystem::path aside;  // where the records from before are
+};
+/// put_aside(), restore_backup() and log_restored(). Pre: nothing has `database` open. After a failure it is as it was. `then` is
+/// called on the task's thread.
+BackgroundTask go_back(std::filesystem::path database, Backup backup, std::function<void(Stored<WentBack>)> then);
 /// verify_store(); `then` is called on the task's thread.
 BackgroundTask verify_records(RecordsBeside records, std::function<void(Stored<StoreVerification>)> then);
 

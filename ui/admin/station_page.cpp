@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QStandardItemModel>
 
+#include "ui/admin/backups_table.h"
 #include "ui/admin/recordings_card.h"
 #include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
@@ -15,7 +15,6 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/table.h"
 
 namespace cusp::ui {
 namespace {
@@ -127,12 +126,7 @@ QWidget* StationPage::make_backups() {
   row->addWidget(choose_);
   row->addStretch();
   card->body()->addLayout(row);
-  table_ = new Table;
-  table_->setAccessibleName(tr("Backups"));
-  list_ = new QStandardItemModel(this);
-  list_->setHorizontalHeaderLabels({tr("Made"), tr("Sessions"), tr("Size"), tr("Folder")});
-  table_->setModel(list_);
-  table_->set_stretch_column(3);
+  table_ = new BackupsTable;
   card->body()->addWidget(table_, 1);
   card->body()->addWidget(wrapped(tr("To go back, restore a backup to a new database with \"cusp restore FOLDER NEW.db\". Nothing is overwritten.")));
   connect(back_up_, &QPushButton::clicked, this, &StationPage::back_up);
@@ -144,23 +138,12 @@ void StationPage::show_backups() {
   const auto into = settings_.backup_folder(database_);
   folder_->setText(tr("One a day, the newest %1 are kept in %2").arg(kBackupsKept).arg(QString::fromStdString(into.string())));
   const auto all = backups_in(into, station_);
-  list_->removeRows(0, list_->rowCount());
+  table_->show_backups(all.value_or(std::vector<Backup>{}));
   if (!all || all->empty()) {
     newest_->setText(all ? tr("There is no backup yet.") : describe(all.error()).what);
     return;
   }
   newest_->setText(tr("The newest one is of %1.").arg(format_day_time(local_time(all->front().made_utc_us))));
-  for (const Backup& backup : *all) {
-    QList<QStandardItem*> cells;
-    for (const QString& text : {format_day_time(local_time(backup.made_utc_us)), QLocale().toString(static_cast<qulonglong>(backup.sessions)),
-                                size_text(backup.bytes), QString::fromStdString(backup.folder.filename().string())}) {
-      auto* cell = new QStandardItem(text);
-      cell->setEditable(false);
-      cells += cell;
-    }
-    list_->appendRow(cells);
-  }
-  for (int column = 0; column < 3; ++column) table_->resizeColumnToContents(column);
 }
 
 void StationPage::begin(const QString& what) {

@@ -15,15 +15,14 @@
 class QBoxLayout;
 class QLabel;
 class QPushButton;
-class QStandardItemModel;
 
 namespace cusp::ui {
 
+class BackupsTable;
 class Band;
 class Busy;
 class NumberField;
 class RecordingsCard;
-class Table;
 
 class StationPage : public QWidget {
   Q_OBJECT
@@ -70,8 +69,7 @@ class StationPage : public QWidget {
   RecordingsCard* recordings_ = nullptr;
   QLabel *folder_ = nullptr, *newest_ = nullptr;
   QPushButton *back_up_ = nullptr, *choose_ = nullptr, *verify_ = nullptr;
-  QStandardItemModel* list_ = nullptr;
-  Table* table_ = nullptr;
+  BackupsTable* table_ = nullptr;
 };
 
 }  // namespace cusp::ui

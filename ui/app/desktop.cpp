@@ -105,6 +105,8 @@ void Desktop::replace_root(QWidget* root) {
 void Desktop::show_sign_in(SignIn* page) {
   if (const auto message = incident()) page->show_incident(*message);
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
+  if (records_damaged()) page->offer_way_back();
+  connect(page, &SignIn::way_back_wanted, this, [this] { show_way_back(describe(*reading_only_)); });
   if (!opengl_allowed()) page->show_note({ToothView::pictures_off(), tr("The next start tries them again.")});
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);

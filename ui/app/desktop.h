@@ -132,6 +132,9 @@ class Desktop : public QMainWindow {
   void show_shell(const QString& page_key);
   void show_device();
   void show_refusal(const Message& message);
+  /// Closes the records: a backup takes their place.
+  void show_way_back(const Message& why);
+  bool records_damaged() const;
   Stored<std::unique_ptr<Store>> open_records(StoreOptions options = {}) const;
   std::optional<Message> incident();
   std::optional<Message> why_reading_only() const;

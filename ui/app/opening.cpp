@@ -5,6 +5,7 @@
 
 #include "storage/base/clock.h"
 #include "ui/admin/backup_work.h"
+#include "ui/admin/way_back.h"
 #include "ui/app/desktop.h"
 #include "ui/app/quick_start.h"
 #include "ui/render/opengl_allowed.h"
@@ -19,9 +20,17 @@ namespace {
 
 constexpr int kBackupLookMs = 60'000;  // between two looks at whether a backup is due
 
-/// A disk that takes nothing more can still be read.
-bool may_be_read(StorageError code) {
-  return code == StorageError::read_only || out_of_space(code) || code == StorageError::io;
+/// Whether the records themselves are damaged: only a backup helps. A file that is no database, without a key beside it, was never theirs.
+bool is_damage(const StorageFailure& failure, const std::filesystem::path& database) {
+  std::error_code ignored;
+  const bool theirs = std::filesystem::exists(database.string() + ".key", ignored);
+  return failure.code == StorageError::corrupt || failure.code == StorageError::bad_statement ||
+         (failure.code == StorageError::not_a_database && theirs);
+}
+
+/// A disk that takes nothing more can still be read, and so can what is whole of damaged records.
+bool may_be_read(const StorageFailure& failure, const std::filesystem::path& database) {
+  return failure.code == StorageError::read_only || out_of_space(failure.code) || failure.code == StorageError::io || is_damage(failure, database);
 }
 
 }  // namespace
@@ -35,7 +44,7 @@ void Desktop::start() {
   store_.reset();
   reading_only_.reset();
   auto store = open_records();
-  if (!store && may_be_read(store.error().code)) {
+  if (!store && may_be_read(store.error(), database_)) {
     const StorageFailure cause = store.error();
     reading_only_ = cause;
     auto reading = open_records();
@@ -46,8 +55,8 @@ void Desktop::start() {
     }
   }
   if (!store) {
-    show_refusal(describe(store.error()));
-    return;
+    if (is_damage(store.error(), database_)) return show_way_back(describe(store.error()));
+    return show_refusal(describe(store.error()));
   }
   store_ = std::move(*store);
   if (!reading_only_) backup_timer_.start(kBackupLookMs);
@@ -88,13 +97,27 @@ void Desktop::show_refusal(const Message& message) {
   replace_root(make_page(state));
 }
 
+bool Desktop::records_damaged() const { return reading_only_ && is_damage(*reading_only_, database_); }
+
+void Desktop::show_way_back(const Message& why) {
+  auto* page = new WayBack(database_, settings_.backup_folder(database_), why, ports_);
+  replace_root(page);
+  store_.reset();  // the page before may hold it
+  connect(page, &WayBack::try_again, this, &Desktop::start);
+  connect(page, &WayBack::went_back, this, [this](const Message& done) {
+    start();
+    if (sign_in_) sign_in_->show_note(done);
+  });
+}
+
 std::optional<Message> Desktop::incident() {
   const auto& met = store_->context().incident;
   return met ? std::optional(describe_incident(*met, database_)) : std::nullopt;
 }
 
 std::optional<Message> Desktop::why_reading_only() const {
-  return reading_only_ ? std::optional(describe_reading_only(*reading_only_, database_)) : std::nullopt;
+  if (!reading_only_) return std::nullopt;
+  return records_damaged() ? describe_damaged() : describe_reading_only(*reading_only_, database_);
 }
 
 void Desktop::show_quick_start() {

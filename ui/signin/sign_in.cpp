@@ -79,6 +79,8 @@ void SignIn::show_reading_only(const Message& why) {
   try_again_->show();
 }
 
+void SignIn::offer_way_back() { way_back_->show(); }
+
 void SignIn::show_fields(int tab) {
   const bool staff = tab == static_cast<int>(Who::staff);
   student_fields_->setVisible(!staff);

@@ -44,6 +44,8 @@ class SignIn : public QWidget {
   void show_note(const Message& message);
   /// The records cannot be written: shown to everybody, with "Try again".
   void show_reading_only(const Message& why);
+  /// Beside what show_reading_only() says: the records are damaged.
+  void offer_way_back();
   QString message() const;
   /// Until the records have answered: argon2id takes longer than a frame. A second press is ignored meanwhile.
   bool waiting() const { return wait_ && wait_->running(); }
@@ -54,6 +56,7 @@ class SignIn : public QWidget {
   void administrator_made();
   void try_it();
   void try_again();
+  void way_back_wanted();  // a backup in the place of damaged records
   void language_chosen(const QString& code);
   void theme_toggled();
 
@@ -89,7 +92,7 @@ class SignIn : public QWidget {
   QWidget *student_fields_ = nullptr, *staff_fields_ = nullptr;
   QLineEdit *number_ = nullptr, *staff_number_ = nullptr, *password_ = nullptr, *repeat_ = nullptr, *name_ = nullptr;
   PinField* pin_ = nullptr;
-  QPushButton *enter_ = nullptr, *try_again_ = nullptr;
+  QPushButton *enter_ = nullptr, *try_again_ = nullptr, *way_back_ = nullptr;
   Band *band_ = nullptr, *incident_ = nullptr, *reading_only_ = nullptr;
   QLabel* picture_ = nullptr;
   QImage image_;

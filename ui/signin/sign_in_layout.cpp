@@ -88,8 +88,15 @@ QWidget* SignIn::make_notices() {
   column->addWidget(incident_);
   try_again_ = make_button(tr("Try again"), ButtonKind::standard);
   try_again_->hide();
-  column->addWidget(try_again_, 0, Qt::AlignLeft);
+  way_back_ = make_button(tr("Go back to a backup"), ButtonKind::standard);
+  way_back_->hide();
+  auto* row = new QHBoxLayout;
+  row->addWidget(try_again_);
+  row->addWidget(way_back_);
+  row->addStretch();
+  column->addLayout(row);
   connect(try_again_, &QPushButton::clicked, this, &SignIn::try_again);
+  connect(way_back_, &QPushButton::clicked, this, &SignIn::way_back_wanted);
   return notices;
 }
 

@@ -39,6 +39,11 @@ Message describe_reading_only(const StorageFailure& cause, const std::filesystem
                                 .arg(isolate(QString::fromStdString(database.filename().string())))};
 }
 
+Message describe_damaged() {
+  return {Text::tr("The records are damaged."),
+          Text::tr("What is whole can be read and exported. Nothing can be drilled or changed until a backup takes their place.")};
+}
+
 QString finding_text(const ChainFinding& f) {
   QString where = f.row >= 0 ? Text::tr("%1, row %2").arg(QString::fromStdString(f.table)).arg(f.row) : QString::fromStdString(f.table);
   if (!f.what.empty()) where += QStringLiteral(", ") + QString::fromStdString(f.what);

@@ -17,6 +17,8 @@ Message describe_incident(std::string_view incident, const std::filesystem::path
 /// The records can only be read, for the reason that `cause` names.
 Message describe_reading_only(const StorageFailure& cause, const std::filesystem::path& database);
 
+/// What can be done with records that are damaged and can be read in part.
+Message describe_damaged();
 /// What verification found, and where: "The record was changed: trace_chunks, row 11, second 12 of the session."
 QString finding_text(const ChainFinding& finding);
 

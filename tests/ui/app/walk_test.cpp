@@ -31,6 +31,7 @@
 #include "ui/replay/reference_page.h"
 #include "ui/report/report_page.h"
 #include "ui/student/briefing.h"
+#include "ui/admin/way_back.h"
 #include "ui/student/self_assessment_page.h"
 #include "ui/text/language.h"
 #include "ui/view/section_bar.h"
@@ -157,6 +158,9 @@ struct Walk : ::testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([&] { return reference->ready(); }, 60'000));
     visit(desktop, "reference");
     desktop.back();
+    desktop.back();
+    desktop.push(new WayBack("/var/lib/cusp/station.db", "/var/lib/cusp/backups", {QStringLiteral("The database is damaged."), QStringLiteral("It cannot be read whole.")}, ports));
+    visit(desktop, "way back");
     desktop.back();
     desktop.push(new SelfAssessmentPage(*load_builtin("class-2-46-mo"), SelfAssessmentPage::Then::result));
     visit(desktop, "own assessment");

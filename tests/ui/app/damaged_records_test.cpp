@@ -1,0 +1,98 @@
+// Records that cannot be read whole: what is whole is read, a backup takes their place, and nothing is overwritten.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "storage/backup/backup.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/admin/way_back.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/signin/sign_in.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp::test {
+namespace {
+
+struct DamagedRecords : ::testing::Test {
+  DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  std::unique_ptr<Desktop> desktop;
+
+  QStringList pages() const {
+    QStringList keys;
+    for (const NavEntry& e : desktop->shell()->entries()) keys += e.key;
+    return keys;
+  }
+  QString bands() const {
+    QStringList out;
+    for (const Band* band : desktop->page()->findChildren<Band*>())
+      if (!band->isHidden()) out += band->text();
+    return out.join(u' ');
+  }
+};
+
+/// Ports whose every question is answered with its act.
+Ports agreeing() {
+  Ports ports = Ports::of_the_system();
+  ports.ask = [](QWidget*, const Question&, const std::function<void(bool)>& then) { then(true); };
+  return ports;
+}
+
+TEST_F(DamagedRecords, offer_a_way_back_to_a_backup_and_stay_beside_it) {
+  const Account lena = records.student("1", "Lena Brandt", "271828");
+  const SessionId session = records.attempt(lena, "channel-1", 78, 426);
+  settings.set_backup_folder(folder.filePath(QStringLiteral("backups")));
+  const auto backup = make_backup(records.store().context(), records.administrator().actor(), settings.backup_folder(records.file()));
+  ASSERT_TRUE(backup);
+  const auto file = std::filesystem::path(folder.filePath(QStringLiteral("school.db")).toStdString());
+  ASSERT_TRUE(restore_backup(*backup, file));
+  std::filesystem::resize_file(file, 5000);
+  const Ports ports = agreeing();
+  desktop = std::make_unique<Desktop>(settings, ports, file);
+  desktop->start();
+  desktop->show();
+  auto* page = qobject_cast<WayBack*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  EXPECT_EQ(std::filesystem::file_size(file), 5000u) << "looking changes nothing";
+  page->act()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 20'000));
+  EXPECT_TRUE(bands().contains(QStringLiteral("What was damaged is kept in")));
+  const auto again = desktop->store()->accounts.sign_in_with_pin("1", "271828");
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(desktop->store()->history.details(again->actor(), session));
+  bool kept = false;
+  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
+    kept = kept || (entry.path().filename().string().starts_with("school.db-damaged-") && std::filesystem::file_size(entry.path() / "school.db") == 5000);
+  EXPECT_TRUE(kept);
+}
+
+TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back) {
+  const Account lena = records.student("1", "Lena Brandt", "271828");
+  records.attempt(lena, "channel-1", 78, 426);
+  desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file(),
+                                      [](const std::filesystem::path& file, const StoreOptions& options) -> Stored<std::unique_ptr<Store>> {
+                                        if (options.database.access != DatabaseOptions::Access::read_only) return fail(StorageError::corrupt, file.string());
+                                        return Store::open(file, options);
+                                      });
+  desktop->start();
+  desktop->show();
+  ASSERT_NE(qobject_cast<SignIn*>(desktop->page()), nullptr);
+  EXPECT_TRUE(bands().contains(QStringLiteral("What is whole can be read and exported.")));
+  desktop->sign_in(records.administrator());
+  EXPECT_TRUE(pages().contains(QStringLiteral("performance")));
+  EXPECT_FALSE(pages().contains(QStringLiteral("cohorts")));
+  desktop->sign_out();
+  Q_EMIT qobject_cast<SignIn*>(desktop->page())->way_back_wanted();
+  EXPECT_NE(qobject_cast<WayBack*>(desktop->page()), nullptr);
+  EXPECT_EQ(desktop->store(), nullptr) << "nothing holds the file that is to be moved";
+}
+
+}  // namespace
+}  // namespace cusp::test

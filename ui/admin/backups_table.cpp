@@ -1,0 +1,39 @@
+#include "ui/admin/backups_table.h"
+
+#include <QLocale>
+#include <QStandardItemModel>
+
+#include "ui/widgets/format.h"
+
+namespace cusp::ui {
+
+BackupsTable::BackupsTable(QWidget* parent) : Table(parent), list_(new QStandardItemModel(this)) {
+  setAccessibleName(tr("Backups"));
+  list_->setHorizontalHeaderLabels({tr("Made"), tr("Sessions"), tr("Size"), tr("Folder")});
+  setModel(list_);
+  set_stretch_column(3);
+}
+
+void BackupsTable::show_backups(std::vector<Backup> backups) {
+  backups_ = std::move(backups);
+  list_->removeRows(0, list_->rowCount());
+  for (const Backup& backup : backups_) {
+    QList<QStandardItem*> cells;
+    for (const QString& text :
+         {format_day_time(local_time(backup.made_utc_us)), QLocale().toString(static_cast<qulonglong>(backup.sessions)),
+          QLocale().formattedDataSize(static_cast<qint64>(backup.bytes), 1), QString::fromStdString(backup.folder.filename().string())}) {
+      auto* cell = new QStandardItem(text);
+      cell->setEditable(false);
+      cells += cell;
+    }
+    list_->appendRow(cells);
+  }
+  for (int column = 0; column < 3; ++column) resizeColumnToContents(column);
+}
+
+std::optional<Backup> BackupsTable::chosen() const {
+  const int row = chosen_row();
+  return row >= 0 && row < static_cast<int>(backups_.size()) ? std::optional(backups_[static_cast<std::size_t>(row)]) : std::nullopt;
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,28 @@
+/// Backups as a table, newest first: when made, sessions, size, folder. Thread: GUI.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "storage/backup/backup.h"
+#include "ui/modules.h"
+#include "ui/widgets/table.h"
+
+class QStandardItemModel;
+
+namespace cusp::ui {
+
+class BackupsTable : public Table {
+  Q_OBJECT
+
+ public:
+  explicit BackupsTable(QWidget* parent = nullptr);
+  void show_backups(std::vector<Backup> backups);
+  std::optional<Backup> chosen() const;
+
+ private:
+  QStandardItemModel* list_;
+  std::vector<Backup> backups_;
+};
+
+}  // namespace cusp::ui

@@ -1,0 +1,120 @@
+#include "ui/admin/way_back.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/admin/backups_table.h"
+#include "ui/admin/on_window.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp::ui {
+namespace {
+
+QLabel* quiet(const QString& text) {
+  QLabel* label = make_label(text, TextRole::body, Weight::regular, "text2");
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace
+
+WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, const Message& why, const Ports& ports, QWidget* parent)
+    : QWidget(parent), database_(std::move(database)), ports_(ports) {
+  setAccessibleName(tr("Go back to a backup"));
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* body = nullptr;
+  outer->addWidget(make_scroll_page(&body));
+  body->setSpacing(px(12));
+  body->addWidget(new PageHead(why.what));
+  body->addWidget(quiet(why.more));
+  body->addWidget(quiet(tr("A backup can take the place of the records. The damaged files are moved to a folder beside them; nothing is deleted or overwritten. "
+                           "Attempts after the backup stay in that folder alone.")));
+  band_ = new Band;
+  body->addWidget(band_);
+  busy_ = new Busy;
+  busy_->hide();
+  body->addWidget(busy_);
+  found_ = quiet({});
+  body->addWidget(found_);
+  table_ = new BackupsTable;
+  body->addWidget(table_, 1);
+  auto* row = new QHBoxLayout;
+  go_back_ = make_button(tr("Go back to this backup"), ButtonKind::primary);
+  choose_ = make_button(tr("Look in another folder"));
+  again_ = make_button(tr("Try the records again"));
+  for (QPushButton* button : {go_back_, choose_, again_}) row->addWidget(button);
+  row->addStretch();
+  body->addLayout(row);
+  connect(go_back_, &QPushButton::clicked, this, &WayBack::go_back);
+  connect(choose_, &QPushButton::clicked, this, &WayBack::choose_folder);
+  connect(again_, &QPushButton::clicked, this, &WayBack::try_again);
+  look_into(backups);
+  setFocusProxy(go_back_->isEnabled() ? go_back_ : choose_);
+}
+
+QString WayBack::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+
+void WayBack::look_into(const std::filesystem::path& folder) {
+  auto all = backups_in(folder, std::nullopt);
+  const QString name = QString::fromStdString(folder.string());
+  if (!all) {
+    found_->setText(describe(all.error()).what);
+  } else if (all->empty()) {
+    found_->setText(tr("There is no backup in %1.").arg(name));
+  } else {
+    found_->setText(tr("%n backup(s) in %1.", nullptr, static_cast<int>(all->size())).arg(name));
+  }
+  table_->show_backups(all ? std::move(*all) : std::vector<Backup>{});
+  table_->choose_row(0);
+  go_back_->setEnabled(table_->chosen().has_value());
+}
+
+void WayBack::choose_folder() {
+  FileWish wish;
+  wish.title = tr("Choose a folder with backups");
+  wish.what = FileWish::What::folder;
+  wish.saving = false;
+  ports_.pick_file(this, wish, [this](const QString& path) { look_into(path.toStdString()); });
+}
+
+void WayBack::go_back() {
+  const auto backup = table_->chosen();
+  if (!backup || busy_->isVisible()) return;
+  const Question question{.what = tr("Go back to the backup of %1?").arg(format_day_time(local_time(backup->made_utc_us))),
+                          .more = tr("It holds %n session(s). No other Cusp may run with these records.", nullptr, static_cast<int>(backup->sessions)),
+                          .act = tr("Go back")};
+  ports_.ask(this, question, [this, chosen = *backup](bool yes) {
+    if (yes) begin(chosen);
+  });
+}
+
+void WayBack::begin(const Backup& backup) {
+  enable(false);
+  band_->clear();
+  busy_->start(tr("Checking and copying the backup"), Busy::Cancel::none);
+  task_ = ui::go_back(database_, backup, on_window<Stored<WentBack>>(this, &WayBack::show_went_back));
+}
+
+void WayBack::show_went_back(const Stored<WentBack>& done) {
+  busy_->finish();
+  enable(true);
+  if (!done) {
+    const Message message = describe(done.error());
+    band_->show_message(Band::Kind::bad, tr("The backup was not put in place."), message.what + u' ' + message.more);
+    return;
+  }
+  Q_EMIT went_back({tr("The records are those of %1.").arg(format_day_time(local_time(done->backup.made_utc_us))),
+                    tr("What was damaged is kept in %1.").arg(QString::fromStdString(done->aside.string()))});
+}
+
+void WayBack::enable(bool on) {
+  for (QPushButton* button : {go_back_, choose_, again_}) button->setEnabled(on);
+  table_->setEnabled(on);
+}
+
+}  // namespace cusp::ui
