@@ -7,6 +7,7 @@
 #include "scenarios/format/read.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/modules.h"
+#include "ui/student/exercise_groups.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -67,7 +68,7 @@ Stored<Library> load_library(Store& store, const Actor& actor) {
     if (auto seen = see_versions(store, row); !seen) return std::unexpected(seen.error());
   std::ranges::stable_sort(out.rows, {}, [](const LibraryRow& row) {
     const bool comes_with_program = row.exercise && !row.exercise->scenario.key.empty();
-    return std::tuple(!row.draft, -row.saved_utc_us, comes_with_program);
+    return std::tuple(!row.draft, -row.saved_utc_us, comes_with_program, group_of(row.shown()));
   });
   return out;
 }

@@ -16,6 +16,7 @@
 #include "ui/editor/editor_records.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_model.h"
+#include "ui/student/exercise_groups.h"
 
 namespace cusp::test {
 namespace {
@@ -108,6 +109,16 @@ TEST_F(EditorRecords, a_draft_is_found_again_and_goes_when_everything_is_undone)
   model.stack().undo();
   ASSERT_TRUE(keep_draft(records.store(), instructor.actor(), model, kept_json).has_value());
   EXPECT_TRUE(records.store().scenarios.drafts(instructor.actor())->empty());
+}
+
+TEST_F(EditorRecords, the_library_lists_teeth_in_the_students_groups_before_blocks) {
+  const auto library = load_library(records.store(), instructor.actor());
+  ASSERT_TRUE(library.has_value());
+  std::vector<ExerciseGroup> groups;
+  for (const LibraryRow& row : library->rows) groups.push_back(group_of(row.shown()));
+  EXPECT_EQ(groups.front(), ExerciseGroup::class_1);
+  EXPECT_EQ(groups.back(), ExerciseGroup::block);
+  EXPECT_TRUE(std::ranges::is_sorted(groups));
 }
 
 TEST_F(EditorRecords, a_copy_has_an_identity_of_its_own_and_begins_at_version_one) {
