@@ -38,6 +38,23 @@ QPixmap swatch(QColor colour) {
   return out;
 }
 
+/// What a mesh is most likely made of, by its name; kNotUsed: the name says nothing. Longer words first: a "carious dentine" is no dentine.
+int likely_tissue(const std::string& name) {
+  struct Word {
+    const char* part;
+    Tissue tissue;
+  };
+  constexpr Word kWords[] = {{"cari", Tissue::carious_dentine}, {"kari", Tissue::carious_dentine}, {"enamel", Tissue::enamel}, {"schmelz", Tissue::enamel},
+                             {"dentin", Tissue::dentine},       {"cement", Tissue::cementum},      {"zement", Tissue::cementum}, {"pulp", Tissue::pulp},
+                             {"bone", Tissue::bone},            {"knochen", Tissue::bone},         {"gingiva", Tissue::gingiva}, {"gum", Tissue::gingiva},
+                             {"zahnfleisch", Tissue::gingiva},  {"ligament", Tissue::ligament},    {"amalgam", Tissue::amalgam}, {"composite", Tissue::composite},
+                             {"komposit", Tissue::composite},   {"plastic", Tissue::plastic},      {"typodont", Tissue::plastic}};
+  const QString lower = QString::fromStdString(name).toLower();
+  for (const Word& word : kWords)
+    if (lower.contains(QLatin1StringView(word.part))) return static_cast<int>(word.tissue);
+  return kNotUsed;
+}
+
 }  // namespace
 
 QComboBox* make_tissue_box(const QString& none, const QString& name) {
@@ -73,12 +90,15 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     QLabel* state = make_label({}, TextRole::body, Weight::regular, sound ? "good" : "look");
     state->setWordWrap(true);
     QComboBox* tissue = make_tissue_box(tr("Leave out"), tr("What %1 is made of").arg(name));
+    // A lone mesh without a telling name is a crown's surface.
+    const int named = likely_tissue(info.name);
+    const int likely = several || named != kNotUsed ? named : static_cast<int>(Tissue::enamel);
     grid->addWidget(title, line, 0, Qt::AlignVCenter);
     grid->addWidget(size, line, 1, Qt::AlignVCenter);
     grid->addWidget(state, line, 2, Qt::AlignVCenter);
     grid->addWidget(tissue, line, 3, Qt::AlignVCenter);
     connect(tissue, &QComboBox::currentIndexChanged, this, &MeshForm::changed);
-    rows_.push_back({std::move(info), size, state, tissue});
+    rows_.push_back({std::move(info), size, state, tissue, likely});
     ++line;
   }
   column->addLayout(grid);
@@ -139,7 +159,7 @@ PartPrecedence MeshForm::precedence() const {
 
 void MeshForm::show_states() {
   const auto mend = mend_mm();
-  for (const Row& row : rows_) {
+  for (Row& row : rows_) {
     const MeshInfo& m = row.info;
     row.size->setText(size_text((m.high - m.low) * unit_mm_, u"mm"_qs));
     bool usable = m.closed && m.oriented;
@@ -157,7 +177,8 @@ void MeshForm::show_states() {
                              .arg(mm, place_text(widest.middle() * unit_mm_)));
     }
     row.tissue->setEnabled(usable);
-    if (!usable) row.tissue->setCurrentIndex(0);
+    if (usable != row.usable) row.tissue->setCurrentIndex(usable ? row.tissue->findData(row.likely) : 0);
+    row.usable = usable;
     row.tissue->setToolTip(usable ? QString() : tr("An open surface cannot be made of anything: mend it first."));
   }
 }
@@ -171,16 +192,17 @@ std::vector<std::pair<std::string, Tissue>> MeshForm::chosen() const {
   return out;
 }
 
-Vec3 MeshForm::size() const {
-  const bool any = !chosen().empty();
+Vec3 MeshForm::size_of(bool chosen_alone) const {
   Vec3 low(1e300), high(-1e300);
   for (const Row& row : rows_) {
-    if (any && row.tissue->currentData().toInt() == 0) continue;
+    if (chosen_alone && row.tissue->currentData().toInt() == 0) continue;
     low = glm::min(low, row.info.low);
     high = glm::max(high, row.info.high);
   }
   return rows_.empty() ? Vec3(0.0) : high - low;
 }
+Vec3 MeshForm::size() const { return size_of(!chosen().empty()); }
+Vec3 MeshForm::whole_size() const { return size_of(false); }
 
 VolumeForm::VolumeForm(const ImageInfo& info, std::shared_ptr<const ImagePreview> preview, QWidget* parent)
     : QWidget(parent), info_(info) {

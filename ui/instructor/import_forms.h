@@ -31,6 +31,8 @@ class MeshForm : public QWidget {
   std::vector<std::pair<std::string, Tissue>> chosen() const;
   /// Size of the bounding box of the chosen meshes, or of all if none is chosen. Units: of the file.
   Vec3 size() const;
+  /// Likewise of all meshes.
+  Vec3 whole_size() const;
   /// Widest hole that is closed; nullopt without mending.
   std::optional<double> mend_mm() const;
   PartPrecedence precedence() const;
@@ -43,9 +45,12 @@ class MeshForm : public QWidget {
     MeshInfo info;
     QLabel *size, *state;
     QComboBox* tissue;
+    int likely;           // code of the tissue that its name says; 0: none
+    bool usable = false;  // closed, or mended
   };
   void add_precedence(QVBoxLayout& column);
   void show_states();
+  Vec3 size_of(bool chosen_alone) const;
 
   double unit_mm_ = 1.0;
   std::vector<Row> rows_;

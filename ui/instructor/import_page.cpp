@@ -260,7 +260,7 @@ void ImportPage::show_look(FileLook look) {
     mesh_form_ = new MeshForm(std::move(look.meshes));
     parts_card_->body()->addWidget(mesh_form_);
     connect(mesh_form_, &MeshForm::changed, this, &ImportPage::forget_made);
-    const Vec3 size = mesh_form_->size();
+    const Vec3 size = mesh_form_->whole_size();
     size_->begin({.unit_mm = guessed_unit_mm(std::max({size.x, size.y, size.z}))});
   }
   show_files();

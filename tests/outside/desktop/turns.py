@@ -113,8 +113,6 @@ def of_volume(path, program):
     pictures.cube(file, VOLUME_MM)
     program.press("Choose a file…")
     cohort.pick(program, "Choose a file", file)
-    program.find("combo box", "Leave out").press()
-    program.find("list item", "Enamel").click()
     enabled(program, "Make a specimen").press()
     enabled(program, "Keep it and make an exercise").press()
     editor = program.find(None, "Editor")

@@ -27,12 +27,12 @@ TEST_F(ImportPageTest, nested_meshes_of_several_files_become_an_exercise_on_thei
   open({file("pulp.stl")});  // joins the first
   ASSERT_NE(page->meshes(), nullptr);
   EXPECT_EQ(page->files().size(), 2u);
+  EXPECT_EQ(box(QStringLiteral("What pulp is made of"))->currentData().toInt(), static_cast<int>(Tissue::pulp)) << "its name says so";
+  EXPECT_EQ(box(QStringLiteral("What crown is made of"))->currentIndex(), 0) << "several parts, and no telling name";
+  choose(QStringLiteral("What crown is made of"), Tissue::dentine);
   // 0.8 units long: centimetres are the first that make a tooth of it.
   EXPECT_TRUE(texts().contains(QStringLiteral("8.0 × 8.0 × 8.0"))) << texts().toStdString();
   QPushButton* make = button(QStringLiteral("Make a specimen"));
-  EXPECT_FALSE(make->isEnabled());
-  choose(QStringLiteral("What crown is made of"), Tissue::dentine);
-  choose(QStringLiteral("What pulp is made of"), Tissue::pulp);
   ASSERT_TRUE(make->isEnabled());
   EXPECT_FALSE(keep()->isVisibleTo(page.get()));
   this->make();
@@ -46,6 +46,26 @@ TEST_F(ImportPageTest, nested_meshes_of_several_files_become_an_exercise_on_thei
   const auto volume = read_nrrd(std::filesystem::path(started->folder) / started->draft.specimen.volume);
   ASSERT_TRUE(volume);
   EXPECT_DOUBLE_EQ(volume->grid.voxel_mm, 0.1);
+}
+
+TEST_F(ImportPageTest, a_lone_mesh_is_enamel_until_somebody_chooses) {
+  write_text(folder / "cube.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  open({file("cube.stl")});
+  EXPECT_EQ(box(QStringLiteral("What cube is made of"))->currentData().toInt(), static_cast<int>(Tissue::enamel));
+  EXPECT_TRUE(button(QStringLiteral("Make a specimen"))->isEnabled());
+}
+
+TEST_F(ImportPageTest, a_part_takes_the_tissue_of_its_name_once_it_is_mended) {
+  Mesh open_ball = sphere("Dentin", {10, 0, 0}, 4.0, 3);
+  open_ball.triangles.erase(open_ball.triangles.begin() + 5);
+  write_obj(folder / "m.obj", {open_ball, sphere("Schmelz", {10, 0, 0}, 5.0, 2)});
+  open({file("m.obj")});
+  const auto is = [&](const char* name) { return static_cast<Tissue>(box(QStringLiteral("What %1 is made of").arg(QString::fromUtf8(name)))->currentData().toInt()); };
+  EXPECT_EQ(is("Schmelz"), Tissue::enamel);
+  page->findChild<QCheckBox*>()->setChecked(false);
+  EXPECT_EQ(is("Dentin"), Tissue::empty);
+  page->findChild<QCheckBox*>()->setChecked(true);
+  EXPECT_EQ(is("Dentin"), Tissue::dentine);
 }
 
 TEST_F(ImportPageTest, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_when_asked) {
