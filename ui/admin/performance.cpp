@@ -162,7 +162,8 @@ void Performance::fill_filters() {
     for (const std::string& device : *devices) device_->addItem(device_name(device), QString::fromStdString(device));
   }
   cohort_->addItem(tr("All cohorts"));
-  if (const auto cohorts = store_.cohorts.list()) {
+  if (auto cohorts = store_.cohorts.list()) {
+    std::ranges::sort(*cohorts, stands_before, &Cohort::name);
     for (const Cohort& cohort : *cohorts) cohort_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id.text()));
   }
   fill_versions();
@@ -299,7 +300,8 @@ void Performance::show_spread(const Figures& f) {
   const int highest = std::max(4, *std::ranges::max_element(bars));
   const double step = std::max(1.0, std::ceil(highest / 4.0));
   spread.x = {tr("points"), least, 100, poor ? 2 * kSpreadPoints : kSpreadPoints, 0};
-  spread.y = {tr("attempts"), 0, step * std::ceil(highest / step), step, 0};
+  constexpr double kForMark = 0.3;  // steps above the highest bar: the mark's text stands there
+  spread.y = {tr("attempts"), 0, step * std::ceil(highest / step + kForMark), step, 0};
   ChartSeries counted;
   counted.name = tr("Attempts");
   counted.draw = ChartSeries::Draw::bars;

@@ -51,9 +51,7 @@ QVariant CohortsModel::headerData(int section, Qt::Orientation orientation, int 
 void CohortStudentsModel::set_students(std::vector<Account> students) {
   beginResetModel();
   students_ = std::move(students);
-  std::ranges::sort(students_, [](const Account& a, const Account& b) {
-    return QString::localeAwareCompare(QString::fromStdString(a.name), QString::fromStdString(b.name)) < 0;
-  });
+  std::ranges::sort(students_, stands_before, &Account::name);
   endResetModel();
 }
 

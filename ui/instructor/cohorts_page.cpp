@@ -186,6 +186,7 @@ std::optional<Cohort> CohortsPage::chosen() {
 void CohortsPage::read() {
   auto list = store_.cohorts.list();
   if (!list) return show_failure(list.error());
+  std::ranges::sort(*list, stands_before, &Cohort::name);
   const int row = list_->chosen_row();
   const std::optional<CohortId> kept = row >= 0 ? std::optional(cohorts_->cohort(row).id) : std::nullopt;
   cohorts_->set_cohorts(std::move(*list));

@@ -1,5 +1,6 @@
 #include "ui/text/names.h"
 
+#include <QCollator>
 #include <algorithm>
 #include <cmath>
 
@@ -127,6 +128,13 @@ QString device_names(const std::vector<std::string>& device_classes) {
 }
 
 QString self_test_age(int days) { return Text::tr("self-test at most %n day(s) old", nullptr, days); }
+
+bool stands_before(const std::string& name, const std::string& other) {
+  QCollator order;
+  order.setNumericMode(true);
+  order.setCaseSensitivity(Qt::CaseInsensitive);
+  return order.compare(QString::fromStdString(name), QString::fromStdString(other)) < 0;
+}
 
 QString drawn_tooth_text() { return Text::tr("another tooth for each candidate"); }
 

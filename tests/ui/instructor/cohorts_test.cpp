@@ -52,6 +52,14 @@ TEST_F(Cohorts, WhatIsNoNumberIsNamedAndWhoIsInsideIsCounted) {
   EXPECT_EQ(list.unknown, (QStringList{QStringLiteral("9999"), QStringLiteral("just words")}));
 }
 
+TEST_F(Cohorts, StandInTheOrderOfTheirNumbers) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  for (const char* name : {"Group 10", "group 2", "Group 1", "Äsculap"}) page.make_cohort(QString::fromUtf8(name));
+  QStringList names;
+  for (int row = 0; row < page.cohorts().rowCount(); ++row) names += QString::fromStdString(page.cohorts().cohort(row).name);
+  EXPECT_EQ(names.join(u'|').toStdString(), "Äsculap|Group 1|group 2|Group 10");
+}
+
 TEST_F(Cohorts, AreMadeWithANameThatNoOtherHas) {
   CohortsPage page(records.store(), instructor.actor(), ports);
   page.make_cohort(QStringLiteral("  "));
