@@ -46,8 +46,9 @@ void write_people(Store& store, ManySessions& m) {
   must(commit_sealed(store.context(), transaction));
 }
 
-void write_versions(Store& store, ManySessions& m) {
-  for (int i = 0; i < ManySessions::kExercises; ++i) {
+void write_versions(Store& store, ManySessions& m, const std::vector<PublishedExercise>& exercises) {
+  for (const PublishedExercise& one : exercises) m.versions.push_back(must(store.scenarios.ensure(one.scenario, one.json, one.content_hash)));
+  for (int i = static_cast<int>(exercises.size()); i < ManySessions::kExercises; ++i) {
     Scenario scenario = small_scenario();
     scenario.id = ScenarioId::make();
     scenario.key.clear();
@@ -250,7 +251,7 @@ SessionId drill(Store& store, const Drilled& d) {
   return id;
 }
 
-ManySessions write_many(Store& store, int sessions, CopiedRows rows) {
+ManySessions write_many(Store& store, int sessions, CopiedRows rows, const std::vector<PublishedExercise>& exercises) {
   ManySessions m;
   m.admin = make_administrator(store);
   Database& db = store.database();
@@ -258,7 +259,7 @@ ManySessions write_many(Store& store, int sessions, CopiedRows rows) {
   must(db.run("PRAGMA cache_size = -1000000"));  // 1 GB
   must(db.run("PRAGMA temp_store = MEMORY"));
   write_people(store, m);
-  write_versions(store, m);
+  write_versions(store, m, exercises);
   for (int i = 0; i < ManySessions::kTemplates; ++i) m.templates.push_back(drill(store, as_copy(m, i)));
   m.first = m.templates.front();
   for (int i = 0; i < sessions / 1000; ++i) {

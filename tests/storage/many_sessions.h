@@ -28,8 +28,15 @@ enum class CopiedRows : std::uint8_t {
   all,
   of_pages,  // without chain, head and seals in the audit log: three times as fast
 };
+/// An exercise as it is published: its canonical text and the hash of its content.
+struct PublishedExercise {
+  Scenario scenario;
+  std::string json;
+  Hash256 content_hash{};
+};
 /// Writes `sessions` copies, and the sessions through the product's calls. Pre: the store is new, its clock stands at kNow.
-ManySessions write_many(Store& store, int sessions, CopiedRows rows = CopiedRows::of_pages);
+/// `exercises`: kExercises of them; none: small ones without a readable text.
+ManySessions write_many(Store& store, int sessions, CopiedRows rows = CopiedRows::of_pages, const std::vector<PublishedExercise>& exercises = {});
 
 /// What differs between two sessions.
 struct Drilled {
