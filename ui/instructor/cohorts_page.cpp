@@ -93,7 +93,7 @@ QString CohortsPage::message() const { return band_->isVisibleTo(this) ? band_->
 
 QWidget* CohortsPage::make_list() {
   auto* card = new Card;
-  card->setFixedWidth(px(252));  // the least name beside the longest head of the other column
+  card->setFixedWidth(px(268));  // the least name, the longest head of the other column, and a scroll bar
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   list_ = new Table;
   list_->setAccessibleName(tr("Cohorts"));
