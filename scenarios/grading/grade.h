@@ -45,13 +45,14 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "7";            // version of measuring and marking; rises when a figure changes.
+  std::string evaluator = "8";            // version of measuring and marking; rises when a figure changes.
                                           // 2: what is kept intact counts in proportion to what was drilled
                                           // 3: points are of 100, evidence lies on the cut surface
                                           // 4: so does every depth, width, form and push; walls of a tree by face name
                                           // 5: isthmus at the cavosurface, axial wall below the pulpal floor, floor off rounded edges, contact by its gap
                                           // 6: no scratch is a wall of a ridge
                                           // 7: the pulp ends at its smoothed border, not at its voxels' corners
+                                          // 8: the margin counts by its length
 };
 
 }  // namespace cusp::scenarios

@@ -25,7 +25,7 @@ struct MarginPoint {
   Vec3 at_mm{0.0};
   Vec3 out{0.0};        // normal of the original surface
   Vec3 into_void{0.0};  // normal of the cut surface
-  double weight = 0;    // length that it stands for, to a factor common to all
+  double weight = 0;    // length of the margin in its cell, voxels
   std::optional<double> angle_deg;  // none at a line angle, and where a chord has no room
 };
 
