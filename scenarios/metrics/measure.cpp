@@ -24,6 +24,9 @@ constexpr double kPulpSigmaVoxels = 0.5;
 /// 3 N/mm of a device.
 constexpr double kForceSigmaN = 0.03;
 constexpr double kTickS = 0.001;
+/// The target's own boundary, as a mean, whatever the reading: its line angles lose more than a cut surface does, as in volume.cpp
+/// (measured: crown_test).
+constexpr double kBoundaryVoxels = 2.0 * kBandedSigmaVoxels;
 /// What the bricks' shares take of the time of a measurement (grade_times); the groups take the rest.
 constexpr double kShareOfBricks = 0.5;
 
@@ -57,10 +60,12 @@ class NearPulpSink final : public SolidSink {
 void add_target(const Reference& reference, const Volume& volume, const RegionShares& sum, std::vector<Measure>& out) {
   constexpr auto kTarget = static_cast<std::size_t>(Place::target);
   const double whole = reference.target_mm3();
+  // What stands is bounded by what was cut and by the target's own boundary.
+  const double standing_mm2 = std::max(0.0, reference.target_boundary_mm2() - sum.target_boundary_mm2);
+  const double sigma = reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget] + kBoundaryVoxels * volume.grid().voxel_mm * standing_mm2;
   if (!(whole > 0.0)) {
     out.push_back(not_measured("target_removed", "%"));
   } else {
-    const double sigma = reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget];
     const std::optional<Vec3> worst = standing_place(reference, volume);
     const double share = std::clamp(sum.removed_mm3[kTarget] / whole, 0.0, 1.0);
     out.push_back(measured("target_removed", 100.0 * share, 100.0 * sigma / whole, "%", worst));
@@ -81,8 +86,7 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
   if (!(whole > 0.0)) {
     out.push_back(not_measured("uncut_remainder", "mm3"));
   } else {
-    out.push_back(measured("uncut_remainder", std::max(0.0, whole - sum.removed_mm3[kTarget]),
-                           reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget], "mm3", out.front().where_mm));
+    out.push_back(measured("uncut_remainder", std::max(0.0, whole - sum.removed_mm3[kTarget]), sigma, "mm3", out.front().where_mm));
   }
 }
 

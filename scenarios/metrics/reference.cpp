@@ -20,6 +20,7 @@ class TargetSum final : public RegionClassifier {
  public:
   using RegionClassifier::RegionClassifier;
   double mm3 = 0;
+  using RegionClassifier::boundary_mm2;
   void face(const std::array<Vec3, 3>&, double, Tissue) override {}
 
  private:
@@ -63,6 +64,7 @@ Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> s
   }
   present_[index_of(Tissue::empty)] = false;
   target_mm3_ = sum.mm3;
+  target_boundary_mm2_ = sum.boundary_mm2();
 }
 
 bool Reference::asks(std::string_view start) const noexcept {

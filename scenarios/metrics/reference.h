@@ -52,6 +52,8 @@ class Reference {
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
+  /// The target's own boundary within the untouched specimen, mm².
+  double target_boundary_mm2() const noexcept { return target_boundary_mm2_; }
   /// Of one exercise's several targets those that the rubric asks for by name.
   const SeveralTargets& targets() const noexcept { return targets_; }
   const std::vector<ProtectedPart>& protected_parts() const noexcept { return protected_parts_; }
@@ -82,7 +84,7 @@ class Reference {
   std::vector<Tissue> tissues_;
   std::vector<ProtectedPart> protected_parts_;
   std::array<bool, kTissueCodes> present_{};
-  double target_mm3_ = 0;
+  double target_mm3_ = 0, target_boundary_mm2_ = 0;
   /// What is made once, when it is first asked for.
   struct Later {
     std::once_flag surface_once, shell_once, dentine_once, landmarks_once;

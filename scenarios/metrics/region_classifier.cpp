@@ -1,5 +1,6 @@
 #include "scenarios/metrics/region_classifier.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cusp::scenarios {
@@ -188,6 +189,9 @@ void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm
     const Near near = near_at(corners[i]);
     t[i] = {corners[i], near.wall_mm, near.floor_mm, near.distance_mm};
   }
+  const auto [least, most] = std::ranges::minmax(t, {}, &Corner::d);
+  // Its mean section over the distances that it holds.
+  if (least.d < 0.0 && most.d > 0.0) boundary_mm2_ += mm3 / (most.d - least.d);
   double floor_edge = leeway_.floor_mm, side_edge = leeway_.side_mm;
   Near middle;
   if (upright_ == nullptr) {  // a tetrahedron has one floor and one wall: those that its middle is nearest to

@@ -36,6 +36,8 @@ class RegionClassifier : public SolidSink {
   bool whole() const noexcept { return whole_; }
   bool wholly_in_target() const noexcept { return whole_ && place_ == Place::target; }
   Near near_at(Vec3 p) noexcept;
+  /// Area of the target's own boundary in what was divided so far.
+  double boundary_mm2() const noexcept { return boundary_mm2_; }
 
   Vec3 low_{0.0}, high_{0.0};                  // of the current cell
   FaceName face_ = FaceName::side_wall;        // nearest to the part that solid() is given, outside the target
@@ -49,6 +51,7 @@ class RegionClassifier : public SolidSink {
   const TargetShape& shape_;
   const Leeway& leeway_;
   const OutlineShape* upright_;       // sampled on a plane; nullptr: each place asks the tree
+  double boundary_mm2_ = 0;
   bool in_target_ = false;            // within() lies in it
   bool whole_ = false;                // the cell lies in one place
   Place place_ = Place::target;

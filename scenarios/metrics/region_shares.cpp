@@ -13,6 +13,7 @@ class ShareSink final : public RegionClassifier {
   ShareSink(const Reference& reference, const Volume& volume, RegionShares& shares)
       : RegionClassifier(reference.shape(), reference.leeway()), reference_(reference), judge_(volume), shares_(shares) {}
 
+  using RegionClassifier::boundary_mm2;
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) override {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     double d = 0;
@@ -114,6 +115,7 @@ void RegionShares::add(const RegionShares& other) noexcept {
     tissue_face_mm2[i] += other.tissue_face_mm2[i];
     tissue_seam_mm2[i] += other.tissue_seam_mm2[i];
   }
+  target_boundary_mm2 += other.target_boundary_mm2;
   if (other.pulp_mm < pulp_mm) {
     pulp_mm = other.pulp_mm;
     pulp_at_mm = other.pulp_at_mm;
@@ -124,6 +126,7 @@ RegionShares shares_of_brick(const Reference& reference, const Volume& volume, i
   RegionShares shares;
   ShareSink sink(reference, volume, shares);
   emit_removed_by_place(volume, brick, sink);
+  shares.target_boundary_mm2 = sink.boundary_mm2();
   add_seams(volume, brick, shares);
   return shares;
 }

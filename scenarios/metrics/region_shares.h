@@ -15,6 +15,7 @@ namespace cusp::scenarios {
 struct RegionShares {
   std::array<double, kPlaces> removed_mm3{};           // by Place
   std::array<double, kPlaces> cut_face_mm2{};          // area that the bur left, by Place
+  double target_boundary_mm2 = 0;                      // of the target's own boundary, what was removed with it
   std::array<Evidence, kPlaces> worst{};               // by Place: on a floor the deepest, on a wall the furthest out
   std::array<double, kTissueCodes> tissue_mm3{};       // removed
   std::array<double, kTissueCodes> tissue_face_mm2{};  // cut face in that tissue

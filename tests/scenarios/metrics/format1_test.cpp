@@ -1,7 +1,7 @@
 // Exercises of format 1 as their files stood (tests/scenarios/format/format1), measured and graded by this program. The
 // figures of format1.golden were written by the last program of format 1 (evaluator 3), as bits: equal means equal.
 // Evaluator 4 marks less of an attempt that leaves part of the target (scenarios/grading/grader.h). Evaluator 5 has another
-// isthmus, evaluator 7 another distance to the pulp: those two are left out.
+// isthmus, evaluator 7 another distance to the pulp: those two are left out. Evaluator 8 is less sure of the target: its uncertainty is.
 
 #include <gtest/gtest.h>
 
@@ -115,6 +115,7 @@ std::vector<Attempt> attempts_of(const std::string& figures) {
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("  ")) out.push_back({line, {}, {}});
     else if (line.starts_with("  points")) out.back().points.push_back(line);
+    else if (line.starts_with("  value target_removed ") || line.starts_with("  value undercut ")) out.back().values.push_back(line.substr(0, line.rfind(' ')));
     else if (!line.starts_with("  value isthmus_width ") && !line.starts_with("  value remaining_over_pulp ")) out.back().values.push_back(line);
   }
   return out;
