@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::buccal, PresetView::distal,
                                               PresetView::lingual};
-constexpr int kLeastWidth = 400, kLeastHeight = 284, kScarceWidth = 560, kScarceHeight = 356;  // px at 100 %
+constexpr int kLeastWidth = 400, kLeastHeight = 264, kScarceWidth = 560, kScarceHeight = 356;  // px at 100 %
 constexpr double kLidMm = 24.0, kWideLidMm = 44.0, kLidMmPerPx = 0.05;  // a tooth is 25 mm high, a row of three 34 long
 
 QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number) {
@@ -324,8 +324,8 @@ void DrillStage::place_all() {
   legend_->adjustSize();
   legend_->move(gap, h - legend_->height() - px(16));
   place_tools(gap);
-  compass_->move(w - compass_->width() - (scarce ? gap : px(18)), h - compass_->height() - (scarce ? gap : px(14)));
   place_gauges(gap);
+  place_compass(gap);
   place_coach(gap);
   stop_card_->fit({std::min(px(420), w - 4 * gap), h - 2 * gap});
   stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
@@ -351,7 +351,7 @@ void DrillStage::place_tools(int gap) {
   tools_->move(wheel > 0 ? gap : (width() - tools_->width()) / 2, gap);
 }
 
-/// Depth with its button at the left; at the right push, with what the wheel asks for, above the compass.
+/// Depth with its button at the left; at the right push, with what the wheel asks for.
 void DrillStage::place_gauges(int gap) {
   const int w = width(), h = height();
   const bool scarce = is_scarce();
@@ -359,7 +359,7 @@ void DrillStage::place_gauges(int gap) {
   const int highest = tools_->geometry().bottom() + gap;
   const int top = std::max(highest, (h - depth.height()) / 2 + px(20));
   const int held = hold_->isHidden() ? 0 : hold_->sizeHint().height() + px(6);
-  const int below_depth = held + (scarce ? gap : px(60)), below_push = scarce ? compass_->height() + 2 * gap : px(110);
+  const int below_depth = held + (scarce ? gap : px(60)), below_push = scarce ? gap : px(110);
   depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - below_depth));
   push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - below_push));
   hold_->setFixedWidth(depth.width());
@@ -368,6 +368,15 @@ void DrillStage::place_gauges(int gap) {
     wanted_push_->move(w - gap - wanted_push_->width(), tools_->geometry().center().y() - wanted_push_->height() / 2);
   } else {
     wanted_push_->move(w - gap - (push.width() + wanted_push_->width()) / 2, push_->geometry().bottom() + px(6));
+  }
+}
+
+/// Below the push; where that needs the whole height, beside it, above the coach.
+void DrillStage::place_compass(int gap) {
+  if (is_scarce()) {
+    compass_->move(push_->x() - gap - compass_->width(), push_->y());
+  } else {
+    compass_->move(width() - compass_->width() - px(18), height() - compass_->height() - px(14));
   }
 }
 

@@ -92,6 +92,7 @@ class DrillStage : public QWidget {
   void place_all();
   void place_tools(int gap);
   void place_gauges(int gap);
+  void place_compass(int gap);
   void place_coach(int gap);
   /// Without room for all of it the stage leaves out the legend and puts the wheel's force beside the tools.
   bool is_scarce() const;

@@ -99,7 +99,7 @@ void DrillStage::place_coach(int gap) {
   const int gauge = hold_->isHidden() ? gap : hold_->geometry().right() + gap;
   const int left = legend_->isHidden() ? gauge : legend_->geometry().right() + gap;
   const int wheel = wanted_push_->isHidden() ? w : wanted_push_->x();
-  const int right = std::min(compass_->isHidden() ? w : compass_->x(), is_scarce() ? push_->x() : wheel) - gap;
+  const int right = (is_scarce() ? push_->x() : std::min(compass_->isHidden() ? w : compass_->x(), wheel)) - gap;
   const int beside = std::max(left, w - right);
   const int side = px(is_scarce() ? 8 : 16), between = px(is_scarce() ? 6 : 12);
   coach_card_->layout()->setContentsMargins(side, px(8), side, px(8));

@@ -21,7 +21,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kWidth = 304, kFoldedWidth = 224;  // px at 100 %
+constexpr int kWidth = 304, kFoldedWidth = 228;  // px at 100 %
 constexpr int kLeastBar = 32;                     // gives way to long names
 
 QGridLayout* make_grid() {

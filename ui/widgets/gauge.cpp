@@ -136,7 +136,7 @@ QString Gauge::value_text() const {
 }
 
 QSize Gauge::sizeHint() const { return {px(104), px(420)}; }
-QSize Gauge::minimumSizeHint() const { return {px(96), px(180)}; }
+QSize Gauge::minimumSizeHint() const { return {px(96), px(176)}; }
 
 double Gauge::y_of(double value, const QRectF& bar) const {
   const double share = std::clamp((value - scale_.least) / (scale_.most - scale_.least), 0.0, 1.0);

@@ -59,7 +59,7 @@ void expect_apart(const DrillStage& stage) {
   std::vector<const QWidget*> shown;
   for (const QWidget* one : stage.findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
     if (one->isVisible() && one->size() != stage.size() && !one->inherits("QFocusFrame") && one->property("kind") != QStringLiteral("pin")) shown.push_back(one);
-  EXPECT_GE(shown.size(), 5U);  // tools, two gauges, depth hold, coach
+  EXPECT_GE(shown.size(), 4U);  // tools, push, depth hold, compass; in practice more
   for (std::size_t i = 0; i < shown.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(shown[i]->geometry().intersects(shown[j]->geometry())) << named(*shown[i]) << " covers " << named(*shown[j]);
 }
@@ -74,7 +74,7 @@ struct LargeText : testing::Test {
     const QLabel* sign = screen.findChild<QLabel*>(QStringLiteral("coach_sign"));
     return sign->isVisible() ? sign : nullptr;
   }
-  static std::unique_ptr<DrillScreen> begin(QSize size) {
+  static std::unique_ptr<DrillScreen> begin(QSize size, Guidance guidance = Guidance::full) {
     auto screen = std::make_unique<DrillScreen>(Ports::of_the_system());
     screen->resize(size);
     screen->show();
@@ -84,9 +84,12 @@ struct LargeText : testing::Test {
     plan.scenario.phenomena = {"spindle-turbine", "vibration", "sound", "heat"};
     plan.scenario.time_limit_s = 1200;
     plan.kind = SessionKind::try_it;
+    plan.guidance = guidance;
     screen->begin(std::move(plan), {QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"), QStringLiteral("Prüfung, Kandidat 47, fortgesetzt")});
     EXPECT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kOpensWithinMs));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return coach_of(*screen) != nullptr; }, kOpensWithinMs));
+    if (guidance == Guidance::full) {
+      EXPECT_TRUE(QTest::qWaitFor([&] { return coach_of(*screen) != nullptr; }, kOpensWithinMs));
+    }
     QCoreApplication::processEvents();  // the layouts follow the first values
     return screen;
   }
@@ -104,6 +107,20 @@ TEST_F(LargeText, cuts_nothing_off_on_the_drilling_screen) {
       expect_whole(*screen);
       expect_apart(*screen->findChild<DrillStage*>());
     }
+}
+
+TEST_F(LargeText, asks_for_no_more_height_than_half_of_full_hd_has) {
+  const QSize half_of_full_hd(960, 540);
+  install_language(*qApp, QStringLiteral("de"));
+  apply_theme(*qApp, ColourScheme::light, 150);  // an adjustment to large text
+  for (const Guidance guidance : {Guidance::silent, Guidance::full}) {
+    SCOPED_TRACE(guidance == Guidance::silent ? "assessment" : "practice");
+    const auto screen = begin(half_of_full_hd, guidance);
+    EXPECT_EQ(screen->size(), half_of_full_hd) << "a taller stage lies under the tray of burs, with its depth hold";
+    leave_picture(*screen, QStringLiteral("drill-de-150-960-%1").arg(guidance == Guidance::silent));
+    expect_whole(*screen);
+    expect_apart(*screen->findChild<DrillStage*>());
+  }
 }
 
 TEST_F(LargeText, leaves_cards_over_the_view_whole) {
@@ -152,7 +169,7 @@ TEST_F(LargeText, folds_panel_and_tray_where_a_length_is_twice_as_long_and_unfol
   const auto* section = screen->findChild<SectionView*>();
   const auto* panel = screen->findChild<ScorePanel*>();
   EXPECT_FALSE(section->isVisible());
-  EXPECT_EQ(panel->width(), px(224));
+  EXPECT_EQ(panel->width(), px(228));
   EXPECT_EQ(screen->findChild<BurTray*>()->height(), px(40));
   screen->resize(1920, 1080);
   EXPECT_TRUE(section->isVisible());
