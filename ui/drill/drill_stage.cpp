@@ -11,12 +11,12 @@
 #include <array>
 #include <cmath>
 
-#include "ui/drill/compass.h"
 #include "ui/drill/hand_ghost.h"
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/mirror_hold.h"
 #include "ui/session/bur_depth.h"
 #include "ui/text/failure_text.h"
+#include "ui/view/compass.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/line_sample.h"
 #include "ui/widgets/gauge.h"
@@ -59,12 +59,10 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   make_legend();
   connect_tools();
   compass_ = new Compass(*view_, this);
-  compass_->hide();
   stop_card_ = new StopCard(this);
   connect(stop_card_, &StopCard::leave, this, &DrillStage::leave);
   connect(stop_card_, &StopCard::go_on, this, &DrillStage::go_on);
   connect(view_, &ToothView::camera_changed, this, [this] {
-    compass_->update();
     if (cutaway_->isChecked()) want_sections();
   });
 }

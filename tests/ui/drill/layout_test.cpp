@@ -9,11 +9,12 @@
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
-#include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/score_panel.h"
 #include "ui/drill/section_place.h"
+#include "ui/text/tooth_sides.h"
+#include "ui/view/compass.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/theme.h"
@@ -227,7 +228,7 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
 
 TEST(Compass, points_mesially_as_the_tooth_of_its_quadrant_lies) {
   const auto letter_of = [](int fdi, Vec3 way) {
-    for (const Compass::Way& w : Compass::ways(fdi)) {
+    for (const ToothSide& w : tooth_sides(fdi)) {
       if (w.way == way) return w.letter;
     }
     return QString();
