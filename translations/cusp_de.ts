@@ -3309,6 +3309,29 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::CutSlider</name>
+    <message>
+        <source>farther</source>
+        <translation>weiter weg</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>Lage des Schnitts</translation>
+    </message>
+    <message>
+        <source>How far from the bur the tooth is cut</source>
+        <translation>Wie weit vom Bohrer der Zahn geschnitten wird</translation>
+    </message>
+    <message>
+        <source>nearer</source>
+        <translation>näher</translation>
+    </message>
+    <message>
+        <source>at the bur</source>
+        <translation>am Bohrer</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::DepartedCard</name>
     <message>
         <source>Students who left</source>

@@ -27,6 +27,7 @@ inline constexpr int kStageGap = 12;  // between what stands over the view and i
 
 class Compass;
 class Gauge;
+class CutSlider;
 class HandGhost;
 class MirrorHold;
 
@@ -93,6 +94,7 @@ class DrillStage : public QWidget {
   void place_tools(int gap);
   void place_gauges(int gap);
   void place_compass(int gap);
+  void place_cut(int gap);
   void place_coach(int gap);
   /// Without room for all of it the stage leaves out the legend and puts the wheel's force beside the tools.
   bool is_scarce() const;
@@ -119,6 +121,7 @@ class DrillStage : public QWidget {
   QLabel *coach_sign_, *coach_, *wanted_push_, *bur_tag_;
   QPushButton* hold_;
   Compass* compass_;
+  CutSlider* cut_;
   QWidget* centre_ = nullptr;
   std::optional<TargetLook> look_;
   Leeway leeway_;

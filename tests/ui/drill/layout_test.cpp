@@ -10,6 +10,7 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "ui/drill/depth_scale.h"
+#include "ui/drill/cut_slider.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/score_panel.h"
 #include "ui/drill/section_place.h"
@@ -184,6 +185,26 @@ TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
   EXPECT_EQ(place.follow({1.5, -30, 12}), Vec3(1.5, 2.2, 0)) << "laid aside: as it was";
   SectionPlace free(TargetLook(Region{}, {}, nullptr), {{-10, -10, -10}, {10, 10, 0}});
   EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
+}
+
+TEST_F(DrillGauges, the_cutaway_has_a_slider_that_moves_its_plane_towards_the_viewer) {
+  std::optional<SectionWish> lid;
+  QObject::connect(&stage, &DrillStage::sections_wanted, [&](const auto&, const std::optional<SectionWish>& wish) { lid = wish; });
+  auto* cut = stage.findChild<CutSlider*>();
+  EXPECT_FALSE(cut->isVisible());
+  stage.press_key(Qt::Key_3, Qt::NoModifier);
+  ASSERT_TRUE(lid && cut->isVisible());
+  const Vec3 at_bur = lid->shift_mm;
+  cut->slider()->setValue(12);
+  EXPECT_DOUBLE_EQ(cut->nearer_mm(), 1.2);
+  const Vec3 to_eye = -stage.view()->camera().forward();
+  const Vec3 moved = lid->shift_mm - at_bur;
+  EXPECT_NEAR(glm::length(moved), 1.2, 1e-9);
+  EXPECT_GT(glm::dot(moved, to_eye), 0.0);
+  EXPECT_DOUBLE_EQ(moved.z, 0.0) << "the plane is upright";
+  stage.press_key(Qt::Key_3, Qt::NoModifier);
+  stage.press_key(Qt::Key_3, Qt::NoModifier);
+  EXPECT_EQ(lid->shift_mm, at_bur) << "opened again it goes through the bur";
 }
 
 TEST(ScorePanel, shows_what_is_removed_of_each_of_several_targets) {
