@@ -8472,6 +8472,14 @@
         <extracomment>A tooth that an assessment drew for one candidate; the number makes it again.</extracomment>
         <translation>geloster Zahn, Startwert %1</translation>
     </message>
+    <message>
+        <source>Hatched: where the points of each were lost. Numbers and colours as on the first page.</source>
+        <translation>Schraffiert: wo die Punkte jeweils verloren gingen. Zahlen und Farben wie auf der ersten Seite.</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>

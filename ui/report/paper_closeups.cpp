@@ -15,6 +15,7 @@ struct CloseupsText {
 constexpr std::size_t kFewAcross = 3, kManyAcross = 4;  // of up to kFewAcross * kFewAcross pictures, and of more
 constexpr double kGap = 14;
 constexpr double kTextHigh = 62, kNarrowTextHigh = 76;  // of head and reason below a picture, and where more pictures stand in a row
+constexpr double kFootHigh = 16;  // of the sheet's foot, below the last row
 constexpr double kPlaceRing = 9;  // about the place
 
 void draw_closeup(Paper& paper, const QRectF& where, const CloseUp& closeup) {
@@ -34,10 +35,11 @@ void draw_closeup(Paper& paper, const QRectF& where, const CloseUp& closeup) {
 
 }  // namespace
 
-void write_closeups(Paper& paper, const ReportData& data, const std::vector<CloseUp>& closeups) {
+void write_closeups(Paper& paper, const ReportData& data, const std::vector<CloseUp>& closeups, const std::vector<int>& numbers) {
   const Tokens& t = Tokens::light();
   const QRectF page = paper.page();
   paper.write(CloseupsText::tr("Where points were lost"), {page.left(), page.width()}, {13, Weight::bold, t.text});
+  paper.write(CloseupsText::tr("Hatched: where the points of each were lost. Numbers and colours as on the first page."), {page.left(), page.width()}, {10, Weight::regular, t.text2});
   paper.skip(8);
   const double top = paper.y(), gap = paper.u(kGap);
   const bool few = closeups.size() <= kFewAcross * kFewAcross;
@@ -46,14 +48,16 @@ void write_closeups(Paper& paper, const ReportData& data, const std::vector<Clos
   const std::size_t down = few ? kFewAcross : (closeups.size() + across - 1) / across;
   const auto columns = static_cast<double>(across), rows = static_cast<double>(down);
   const double text_wide = (page.width() - (columns - 1) * gap) / columns;
-  const double side = std::min(text_wide, (page.bottom() - top - rows * (text_high + gap)) / rows);
+  const double side = std::min(text_wide, (page.bottom() - paper.u(kFootHigh) - top - rows * (text_high + gap)) / rows);
   std::size_t i = 0;
   for (const Advice& advice : next_time(data)) {
     if (!advice.place_mm) continue;
     if (i == closeups.size()) break;
     const double x = page.left() + static_cast<double>(i % across) * (text_wide + gap);
     const double y = top + static_cast<double>(i / across) * (side + text_high + gap);
-    draw_closeup(paper, QRectF(x, y, side, side), closeups[i++]);
+    draw_closeup(paper, QRectF(x, y, side, side), closeups[i]);
+    if (i < numbers.size() && numbers[i] > 0) paper.number({x + paper.u(kNumberRing + 5), y + paper.u(kNumberRing + 5)}, numbers[i]);
+    ++i;
     Paper below(paper.painter(), QRectF(x, y + side + paper.u(4), text_wide, text_high), paper.u(1));
     below.write(advice.head, {x, text_wide}, {10.5, Weight::bold, advice.grave ? t.bad : t.text});
     below.write(advice.why, {x, text_wide}, {9.5, Weight::regular, t.text2});

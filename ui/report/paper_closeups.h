@@ -11,6 +11,7 @@ namespace cusp::ui {
 inline constexpr std::size_t kCloseupsShown = 20;  // that fit one sheet; the longest rubric has 17 criteria
 
 /// From the paper's y() on. `closeups`: of the first entries of next_time() that have a place, in the same order.
-void write_closeups(Paper& paper, const ReportData& data, const std::vector<CloseUp>& closeups);
+void write_closeups(Paper& paper, const ReportData& data, const std::vector<CloseUp>& closeups,
+                    const std::vector<int>& numbers);
 
 }  // namespace cusp::ui

@@ -16,6 +16,7 @@
 
 #include "scenarios/metrics/evidence_patch.h"
 #include "ui/render/target_look.h"
+#include "ui/view/compass.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
@@ -146,6 +147,8 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
     });
   }
   connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
+  compass_ = new Compass(*view_, this);
+  compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
 }
 
 void PinnedTooth::build_mesh(const Scenario& scenario) {
@@ -248,6 +251,7 @@ void PinnedTooth::set_cut_open(bool open) {
 
 void PinnedTooth::set_head(int height_px) {
   head_px_ = height_px;
+  place_compass();
   place_pin();
 }
 
@@ -291,8 +295,12 @@ void PinnedTooth::place_pin() {
   ring_->raise();
 }
 
+/// At the right below what stands over the head.
+void PinnedTooth::place_compass() { compass_->move(width() - compass_->width() - px(12), head_px_ + px(12)); }
+
 void PinnedTooth::resizeEvent(QResizeEvent*) {
   view_->setGeometry(rect());
+  place_compass();
   if (waiting_ && waiting_->isVisible()) show_waiting();
   place_pin();
 }

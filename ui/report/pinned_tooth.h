@@ -20,6 +20,7 @@ class QLabel;
 namespace cusp::ui {
 
 class PatchSource;
+class Compass;
 class PinLeader;
 class ToothView;
 
@@ -70,6 +71,7 @@ class PinnedTooth : public QWidget {
   Vec3 pinned() const;
   void face_place();
   void place_pin();
+  void place_compass();
   /// After Busy::kDelayMs, until the mesh stands.
   void show_waiting();
   Meshes meshes() const;
@@ -78,6 +80,7 @@ class PinnedTooth : public QWidget {
   std::shared_ptr<const SceneryLook> scenery_;
   PatchStore beside_;  // of the scenery
   ToothView* view_;
+  Compass* compass_;
   PinLeader* leader_;
   QWidget* ring_;
   QLabel* card_;

@@ -11,6 +11,7 @@
 #include "ui/report/criteria_model.h"
 #include "ui/widgets/paper.h"
 #include "ui/report/paper_closeups.h"
+#include "ui/report/paper_sides.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -25,7 +26,7 @@ struct PdfText {
 };
 
 // Pixels of the screen at 100 %; `unit` of the paper to each.
-constexpr double kToothHigh = 250, kToothLeast = 130;  // of the picture: usual, and beside the legend where a table is long
+constexpr double kToothHigh = 300, kToothLeast = 130;  // of the picture: usual, and beside the legend where a table is long
 constexpr double kToothRatio = 1.35;                    // how much wider than high it is
 constexpr double kRow = 18;                             // a line of the table
 constexpr double kAboveFoot = 14, kFootType = 8.5;      // between the advice and the foot; size of its type
@@ -96,7 +97,7 @@ std::vector<PaperAdvice> advice_on_paper(const ReportData& data, const DrawnToot
   return out;
 }
 
-void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperAdvice>& marked, double high, const Tokens& t) {
+void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperAdvice>& marked, double high, int fdi, const Tokens& t) {
   const QRectF page = paper.page();
   const QRectF where(page.left(), paper.y(), paper.u(high * kToothRatio), paper.u(high));
   QPainter& p = paper.painter();
@@ -125,6 +126,7 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
     p.drawEllipse(at, paper.u(1.6), paper.u(1.6));
     paper.number(beside, mark.number);
   }
+  write_sides(paper, where, fdi);
   p.restore();
 }
 
@@ -283,6 +285,23 @@ QString foot_text(const ReportData& d) {
   return foot;
 }
 
+/// What identifies the attempt, and the page, at its foot.
+void write_foot(Paper& paper, const ReportData& d, int page, const Tokens& t) {
+  QPainter& p = paper.painter();
+  p.setFont(paper.font(kFootType));
+  p.setPen(t.text3);
+  p.drawText(paper.page(), kFootFlags, foot_text(d));
+  p.drawText(paper.page(), static_cast<int>(Qt::AlignRight | Qt::AlignBottom), PdfText::tr("Page %1").arg(page));
+}
+
+/// Of each advice with a place its number on the picture of the whole; 0: none.
+std::vector<int> numbers_of(const std::vector<PaperAdvice>& advice) {
+  std::vector<int> out;
+  for (const PaperAdvice& one : advice)
+    if (one.advice.place_mm) out.push_back(one.number);
+  return out;
+}
+
 /// How high the picture may be. Leaves out the last advice where the page would still be too short.
 double fit_to_page(Paper& paper, const ReportData& d, std::vector<PaperAdvice>& advice, const Tokens& t) {
   const QRectF& page = paper.page();
@@ -340,19 +359,19 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   write_score(paper, data, t);
   std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
   const double high = fit_to_page(paper, data, advice, t);
-  write_tooth(paper, tooth, advice, high, t);
+  const SpecimenSource& specimen = data.result.scenario.specimen;
+  write_tooth(paper, tooth, advice, high, specimen.generator == "tooth" ? specimen.fdi : 0, t);
   write_legend(paper, high, t);
   paper.skip(high + kBelowTooth);
   write_criteria(paper, data, t);
   write_next_time(paper, data, advice, t);
-  painter.setFont(paper.font(kFootType));
-  painter.setPen(t.text3);
-  painter.drawText(page, kFootFlags, foot_text(data));
+  write_foot(paper, data, 1, t);
   if (tooth && !tooth->closeups.empty()) {
     new_page();
     Paper second(painter, page, unit);
     write_head(second, data, t);
-    write_closeups(second, data, tooth->closeups);
+    write_closeups(second, data, tooth->closeups, numbers_of(advice));
+    write_foot(second, data, 2, t);
   }
   write_remarks(painter, page, unit, data, new_page);
 }

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <filesystem>
 
+#include "scenarios/library/library.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/report/report_pdf.h"
 #include "ui/session/scene_builder.h"
@@ -53,6 +54,21 @@ ReportData whole_block() {
   const auto volume = build_specimen(data.result.scenario, {});
   if (volume) data.result.volume = std::make_shared<const Volume>(*volume);
   return data;
+}
+
+TEST(ReportPdf, names_the_sides_of_a_tooth_on_its_picture_and_the_page_at_its_foot) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  const DrawnTooth drawn = ToothDrawing{QImage(400, 400, QImage::Format_RGB32), {}, {}};
+  ASSERT_TRUE(write_report_pdf(file, data, drawn).has_value());
+  EXPECT_FALSE(QRegularExpression(QStringLiteral("\\bM\\b")).match(QString::fromStdString(text_in(file))).hasMatch()) << "a block has no sides";
+  data.result.scenario = *load_builtin("class-1-36");
+  ASSERT_TRUE(write_report_pdf(file, data, drawn).has_value());
+  const QString text = QString::fromStdString(text_in(file));
+  for (const char16_t letter : {u'M', u'D', u'B', u'L'})
+    EXPECT_TRUE(QRegularExpression(QStringLiteral("\\b%1\\b").arg(QChar(letter))).match(text).hasMatch()) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Page 1"))) << text.toStdString();
 }
 
 TEST(ReportPdf, has_the_remarks_on_sheets_of_their_own) {
