@@ -477,14 +477,6 @@
         <translation>Der übrige Kiefer</translation>
     </message>
     <message>
-        <source>Voxels of %1</source>
-        <translation>Voxel von %1</translation>
-    </message>
-    <message>
-        <source>Half the band</source>
-        <translation>Halbes Band</translation>
-    </message>
-    <message>
         <source>Only near the target</source>
         <translation>Nur nahe am Ziel</translation>
     </message>
@@ -576,6 +568,22 @@
         <source>Every attempt keeps its score within %1 points: %2.</source>
         <translation>Jeder Versuch behält seine Punkte auf %1 Punkte genau: %2.</translation>
     </message>
+    <message>
+        <source>Gums about the tooth</source>
+        <translation>Zahnfleisch um den Zahn</translation>
+    </message>
+    <message>
+        <source>Jaw bone about the tooth</source>
+        <translation>Kieferknochen um den Zahn</translation>
+    </message>
+    <message>
+        <source>Detail of %1</source>
+        <translation>Detail von %1</translation>
+    </message>
+    <message>
+        <source>Surface band halved</source>
+        <translation>Band der Oberfläche halbiert</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AuditPage</name>
@@ -652,10 +660,6 @@
         <translation>nötig</translation>
     </message>
     <message>
-        <source>Scripted operators drill it with each choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
-        <translation>Automatische Operateure bohren sie, wobei jede Wahl einmal wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
-    </message>
-    <message>
         <source>µs: of each update of 1 ms, more or less than now. Score: the largest change of an attempt.</source>
         <translation>µs: von jedem Schritt zu 1 ms, mehr oder weniger als jetzt. Punkte: die größte Änderung eines Versuchs.</translation>
     </message>
@@ -674,6 +678,10 @@
     <message>
         <source>%1, about %2 min left</source>
         <translation>%1, noch etwa %2 min</translation>
+    </message>
+    <message>
+        <source>Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
+        <translation>Automatische Operateure bohren die Übung zu jeder Wahl unten einmal, wobei diese wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
     </message>
 </context>
 <context>

@@ -53,8 +53,8 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   column->setContentsMargins(px(kSide), px(12), px(kSide), px(16));
   column->setSpacing(px(8));
   column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, Weight::bold));
-  about_ = make_label(tr("Scripted operators drill it with each choice left out or halved. That takes some minutes; you can go on "
-                         "working meanwhile."),
+  about_ = make_label(tr("Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes some "
+                         "minutes; you can go on working meanwhile."),
                       TextRole::caption, Weight::regular, "text2");
   about_->setWordWrap(true);
   column->addWidget(about_);
@@ -163,21 +163,49 @@ void AuditPage::follow_model() {
   measure_->setEnabled(!job_->running());
   const bool same = report_ && model_.scenario() == measured_;
   use_->setEnabled(same && report_->changed());
-  if (!report_) return;
+  if (!report_) return list_choices();
   const int attempts = static_cast<int>(report_->operators.size());
   aside_->setText(same ? tr("Each choice was left out or halved once, with %n scripted attempt(s) each.", nullptr, attempts)
                        : tr("The exercise was changed since this was measured."));
 }
 
+/// What the next measurement will leave out or halve.
+void AuditPage::list_choices() {
+  std::vector<Choice> choices = choices_of(model_.scenario());
+  if (table_ != nullptr && !listed_.empty() && choices == listed_) return;
+  listed_ = std::move(choices);
+  show_table();
+}
+
 void AuditPage::show_report() {
-  delete table_;
-  table_ = nullptr;
   const bool there = report_ != nullptr;
-  for (QWidget* part : std::initializer_list<QWidget*>{aside_, legend_, leanest_title_, leanest_, use_}) part->setVisible(there);
+  for (QWidget* part : std::initializer_list<QWidget*>{aside_, leanest_title_, leanest_, use_}) part->setVisible(there);
+  if (!there) listed_.clear();
   follow_model();
   if (!there) return;
   leanest_->setText(leanest_sentence(*report_));
   use_->setVisible(report_->changed());
+  show_table();
+}
+
+void AuditPage::add_line(QGridLayout& grid, const Line& line) {
+  const int at = grid.rowCount();
+  grid.addWidget(make_rule(), at, 0, 1, 4);
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(0);
+  QLabel* title = make_label(line.name);
+  title->setWordWrap(true);
+  texts->addWidget(title);
+  if (!line.verdict.isEmpty()) texts->addWidget(make_label(line.verdict, TextRole::caption, Weight::regular, line.ink));
+  grid.addLayout(texts, at + 1, 0);
+  grid.addWidget(figure(line.us, tr("%1: microseconds").arg(line.name)), at + 1, 1);
+  grid.addWidget(figure(line.mb, tr("%1: megabytes").arg(line.name)), at + 1, 2);
+  grid.addWidget(figure(line.score, tr("%1: change of the score").arg(line.name)), at + 1, 3);
+}
+
+/// Before the measurement it holds what will be measured.
+void AuditPage::show_table() {
+  delete table_;
   table_ = new QWidget;
   auto* grid = new QGridLayout(table_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -190,35 +218,27 @@ void AuditPage::show_report() {
     if (i > 0) head->setAlignment(Qt::AlignTrailing);
     grid->addWidget(head, 0, i);
   }
-  int at = 1;
-  const auto line = [&](const QString& name, const QString& verdict, const char* ink, const QString& us, const QString& mb,
-                        const QString& score) {
-    grid->addWidget(make_rule(), at++, 0, 1, 4);
-    auto* texts = new QVBoxLayout;
-    texts->setSpacing(0);
-    QLabel* title = make_label(name);
-    title->setWordWrap(true);
-    texts->addWidget(title);
-    texts->addWidget(make_label(verdict, TextRole::caption, Weight::regular, ink));
-    grid->addLayout(texts, at, 0);
-    grid->addWidget(figure(us, tr("%1: microseconds").arg(name)), at, 1);
-    grid->addWidget(figure(mb, tr("%1: megabytes").arg(name)), at, 2);
-    grid->addWidget(figure(score, tr("%1: change of the score").arg(name)), at, 3);
-    ++at;
-  };
+  const QString open(QChar(0x2013));  // not measured yet
+  if (!report_)
+    for (const Choice& choice : listed_) add_line(*grid, {choice_name(choice), {}, "text2", open, open, open});
+  else
+    add_results(*grid);
+  table_place_->addWidget(table_);
+}
+
+void AuditPage::add_results(QGridLayout& grid) {
   const auto mb = [](const ModelResult& r) { return static_cast<double>(r.cost.bytes) / 1e6; };
   const ModelResult& now = report_->as_set;
-  line(tr("As it is set"), tr("for comparison"), "text2", format_number(now.cost.us_a_tick, 0), format_number(mb(now), 0), {});
+  add_line(grid, {tr("As it is set"), tr("for comparison"), "text2", format_number(now.cost.us_a_tick, 0), format_number(mb(now), 0), {}});
   for (const AuditRow& row : report_->rows) {
-    const QString name = choice_name(row.choice), verdict = verdict_name(row.verdict);
-    if (!row.result) {
-      line(name, verdict, ink_of(row.verdict), {}, {}, {});
-      continue;
+    Line line{choice_name(row.choice), verdict_name(row.verdict), ink_of(row.verdict), {}, {}, {}};
+    if (row.result) {
+      line.us = signed_number(row.result->cost.us_more, 0);
+      line.mb = signed_number(mb(*row.result) - mb(now), 0);
+      line.score = row.change.measures_alike ? signed_number(row.change.score, 1) : tr("needed");
     }
-    line(name, verdict, ink_of(row.verdict), signed_number(row.result->cost.us_more, 0), signed_number(mb(*row.result) - mb(now), 0),
-         row.change.measures_alike ? signed_number(row.change.score, 1) : tr("needed"));
+    add_line(grid, line);
   }
-  table_place_->addWidget(table_);
 }
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// Measures what each part of the exercise costs and changes, and finds the leanest exercise with the same grades. AuditJob measures;
+/// Lists the choices of the exercise's model, then measures what each part of the exercise costs and changes, and finds the leanest exercise with the same grades. AuditJob measures;
 /// taking the leanest is one step of undo. Thread: GUI.
 #pragma once
 
@@ -38,6 +38,16 @@ class AuditPage : public QWidget {
   void use_leanest();
   void show_report();
   void follow_model();
+  void list_choices();
+  void show_table();
+  /// One line of the table: what was left out, what that says, and its three figures as text.
+  struct Line {
+    QString name, verdict;
+    const char* ink = "text2";  // of the verdict
+    QString us, mb, score;
+  };
+  void add_line(QGridLayout& grid, const Line& line);
+  void add_results(QGridLayout& grid);
 
   EditorModel& model_;
   std::function<AuditRunner(const std::string& folder)> runner_of_;
@@ -45,6 +55,7 @@ class AuditPage : public QWidget {
   Busy* busy_ = nullptr;
   std::shared_ptr<const AuditReport> report_;
   Scenario measured_;  // the exercise of the report
+  std::vector<Choice> listed_;  // in the table while there is no report
   QElapsedTimer since_;  // the audit began
   QLabel *about_, *aside_, *leanest_title_, *leanest_, *legend_;
   QPushButton *measure_, *use_;

@@ -21,8 +21,8 @@ QString mm(double value) { return format_value({value, {}, u"mm"_qs, value * 100
 
 QString around_name(const std::string& key) {
   if (key == "neighbours") return AuditText::tr("Neighbouring teeth");
-  if (key == "gingiva") return tissue_name(Tissue::gingiva);
-  if (key == "bone") return tissue_name(Tissue::bone);
+  if (key == "gingiva") return AuditText::tr("Gums about the tooth");
+  if (key == "bone") return AuditText::tr("Jaw bone about the tooth");
   return AuditText::tr("The rest of the jaw");
 }
 
@@ -51,8 +51,8 @@ QString means_sentence(const AuditReport& report) {
 
 QString choice_name(const Choice& c) {
   switch (c.aspect) {
-    case Aspect::voxel: return AuditText::tr("Voxels of %1").arg(mm(c.instead));
-    case Aspect::band: return AuditText::tr("Half the band");
+    case Aspect::voxel: return AuditText::tr("Detail of %1").arg(mm(c.instead));
+    case Aspect::band: return AuditText::tr("Surface band halved");
     case Aspect::region: return AuditText::tr("Only near the target");
     case Aspect::around: return AuditText::tr("%1 left out").arg(around_name(c.subject));
     case Aspect::tissue: return AuditText::tr("%1 left out").arg(tissue_of_key(c.subject));

@@ -14,6 +14,7 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "ui/editor/audit_page.h"
+#include "ui/text/audit_text.h"
 #include "ui/widgets/busy.h"
 
 namespace cusp::test {
@@ -94,6 +95,17 @@ TEST(AuditPage, shows_what_each_choice_costs_and_uses_the_leanest_with_one_step_
   model.stack().undo();
   EXPECT_EQ(model.scenario(), before);
   EXPECT_TRUE(button(page, "Use the leanest")->isEnabled());
+}
+
+TEST(AuditPage, lists_what_will_be_measured_before_anything_is) {
+  EditorModel model(draft());
+  AuditPage page(model, at_once);
+  page.show();
+  for (const Choice& choice : choices_of(model.scenario())) EXPECT_TRUE(texts(page).contains(choice_name(choice))) << choice_name(choice).toStdString();
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("Heat left out")));
+  model.set_phenomenon("heat", EditorModel::Listed::no);
+  model.end_gesture();
+  EXPECT_FALSE(texts(page).contains(QStringLiteral("Heat left out"))) << "the list follows the exercise";
 }
 
 TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
