@@ -4343,6 +4343,10 @@
         <source>Checking…</source>
         <translation>Wird geprüft …</translation>
     </message>
+    <message>
+        <source>Stop checking</source>
+        <translation>Prüfung abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ExchangePage</name>

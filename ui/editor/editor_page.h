@@ -95,6 +95,8 @@ class EditorPage : public QWidget {
   void ask_to_replace_theirs();
   void publish_now();
   bool publishing() const;
+  void begin_proof();
+  void stop_proof();
   void show_proved(const Scenario& checked, std::vector<Finding> found);
   void open_sheet();
   void show_published(const Stored<Published>& done);
@@ -123,12 +125,13 @@ class EditorPage : public QWidget {
   std::unique_ptr<ButtonWait> publish_wait_;
   BackgroundTask publish_task_;
   bool proving_ = false;  // before the sheet opens
+  int proof_ = 0;         // the newest; what an older one found counts no more
   bool leaves_ = false;   // once the version is published
   Busy* busy_ = nullptr;
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;
   QToolButton *undo_ = nullptr, *redo_ = nullptr;
-  QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
+  QPushButton *try_ = nullptr, *reference_ = nullptr, *publish_ = nullptr, *stop_proof_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
   QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr, *try_key_ = nullptr;
   QStackedWidget* left_ = nullptr;
   QWidget* tooth_page_ = nullptr;  // of left_

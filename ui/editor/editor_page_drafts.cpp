@@ -126,22 +126,40 @@ void EditorPage::leave() {
 void EditorPage::publish_version() {
   if (publish_wait_->running() || has_error(model_->findings())) return;
   if (!model_->specimen()) return open_sheet();
+  begin_proof();
+}
+
+/// Of an exercise that scripted operators drill: seconds, and many of them on a slow machine.
+void EditorPage::begin_proof() {
   proving_ = true;
   publish_wait_->start(tr("Checking…"));
-  publish_task_ = BackgroundTask([self = QPointer(this), checked = model_->scenario(), specimen = model_->specimen()] {
+  QTimer::singleShot(Busy::kDelayMs, this, [this] { stop_proof_->setVisible(proving_); });
+  publish_task_ = BackgroundTask([self = QPointer(this), proof = ++proof_, checked = model_->scenario(), specimen = model_->specimen()] {
     const auto found = std::make_shared<std::vector<Finding>>(check_attempts(checked, specimen));
     QMetaObject::invokeMethod(
         qApp,
-        [self, checked, found] {
-          if (self) self->show_proved(checked, std::move(*found));
+        [self, proof, checked, found] {
+          if (self && proof == self->proof_) self->show_proved(checked, std::move(*found));
         },
         Qt::QueuedConnection);
   });
 }
 
+/// The thread ends its check; nobody waits for it.
+void EditorPage::stop_proof() {
+  if (!proving_) return;
+  ++proof_;
+  proving_ = false;
+  publish_task_ = {};
+  publish_wait_->finish();
+  stop_proof_->hide();
+  publish_->setFocus();
+}
+
 void EditorPage::show_proved(const Scenario& checked, std::vector<Finding> found) {
   proving_ = false;
   publish_wait_->finish();
+  stop_proof_->hide();
   if (!(model_->scenario() == checked)) return publish_version();  // edited meanwhile
   if (model_->prove(std::move(found))) open_sheet();
 }

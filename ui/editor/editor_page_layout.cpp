@@ -107,6 +107,10 @@ QWidget* EditorPage::make_top_bar() {
     model_->stack().redo();
   });
   add_try_outs(*row);
+  stop_proof_ = make_button(tr("Stop checking"));
+  stop_proof_->hide();
+  row->addWidget(stop_proof_);
+  connect(stop_proof_, &QPushButton::clicked, this, &EditorPage::stop_proof);
   publish_ = make_button(tr("Publish"), ButtonKind::primary);
   row->addWidget(publish_);
   publish_wait_ = std::make_unique<ButtonWait>(publish_);

@@ -15,6 +15,7 @@
 #include "tests/ui/editor/editor_pages.h"
 #include "ui/editor/change_messages.h"
 #include "ui/editor/publish_sheet.h"
+#include "ui/session/background_task.h"
 
 namespace cusp::test {
 namespace {
@@ -139,6 +140,23 @@ TEST_F(PublishSheets, ShowWhatWasEditedWhileTheExerciseWasChecked) {
   page->model().set_depth_mm(1.7);
   ASSERT_TRUE(QTest::qWaitFor([&] { return sheet_of(*page) != nullptr; }, kGrowsWithinMs));
   EXPECT_TRUE(text_of(*sheet_of(*page)).contains(QStringLiteral("Depth: 1.70 mm, was 2.00 mm"))) << text_of(*sheet_of(*page)).toStdString();
+}
+
+TEST_F(PublishSheets, DoNotOpenOnceTheCheckIsStopped) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->publish_version();
+  QPushButton* stop = nullptr;
+  for (QPushButton* one : page->findChildren<QPushButton*>())
+    if (one->text().trimmed() == QStringLiteral("Stop checking")) stop = one;
+  ASSERT_NE(stop, nullptr);
+  stop->click();
+  std::thread(wait_for_dropped_tasks).join();  // the check has ended, and its answer waits for the window
+  QCoreApplication::processEvents();
+  EXPECT_EQ(sheet_of(*page), nullptr);
+  EXPECT_FALSE(stop->isVisible());
+  page->model().now_tried(page->model().scenario());
+  EXPECT_TRUE(open_sheet(*page)) << "and it can be published all the same";
 }
 
 TEST_F(PublishSheets, PublishWithoutATurnOfTheWindowsEventLoop) {
