@@ -4572,6 +4572,21 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::ExerciseCard</name>
+    <message>
+        <source>The chosen exercise</source>
+        <translation>Die gewählte Übung</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>Burs: %1</source>
+        <translation>Bohrer: %1</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ExerciseUse</name>
     <message>
         <source>No student has a graded attempt yet.</source>
@@ -6218,6 +6233,10 @@
         <source>Version %1 withdrawn</source>
         <translation>Version %1 zurückgezogen</translation>
     </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LibraryPage</name>
@@ -6432,12 +6451,35 @@
         <translation>Keine Übung passt</translation>
     </message>
     <message>
-        <source>No exercise and no tooth has this text.</source>
-        <translation>Keine Übung und kein Zahn enthält diesen Text.</translation>
-    </message>
-    <message>
         <source>Show all exercises</source>
         <translation>Alle Übungen zeigen</translation>
+    </message>
+    <message>
+        <source>No exercise and no tooth of this group and state has this text.</source>
+        <translation>Keine Übung und kein Zahn dieser Gruppe und dieses Stands enthält diesen Text.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>Alle Gruppen</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>All states</source>
+        <translation>Jeder Stand</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercise(s)</source>
+        <translation>
+            <numerusform>%n Übung</numerusform>
+            <numerusform>%n Übungen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -381,6 +381,13 @@
             <numerusform>%n open assignments of this version can no longer be drilled.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n exercise(s)</source>
+        <translation>
+            <numerusform>%n exercise</numerusform>
+            <numerusform>%n exercises</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LogPage</name>

@@ -222,7 +222,7 @@ QVector<NavEntry> Desktop::entries() {
   }
   if (writing && may(role, Action::edit_scenarios)) {
     list += {u"library"_qs, tr("Library"), u"layers"_qs, [this]() -> QWidget* {
-               auto* page = new LibraryPage(*store_, account_->actor(), ports_, database_, volume_folder());
+               auto* page = new LibraryPage(*store_, account_->actor(), ports_, database_, volume_folder(), pictures_.get());
                connect(page, &LibraryPage::edit_wanted, this, &Desktop::edit);
                connect(page, &LibraryPage::import_wanted, this, &Desktop::import_specimen);
                return page;

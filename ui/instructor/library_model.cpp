@@ -30,15 +30,42 @@ Stored<void> see_versions(Store& store, LibraryRow& row) {
   return {};
 }
 
-QString state_of(const LibraryRow& r) {
-  if (!r.exercise) return r.withdrawn ? LibraryModel::tr("Withdrawn") : LibraryModel::tr("Draft");
-  if (r.draft) return LibraryModel::tr("Draft of the next");
-  if (r.withdrawn) return LibraryModel::tr("Version %1 withdrawn").arg(*r.withdrawn);
-  const bool as_delivered = r.exercise->version_number == 1 && !r.exercise->scenario.key.empty();
-  return as_delivered ? LibraryModel::tr("Comes with Cusp") : LibraryModel::tr("Published");
+QString state_text(const LibraryRow& r) {
+  const LibraryState state = state_of(r);
+  if (r.exercise && state == LibraryState::draft) return LibraryModel::tr("Draft of the next");
+  if (r.exercise && state == LibraryState::withdrawn) return LibraryModel::tr("Version %1 withdrawn").arg(*r.withdrawn);
+  return state_name(state);
+}
+
+Chip::Kind chip_of(LibraryState state) {
+  switch (state) {
+    case LibraryState::delivered: return Chip::Kind::plain;
+    case LibraryState::published: return Chip::Kind::good;
+    case LibraryState::draft: return Chip::Kind::accent;
+    case LibraryState::withdrawn: return Chip::Kind::look;
+  }
+  return Chip::Kind::plain;
 }
 
 }  // namespace
+
+LibraryState state_of(const LibraryRow& r) {
+  if (!r.exercise) return r.withdrawn ? LibraryState::withdrawn : LibraryState::draft;
+  if (r.draft) return LibraryState::draft;
+  if (r.withdrawn) return LibraryState::withdrawn;
+  const bool as_delivered = r.exercise->version_number == 1 && !r.exercise->scenario.key.empty();
+  return as_delivered ? LibraryState::delivered : LibraryState::published;
+}
+
+QString state_name(LibraryState state) {
+  switch (state) {
+    case LibraryState::delivered: return LibraryModel::tr("Comes with Cusp");
+    case LibraryState::published: return LibraryModel::tr("Published");
+    case LibraryState::draft: return LibraryModel::tr("Draft");
+    case LibraryState::withdrawn: return LibraryModel::tr("Withdrawn");
+  }
+  return {};
+}
 
 Stored<Library> load_library(Store& store, const Actor& actor) {
   auto list = load_exercises(store);
@@ -79,6 +106,10 @@ void LibraryModel::set_rows(std::vector<LibraryRow> rows) {
   endResetModel();
 }
 
+bool LibraryModel::has_drafts() const {
+  return std::ranges::any_of(rows_, [](const LibraryRow& row) { return row.saved_utc_us > 0; });
+}
+
 int LibraryModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
@@ -90,21 +121,19 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) {
     switch (index.column()) {
       case kExercise: return local(r.shown().title);
+      case kGroup: return group_name(group_of(r.shown()));
       case kTooth: return specimen_name(r.shown().specimen);
       case kVersion:
         if (r.exercise) return QLocale().toString(r.exercise->version_number);
         return r.withdrawn ? QLocale().toString(*r.withdrawn) : QString();
-      case kState: return state_of(r);
+      case kState: return state_text(r);
       case kSaved:
         return r.saved_utc_us > 0 ? format_day_time(local_time(r.saved_utc_us))
                                   : QString();
       default: return {};
     }
   }
-  if (role == ChipRole && index.column() == kState) {
-    if (r.withdrawn && !(r.draft && r.exercise)) return static_cast<int>(Chip::Kind::look);
-    return static_cast<int>(r.draft ? Chip::Kind::accent : Chip::Kind::good);
-  }
+  if (role == ChipRole && index.column() == kState) return static_cast<int>(chip_of(state_of(r)));
   if (role == BoldRole && index.column() == kExercise) return true;
   if (role == Qt::TextAlignmentRole && index.column() == kVersion) return int(Qt::AlignRight | Qt::AlignVCenter);
   return {};
@@ -118,6 +147,7 @@ QVariant LibraryModel::headerData(int section, Qt::Orientation orientation, int 
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kExercise: return tr("Exercise");
+    case kGroup: return tr("Group");
     case kTooth: return tr("Tooth");
     case kVersion: return tr("Version");
     case kState: return tr("State");

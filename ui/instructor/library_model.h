@@ -21,6 +21,11 @@ struct LibraryRow {
   const Scenario& shown() const { return draft ? *draft : exercise->scenario; }
 };
 
+/// What a row is to its instructor.
+enum class LibraryState : std::uint8_t { delivered, published, draft, withdrawn };
+LibraryState state_of(const LibraryRow& row);
+QString state_name(LibraryState state);
+
 struct Library {
   std::vector<LibraryRow> rows;               // own drafts, the newest first; published here; built-in ones
   std::vector<StorageFailure> unreadable;
@@ -31,9 +36,10 @@ class LibraryModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kExercise, kTooth, kVersion, kState, kSaved, kColumns };
+  enum Column { kExercise, kGroup, kTooth, kVersion, kState, kSaved, kColumns };
   using QAbstractTableModel::QAbstractTableModel;
   void set_rows(std::vector<LibraryRow> rows);
+  bool has_drafts() const;
   const LibraryRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

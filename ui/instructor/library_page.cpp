@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -9,19 +10,26 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <algorithm>
+#include <array>
 
 #include "scenarios/library/library.h"
 #include "scenarios/templates/templates.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/template_dialog.h"
 #include "ui/editor/texts_form.h"
+#include "ui/instructor/exercise_card.h"
 #include "ui/instructor/exercise_use.h"
 #include "ui/instructor/withdrawal.h"
 #include "ui/modules.h"
+#include "ui/student/exercise_groups.h"
+#include "ui/student/thumbnail_cache.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/head_row.h"
 #include "ui/widgets/menu_button.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -30,18 +38,20 @@ namespace cusp::ui {
 namespace {
 
 constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
+constexpr int kFoldsBelow = 560;                     // px at 100 % of height: the chosen exercise to its name and use
 
 }  // namespace
 
 LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
-                         std::filesystem::path cache, QWidget* parent)
+                         std::filesystem::path cache, ThumbnailCache* pictures, QWidget* parent)
     : QWidget(parent),
       store_(store),
       actor_(actor),
       ports_(ports),
       database_(std::move(database)),
       cache_(std::move(cache)),
-      model_(new LibraryModel(this)) {
+      model_(new LibraryModel(this)),
+      pictures_(pictures) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
@@ -50,12 +60,11 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   QPushButton* more = make_more_button();
   QPushButton* fresh = make_new_button();
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
-  make_search();
-  head->buttons()->addWidget(search_);
   for (QPushButton* button : {import, more, fresh, open}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
+  outer->addWidget(make_filters());
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   table_ = new Table;
@@ -64,14 +73,17 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
   table_->set_stretch_column(LibraryModel::kExercise);
   below_ = new QStackedWidget;
   below_->addWidget(table_);
-  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise and no tooth has this text."), tr("Show all exercises"));
-  connect(none, &EmptyState::acted, search_, &QLineEdit::clear);
+  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise and no tooth of this group and state has this text."), tr("Show all exercises"));
+  connect(none, &EmptyState::acted, this, [this] {
+    for (QComboBox* box : {group_, state_}) box->setCurrentIndex(0);
+    search_->clear();
+  });
   below_->addWidget(none);
   card->body()->addWidget(below_);
   outer->addWidget(card, 1);
-  use_ = make_label({}, TextRole::body, Weight::regular, "text2");
-  use_->setWordWrap(true);
-  outer->addWidget(use_);
+  chosen_ = new ExerciseCard;
+  outer->addWidget(chosen_);
+  if (pictures_ != nullptr) connect(pictures_, &ThumbnailCache::ready, this, &LibraryPage::show_picture);
   connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
   connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
@@ -124,6 +136,7 @@ void LibraryPage::read() {
                         tr("The others are below."));
   }
   model_->set_rows(std::move(library->rows));
+  table_->setColumnHidden(LibraryModel::kSaved, !model_->has_drafts());
   table_->choose_row(0);
   filter();
 }
@@ -136,16 +149,45 @@ void LibraryPage::make_search() {
   connect(find, &QShortcut::activated, search_, [this] { search_->setFocus(Qt::ShortcutFocusReason); });
 }
 
-void LibraryPage::filter() {
+QWidget* LibraryPage::make_filters() {
+  auto* bar = new QWidget;
+  auto* row = new HeadRow(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(8));
+  make_search();
+  count_ = make_label({}, TextRole::body, Weight::regular, "text2");
+  group_ = make_choice(tr("Group"));
+  group_->addItem(tr("All groups"), -1);
+  for (const ExerciseGroup group : kExerciseGroups) group_->addItem(group_name(group), static_cast<int>(group));
+  state_ = make_choice(tr("State"));
+  state_->addItem(tr("All states"), -1);
+  for (const LibraryState state : {LibraryState::delivered, LibraryState::published, LibraryState::draft, LibraryState::withdrawn})
+    state_->addItem(state_name(state), static_cast<int>(state));
+  for (QComboBox* box : {group_, state_}) connect(box, &QComboBox::currentIndexChanged, this, &LibraryPage::filter);
+  for (QWidget* part : std::initializer_list<QWidget*>{search_, count_, group_, state_}) row->addWidget(part);
+  return bar;
+}
+
+bool LibraryPage::fits(int row) const {
+  const auto chosen = [](const QComboBox& box, int value) { return box.currentIndex() == 0 || box.currentData().toInt() == value; };
+  const LibraryRow& one = model_->row(row);
+  if (!chosen(*group_, static_cast<int>(group_of(one.shown()))) || !chosen(*state_, static_cast<int>(state_of(one)))) return false;
   const QString text = search_->text().trimmed();
-  int first = -1;
+  return std::ranges::any_of(std::array{LibraryModel::kExercise, LibraryModel::kTooth}, [&](LibraryModel::Column column) {
+    return model_->index(row, column).data().toString().contains(text, Qt::CaseInsensitive);
+  });
+}
+
+void LibraryPage::filter() {
+  int first = -1, shown = 0;
   for (int row = 0; row < model_->rowCount(); ++row) {
-    const bool fits = model_->index(row, LibraryModel::kExercise).data().toString().contains(text, Qt::CaseInsensitive) ||
-                      model_->index(row, LibraryModel::kTooth).data().toString().contains(text, Qt::CaseInsensitive);
-    table_->setRowHidden(row, !fits);
-    if (fits && first < 0) first = row;
+    const bool fitting = fits(row);
+    table_->setRowHidden(row, !fitting);
+    if (fitting && first < 0) first = row;
+    shown += fitting;
   }
-  below_->setCurrentIndex(first < 0 && !text.isEmpty() ? 1 : 0);
+  count_->setText(tr("%n exercise(s)", nullptr, shown));
+  below_->setCurrentIndex(first < 0 && model_->rowCount() > 0 ? 1 : 0);
   if (first < 0) return table_->clearSelection();
   if (const int chosen = table_->chosen_row(); chosen < 0 || table_->isRowHidden(chosen)) table_->choose_row(first);
 }
@@ -159,15 +201,33 @@ void LibraryPage::fit_buttons() {
   show_use();
 }
 
-/// Of the chosen exercise, by name: the line stands apart from its row.
 void LibraryPage::show_use() {
   const int index = table_->chosen_row();
-  use_->clear();
+  chosen_->setVisible(index >= 0);
   if (index < 0) return;
   const Scenario& shown = model_->row(index).shown();
+  chosen_->show_exercise(shown);
+  show_picture();
+  chosen_->show_use({});
   const auto use = use_of(store_, actor_, shown.id, ports_.now().toMSecsSinceEpoch() * 1000);
   if (!use) return show_failure(use.error());
-  use_->setText(u"<b>%1</b>: %2"_qs.arg(isolate(local(shown.title)).toHtmlEscaped(), use_text(*use).toHtmlEscaped()));
+  chosen_->show_use(use_text(*use));
+}
+
+/// Of the published version: a draft's volume may be half written.
+void LibraryPage::show_picture() {
+  const int index = table_->chosen_row();
+  if (index < 0) return;
+  const auto& exercise = model_->row(index).exercise;
+  QImage picture;
+  if (pictures_ != nullptr && exercise)
+    if (const auto folder = exercise_folder(store_, *exercise, cache_)) picture = pictures_->picture(*exercise, *folder, ThumbnailCache::Use::card);
+  chosen_->show_picture(picture);
+}
+
+void LibraryPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  chosen_->fold(height() < px(kFoldsBelow));
 }
 
 void LibraryPage::discard_draft() {

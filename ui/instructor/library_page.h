@@ -17,6 +17,7 @@
 
 class QAction;
 class QLineEdit;
+class QComboBox;
 class QLabel;
 class QMenu;
 class QPushButton;
@@ -25,19 +26,23 @@ class QStackedWidget;
 namespace cusp::ui {
 
 class Band;
+class ExerciseCard;
 class Table;
+class ThumbnailCache;
 struct Withdrawal;
 
 class LibraryPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// Volumes of drafts lie beside `database`, those of published versions in `cache`.
+  /// Volumes of drafts lie beside `database`, those of published versions in `cache`. Without `pictures` no tooth is shown.
   LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
-              std::filesystem::path cache, QWidget* parent = nullptr);
+              std::filesystem::path cache, ThumbnailCache* pictures = nullptr, QWidget* parent = nullptr);
   Table* table() const { return table_; }
   QLineEdit* search() const { return search_; }
   const LibraryModel& model() const { return *model_; }
+  QComboBox* groups() const { return group_; }
+  QComboBox* states() const { return state_; }
   /// While a file is read or written: a volume takes seconds. No other file is opened or saved meanwhile.
   bool working() const { return working_; }
 
@@ -65,13 +70,17 @@ class LibraryPage : public QWidget {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void read();
   void fit_buttons();
   void show_use();
+  void show_picture();
   void make_search();
-  /// Shows the rows whose name or tooth has the text.
+  QWidget* make_filters();
+  bool fits(int row) const;
+  /// Shows the rows of the chosen group and state whose name or tooth has the text.
   void filter();
   QPushButton* make_new_button();
   QPushButton* make_more_button();
@@ -102,7 +111,10 @@ class LibraryPage : public QWidget {
   QStackedWidget* below_ = nullptr;  // the table, or that no exercise fits
   QLineEdit* search_ = nullptr;
   Band* band_ = nullptr;
-  QLabel* use_ = nullptr;  // who uses the chosen exercise
+  QComboBox *group_ = nullptr, *state_ = nullptr;  // filters; the first entry of each is all
+  QLabel* count_ = nullptr;
+  ExerciseCard* chosen_ = nullptr;
+  ThumbnailCache* pictures_;
   BackgroundTask work_;
   bool working_ = false;
   QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;

@@ -18,7 +18,7 @@ COPY, SAVE, WITHDRAW = 1, 2, 3  # entries of that menu
 
 
 def choose(program, *parts):
-    row = school.row_of(program, "Exercises", *parts)
+    row = school.in_library(program, *parts)
     row[0].click()
     return row
 
@@ -67,7 +67,7 @@ def visit(program):
     path = save(program)
     choose(program, instructor.EXERCISE)
     withdraw(program, 4, "Students find version 3 again")
-    school.row_of(program, "Exercises", instructor.EXERCISE, "Version 4 withdrawn")
+    school.in_library(program, instructor.EXERCISE, "Version 4 withdrawn")
 
     editor = open_beside(program, path)
     desk.until("the checks to pass", lambda: program.find("push button", "Publish version 1", editor).has("ENABLED"))
@@ -80,7 +80,7 @@ def visit(program):
     program.press("Library", within=editor)
     choose(program, instructor.EXERCISE, "Published")
     withdraw(program, 1, "Students no longer find this exercise")
-    row = [cell.name for cell in school.row_of(program, "Exercises", instructor.EXERCISE, "Withdrawn")]
+    row = [cell.name for cell in school.in_library(program, instructor.EXERCISE, "Withdrawn")]
     school.sign_out(program)
     return row
 

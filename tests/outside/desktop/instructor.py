@@ -27,7 +27,7 @@ def visit(program):
     school.sign_in_staff(program, *school.INSTRUCTOR[1:])
     choose_devices(program)
     school.page(program, "Library")
-    school.row_of(program, "Exercises", EXERCISE)[0].click()
+    school.in_library(program, EXERCISE)[0].click()
     program.press("Open in the editor")
     editor = program.find(None, "Editor")
     publish = program.find("push button", re.compile("^Publish version"), within=editor)
@@ -65,7 +65,7 @@ def visit(program):
     program.press("Publish version 4", within=sheet)
     program.find("label", re.compile(r"^Version 4 is published\."))
     program.keys("alt+Left")
-    row = [cell.name for cell in school.row_of(program, "Exercises", EXERCISE)]
+    row = [cell.name for cell in school.in_library(program, EXERCISE)]
     desk.check("4" in row and "Published" in row, f"the library shows {row}")
     school.sign_out(program)
     return depth_row

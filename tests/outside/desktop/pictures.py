@@ -192,7 +192,7 @@ def of_editor(album, program):
 
 
 def of_publishing(album, program):
-    school.row_of(program, "Exercises", instructor.EXERCISE)[0].click()
+    school.in_library(program, instructor.EXERCISE)[0].click()
     program.press("Open in the editor")
     editor = program.find(None, "Editor")
     program.find("spin button", "Depth", within=editor).focus()

@@ -166,7 +166,7 @@ def visit(program, album=lambda program, name: None):
     school.page(program, "Library")
     exchange.choose(program, EXERCISE, "Published")
     exchange.withdraw(program, 1, "Students no longer find this exercise")
-    school.row_of(program, "Exercises", EXERCISE, "Withdrawn")
+    school.in_library(program, EXERCISE, "Withdrawn")
     album(program, "withdrawn")
     school.sign_out(program)
     return actions, made, student

@@ -106,6 +106,12 @@ def row_of(program, table, *parts):
     return until(f"a row with {', '.join(parts)} in {table!r}", look)
 
 
+def in_library(program, exercise, *parts):
+    """The row of an exercise in the library, wherever it stands there."""
+    program.find("text", "Find an exercise").type(exercise)
+    return row_of(program, "Exercises", exercise, *parts)
+
+
 def brief(program, exercise):
     """The briefing of the first exercise with this name, found by its text."""
     if program.here("text", "Find an exercise") is None:
