@@ -5399,6 +5399,45 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::ImportDrop</name>
+    <message>
+        <source>Drop files here</source>
+        <translation>Dateien hierher ziehen</translation>
+    </message>
+    <message>
+        <source>or choose them. Several surfaces are put together, each of one tissue.</source>
+        <translation>oder auswählen. Mehrere Oberflächen werden zusammengefügt, jede aus einem Gewebe.</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>From a scanner or a modeller. Closed, or with gaps that are mended.</source>
+        <translation>Aus einem Scanner oder einem 3D-Programm. Geschlossen, oder mit Lücken, die geschlossen werden.</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Labels, colours or ranges of grey become tissues.</source>
+        <translation>Markierungen, Farben oder Graubereiche werden zu Geweben.</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>One slice names its series. Nothing about the patient is read.</source>
+        <translation>Eine Schicht nennt ihre Serie. Nichts über den Patienten wird gelesen.</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::ImportPage</name>
     <message>
         <source>Import a specimen</source>
@@ -5509,10 +5548,6 @@
     <message>
         <source>Keep it and make an exercise</source>
         <translation>Behalten und Übung anlegen</translation>
-    </message>
-    <message>
-        <source>Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS, OFF; several are put together), volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).</source>
-        <translation>Dateien hierher ziehen oder auswählen: geschlossene Netze (STL, OBJ, PLY, 3DS, OFF; mehrere werden zusammengefügt), Volumen (NRRD, MetaImage, NIfTI, binvox) oder eine Schicht eines CT (DICOM).</translation>
     </message>
     <message>
         <source>If its unit were a millimetre, it would be %1.</source>
@@ -9277,6 +9312,25 @@
     <message>
         <source>Go back to a backup</source>
         <translation>Zu einer Sicherung zurück</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::SizePicture</name>
+    <message>
+        <source>Size beside a molar</source>
+        <translation>Größe neben einem Molaren</translation>
+    </message>
+    <message>
+        <source>%1, beside a lower first molar of %2</source>
+        <translation>%1, neben einem unteren ersten Molaren von %2</translation>
+    </message>
+    <message>
+        <source>molar</source>
+        <translation>Molar</translation>
+    </message>
+    <message>
+        <source>your file</source>
+        <translation>Ihre Datei</translation>
     </message>
 </context>
 <context>

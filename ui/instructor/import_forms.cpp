@@ -75,7 +75,7 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(px(16));
   grid->setVerticalSpacing(px(8));
-  grid->setColumnStretch(2, 1);
+  grid->setColumnStretch(4, 1);  // the tissue stands beside its mesh
   bool faulty = false;
   const bool several = meshes.size() > 1;
   int line = 0;

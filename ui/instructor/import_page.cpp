@@ -2,25 +2,26 @@
 
 #include <QApplication>
 #include <QBoxLayout>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QThreadPool>
-#include <QUrl>
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/import/up_axis.h"
 #include "scenarios/import/worker.h"
+#include "ui/instructor/import_drop.h"
 #include "ui/instructor/import_forms.h"
 #include "ui/instructor/import_preview.h"
 #include "ui/instructor/import_size.h"
+#include "ui/instructor/size_picture.h"
 #include "ui/modules.h"
 #include "ui/text/import_text.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/bar_top.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -39,13 +40,6 @@ void answer_to(const QPointer<ImportPage>& page, const std::shared_ptr<std::stop
       Qt::QueuedConnection);
 }
 
-QStringList local_files(const QMimeData* data) {
-  QStringList out;
-  for (const QUrl& url : data->urls())
-    if (url.isLocalFile()) out << url.toLocalFile();
-  return out;
-}
-
 }  // namespace
 
 ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidget* parent)
@@ -56,15 +50,22 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   setAcceptDrops(true);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  const BarTop top = make_bar_top();
+  QPushButton* back = add_way_back(top, tr("Library"));
+  top.row->addWidget(make_label(tr("Import a specimen"), TextRole::section, Weight::bold));
+  top.row->addStretch();
+  whole->addWidget(top.bar);
   QVBoxLayout* outer = nullptr;
-  whole->addWidget(make_scroll_page(&outer));
+  whole->addWidget(make_scroll_page(&outer), 1);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
-  QPushButton* back = make_button(tr("Library"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
-  outer->addWidget(back, 0, Qt::AlignLeft);
-  outer->addWidget(new PageHead(tr("Import a specimen")));
   band_ = new Band;
   outer->addWidget(band_);
+  drop_card_ = new ImportDrop;
+  first_pick_ = drop_card_->button();
+  connect(drop_card_, &ImportDrop::choose, this, &ImportPage::pick_files);
+  outer->addWidget(drop_card_, 1);
   files_card_ = new Card(tr("Files"));
   build_files(files_card_->body());
   outer->addWidget(files_card_);
@@ -75,10 +76,19 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   outer->addWidget(parts_card_);
   size_card_ = new Card(tr("Size"));
   size_ = new ImportSize;
-  size_card_->body()->addWidget(size_);
+  auto* beside = new QHBoxLayout;
+  beside->setSpacing(px(24));
+  auto* form = new QVBoxLayout;
+  form->setSpacing(px(16));
+  form->addWidget(size_);
+  size_picture_ = new SizePicture;
   import_ = make_large_button(tr("Make a specimen"), ButtonKind::primary);
   import_->setObjectName(u"make"_qs);
-  size_card_->body()->addWidget(import_, 0, Qt::AlignLeft);
+  form->addWidget(import_, 0, Qt::AlignLeft);
+  form->addStretch();
+  beside->addLayout(form, 1);
+  beside->addWidget(size_picture_, 0, Qt::AlignTop);
+  size_card_->body()->addLayout(beside);
   outer->addWidget(size_card_);
   made_card_ = new Card(tr("The specimen, before it is kept"));
   build_made(made_card_->body());
@@ -89,7 +99,7 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   outer->addStretch();
   connect(back, &QPushButton::clicked, this, &ImportPage::back_wanted);
   show_files();
-  setFocusProxy(pick_);
+  setFocusProxy(first_pick_);
 }
 
 ImportPage::~ImportPage() {
@@ -109,18 +119,13 @@ void ImportPage::build_files(QVBoxLayout* body) {
   body->addLayout(row);
   busy_ = new Busy;
   body->addWidget(busy_);
-  connect(pick_, &QPushButton::clicked, this, [this] {
-    ports_.pick_file(this,
-                     {tr("Choose a file"), {},
-                      tr("Meshes and volumes (*.stl *.obj *.ply *.3ds *.off *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)"),
-                      false},
-                     [this](const QString& path) { open_files({path}); });
-  });
+  connect(pick_, &QPushButton::clicked, this, &ImportPage::pick_files);
   connect(clear_, &QPushButton::clicked, this, [this] {
     band_->clear();
     files_.clear();
     forget_forms();
     show_files();
+    first_pick_->setFocus();
   });
   connect(busy_, &Busy::cancelled, this, [this] {
     end_work();
@@ -137,22 +142,6 @@ void ImportPage::build_made(QVBoxLayout* body) {
   body->addWidget(keep_, 0, Qt::AlignLeft);
   connect(keep_, &QPushButton::clicked, this, &ImportPage::keep);
   connect(preview_, &ImportPreview::turning_changed, this, &ImportPage::show_size);
-}
-
-void ImportPage::dragEnterEvent(QDragEnterEvent* event) {
-  if (work_ || local_files(event->mimeData()).isEmpty()) return;
-  set_kind(files_card_, "drop");
-  event->acceptProposedAction();
-}
-
-void ImportPage::dragLeaveEvent(QDragLeaveEvent*) { set_kind(files_card_, "card"); }
-
-void ImportPage::dropEvent(QDropEvent* event) {
-  set_kind(files_card_, "card");
-  const QStringList paths = local_files(event->mimeData());
-  if (work_ || paths.isEmpty()) return;
-  event->acceptProposedAction();
-  open_files(paths);
 }
 
 void ImportPage::begin_work(const QString& what) {
@@ -188,14 +177,16 @@ void ImportPage::show_files() {
   const bool idle = !work_, shown = mesh_form_ || volume_form_;
   QStringList names;
   for (const auto& file : files_) names << isolate(QString::fromStdString(file.filename().string()));
-  names_->setText(names.isEmpty() ? tr("Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS, OFF; several are put together), "
-                                       "volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).")
-                                  : names.join(QStringLiteral(", ")));
+  names_->setText(names.join(QStringLiteral(", ")));
+  drop_card_->setVisible(idle && files_.empty());
+  files_card_->setVisible(!idle || !files_.empty());
   const QString pick = mesh_form_ ? tr("Add a file…") : tr("Choose a file…");
   pick_->setText(u' ' + pick);  // as make_button: the style leaves no space after the sign
   pick_->setAccessibleName(pick);
-  pick_->setShortcut(QKeySequence::Open);  // a new text takes the shortcut away
-  pick_->setEnabled(idle);
+  for (QPushButton* button : {pick_, first_pick_}) {
+    button->setShortcut(QKeySequence::Open);  // a new text takes the shortcut away; a hidden button has none
+    button->setEnabled(idle);
+  }
   clear_->setVisible(!files_.empty());
   clear_->setEnabled(idle);
   parts_card_->setVisible(shown);
@@ -295,6 +286,8 @@ void ImportPage::show_size() {
                          .arg(size_text(spacing, u"mm"_qs, 3), format_value({.value = voxel, .unit = QStringLiteral("mm"), .decimals = 3}));
     }
   }
+  const Vec3 whole = mesh_form_ ? mesh_form_->size() * unit : Vec3(image_->size) * image_->spacing_mm * unit;
+  size_picture_->show_size(glm::abs(turned_up(whole, size_->up())));
   // Only the imported volume shows how much of it is tooth. A specimen of this program has its size.
   if (preview_->volume() && !own) {
     const Vec3 made = preview_->size_mm();

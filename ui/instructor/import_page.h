@@ -24,9 +24,11 @@ namespace cusp::ui {
 class Band;
 class Busy;
 class Card;
+class ImportDrop;
 class ImportPreview;
 class ImportSize;
 class MeshForm;
+class SizePicture;
 struct ImportedSpecimen;
 class VolumeForm;
 
@@ -58,6 +60,7 @@ class ImportPage : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void pick_files();
   void build_files(QVBoxLayout* body);
   void build_made(QVBoxLayout* body);
   void show_files();
@@ -78,13 +81,15 @@ class ImportPage : public QWidget {
   std::optional<ImageInfo> image_;
   std::shared_ptr<std::stop_source> work_;
   Band* band_;
+  ImportDrop* drop_card_;  // while there is no file
   Card *files_card_, *parts_card_, *size_card_, *made_card_;
   MeshForm* mesh_form_ = nullptr;
   VolumeForm* volume_form_ = nullptr;
   ImportSize* size_;
+  SizePicture* size_picture_;
   ImportPreview* preview_;
   QLabel *names_, *about_;
-  QPushButton *pick_, *clear_, *import_, *keep_;
+  QPushButton *first_pick_, *pick_, *clear_, *import_, *keep_;
   Busy* busy_;
 };
 

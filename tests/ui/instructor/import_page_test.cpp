@@ -8,6 +8,8 @@
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "tests/ui/instructor/import_page_fixture.h"
+#include "ui/instructor/import_drop.h"
+#include "ui/instructor/size_picture.h"
 #include "ui/widgets/busy.h"
 #include "ui/text/language.h"
 
@@ -18,6 +20,31 @@ TEST_F(ImportPageTest, lists_what_it_takes_and_imports_nothing_without_files) {
   EXPECT_TRUE(texts().contains(QStringLiteral("Drop files here")));
   EXPECT_FALSE(button(QStringLiteral("Make a specimen"))->isVisibleTo(page.get()));
   EXPECT_EQ(page->meshes(), nullptr);
+}
+
+TEST_F(ImportPageTest, while_there_is_no_file_the_page_is_a_place_to_drop_one) {
+  const auto* drop = page->findChild<ImportDrop*>();
+  EXPECT_TRUE(drop->isVisible());
+  EXPECT_GT(drop->height(), page->height() / 2);
+  EXPECT_EQ(page->focusProxy(), drop->button());
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  open({file("a.stl")});
+  EXPECT_FALSE(drop->isVisible());
+  button(QStringLiteral("Begin anew"))->click();
+  EXPECT_TRUE(drop->isVisible());
+}
+
+TEST_F(ImportPageTest, a_mesh_is_drawn_to_scale_beside_a_molar) {
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 3)));  // 10 mm across
+  open({file("a.stl")});
+  const auto* picture = page->findChild<SizePicture*>();
+  ASSERT_TRUE(picture->isVisible());
+  EXPECT_TRUE(picture->accessibleDescription().contains(QStringLiteral("10.0 × 10.0 × 10.0"))) << picture->accessibleDescription().toStdString();
+  const double beside_a_tooth = picture->px_per_mm();
+  for (QComboBox* b : page->findChildren<QComboBox*>())
+    if (const int inch = b->findText(QStringLiteral("Inch")); inch >= 0) b->setCurrentIndex(inch);
+  // 254 mm high instead of the molar's 21.5.
+  EXPECT_NEAR(picture->px_per_mm() / beside_a_tooth, 21.5 / 254.0, 0.01);
 }
 
 TEST_F(ImportPageTest, nested_meshes_of_several_files_become_an_exercise_on_their_tissues) {
