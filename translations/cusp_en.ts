@@ -472,6 +472,16 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::PeoplePage</name>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::Performance</name>
     <message numerus="yes">
         <source>Last %n day(s)</source>

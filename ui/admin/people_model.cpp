@@ -5,19 +5,28 @@
 
 namespace cusp::ui {
 
-void PeopleModel::set_accounts(std::vector<Account> accounts) {
+void PeopleModel::set_accounts(std::vector<Account> accounts, std::map<UserId, QStringList> cohorts) {
   all_ = std::move(accounts);
-  narrow(search_);
+  cohorts_ = std::move(cohorts);
+  narrow(search_, role_);
 }
 
-void PeopleModel::narrow(const QString& text) {
+QString PeopleModel::cohorts_of(const Account& account) const {
+  const auto found = cohorts_.find(account.id);
+  return found == cohorts_.end() ? QString() : found->second.join(u", "_qs);
+}
+
+void PeopleModel::narrow(const QString& text, std::optional<Role> role) {
   beginResetModel();
   search_ = text.trimmed();
+  role_ = role;
   shown_.clear();
   for (const Account& a : all_) {
-    if (QString::fromStdString(a.name).contains(search_, Qt::CaseInsensitive) ||
-        QString::fromStdString(a.number).contains(search_, Qt::CaseInsensitive)) {
+    if (role_ && a.role != *role_) continue;
+    for (const QString& field : {QString::fromStdString(a.name), QString::fromStdString(a.number), cohorts_of(a)}) {
+      if (!field.contains(search_, Qt::CaseInsensitive)) continue;
       shown_.push_back(a);
+      break;
     }
   }
   endResetModel();
@@ -37,14 +46,13 @@ QVariant PeopleModel::data(const QModelIndex& index, int role) const {
   const Account& a = account(index.row());
   if (role == BoldRole) return index.column() == kName;
   if (role == QuietRole) return a.disabled;
-  if (role == ChipRole && index.column() == kState) {
-    return static_cast<int>(a.disabled ? Chip::Kind::look : Chip::Kind::good);
-  }
+  if (role == ChipRole && index.column() == kState && a.disabled) return static_cast<int>(Chip::Kind::look);  // the rule needs no sign
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kName: return QString::fromStdString(a.name);
     case kNumber: return QString::fromStdString(a.number);
     case kRole: return role_name(a.role);
+    case kCohort: return cohorts_of(a);
     case kSignIn:
       if (a.has_pin && a.has_password) return tr("PIN or password");
       if (a.has_pin) return tr("PIN");
@@ -59,9 +67,10 @@ QVariant PeopleModel::headerData(int section, Qt::Orientation orientation, int r
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
     case kName: return tr("Name");
-    case kNumber: return tr("Number or user name");
+    case kNumber: return tr("Signs in as");
     case kRole: return tr("Role");
-    case kSignIn: return tr("Signs in with");
+    case kSignIn: return tr("With");
+    case kCohort: return tr("Cohort");
     case kState: return tr("Account");
     default: return {};
   }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QStringList>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "storage/repositories/accounts.h"
@@ -13,11 +16,12 @@ class PeopleModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kName, kNumber, kRole, kSignIn, kState, kColumns };
+  enum Column { kName, kNumber, kSignIn, kRole, kCohort, kState, kColumns };
   explicit PeopleModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
-  void set_accounts(std::vector<Account> accounts);
-  /// Shows only accounts with this text in name or number.
-  void narrow(const QString& text);
+  /// `cohorts`: names of each student's.
+  void set_accounts(std::vector<Account> accounts, std::map<UserId, QStringList> cohorts = {});
+  /// Shows only accounts with this text in name, number or cohort, and of this role if there is one.
+  void narrow(const QString& text, std::optional<Role> role = std::nullopt);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -26,8 +30,12 @@ class PeopleModel : public QAbstractTableModel {
   int row_of(UserId id) const;
 
  private:
+  QString cohorts_of(const Account& account) const;
+
   std::vector<Account> all_, shown_;
+  std::map<UserId, QStringList> cohorts_;
   QString search_;
+  std::optional<Role> role_;
 };
 
 }  // namespace cusp::ui

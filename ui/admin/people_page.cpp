@@ -13,7 +13,9 @@
 #include "ui/admin/departed_card.h"
 #include "ui/admin/people_model.h"
 #include "ui/session/records_task.h"
+#include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/table.h"
@@ -26,8 +28,6 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(12));
   auto* head = new PageHead(tr("People"));
-  QLineEdit* search = make_search_field(tr("Find somebody"), px(200));
-  head->buttons()->addWidget(search);
   QPushButton* add = make_button(tr("Add a person"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
   QPushButton* import = make_button(tr("Import a list"), ButtonKind::standard, u"import"_qs);
   head->buttons()->addWidget(import);
@@ -35,6 +35,7 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
+  outer->addWidget(make_filters());
   auto* row = new QHBoxLayout;
   row->setSpacing(px(16));
   auto* card = new Card;
@@ -55,10 +56,6 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   row->addLayout(aside);
   outer->addLayout(row, 1);
 
-  connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {
-    model_->narrow(text);
-    table_->choose_row(0);
-  });
   connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
   connect(departed_, &DepartedCard::erased, this, [this] {
     read();
@@ -78,6 +75,29 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
 }
 
 QString PeoplePage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+
+QWidget* PeoplePage::make_filters() {
+  auto* bar = new QWidget;
+  auto* row = new HeadRow(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(8));
+  search_ = make_search_field(tr("Find somebody"), px(220));
+  count_ = make_label({}, TextRole::body, Weight::regular, "text2");
+  shown_role_ = make_choice(tr("Shown roles"));
+  shown_role_->addItem(tr("All roles"));
+  for (const Role role : {Role::student, Role::instructor, Role::administrator}) shown_role_->addItem(role_name(role));
+  connect(search_, &QLineEdit::textChanged, this, &PeoplePage::filter);
+  connect(shown_role_, &QComboBox::currentIndexChanged, this, &PeoplePage::filter);
+  for (QWidget* part : std::initializer_list<QWidget*>{search_, count_, shown_role_}) row->addWidget(part);
+  return bar;
+}
+
+void PeoplePage::filter() {
+  const int role = shown_role_->currentIndex();
+  model_->narrow(search_->text(), role > 0 ? std::optional(static_cast<Role>(role - 1)) : std::nullopt);
+  count_->setText(tr("%n person(s)", nullptr, model_->rowCount()));
+  table_->choose_row(0);
+}
 
 QWidget* PeoplePage::make_form() {
   form_ = new Card(tr("Add a person"));
@@ -106,6 +126,8 @@ QWidget* PeoplePage::make_form() {
   form_->body()->addWidget(switch_);
   connect(role_, &QComboBox::currentIndexChanged, this, &PeoplePage::fit_secret);
   connect(save_, &QPushButton::clicked, this, &PeoplePage::save);
+  for (QLineEdit* field : {name_, number_, secret_}) connect(field, &QLineEdit::textChanged, this, &PeoplePage::fit_save);
+  connect(role_, &QComboBox::currentIndexChanged, this, &PeoplePage::fit_save);
   connect(secret_, &QLineEdit::returnPressed, this, &PeoplePage::save);
   connect(switch_, &QPushButton::clicked, this, &PeoplePage::switch_account);
   erase_ = make_button(tr("Erase the person"), ButtonKind::erase);
@@ -165,7 +187,13 @@ void PeoplePage::read() {
     return;
   }
   const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
-  model_->set_accounts(std::move(*accounts));
+  std::map<UserId, QStringList> cohorts;  // a table without them is better than none
+  if (const auto list = store_.cohorts.list())
+    for (const Cohort& cohort : *list)
+      if (const auto students = store_.cohorts.students(cohort.id))
+        for (const UserId student : *students) cohorts[student] << QString::fromStdString(cohort.name);
+  model_->set_accounts(std::move(*accounts), std::move(cohorts));
+  count_->setText(tr("%n person(s)", nullptr, model_->rowCount()));
   if (kept) table_->choose_row(model_->row_of(*kept));
 }
 
@@ -208,6 +236,7 @@ void PeoplePage::show_saved(const AccountChange& change, const Stored<void>& don
   }
   const QString name = QString::fromStdString(change.name);
   if (change.before) secret_->clear();
+  if (save_->hasFocus()) table_->setFocus();  // what is saved cannot be saved again: the button hands the focus on
   read();
   fit_save();
   band_->show_message(Band::Kind::good, change.before ? tr("%1 is saved.").arg(name) : tr("%1 is added.").arg(name), {});
@@ -218,6 +247,13 @@ void PeoplePage::fit_save() {
   const QString text = edited_ ? tr("Save changes") : tr("Add");
   save_->setText(text);
   save_->setAccessibleName(text);
+  save_->setEnabled(waiting() || changed());
+}
+
+/// A new person counts as one.
+bool PeoplePage::changed() const {
+  return !edited_ || !secret_->text().isEmpty() || name_->text().trimmed() != QString::fromStdString(edited_->name) ||
+         number_->text().trimmed() != QString::fromStdString(edited_->number) || role_->currentIndex() != static_cast<int>(edited_->role);
 }
 
 void PeoplePage::switch_account() {

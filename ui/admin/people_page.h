@@ -13,6 +13,7 @@
 #include "ui/widgets/ports.h"
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QPushButton;
 
@@ -42,6 +43,8 @@ class PeoplePage : public QWidget {
 
  private:
   QWidget* make_form();
+  QWidget* make_filters();
+  void filter();
   void read();
   void show_chosen();
   void begin_new();
@@ -49,6 +52,7 @@ class PeoplePage : public QWidget {
   void save();
   void show_saved(const AccountChange& change, const Stored<void>& done);
   void fit_save();
+  bool changed() const;
   void switch_account();
   void erase_person();
   bool show_if_failed(const Stored<void>& done);
@@ -59,10 +63,13 @@ class PeoplePage : public QWidget {
   PeopleModel* model_;
   Table* table_ = nullptr;
   Band* band_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QComboBox* shown_role_ = nullptr;  // the first entry is everybody
+  QLabel* count_ = nullptr;
   Card* form_ = nullptr;
   DepartedCard* departed_ = nullptr;
   QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
-  class QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
+  QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
   QComboBox* role_ = nullptr;
   QPushButton *save_ = nullptr, *switch_ = nullptr, *erase_ = nullptr;
   std::optional<Account> edited_;

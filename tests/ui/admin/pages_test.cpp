@@ -124,11 +124,46 @@ TEST_F(AdminPages, switching_an_account_off_asks_first_and_keeps_the_results) {
   EXPECT_FALSE(records.store().accounts.find(lena.id)->disabled);
 }
 
+TEST_F(AdminPages, people_are_found_by_role_and_by_cohort) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.student("2", "Noah Adler");
+  const auto cohort = records.store().cohorts.create(records.administrator().actor(), "Year 2");
+  ASSERT_TRUE(cohort && records.store().cohorts.add(records.administrator().actor(), cohort->id, lena.id));
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  EXPECT_EQ(page.model()->rowCount(), 3);
+  for (QComboBox* box : page.findChildren<QComboBox*>())
+    if (box->accessibleName() == QStringLiteral("Shown roles")) box->setCurrentIndex(1);
+  EXPECT_EQ(page.model()->rowCount(), 2) << "the students";
+  page.model()->narrow(QStringLiteral("year 2"));
+  ASSERT_EQ(page.model()->rowCount(), 1);
+  EXPECT_EQ(page.model()->account(0).id, lena.id);
+  EXPECT_EQ(page.model()->index(0, PeopleModel::kCohort).data().toString(), QStringLiteral("Year 2"));
+}
+
+TEST_F(AdminPages, nothing_is_saved_of_a_person_that_nobody_changed) {
+  const Account lena = records.student("1", "Lena Brandt");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  QPushButton* save_button = nullptr;
+  for (QPushButton* one : page.findChildren<QPushButton*>())
+    if (one->accessibleName() == QStringLiteral("Save changes")) save_button = one;
+  ASSERT_NE(save_button, nullptr);
+  EXPECT_FALSE(save_button->isEnabled());
+  field(page, "Name")->setText(QStringLiteral("Lena Weber"));
+  EXPECT_TRUE(save_button->isEnabled());
+  save(page, "Save changes");
+  EXPECT_EQ(records.store().accounts.find(lena.id)->name, "Lena Weber");
+  EXPECT_FALSE(save_button->isEnabled()) << "it is saved";
+}
+
 TEST_F(AdminPages, the_last_administrator_stays_one) {
   PeoplePage page(records.store(), records.administrator().actor(), ports);
   page.show();
   page.table()->choose_row(0);
-  page.findChild<QComboBox*>()->setCurrentIndex(0);
+  for (QComboBox* box : page.findChildren<QComboBox*>())
+    if (box->accessibleName() == QStringLiteral("Role")) box->setCurrentIndex(0);
   save(page, "Save changes");
   EXPECT_TRUE(page.message().startsWith(QStringLiteral("This is the last administrator."))) << page.message().toStdString();
   EXPECT_EQ(records.store().accounts.find(records.administrator().id)->role, Role::administrator);
