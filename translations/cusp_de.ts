@@ -4646,16 +4646,36 @@
         <translation>Keine Übung passt</translation>
     </message>
     <message>
-        <source>No exercise has this text in its name.</source>
-        <translation>Keine Übung hat diesen Text im Namen.</translation>
-    </message>
-    <message>
         <source>Show all exercises</source>
         <translation>Alle Übungen zeigen</translation>
     </message>
     <message>
         <source>Find an exercise</source>
         <translation>Übung finden</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Noch nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>No exercise of this standing has this text in its name.</source>
+        <translation>Keine Übung mit diesem Ergebnis hat diesen Text im Namen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 von %2 bestanden</translation>
     </message>
 </context>
 <context>

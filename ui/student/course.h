@@ -40,8 +40,8 @@ class CourseModel : public QAbstractTableModel {
  public:
   enum Column { kExercise, kKind, kDue, kAttempts, kBest, kOpen, kColumns };
   /// Of a card: its standing as text, int(Chip::Kind) for it, int(ExerciseGroup), level and expected time as text, int(Level) with
-  /// unstated ones last.
-  enum Role { StandingRole = Qt::UserRole + 100, StandingKindRole, GroupRole, LevelTextRole, LevelRole };
+  /// unstated ones last, bool passed, FDI number of its tooth or 0.
+  enum Role { StandingRole = Qt::UserRole + 100, StandingKindRole, GroupRole, LevelTextRole, LevelRole, PassedRole, FdiRole };
   explicit CourseModel(std::vector<CourseRow> rows, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -43,17 +43,13 @@ class CardDelegate : public QStyledItemDelegate {
 
  private:
   void paint_picture(QPainter& painter, const QRectF& card, const QPainterPath& outline, const QModelIndex& index) const {
-    const Tokens& t = tokens();
     const QRectF place(card.left(), card.top(), card.width(), px(kPictureHeight));
     painter.save();
     painter.setClipPath(outline);
     painter.setClipRect(place, Qt::IntersectClip);
     const QImage image = picture_of_(index);
     if (image.isNull()) {
-      painter.fillRect(place, t.sunken);
-      const int side = px(28);
-      painter.drawPixmap(QRectF(place.center() - QPointF(side / 2.0, side / 2.0), QSizeF(side, side)).toRect(),
-                         icon_pixmap(QStringLiteral("target"), Ink::text3, side, painter.device()->devicePixelRatioF()));
+      paint_stand_in(painter, place, index.data(CourseModel::FdiRole).toInt());
     } else {
       // Covers the place and keeps its shape.
       const double scale = std::max(place.width() / image.width(), place.height() / image.height());
@@ -61,6 +57,19 @@ class CardDelegate : public QStyledItemDelegate {
       painter.drawImage(place, image, QRectF(QPointF(0.5 * (image.width() - part.width()), 0.5 * (image.height() - part.height())), part));
     }
     painter.restore();
+  }
+
+  /// Until the picture is drawn: the tooth's number below its sign.
+  static void paint_stand_in(QPainter& painter, const QRectF& place, int fdi) {
+    const Tokens& t = tokens();
+    painter.fillRect(place, t.sunken);
+    const int side = px(28), below = fdi > 0 ? px(30) : 0;
+    const QRectF sign(place.center() - QPointF(side / 2.0, (side + below) / 2.0), QSizeF(side, side));
+    painter.drawPixmap(sign.toRect(), icon_pixmap(fdi > 0 ? u"tooth"_qs : u"target"_qs, Ink::text3, side, painter.device()->devicePixelRatioF()));
+    if (fdi <= 0) return;
+    painter.setFont(font_of(TextRole::live, Weight::bold));
+    painter.setPen(t.text3);
+    painter.drawText(QRectF(place.left(), sign.bottom(), place.width(), below), Qt::AlignCenter, QString::number(fdi));
   }
 
   static void paint_text(QPainter& painter, const QRect& place, Qt::LayoutDirection direction, const QModelIndex& index) {

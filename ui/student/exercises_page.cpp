@@ -1,6 +1,7 @@
 #include "ui/student/exercises_page.h"
 
 #include <QBoxLayout>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -10,13 +11,16 @@
 
 #include "ui/student/exercise_cards.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
 
-/// The exercises of one group whose name has the text, by level; those of one level in the order of the course.
+enum class Shown { all, open, passed };  // in the order of the filter
+
+/// The exercises of one group and standing whose name has the text, by level; those of one level in the order of the course.
 class OfGroup : public QSortFilterProxyModel {
  public:
   OfGroup(ExerciseGroup group, QObject* parent) : QSortFilterProxyModel(parent), group_(group) {
@@ -25,15 +29,22 @@ class OfGroup : public QSortFilterProxyModel {
     setSortRole(CourseModel::LevelRole);
     sort(CourseModel::kExercise);
   }
+  void show_only(Shown shown) {
+    shown_ = shown;
+    invalidateFilter();
+  }
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
     const QModelIndex index = sourceModel()->index(row, CourseModel::kExercise, parent);
-    return index.data(CourseModel::GroupRole).toInt() == static_cast<int>(group_) && QSortFilterProxyModel::filterAcceptsRow(row, parent);
+    if (index.data(CourseModel::GroupRole).toInt() != static_cast<int>(group_)) return false;
+    const bool passed = index.data(CourseModel::PassedRole).toBool();
+    return (shown_ == Shown::all || passed == (shown_ == Shown::passed)) && QSortFilterProxyModel::filterAcceptsRow(row, parent);
   }
 
  private:
   ExerciseGroup group_;
+  Shown shown_ = Shown::all;
 };
 
 }  // namespace
@@ -59,7 +70,10 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& p
                        tr("The others are below. Publish them again from the editor."));
   }
   make_search();
-  head->buttons()->addWidget(search_);  // before the cards: Tab follows
+  standing_ = make_choice(tr("Standing"));
+  standing_->addItems({tr("All"), tr("Not passed yet"), tr("Passed")});  // in the order of Shown
+  connect(standing_, &QComboBox::currentIndexChanged, this, &ExercisesPage::filter);
+  for (QWidget* part : std::initializer_list<QWidget*>{standing_, search_}) head->buttons()->addWidget(part);  // before the cards: Tab follows
   outer->addWidget(make_shown(*course), 1);
   connect(&pictures_, &ThumbnailCache::ready, this, [this] {
     for (const Section& section : sections_) section.cards->pictures_came();
@@ -82,9 +96,10 @@ QWidget* ExercisesPage::make_shown(const Course& course) {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   shown_ = new QStackedWidget;
   shown_->addWidget(scroll);
-  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise has this text in its name."),
+  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise of this standing has this text in its name."),
                               tr("Show all exercises"));
   connect(none, &EmptyState::acted, this, [this] {
+    standing_->setCurrentIndex(0);
     search_->clear();
     if (!sections_.empty()) sections_.front().cards->setFocus();
   });
@@ -104,7 +119,14 @@ void ExercisesPage::make_section(ExerciseGroup group, QWidget& body) {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(8));
-  column->addWidget(make_label(group_name(group), TextRole::section, Weight::bold));
+  auto* title = new QHBoxLayout;
+  title->setSpacing(px(8));
+  title->addWidget(make_label(group_name(group), TextRole::section, Weight::bold));
+  int passed = 0;
+  for (int row = 0; row < shown->rowCount(); ++row) passed += shown->index(row, 0).data(CourseModel::PassedRole).toBool();
+  title->addWidget(make_label(tr("%1 of %2 passed").arg(passed).arg(shown->rowCount()), TextRole::body, Weight::regular, "text2"), 0, Qt::AlignBottom);
+  title->addStretch();
+  column->addLayout(title);
   auto* cards = new ExerciseCards([this, shown](const QModelIndex& index) { return picture_of(*shown, index); });
   cards->setAccessibleName(group_name(group));
   cards->setModel(shown);
@@ -126,10 +148,11 @@ void ExercisesPage::make_search() {
   connect(find, &QShortcut::activated, search_, [this] { search_->setFocus(Qt::ShortcutFocusReason); });
 }
 
-void ExercisesPage::filter(const QString& text) {
+void ExercisesPage::filter() {
   bool any = false;
   for (const Section& section : sections_) {
-    section.shown->setFilterFixedString(text.trimmed());
+    section.shown->setFilterFixedString(search_->text().trimmed());
+    static_cast<OfGroup*>(section.shown)->show_only(static_cast<Shown>(standing_->currentIndex()));
     section.box->setVisible(section.shown->rowCount() > 0);
     any = any || section.shown->rowCount() > 0;
   }

@@ -1,4 +1,4 @@
-/// All exercises as cards with the student's best result, by group; search; Enter opens the briefing. Thread: GUI.
+/// All exercises as cards with the student's best result, by group with what is passed of it; search, filter; Enter opens the briefing. Thread: GUI.
 #pragma once
 
 #include <QSortFilterProxyModel>
@@ -11,6 +11,7 @@
 #include "ui/student/exercise_groups.h"
 #include "ui/student/thumbnail_cache.h"
 
+class QComboBox;
 class QLineEdit;
 class QStackedWidget;
 
@@ -27,6 +28,8 @@ class ExercisesPage : public QWidget {
   /// The cards of a group; nullptr if it has no exercise.
   ExerciseCards* cards(ExerciseGroup group) const;
   QLineEdit* search() const { return search_; }
+  /// Which standing is shown: all, not passed yet, passed.
+  QComboBox* standing() const { return standing_; }
 
  Q_SIGNALS:
   void briefing_wanted(const Exercise& exercise);
@@ -41,7 +44,7 @@ class ExercisesPage : public QWidget {
   void make_section(ExerciseGroup group, QWidget& body);
   QWidget* make_shown(const Course& course);
   void make_search();
-  void filter(const QString& text);
+  void filter();
   QImage picture_of(const QSortFilterProxyModel& shown, const QModelIndex& index);
   void open(const QSortFilterProxyModel& shown, const QModelIndex& index);
 
@@ -53,6 +56,7 @@ class ExercisesPage : public QWidget {
   std::map<int, QImage> drawn_;  // by row of the course: a card is painted often
   QStackedWidget* shown_ = nullptr;  // the sections, or that nothing fits
   QLineEdit* search_ = nullptr;
+  QComboBox* standing_ = nullptr;
 };
 
 }  // namespace cusp::ui

@@ -204,6 +204,24 @@ TEST_F(Pages, the_exercises_stand_in_groups_teeth_before_blocks) {
   EXPECT_EQ(page.focusProxy(), page.cards(ExerciseGroup::class_1));
 }
 
+TEST_F(Pages, the_exercises_not_passed_yet_are_found_and_a_group_counts_those_passed) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "class-1-36", 90, 100);
+  ExercisesPage page(records.store(), lena.actor(), pictures, {});
+  page.resize(1080, 752);
+  page.show();
+  const QAbstractItemModel& shown = *page.cards(ExerciseGroup::class_1)->model();
+  const int all = shown.rowCount();
+  QStringList texts;
+  for (const QLabel* label : page.findChildren<QLabel*>()) texts << label->text();
+  EXPECT_TRUE(texts.contains(QStringLiteral("1 of %1 passed").arg(all))) << texts.join(u'|').toStdString();
+  page.standing()->setCurrentIndex(1);  // not passed yet
+  EXPECT_EQ(shown.rowCount(), all - 1);
+  page.standing()->setCurrentIndex(2);  // passed
+  EXPECT_EQ(shown.rowCount(), 1);
+  EXPECT_FALSE(page.cards(ExerciseGroup::class_2)->isVisible()) << "a group with nothing to show goes";
+}
+
 TEST_F(Pages, the_cards_of_a_group_stand_by_level_and_state_it_with_the_expected_time) {
   const Account lena = records.student("1", "Lena Brandt");
   ExercisesPage page(records.store(), lena.actor(), pictures, {});
