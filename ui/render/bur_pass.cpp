@@ -63,7 +63,9 @@ std::vector<BodyRing> profile(const Bur& bur) {
   out.push_back({shoulder, neck, nz, nr, 0});
   out.push_back({neck_end, shank, nz, nr, 0});
   out.push_back({neck_end, shank, 0, 1, 0});
-  out.push_back({neck_end + static_cast<float>(bur.shank_length_mm), shank, 0, 1, 0});
+  // Closed at its end, which the mouth mirror and a view without the handpiece show.
+  const float end = neck_end + static_cast<float>(bur.shank_length_mm);
+  for (const auto& [radius, along, across] : {std::array{shank, 0.0f, 1.0f}, {shank, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}) out.push_back({end, radius, along, across, 0});
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "tests/modules.h"
 #include "tests/ui/render/ball.h"
+#include "ui/render/bur_pass.h"
 #include "ui/render/framebuffer.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/handpiece_pass.h"
@@ -50,6 +51,18 @@ TEST(Handpiece, begins_above_the_burs_neck_and_reaches_beyond_any_picture) {
   }
   EXPECT_GT(low, 0.0f);
   EXPECT_GT(far, 60.0f);
+}
+
+TEST(BurMesh, is_closed_at_the_end_of_its_shank) {
+  float end = -1e3f;
+  for (const BodyVertex& v : bur_mesh(Bur{})) end = std::max(end, v.position_mm.z);
+  int middle = 0;
+  for (const BodyVertex& v : bur_mesh(Bur{}))
+    if (v.position_mm.z > end - 1e-6f && std::hypot(v.position_mm.x, v.position_mm.y) < 1e-6f) {
+      ++middle;
+      EXPECT_NEAR(v.normal.z, 1.0f, 1e-5f);
+    }
+  EXPECT_GT(middle, 0);
 }
 
 /// A bur over a ball, drawn 300 x 300 with and without the handpiece: RGBA, row by row.
