@@ -8,6 +8,7 @@
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
+#include "ui/view/compass.h"
 #include "ui/view/tooth_view.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/render/place_view.h"
@@ -183,6 +184,19 @@ TEST(PinnedTooth, caries_under_tissue_is_pinned_on_the_surface_over_it_and_withi
   for (const QLabel* label : tooth.findChildren<QLabel*>()) all += label->text();
   EXPECT_TRUE(all.contains(QStringLiteral("This place lies below the surface."))) << all.toStdString();
   EXPECT_EQ(tooth.place_mm(), lesion) << "a section goes through the lesion";
+}
+
+TEST(PinnedTooth, names_the_sides_of_a_tooth_and_none_of_a_block) {
+  for (const auto& [key, named] : {std::pair("class-1-36", true), {"channel-1", false}}) {
+    PinnedTooth tooth(nullptr, *load_builtin(key));
+    tooth.resize(560, 660);
+    tooth.set_head(44);
+    tooth.show();
+    const auto* compass = tooth.findChild<Compass*>();
+    EXPECT_EQ(compass->isVisible(), named) << key;
+    EXPECT_GE(compass->y(), 44) << "below the tools";
+    EXPECT_TRUE(tooth.rect().contains(compass->geometry()));
+  }
 }
 
 }  // namespace
