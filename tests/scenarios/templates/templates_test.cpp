@@ -228,8 +228,11 @@ TEST(Templates, NameTheDefaultsThatTheyTake) {
         EXPECT_GE(defaults->at(p.key), p.least) << one.key << " " << p.key;
         EXPECT_LE(defaults->at(p.key), p.most) << one.key << " " << p.key;
       }
-      const auto asked = fitted(one.key, fdi, *defaults), left_out = fitted(one.key, fdi, {});
+      auto asked = fitted(one.key, fdi, *defaults), left_out = fitted(one.key, fdi, {});
       ASSERT_TRUE(asked && left_out) << one.key << " " << fdi;
+      EXPECT_EQ(asked->made_with, (TemplateUse{one.key, *defaults})) << "the exercise names what was asked for";
+      EXPECT_EQ(left_out->made_with, (TemplateUse{one.key, {}}));
+      asked->made_with = left_out->made_with;
       EXPECT_TRUE(*asked == *left_out) << one.key << " " << fdi;
     }
   EXPECT_DOUBLE_EQ(template_defaults("class-1-adhesive", 36)->at("ridge"), 2.0);  // of a molar, in the JSON
