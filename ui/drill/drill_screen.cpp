@@ -103,13 +103,16 @@ void DrillScreen::make_main(QVBoxLayout& column) {
   column.addLayout(middle, 1);
 }
 
+bool DrillScreen::is_small() const { return width() < px(kFoldsBelowWidth) || height() < px(kFoldsBelowHeight); }
+
 void DrillScreen::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fold(width() < px(kFoldsBelowWidth) || height() < px(kFoldsBelowHeight));
+  fold(is_small());
 }
 
 void DrillScreen::fold(bool on) {
-  inner_->panel->fold(on);
+  // An assessment has neither section nor bars: what is left fits the folded panel.
+  inner_->panel->fold(on || inner_->guidance == Guidance::silent);
   inner_->tray->fold(on);
 }
 
@@ -191,6 +194,7 @@ void DrillScreen::begin(SessionPlan plan, const DrillText& text, std::unique_ptr
   Inner& in = *inner_;
   in.bar->set_exercise(text.title, text.aside);
   in.guidance = plan.guidance;
+  fold(is_small());
   in.tray->set_burs(plan.scenario.instruments);
   in.working = true;
   in.busy->start(tr("Getting the tooth ready"), Busy::Cancel::offered);

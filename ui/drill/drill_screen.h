@@ -67,6 +67,7 @@ class DrillScreen : public QWidget {
   void make_main(class QVBoxLayout& column);
   void make_keys();
   void fold(bool on);
+  bool is_small() const;
   void look();
   void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
   void follow_pointer();

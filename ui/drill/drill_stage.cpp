@@ -176,7 +176,9 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   depth_->set_value(std::nullopt);
   push_->set_value(0.0);
 
-  depth_->setVisible(setup.guidance == Guidance::full);
+  guided_ = setup.guidance == Guidance::full;
+  depth_->setVisible(guided_);
+  cutaway_->setVisible(guided_);  // a section shows where the pulp lies
   view_->set_camera(Camera::about(setup.start_view.centre_mm, setup.start_view.radius_mm));
   target_->setVisible(!look.empty());
   compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
@@ -220,7 +222,7 @@ void DrillStage::want_sections() {
     wish.with_bur = false;
     lid = wish;
   }
-  Q_EMIT sections_wanted(panel, lid);
+  Q_EMIT sections_wanted(guided_ ? std::optional(panel) : std::nullopt, lid);
 }
 
 void DrillStage::show_cutaway(SectionImage image) {

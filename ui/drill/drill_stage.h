@@ -129,6 +129,7 @@ class DrillStage : public QWidget {
   LiveView live_;
   CoachLine shown_, spoken_;  // on the screen; last announced to a screen reader
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
+  bool guided_ = true;  // no assessment
   bool wide_ = false;  // the specimen is more than one tooth
   int preset_ = 0;
   std::optional<double> pulp_depth_mm_;

@@ -27,7 +27,7 @@ namespace cusp::ui {
 /// What the screen tells while somebody drills. The record and the grade are the same.
 enum class Guidance : std::uint8_t {
   full,
-  silent,  // an assessment: no target but a block's printed one, no depth, no scores, no coach
+  silent,  // an assessment: no target but a block's printed one, no depth, no section, no scores, no coach
 };
 
 /// Who and what.

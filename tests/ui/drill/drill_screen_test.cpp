@@ -87,7 +87,7 @@ TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
   EXPECT_FALSE(screen->running());
 }
 
-TEST_F(Screen, without_guidance_neither_depth_nor_progress_nor_coach_nor_target_is_shown_and_the_question_is_to_hand_in) {
+TEST_F(Screen, without_guidance_neither_depth_nor_section_nor_progress_nor_coach_nor_target_is_shown_and_the_question_is_to_hand_in) {
   begin("channel-1", {}, Guidance::silent);
   QTest::keyPress(screen.get(), Qt::Key_Space);
   const auto shown = [this](const QString& name) {
@@ -100,8 +100,11 @@ TEST_F(Screen, without_guidance_neither_depth_nor_progress_nor_coach_nor_target_
   EXPECT_FALSE(shown(QStringLiteral("Target removed")) || shown(QStringLiteral("Plastic")));
   EXPECT_TRUE(coach().isEmpty()) << coach().toStdString();
   for (const QPushButton* b : screen->findChildren<QPushButton*>()) {
-    EXPECT_FALSE(b->isVisible() && b->text().contains(QStringLiteral("Target")));
+    EXPECT_FALSE(b->isVisible() && (b->text().contains(QStringLiteral("Target")) || b->text().contains(QStringLiteral("Cutaway"))));
   }
+  EXPECT_FALSE(shown(QStringLiteral("Section at the bur"))) << "it shows how deep the bur is, and where the pulp lies";
+  QTest::keyClick(screen.get(), Qt::Key_3);
+  EXPECT_FALSE(screen->view()->scene().cutaway.has_value());
   answer = false;
   screen->ask_finish();
   EXPECT_EQ(asked, QStringList{QStringLiteral("Hand in")});
