@@ -7574,11 +7574,11 @@
     </message>
     <message>
         <source>Signs in as</source>
-        <translation>Meldet sich an als</translation>
+        <translation>Anmeldename</translation>
     </message>
     <message>
-        <source>With</source>
-        <translation>Mit</translation>
+        <source>Signs in with</source>
+        <translation>Anmeldung</translation>
     </message>
     <message>
         <source>Cohort</source>

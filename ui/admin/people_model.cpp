@@ -69,7 +69,7 @@ QVariant PeopleModel::headerData(int section, Qt::Orientation orientation, int r
     case kName: return tr("Name");
     case kNumber: return tr("Signs in as");
     case kRole: return tr("Role");
-    case kSignIn: return tr("With");
+    case kSignIn: return tr("Signs in with");
     case kCohort: return tr("Cohort");
     case kState: return tr("Account");
     default: return {};

@@ -16,7 +16,7 @@ class PeopleModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kName, kNumber, kSignIn, kRole, kCohort, kState, kColumns };
+  enum Column { kName, kNumber, kRole, kCohort, kState, kSignIn, kColumns };
   explicit PeopleModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   /// `cohorts`: names of each student's.
   void set_accounts(std::vector<Account> accounts, std::map<UserId, QStringList> cohorts = {});
