@@ -38,7 +38,8 @@ namespace cusp::ui {
 namespace {
 
 constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
-constexpr int kFoldsBelow = 560;                     // px at 100 % of height: the chosen exercise to its name and use
+constexpr int kFoldsBelow = 560;  // px at 100 % of height: the chosen exercise to its name and use
+constexpr int kGroupFrom = 900;   // px at 100 % of width
 
 }  // namespace
 
@@ -142,7 +143,7 @@ void LibraryPage::read() {
 }
 
 void LibraryPage::make_search() {
-  search_ = make_search_field(tr("Find an exercise"), px(220));
+  search_ = make_search_field(tr("Find an exercise"), px(280));
   connect(search_, &QLineEdit::textChanged, this, &LibraryPage::filter);
   connect(search_, &QLineEdit::returnPressed, this, &LibraryPage::open_chosen);
   auto* find = new QShortcut(QKeySequence::Find, this);
@@ -228,6 +229,7 @@ void LibraryPage::show_picture() {
 void LibraryPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   chosen_->fold(height() < px(kFoldsBelow));
+  table_->setColumnHidden(LibraryModel::kGroup, width() < px(kGroupFrom));  // a long name goes before it
 }
 
 void LibraryPage::discard_draft() {

@@ -76,7 +76,9 @@ TEST_F(LibraryOf, the_chosen_exercise_says_what_it_is_and_who_uses_it) {
   EXPECT_TRUE(all.contains(QStringLiteral("pass mark 70"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("Burs: "))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("No student has a graded attempt yet."))) << all.toStdString();
+  EXPECT_FALSE(page->table()->isColumnHidden(LibraryModel::kGroup));
   page->resize(kPageAtHalfOfFullHd);
+  EXPECT_TRUE(page->table()->isColumnHidden(LibraryModel::kGroup)) << "the names need the width";
   EXPECT_FALSE(texts().join(u'\n').contains(QStringLiteral("Burs: "))) << "the list needs the height";
 }
 
