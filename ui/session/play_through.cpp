@@ -18,7 +18,7 @@ SessionEnd run_script(VirtualLoop& loop, Mirror& mirror, const Recorder* recorde
   // The mirror follows on the other core. Short turns and a short wait: what stands on the disk is never more than a
   // fraction of a second of the session behind what was played.
   constexpr std::uint64_t kTurn = 25;
-  constexpr std::size_t kMostWaiting = 150;
+  constexpr std::size_t kMostWaiting = 600;
   SessionEnd end = SessionEnd::script;
   std::uint64_t asked_at_s = 0;
   // Between turns, not by the mirror: when a fragment is removed must not depend on threads.
