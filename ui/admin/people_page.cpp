@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ui/admin/account_change.h"
 #include "ui/admin/departed_card.h"
@@ -18,6 +19,7 @@
 #include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
 #include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
@@ -186,6 +188,7 @@ void PeoplePage::read() {
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
+  std::ranges::sort(*accounts, stands_before, &Account::name);
   const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
   std::map<UserId, QStringList> cohorts;  // a table without them is better than none
   if (const auto list = store_.cohorts.list())

@@ -130,9 +130,12 @@ QString device_names(const std::vector<std::string>& device_classes) {
 QString self_test_age(int days) { return Text::tr("self-test at most %n day(s) old", nullptr, days); }
 
 bool stands_before(const std::string& name, const std::string& other) {
-  QCollator order;
-  order.setNumericMode(true);
-  order.setCaseSensitivity(Qt::CaseInsensitive);
+  static QCollator order;  // the window's thread; making one takes longer than many comparisons
+  if (order.locale() != QLocale() || !order.numericMode()) {
+    order.setLocale(QLocale());
+    order.setNumericMode(true);
+    order.setCaseSensitivity(Qt::CaseInsensitive);
+  }
   return order.compare(QString::fromStdString(name), QString::fromStdString(other)) < 0;
 }
 

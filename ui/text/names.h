@@ -32,6 +32,7 @@ QString device_names(const std::vector<std::string>& device_classes);
 /// "self-test at most 7 days old".
 QString self_test_age(int days);
 /// Whether a name stands before another in a list: by the language's alphabet, numbers by their value. "Group 2" before "Group 10".
+/// Thread: GUI.
 bool stands_before(const std::string& name, const std::string& other);
 /// "another tooth for each candidate", of an assignment that draws teeth.
 QString drawn_tooth_text();
