@@ -103,32 +103,34 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
   }
   column->addLayout(grid);
   if (several) add_precedence(*column);
-  if (faulty) {
-    auto* row = new QHBoxLayout;
-    mend_ = new QCheckBox(tr("Mend: join, turn and close holes up to"));
-    mend_->setChecked(true);
-    width_ = new NumberField;
-    width_->setLocale(QLocale());
-    width_->setRange(0.0, 100.0);
-    width_->setValue(kMendMm);
-    width_->setSuffix(QChar(0x00A0) + QStringLiteral("mm"));
-    width_->setAccessibleName(tr("Widest hole that is closed"));
-    row->addWidget(mend_);
-    row->addWidget(width_);
-    row->addStretch();
-    column->addLayout(row);
-    column->addWidget(width_->note());
-    connect(mend_, &QCheckBox::toggled, this, [this](bool on) {
-      width_->setEnabled(on);
-      show_states();
-      Q_EMIT changed();
-    });
-    connect(width_, &QDoubleSpinBox::valueChanged, this, [this] {
-      show_states();
-      Q_EMIT changed();
-    });
-  }
+  if (faulty) add_mending(*column);
   show_states();
+}
+
+void MeshForm::add_mending(QVBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  mend_ = new QCheckBox(tr("Mend: join, turn and close holes up to"));
+  mend_->setChecked(true);
+  width_ = new NumberField;
+  width_->setLocale(QLocale());
+  width_->setRange(0.0, 100.0);
+  width_->setValue(kMendMm);
+  width_->setSuffix(QChar(0x00A0) + QStringLiteral("mm"));
+  width_->setAccessibleName(tr("Widest hole that is closed"));
+  row->addWidget(mend_);
+  row->addWidget(width_);
+  row->addStretch();
+  column.addLayout(row);
+  column.addWidget(width_->note());
+  connect(mend_, &QCheckBox::toggled, this, [this](bool on) {
+    width_->setEnabled(on);
+    show_states();
+    Q_EMIT changed();
+  });
+  connect(width_, &QDoubleSpinBox::valueChanged, this, [this] {
+    show_states();
+    Q_EMIT changed();
+  });
 }
 
 void MeshForm::add_precedence(QVBoxLayout& column) {

@@ -48,6 +48,7 @@ class MeshForm : public QWidget {
     int likely;           // code of the tissue that its name says; 0: none
     bool usable = false;  // closed, or mended
   };
+  void add_mending(QVBoxLayout& column);
   void add_precedence(QVBoxLayout& column);
   void show_states();
   Vec3 size_of(bool chosen_alone) const;

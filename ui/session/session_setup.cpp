@@ -80,6 +80,30 @@ Outcome<void> resume(SessionPlan& plan, SessionSetup& setup) {
   return {};
 }
 
+/// The attempt's row. `plan` has its specimen, `setup` its scene and device.
+NewSession row_of(const SessionPlan& plan, const SessionSetup& setup, VersionId version, const Hash256& specimen) {
+  NewSession row;
+  row.student = plan.student.id;
+  row.version = version;
+  row.kind = plan.kind;
+  row.assignment = plan.assignment;
+  row.start_code = plan.start_code;
+  row.operator_name = plan.operator_name;
+  row.header.build = build_info();
+  row.header.device = setup.device;
+  row.header.guard = setup.scene->guard;
+  row.header.stiffness_share = setup.stiffness_share;
+  row.header.specimen_hash = plan.specimen->hash();
+  row.header.specimen_blob = specimen;
+  if (plan.drawn_tooth) row.header.exercise = canonical_json(plan.scenario);
+  nlohmann::json account;
+  account["method"] = std::string(key_of(setup.scene->method));
+  account["friction"] = setup.scene->friction;
+  account["full_force_n"] = setup.scene->full_force_n;
+  row.header.scene = account.dump();
+  return row;
+}
+
 }  // namespace
 
 Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
@@ -119,25 +143,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   if (!version) return std::unexpected(version.error());
   auto blob = setup.store->blobs.put(specimen_bytes(plan.specimen->dense()));
   if (!blob) return session_fail(SessionError::storage, blob.error());
-  NewSession row;
-  row.student = plan.student.id;
-  row.version = *version;
-  row.kind = plan.kind;
-  row.assignment = plan.assignment;
-  row.start_code = plan.start_code;
-  row.operator_name = plan.operator_name;
-  row.header.build = build_info();
-  row.header.device = device;
-  row.header.guard = setup.scene->guard;
-  row.header.stiffness_share = setup.stiffness_share;
-  row.header.specimen_hash = plan.specimen->hash();
-  row.header.specimen_blob = *blob;
-  if (plan.drawn_tooth) row.header.exercise = canonical_json(plan.scenario);
-  nlohmann::json account;
-  account["method"] = std::string(key_of(setup.scene->method));
-  account["friction"] = setup.scene->friction;
-  account["full_force_n"] = setup.scene->full_force_n;
-  row.header.scene = account.dump();
+  const NewSession row = row_of(plan, setup, *version, *blob);
   auto session = setup.store->sessions.start(plan.student, row);
   if (!session) return session_fail(SessionError::storage, session.error());
   setup.session = session->id;
