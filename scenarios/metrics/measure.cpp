@@ -60,14 +60,16 @@ class NearPulpSink final : public SolidSink {
 void add_target(const Reference& reference, const Volume& volume, const RegionShares& sum, std::vector<Measure>& out) {
   constexpr auto kTarget = static_cast<std::size_t>(Place::target);
   const double whole = reference.target_mm3();
-  // What stands is bounded by what was cut and by the target's own boundary.
-  const double standing_mm2 = std::max(0.0, reference.target_boundary_mm2() - sum.target_boundary_mm2);
-  const double sigma = reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget] + kBoundaryVoxels * volume.grid().voxel_mm * standing_mm2;
+  // What stands is bounded by what was cut and by the target's own boundary, which the whole target has too.
+  const double gone_mm2 = sum.target_boundary_mm2, standing_mm2 = std::max(0.0, reference.target_boundary_mm2() - gone_mm2);
+  const double cut_mm3 = reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget], boundary_mm = kBoundaryVoxels * volume.grid().voxel_mm;
   if (!(whole > 0.0)) {
     out.push_back(not_measured("target_removed", "%"));
   } else {
     const std::optional<Vec3> worst = standing_place(reference, volume);
     const double share = std::clamp(sum.removed_mm3[kTarget] / whole, 0.0, 1.0);
+    // d(removed / whole): what is off in the part that is gone, and in the part that stands.
+    const double sigma = cut_mm3 + boundary_mm * ((1.0 - share) * gone_mm2 + share * standing_mm2);
     out.push_back(measured("target_removed", 100.0 * share, 100.0 * sigma / whole, "%", worst));
   }
   constexpr std::array<std::pair<Place, const char*>, 4> kOver = {{{Place::tolerated_floor, "overcut_leeway_floor"},
@@ -86,7 +88,7 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
   if (!(whole > 0.0)) {
     out.push_back(not_measured("uncut_remainder", "mm3"));
   } else {
-    out.push_back(measured("uncut_remainder", std::max(0.0, whole - sum.removed_mm3[kTarget]), sigma, "mm3", out.front().where_mm));
+    out.push_back(measured("uncut_remainder", std::max(0.0, whole - sum.removed_mm3[kTarget]), cut_mm3 + boundary_mm * standing_mm2, "mm3", out.front().where_mm));
   }
 }
 
