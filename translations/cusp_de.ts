@@ -13102,5 +13102,9 @@ Ihr bester davor</translation>
         <source>What was damaged is kept in %1.</source>
         <translation>Was beschädigt war, liegt in %1.</translation>
     </message>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungen</translation>
+    </message>
 </context>
 </TS>

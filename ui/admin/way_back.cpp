@@ -40,9 +40,11 @@ WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, 
   busy_->hide();
   body->addWidget(busy_);
   found_ = quiet({});
-  body->addWidget(found_);
+  auto* card = new Card(tr("Backups"));
+  card->body()->addWidget(found_);
   table_ = new BackupsTable;
-  body->addWidget(table_, 1);
+  card->body()->addWidget(table_, 1);
+  body->addWidget(card, 1);
   auto* row = new QHBoxLayout;
   go_back_ = make_button(tr("Go back to this backup"), ButtonKind::primary);
   choose_ = make_button(tr("Look in another folder"));
