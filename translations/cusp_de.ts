@@ -3891,6 +3891,10 @@
         <translation>Pulpa</translation>
     </message>
     <message>
+        <source>Drag the mirror, tilt it with the right button</source>
+        <translation>Den Spiegel ziehen, mit der rechten Taste kippen</translation>
+    </message>
+    <message>
         <source>Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away</source>
         <translation>Spiegel (2): ziehen, mit der rechten Taste neigen, oder I J K L; Umschalt neigt, U und O holen ihn näher und weiter weg</translation>
     </message>

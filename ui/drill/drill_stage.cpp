@@ -82,6 +82,11 @@ void DrillStage::make_tools() {
   above_ = tool(tools_, tr("From above"), QStringLiteral("eye"), 4);
   target_ = tool(tools_, tr("Target"), QStringLiteral("target"), 5);
   handpiece_ = tool(tools_, tr("Handpiece"), QStringLiteral("handpiece"), 6);
+  mirror_hint_ = make_label(tr("Drag the mirror, tilt it with the right button"), TextRole::caption, Weight::regular, "text2");
+  mirror_hint_->setParent(this);
+  set_kind(mirror_hint_, "tag");
+  mirror_hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  mirror_hint_->hide();
   mirror_->setToolTip(tr("Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away"));
   for (QPushButton* button : {mirror_, cutaway_, target_, handpiece_}) button->setCheckable(true);
   target_->setChecked(true);
@@ -294,6 +299,7 @@ void DrillStage::show_handpiece(bool on) {
 }
 
 void DrillStage::hold_mirror(bool on) {
+  place_all();
   if (!on) return mirror_hold_->put_away();
   if (cutaway_->isChecked()) cutaway_->setChecked(false);  // a tooth cut open is no tooth in a mouth
   mirror_hold_->take(view_->camera().centre_mm());

@@ -95,6 +95,7 @@ class DrillStage : public QWidget {
   void place_gauges(int gap);
   void place_compass(int gap);
   void place_cut(int gap);
+  void place_mirror_hint(int gap);
   void place_coach(int gap);
   /// Without room for all of it the stage leaves out the legend and puts the wheel's force beside the tools.
   bool is_scarce() const;
@@ -118,7 +119,7 @@ class DrillStage : public QWidget {
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_, *handpiece_;
   std::vector<std::pair<QPushButton*, QLabel*>> caps_;  // each tool's key
   Gauge *depth_, *push_;
-  QLabel *coach_sign_, *coach_, *wanted_push_, *bur_tag_;
+  QLabel *coach_sign_, *coach_, *wanted_push_, *bur_tag_, *mirror_hint_;
   QPushButton* hold_;
   Compass* compass_;
   CutSlider* cut_;

@@ -32,6 +32,7 @@ void DrillStage::place_all() {
   place_gauges(gap);
   place_compass(gap);
   place_cut(gap);
+  place_mirror_hint(gap);
   place_coach(gap);
   stop_card_->fit({std::min(px(420), w - 4 * gap), h - 2 * gap});
   stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
@@ -92,6 +93,14 @@ void DrillStage::place_cut(int gap) {
   const int right = (is_scarce() && !compass_->isHidden() ? compass_->x() : push_->x()) - gap;
   cut_->fit(right - left);
   cut_->move(left + (right - left - cut_->width()) / 2, tools_->geometry().bottom() + gap);
+}
+
+/// Below the tools; where that is too narrow the tooltip says it alone.
+void DrillStage::place_mirror_hint(int gap) {
+  mirror_hint_->adjustSize();
+  const int left = depth_->geometry().right() + gap, right = push_->x() - gap;
+  mirror_hint_->setVisible(mirror_->isChecked() && mirror_hint_->width() <= right - left && !is_scarce());
+  mirror_hint_->move(left + (right - left - mirror_hint_->width()) / 2, tools_->geometry().bottom() + gap);
 }
 
 void DrillStage::resizeEvent(QResizeEvent* event) {

@@ -187,6 +187,24 @@ TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
   EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
 }
 
+TEST_F(DrillGauges, how_the_mirror_is_moved_stands_below_the_tools_while_it_is_held) {
+  const auto hint = [this]() -> const QLabel* {
+    for (const QLabel* label : stage.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().startsWith(QStringLiteral("Drag the mirror"))) return label;
+    return nullptr;
+  };
+  EXPECT_EQ(hint(), nullptr);
+  stage.press_key(Qt::Key_2, Qt::NoModifier);
+  ASSERT_NE(hint(), nullptr);
+  for (const Gauge* gauge : stage.findChildren<Gauge*>()) EXPECT_FALSE(hint()->geometry().intersects(gauge->geometry()));
+  stage.resize(520, 340);  // there the tooltip says it
+  EXPECT_EQ(hint(), nullptr);
+  stage.resize(900, 600);
+  EXPECT_NE(hint(), nullptr);
+  stage.press_key(Qt::Key_3, Qt::NoModifier);
+  EXPECT_EQ(hint(), nullptr) << "the cutaway puts the mirror away";
+}
+
 TEST_F(DrillGauges, the_cutaway_has_a_slider_that_moves_its_plane_towards_the_viewer) {
   std::optional<SectionWish> lid;
   QObject::connect(&stage, &DrillStage::sections_wanted, [&](const auto&, const std::optional<SectionWish>& wish) { lid = wish; });
