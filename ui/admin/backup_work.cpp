@@ -30,7 +30,9 @@ Stored<WentBack> put_in_place(const std::filesystem::path& database, const Backu
   const auto aside = put_aside(database, system_utc_us());
   if (!aside) return std::unexpected(aside.error());
   if (auto done = restore_in_place(database, backup); !done) {
-    static_cast<void>(take_back(*aside, database));  // the cause is what people read
+    // The cause is what people read. A copy that was made, but could not be opened, stands in the way.
+    static_cast<void>(put_aside(database, system_utc_us()));
+    static_cast<void>(take_back(*aside, database));
     return std::unexpected(done.error());
   }
   return WentBack{backup, *aside};

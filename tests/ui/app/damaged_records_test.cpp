@@ -73,6 +73,25 @@ TEST_F(DamagedRecords, offer_a_way_back_to_a_backup_and_stay_beside_it) {
   EXPECT_TRUE(kept);
 }
 
+TEST_F(DamagedRecords, stay_where_they_are_if_the_backup_is_damaged_too) {
+  settings.set_backup_folder(folder.filePath(QStringLiteral("backups")));
+  const auto backup = make_backup(records.store().context(), records.administrator().actor(), settings.backup_folder(records.file()));
+  ASSERT_TRUE(backup);
+  const auto file = std::filesystem::path(folder.filePath(QStringLiteral("school.db")).toStdString());
+  ASSERT_TRUE(restore_backup(*backup, file));
+  std::filesystem::resize_file(file, 5000);
+  std::filesystem::resize_file(backup->folder / "station.db", 5000);
+  const Ports ports = agreeing();
+  WayBack page(file, backup->folder.parent_path(), {QStringLiteral("Damaged"), {}}, ports);
+  page.show();
+  page.act()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.message().isEmpty(); }, 20'000));
+  EXPECT_TRUE(page.message().contains(QStringLiteral("The backup was not put in place."))) << page.message().toStdString();
+  EXPECT_EQ(std::filesystem::file_size(file), 5000u);
+  EXPECT_TRUE(std::filesystem::exists(file.string() + ".key"));
+  for (const auto& entry : std::filesystem::directory_iterator(file.parent_path())) EXPECT_FALSE(entry.path().filename().string().starts_with("school.db-damaged-"));
+}
+
 TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back) {
   const Account lena = records.student("1", "Lena Brandt", "271828");
   records.attempt(lena, "channel-1", 78, 426);
