@@ -12,7 +12,7 @@
 namespace cusp::ui {
 namespace {
 
-// Of a lower first molar from buccal. Source: Wheeler's Dental Anatomy, table of the mandibular first molar.
+// Of a lower first molar from buccal, as scenarios/teeth/teeth.json has it.
 constexpr double kCrownWide = 11.0, kNeckWide = 9.0, kCrownHigh = 7.5, kRootHigh = 14.0;  // mm
 constexpr double kMolarHigh = kCrownHigh + kRootHigh;
 constexpr QSize kSize{300, 260};                    // px at 100 %
