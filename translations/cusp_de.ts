@@ -8912,6 +8912,10 @@
         <source>Recording, not yet written to the disk</source>
         <translation>Aufzeichnung, noch nicht auf den Datenträger geschrieben</translation>
     </message>
+    <message>
+        <source>Your task</source>
+        <translation>Die Aufgabe</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::SectionBar</name>

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "ui/drill/drill_screen_inner.h"
+#include "ui/drill/section_view.h"
 #include "ui/session/bur_depth.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/parts.h"
@@ -111,8 +112,7 @@ void DrillScreen::resizeEvent(QResizeEvent* event) {
 }
 
 void DrillScreen::fold(bool on) {
-  // An assessment has neither section nor bars: what is left fits the folded panel.
-  inner_->panel->fold(on || inner_->guidance == Guidance::silent);
+  inner_->panel->fold(on);
   inner_->tray->fold(on);
 }
 

@@ -4,13 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "scenarios/metrics/several_targets.h"
 #include "ui/drill/handpiece_panel.h"
+#include "ui/drill/section_view.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -86,67 +86,6 @@ QLabel* make_value() {
 
 }  // namespace
 
-SectionView::SectionView(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Section at the bur"));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-}
-
-QSize SectionView::sizeHint() const { return {px(271), px(202)}; }
-
-void SectionView::set_sides(const QString& left, const QString& right) {
-  left_ = left;
-  right_ = right;
-  update();
-}
-
-void SectionView::show_image(const SectionImage& image) {
-  image_ = QImage(reinterpret_cast<const uchar*>(image.rgba.data()), image.width, image.height, image.width * 4,
-                  QImage::Format_RGBA8888)
-               .copy();
-  update();
-}
-
-/// A letter on a ground of its own: tissue lies under it.
-void SectionView::draw_side(QPainter& p, const QString& side, Qt::Alignment where) const {
-  if (side.isEmpty()) return;
-  const QSizeF size(p.fontMetrics().horizontalAdvance(side) + px(8), p.fontMetrics().height() + px(2));
-  const double x = where == Qt::AlignLeft ? px(4) : width() - px(4) - size.width();
-  const QRectF ground(QPointF(x, height() - px(4) - size.height()), size);
-  p.setPen(Qt::NoPen);
-  p.setBrush(tokens().surface);
-  p.drawRoundedRect(ground, px(3), px(3));
-  p.setPen(tokens().text);
-  p.drawText(ground, Qt::AlignCenter, side);
-}
-
-void SectionView::paintEvent(QPaintEvent*) {
-  const Tokens& t = tokens();
-  QPainter p(this);
-  p.setRenderHint(QPainter::Antialiasing);
-  p.setRenderHint(QPainter::SmoothPixmapTransform);
-  const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-  QPainterPath clip;
-  clip.addRoundedRect(box, px(4), px(4));
-  QRadialGradient back(box.center(), box.width() * 0.7);
-  back.setColorAt(0, t.view_middle);
-  back.setColorAt(1, t.view_edge);
-  p.fillPath(clip, back);
-  p.setClipPath(clip);
-  if (!image_.isNull()) {
-    QSizeF size = image_.size();
-    size.scale(box.size(), Qt::KeepAspectRatioByExpanding);
-    p.drawImage(QRectF(box.center() - QPointF(size.width(), size.height()) / 2, size), image_);
-  }
-  p.setFont(font_of(TextRole::caption, Weight::bold));
-  p.setLayoutDirection(Qt::LeftToRight);  // the sides are the tooth's
-  draw_side(p, left_, Qt::AlignLeft);
-  draw_side(p, right_, Qt::AlignRight);
-  p.setClipping(false);
-  p.setPen(QPen(t.line, 1));
-  p.setBrush(Qt::NoBrush);
-  p.drawPath(clip);
-}
-
 QVBoxLayout* ScorePanel::add_part(const QString& title, QLabel** aside) {
   auto* part = new QFrame(this);
   auto* whole = new QVBoxLayout(part);
@@ -176,6 +115,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   whole->setSpacing(0);
   QVBoxLayout* column = make_scrolled(*whole);
 
+  make_task();
   QVBoxLayout* rows = add_part(tr("Section at the bur"), &section_aside_);
   section_part_ = rows->parentWidget();
   section_ = new SectionView(section_part_);
@@ -214,6 +154,15 @@ QVBoxLayout* ScorePanel::make_scrolled(QVBoxLayout& whole) {
   scroll->setWidget(body_);
   whole.addWidget(scroll, 1);
   return column;
+}
+
+void ScorePanel::make_task() {
+  QVBoxLayout* rows = add_part(tr("Your task"));
+  task_part_ = rows->parentWidget();
+  task_part_->hide();
+  task_ = make_label({});
+  task_->setWordWrap(true);
+  rows->addWidget(task_);
 }
 
 void ScorePanel::make_progress() {
@@ -271,7 +220,7 @@ QHBoxLayout* ScorePanel::make_recording() {
 void ScorePanel::fold(bool on) {
   folded_ = on;
   setFixedWidth(px(on ? kFoldedWidth : kWidth));
-  section_part_->setVisible(!on);
+  section_part_->setVisible(!on && guided_);
   percent_bar_->setVisible(!on);
   for (const TissueRow& one : tissues_) fold_bars(*tissue_grid_, one.row);
   for (const BarRow& row : targets_) fold_bars(*target_grid_, row);
@@ -314,9 +263,11 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
     //: First letters of buccal and lingual, at the two sides of a section.
     section_->set_sides(tr("B"), tr("L"));
   }
-  const bool guided = has.guidance == Guidance::full;
-  progress_part_->setVisible(has.target && guided);
-  removed_part_->setVisible(guided);
+  guided_ = has.guidance == Guidance::full;
+  task_->setText(local(scenario.briefing));
+  task_part_->setVisible(!guided_ && !task_->text().isEmpty());
+  progress_part_->setVisible(has.target && guided_);
+  removed_part_->setVisible(guided_);
   over_pulp_row_->setVisible(has.pulp);
   add_targets(scenario);
   handpiece_->set_exercise(scenario);
@@ -325,6 +276,7 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
     tissues_.push_back({t.tissue, add_bar(*tissue_grid_, tissue_name(t.tissue), role_of(t.tissue))});
     tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), tissue_grid_->rowCount() - 1, 0);
   }
+  fold(folded_);
 }
 
 void ScorePanel::set_device(const DeviceLimits& limits, double stiffness_share) {

@@ -1,15 +1,13 @@
 /// Right of the tooth: the section at the bur, progress against the target, what was removed by tissue, the device, and
-/// whether the record is safe. Shows what it is given; decides nothing. Thread: GUI.
+/// whether the record is safe; in an assessment the task stands in place of the first three. Shows what it is given; decides nothing. Thread: GUI.
 #pragma once
 
 #include <QFrame>
-#include <QImage>
 #include <vector>
 
 #include "engine/base/haptic_port.h"
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
-#include "ui/render/section.h"
 #include "ui/session/observer.h"
 #include "ui/widgets/gauge.h"
 
@@ -21,25 +19,7 @@ class QVBoxLayout;
 namespace cusp::ui {
 
 class HandpiecePanel;
-
-/// The picture of a section on the view's background, with the letters of its two sides.
-class SectionView : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit SectionView(QWidget* parent = nullptr);
-  void show_image(const SectionImage& image);
-  void set_sides(const QString& left, const QString& right);
-  QSize sizeHint() const override;
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  void draw_side(QPainter& p, const QString& side, Qt::Alignment where) const;
-  QImage image_;
-  QString left_, right_;
-};
+class SectionView;
 
 class ScorePanel : public QFrame {
   Q_OBJECT
@@ -50,7 +30,7 @@ class ScorePanel : public QFrame {
   /// What the exercise has besides its tissues.
   struct Has {
     bool target = false, pulp = false, tooth = false;
-    Guidance guidance = Guidance::full;  // silent: no progress, and nothing of what was removed
+    Guidance guidance = Guidance::full;  // silent: the task, no progress, and nothing of what was removed
   };
   /// Called once.
   void set_exercise(const Scenario& scenario, const Has& has);
@@ -73,6 +53,7 @@ class ScorePanel : public QFrame {
     BarRow row;
   };
   QVBoxLayout* make_scrolled(QVBoxLayout& whole);
+  void make_task();
   void make_progress();
   void make_device();
   QHBoxLayout* make_recording();
@@ -88,14 +69,14 @@ class ScorePanel : public QFrame {
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
-  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
-  QWidget *section_part_, *progress_part_, *over_pulp_row_, *removed_part_;
+  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_, *task_;
+  QWidget *task_part_, *section_part_, *progress_part_, *over_pulp_row_, *removed_part_;
   Bar* percent_bar_;
   QGridLayout *target_grid_, *tissue_grid_;
   std::vector<BarRow> targets_;  // of several
   std::vector<TissueRow> tissues_;
   RecordingState recording_state_ = RecordingState::off;
-  bool recording_known_ = false, folded_ = false;
+  bool recording_known_ = false, folded_ = false, guided_ = true;
 };
 
 }  // namespace cusp::ui

@@ -15,6 +15,7 @@
 #include "scenarios/library/library.h"
 #include "ui/session/drawn_tooth.h"
 #include "ui/settings/settings.h"
+#include "ui/text/names.h"
 #include "ui/drill/bur_tray.h"
 #include "ui/drill/handpiece_panel.h"
 #include "ui/view/tooth_view.h"
@@ -87,12 +88,17 @@ TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
   EXPECT_FALSE(screen->running());
 }
 
-TEST_F(Screen, without_guidance_neither_depth_nor_section_nor_progress_nor_coach_nor_target_is_shown_and_the_question_is_to_hand_in) {
+TEST_F(Screen, without_guidance_the_task_is_shown_but_neither_depth_section_progress_coach_nor_target_and_the_question_is_to_hand_in) {
   begin("channel-1", {}, Guidance::silent);
   QTest::keyPress(screen.get(), Qt::Key_Space);
   const auto shown = [this](const QString& name) {
     for (const QWidget* w : screen->findChildren<QWidget*>())
       if (w->isVisible() && w->accessibleName() == name) return true;
+    return false;
+  };
+  const auto reads = [this](const QString& text) {
+    for (const QLabel* label : screen->findChildren<QLabel*>())
+      if (label->isVisible() && label->text() == text) return true;
     return false;
   };
   ASSERT_TRUE(QTest::qWaitFor([&] { return removed() > 0.05; }, kPatienceMs)) << "it is cut all the same";
@@ -102,6 +108,7 @@ TEST_F(Screen, without_guidance_neither_depth_nor_section_nor_progress_nor_coach
   for (const QPushButton* b : screen->findChildren<QPushButton*>()) {
     EXPECT_FALSE(b->isVisible() && (b->text().contains(QStringLiteral("Target")) || b->text().contains(QStringLiteral("Cutaway"))));
   }
+  EXPECT_TRUE(reads(local(load_builtin("channel-1").value().briefing))) << "a candidate need not keep it in mind";
   EXPECT_FALSE(shown(QStringLiteral("Section at the bur"))) << "it shows how deep the bur is, and where the pulp lies";
   QTest::keyClick(screen.get(), Qt::Key_3);
   EXPECT_FALSE(screen->view()->scene().cutaway.has_value());

@@ -17,6 +17,7 @@
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/homing_card.h"
 #include "ui/drill/score_panel.h"
+#include "ui/drill/section_view.h"
 #include "ui/widgets/gauge.h"
 
 namespace cusp::test {

@@ -13,6 +13,7 @@
 #include "ui/drill/cut_slider.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/score_panel.h"
+#include "ui/drill/section_view.h"
 #include "ui/drill/section_place.h"
 #include "ui/text/tooth_sides.h"
 #include "ui/view/compass.h"
