@@ -54,16 +54,15 @@ CohortsPage::CohortsPage(Store& store, const Actor& actor, const Ports& ports, Q
   columns_->setSpacing(px(16));
   columns_->setColumnStretch(1, 1);
   columns_->addWidget(make_list(), 0, 0);
-  auto* middle = new QVBoxLayout;
-  middle->setSpacing(px(16));
-  middle->addWidget(make_students(), 3);
-  middle->addWidget(make_assignments(), 2);
-  columns_->addLayout(middle, 0, 1);
+  columns_->addWidget(make_students(), 0, 1);
+  columns_->addWidget(make_assignments(), 1, 0, 1, 2);
+  columns_->setRowStretch(0, 3);
+  columns_->setRowStretch(1, 2);
   if (may(actor.role, Action::assign)) {
     if (auto list = load_exercises(store_)) {
       form_ = new AssignmentForm(std::move(list->exercises), ports_.now());
       connect(form_, &AssignmentForm::assign_wanted, this, &CohortsPage::assign);
-      columns_->addWidget(form_, 0, 2, Qt::AlignTop);
+      columns_->addWidget(form_, 0, 2, 2, 1, Qt::AlignTop);
     }
   }
   outer->addLayout(columns_, 1);
@@ -83,9 +82,9 @@ void CohortsPage::resizeEvent(QResizeEvent* event) {
   if (form_ == nullptr) return;
   columns_->removeWidget(form_);
   if (width() < px(kNarrow)) {
-    columns_->addWidget(form_, 1, 0, 1, 2, Qt::AlignTop | Qt::AlignLeft);
+    columns_->addWidget(form_, 2, 0, 1, 2, Qt::AlignTop | Qt::AlignLeft);
   } else {
-    columns_->addWidget(form_, 0, 2, Qt::AlignTop);
+    columns_->addWidget(form_, 0, 2, 2, 1, Qt::AlignTop);
   }
 }
 
