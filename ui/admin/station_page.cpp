@@ -24,13 +24,6 @@ constexpr int kStackBelow = 900;  // px at 100 %, of the page
 
 QString size_text(std::uint64_t bytes) { return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1); }
 
-QLabel* wrapped(const QString& text) {
-  QLabel* label = make_label(text, TextRole::body, Weight::regular, "text2");
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 }  // namespace
 
 StationPage::StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent)
@@ -84,7 +77,7 @@ QString StationPage::message() const { return band_->isVisibleTo(this) ? band_->
 
 QWidget* StationPage::make_records() {
   auto* card = new Card(tr("Records"));
-  card->body()->addWidget(wrapped(QString::fromStdString(database_.string())));
+  card->body()->addWidget(make_paragraph(QString::fromStdString(database_.string())));
   card->body()->addWidget(make_label(tr("%n session(s), %1", nullptr, static_cast<int>(sessions_)).arg(size_text(bytes_))));
   if (!key_.isEmpty()) {
     auto* key = make_label(tr("Key %1").arg(key_));
@@ -92,7 +85,7 @@ QWidget* StationPage::make_records() {
     key->setToolTip(tr("Signs this station’s records and appeal packs"));
     card->body()->addWidget(key);
   }
-  card->body()->addWidget(wrapped(tr("Verification proves that nobody but the program has changed a result, an account or the log.")));
+  card->body()->addWidget(make_paragraph(tr("Verification proves that nobody but the program has changed a result, an account or the log.")));
   verify_ = make_button(tr("Verify now"), ButtonKind::standard, u"shield"_qs);
   card->body()->addWidget(verify_, 0, Qt::AlignLeading);
   connect(verify_, &QPushButton::clicked, this, &StationPage::verify);
@@ -108,7 +101,7 @@ QWidget* StationPage::make_idle() {
   idle_->setSuffix(tr(" min"));
   idle_->show_value(settings_.idle_minutes());
   card->body()->addWidget(labelled(tr("After so many minutes without input"), idle_));
-  card->body()->addWidget(wrapped(tr("Nobody is signed out while drilling. It holds from the next sign-in.")));
+  card->body()->addWidget(make_paragraph(tr("Nobody is signed out while drilling. It holds from the next sign-in.")));
   connect(idle_, &QDoubleSpinBox::valueChanged, this, [this](double minutes) { settings_.set_idle_minutes(static_cast<int>(minutes)); });
   return card;
 }
@@ -117,7 +110,7 @@ QWidget* StationPage::make_backups() {
   auto* card = new Card(tr("Backups"), QStringLiteral(" "));
   newest_ = make_label({});
   card->body()->addWidget(newest_);
-  folder_ = wrapped({});
+  folder_ = make_paragraph({});
   card->body()->addWidget(folder_);
   auto* row = new QHBoxLayout;
   back_up_ = make_button(tr("Back up now"), ButtonKind::primary, u"save"_qs);
@@ -128,7 +121,7 @@ QWidget* StationPage::make_backups() {
   card->body()->addLayout(row);
   table_ = new BackupsTable;
   card->body()->addWidget(table_, 1);
-  card->body()->addWidget(wrapped(tr("To go back, restore a backup to a new database with \"cusp restore FOLDER NEW.db\". Nothing is overwritten.")));
+  card->body()->addWidget(make_paragraph(tr("To go back, restore a backup to a new database with \"cusp restore FOLDER NEW.db\". Nothing is overwritten.")));
   connect(back_up_, &QPushButton::clicked, this, &StationPage::back_up);
   connect(choose_, &QPushButton::clicked, this, &StationPage::choose_folder);
   return card;

@@ -11,17 +11,6 @@
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
-namespace {
-
-QLabel* quiet(const QString& text) {
-  QLabel* label = make_label(text, TextRole::body, Weight::regular, "text2");
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-}  // namespace
-
 WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, const Message& why, const Ports& ports, QWidget* parent)
     : QWidget(parent), database_(std::move(database)), ports_(ports) {
   setAccessibleName(tr("Go back to a backup"));
@@ -31,15 +20,15 @@ WayBack::WayBack(std::filesystem::path database, std::filesystem::path backups, 
   outer->addWidget(make_scroll_page(&body));
   body->setSpacing(px(12));
   body->addWidget(new PageHead(why.what));
-  body->addWidget(quiet(why.more));
-  body->addWidget(quiet(tr("A backup can take the place of the records. The damaged files are moved to a folder beside them; nothing is deleted or overwritten. "
+  body->addWidget(make_paragraph(why.more));
+  body->addWidget(make_paragraph(tr("A backup can take the place of the records. The damaged files are moved to a folder beside them; nothing is deleted or overwritten. "
                            "Attempts after the backup stay in that folder alone.")));
   band_ = new Band;
   body->addWidget(band_);
   busy_ = new Busy;
   busy_->hide();
   body->addWidget(busy_);
-  found_ = quiet({});
+  found_ = make_paragraph({});
   auto* card = new Card(tr("Backups"));
   card->body()->addWidget(found_);
   table_ = new BackupsTable;

@@ -70,12 +70,6 @@ QString attempts_text(const AssignedAssessment& a) {
              : AssessmentCard::tr("%n attempt(s) so far", nullptr, a.attempts);
 }
 
-QLabel* quiet(const QString& text) {
-  QLabel* label = make_label(text, TextRole::body, Weight::regular, "text2");
-  label->setWordWrap(true);
-  return label;
-}
-
 }  // namespace
 
 /// With the student's extra time.
@@ -132,8 +126,8 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, cons
   if (!a.assignment.device_classes.empty()) facts += tr("only with %1").arg(device_names(a.assignment.device_classes));
   if (a.assignment.self_test_days) facts += self_test_age(*a.assignment.self_test_days);
   if (a.assignment.drawn_tooth) facts += drawn_tooth_text();
-  text->addWidget(quiet(facts.join(u" · "_qs)));
-  if (a.state == State::self_test_due) text->addWidget(quiet(self_test_advice(device_class)));
+  text->addWidget(make_paragraph(facts.join(u" · "_qs)));
+  if (a.state == State::self_test_due) text->addWidget(make_paragraph(self_test_advice(device_class)));
   row->addLayout(text, 1);
   if (a.state == State::open) {
     start_ = make_large_button(tr("Start assessment"), ButtonKind::primary, u"play"_qs);
@@ -154,12 +148,12 @@ AssessmentStart::AssessmentStart(Store& store, const Actor& student, const Assig
   column->addWidget(band_);
   column->addWidget(make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold));
   const QString candidate = QString::fromStdString(candidate_number(a.assignment.id, student.id));
-  column->addWidget(quiet(tr("You are candidate %1. Your name is not shown to who marks.").arg(candidate)));
+  column->addWidget(make_paragraph(tr("You are candidate %1. Your name is not shown to who marks.").arg(candidate)));
   const QString limit = time_limit_text(a);
-  column->addWidget(quiet(limit.isEmpty() ? tr("There is no time limit.")
+  column->addWidget(make_paragraph(limit.isEmpty() ? tr("There is no time limit.")
                                           : tr("You have %1. The clock starts with the tooth; a device fault stops it.").arg(limit)));
-  column->addWidget(quiet(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));
-  if (a.assignment.drawn_tooth) column->addWidget(quiet(tr("Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.")));
+  column->addWidget(make_paragraph(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));
+  if (a.assignment.drawn_tooth) column->addWidget(make_paragraph(tr("Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.")));
   code_ = new QLineEdit;
   column->addWidget(labelled(tr("Start code, from the invigilator"), code_));
   auto* row = new QHBoxLayout;
