@@ -8,6 +8,7 @@ import signal
 import sys
 import time
 
+import cohort
 import desk
 import school
 
@@ -19,12 +20,7 @@ SECOND_S = 3  # a second of the attempt lies in the file after two
 
 
 def assign(program, take):
-    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
-    school.page(program, "Cohorts")
-    program.find("text", "Name of a new cohort").type(COHORT)
-    program.press("New cohort")
-    program.find("text", "Student numbers to add").type(school.STUDENT[1] + " " + OTHER[1])
-    program.press("Add students")
+    cohort.begin(program, COHORT, school.STUDENT[1], OTHER[1])
     school.row_of(program, "Students of the cohort", school.STUDENT[0])
     program.labelled("combo box", "Exercise").choose(EXERCISE)
     program.press("Assessment", school.CHOICE)

@@ -46,6 +46,16 @@ def import_list(program, take=school.nothing):
     school.sign_out(program)
 
 
+def begin(program, name, *numbers):
+    """As an instructor: makes a cohort of these students."""
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Cohorts")
+    program.find("text", "Name of a new cohort").type(name)
+    program.press("New cohort")
+    program.find("text", "Student numbers to add").type(" ".join(numbers))
+    program.press("Add students")
+
+
 def assign(program):
     school.sign_in_staff(program, *school.INSTRUCTOR[1:])
     school.page(program, "Cohorts")

@@ -10,6 +10,7 @@ import time
 
 from PIL import ImageGrab
 
+import cohort
 import desk
 import school
 
@@ -22,12 +23,7 @@ CHOICE = "Another tooth for each candidate"
 
 
 def assign(program, take):
-    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
-    school.page(program, "Cohorts")
-    program.find("text", "Name of a new cohort").type(COHORT)
-    program.press("New cohort")
-    program.find("text", "Student numbers to add").type(school.STUDENT[1] + " " + OTHER[1])
-    program.press("Add students")
+    cohort.begin(program, COHORT, school.STUDENT[1], OTHER[1])
     school.row_of(program, "Students of the cohort", school.STUDENT[0])
     program.press("Assessment", school.CHOICE)
     program.labelled("combo box", "Exercise").choose(BY_HAND)
