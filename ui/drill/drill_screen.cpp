@@ -112,7 +112,8 @@ void DrillScreen::resizeEvent(QResizeEvent* event) {
 }
 
 void DrillScreen::fold(bool on) {
-  inner_->panel->fold(on);
+  // An assessment has neither section nor bars: the task fits the folded panel.
+  inner_->panel->fold(on || inner_->guidance == Guidance::silent);
   inner_->tray->fold(on);
 }
 

@@ -220,7 +220,7 @@ QHBoxLayout* ScorePanel::make_recording() {
 void ScorePanel::fold(bool on) {
   folded_ = on;
   setFixedWidth(px(on ? kFoldedWidth : kWidth));
-  section_part_->setVisible(!on && guided_);
+  section_part_->setVisible(!on);
   percent_bar_->setVisible(!on);
   for (const TissueRow& one : tissues_) fold_bars(*tissue_grid_, one.row);
   for (const BarRow& row : targets_) fold_bars(*target_grid_, row);
@@ -263,11 +263,11 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
     //: First letters of buccal and lingual, at the two sides of a section.
     section_->set_sides(tr("B"), tr("L"));
   }
-  guided_ = has.guidance == Guidance::full;
+  const bool guided = has.guidance == Guidance::full;
   task_->setText(local(scenario.briefing));
-  task_part_->setVisible(!guided_ && !task_->text().isEmpty());
-  progress_part_->setVisible(has.target && guided_);
-  removed_part_->setVisible(guided_);
+  task_part_->setVisible(!guided && !task_->text().isEmpty());
+  progress_part_->setVisible(has.target && guided);
+  removed_part_->setVisible(guided);
   over_pulp_row_->setVisible(has.pulp);
   add_targets(scenario);
   handpiece_->set_exercise(scenario);
@@ -276,7 +276,6 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
     tissues_.push_back({t.tissue, add_bar(*tissue_grid_, tissue_name(t.tissue), role_of(t.tissue))});
     tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), tissue_grid_->rowCount() - 1, 0);
   }
-  fold(folded_);
 }
 
 void ScorePanel::set_device(const DeviceLimits& limits, double stiffness_share) {

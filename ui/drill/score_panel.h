@@ -76,7 +76,7 @@ class ScorePanel : public QFrame {
   std::vector<BarRow> targets_;  // of several
   std::vector<TissueRow> tissues_;
   RecordingState recording_state_ = RecordingState::off;
-  bool recording_known_ = false, folded_ = false, guided_ = true;
+  bool recording_known_ = false, folded_ = false;
 };
 
 }  // namespace cusp::ui
