@@ -200,6 +200,13 @@ QTabBar* make_tabs(const QStringList& names) {
   return tabs;
 }
 
+QLabel* make_paragraph(const QString& text) {
+  QLabel* out = make_label(text, TextRole::body, Weight::regular, "text2");
+  out->setWordWrap(true);
+  out->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return out;
+}
+
 QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** value) {
   auto* row = new QWidget;
   auto* line = new QHBoxLayout(row);

@@ -101,6 +101,9 @@ QWidget* labelled(const QString& label, QWidget* field);
 /// Two or more pages of a form, side by side ("Student | Staff"), in the look of Segments.
 QTabBar* make_tabs(const QStringList& names);
 
+/// A paragraph in the second ink, whose text the mouse selects. Without a parent.
+QLabel* make_paragraph(const QString& text);
+
 /// A line of a panel: icon, name, and the value at the right, whose accessible description is the name. Without a parent.
 QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** value);
 

@@ -311,13 +311,6 @@ QLabel* make_label(const QString& text, TextRole role, Weight weight, const char
   return label;
 }
 
-QLabel* make_paragraph(const QString& text) {
-  QLabel* out = make_label(text, TextRole::body, Weight::regular, "text2");
-  out->setWordWrap(true);
-  out->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return out;
-}
-
 static void repolish(QWidget* widget) {
   widget->style()->unpolish(widget);
   widget->style()->polish(widget);

@@ -60,8 +60,6 @@ QFont font_of(TextRole role, Weight weight = Weight::regular);
 
 /// A label in a text role. `ink` is a property of the style sheet: "", "text2", "text3", "good", "look", "bad", "accent".
 QLabel* make_label(const QString& text, TextRole role = TextRole::body, Weight weight = Weight::regular, const char* ink = "");
-/// A paragraph in the second ink, whose text the mouse selects. Without a parent.
-QLabel* make_paragraph(const QString& text);
 void set_ink(QWidget* widget, const char* ink);
 
 /// Sets the variant that theme.qss styles ("primary", "erase", "card", "bar_good"), and polishes the widget again.
