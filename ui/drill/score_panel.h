@@ -1,5 +1,6 @@
 /// Right of the tooth: the section at the bur, progress against the target, what was removed by tissue, the device, and
-/// whether the record is safe; in an assessment the task stands in place of the first three. Shows what it is given; decides nothing. Thread: GUI.
+/// whether the record is safe. In an assessment the task stands in place of the first three. Shows what it is given; decides
+/// nothing. Thread: GUI.
 #pragma once
 
 #include <QFrame>
