@@ -17,7 +17,6 @@ constexpr double kBeyondTrustMm = 0.003;  // constraints are built this far beyo
 constexpr double kSettledMm = 2e-4;       // a step that is shorter ends the search: Newton's next would be 1 nm
 constexpr double kMarginMm = 0.1;  // of the specimen's own features: few are near, and a wide look costs more than many
 constexpr double kMarginCuttingMm = 0.04;  // the same while it cuts: a carving soon discards what was found
-constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to what balls have cut is solved in the cavity
 constexpr double kKeptMm = 0.03;  // features within this of a pose are where the next tick looks first
 constexpr double kEntersMm = 1e-5;  // less far into a feature, the pose holds: the next tick would move on by as much
 constexpr double kKeptPlaneMm = 0.01;  // a plane of a pass holds this far about it: a point's, of a ball of 0.25 mm, within 0.2 um

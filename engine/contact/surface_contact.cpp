@@ -180,6 +180,8 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
     if (!out.in_steps) out = solve_in_cavity(volume, tool, from, device, reach_mm);
   } else {
     out = solve_by_planes(volume, tool, from, device, predicted, step, most_mm);
+    // No wall that balls have cut is known further off.
+    if (swept && length_of(out.pose_mm - from) > step + kNearCavityMm) out = solve_in_cavity(volume, tool, from, device, reach_mm);
   }
   if (out.active == 0 && !out.deferred && !out.infeasible) look_for_free(volume, tool, out.pose_mm);
   return out;

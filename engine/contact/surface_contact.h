@@ -290,6 +290,7 @@ class SurfaceContact {
   void add_kept(Vec3 at) noexcept;
   void add_cavity(const Volume& volume, const Tool& tool, Vec3 at, double slack_mm) noexcept;
   PlaneSearch nearest_in_metric(const Metric& metric, Vec3 y, Vec3 z, bool& infeasible) noexcept;
+  static constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to what balls have cut is solved in the cavity
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
   bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found, CavityWalls::Jump jump) noexcept;
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;

@@ -135,6 +135,25 @@ TEST(SurfaceProxy, a_wall_cannot_be_jumped_in_one_tick) {
   }
 }
 
+TEST(SurfaceProxy, a_wall_that_cuts_have_left_holds_a_bur_that_lags_behind_its_device) {
+  // The device leaps out of a pocket 2.5 mm long, through the 0.4 mm that are left at its end, and rests: the proxy is on its
+  // way for some ticks, in which no wall is within reach of the device's own motion.
+  auto scene = scene_of(block_of(0.1), Method::surface, 0.25);
+  scene->burs[0].shank_radius_mm = scene->burs[0].neck_radius_mm;
+  scene->burs.push_back(scene->burs[0]);
+  scene->burs[1].radius_mm = 0.3;
+  StepState state(scene);
+  for (int k = 0; k <= 14; ++k) {
+    const double x = k <= 12 ? -1.5 + 0.2 * k : 1.7 + 0.2 * (k - 12);
+    for (const double z : {1.1, 1.3, 1.5, 1.7, 1.9}) ASSERT_TRUE(cut_along(state, 1, {x, -1.0, z}, {x, 1.0, z}));
+  }
+  approach(state, {-1.5, 0, 4.0}, {-1.5, 0, 1.5});
+  for (int i = 0; i < 30; ++i) {
+    const StepOutput out = step(state, input_at(Vec3(1.9, 0.003 * i, 1.5)));
+    EXPECT_LT(out.proxy_mm.x, 1.0) << "tick " << i;
+  }
+}
+
 TEST(OccupancyProxy, never_overlaps_tissue_with_the_tool) {
   const VoxelVolume volume = from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.0)); });
   auto scene = scene_of(volume, Method::occupancy, 0.3);
