@@ -11,7 +11,6 @@ namespace {
 constexpr double kFalseMm = 1e-4;          // a place that stands so far above its feature lies in the void
 constexpr double kSameMm = 1e-4;           // features nearer to each other are one
 constexpr double kJumpMm = 1e-3;           // a place further from its last one is another place
-constexpr int kDescentPasses = 10;
 constexpr int kSettlePasses = 6;           // three settle a place at an islet's tips (stability), and two overlap it by 94 um
 constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
 constexpr double kGainMm = 1e-7;           // each step comes nearer by this: half of the rounding of the sweeps' places
@@ -167,12 +166,12 @@ bool CavityWalls::to_surface(const Volume& volume, const Ball& ball, const Cutti
   return !d.in_void;
 }
 
-void CavityWalls::descend(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept {
+void CavityWalls::descend(const Volume& volume, const Ball& ball, const Cutting& cutting, int steps, Descent& d) noexcept {
   const Vec3 start = d.x;
   if (!to_surface(volume, ball, cutting, d)) return;
   d.arrived = true;
   double trust = kStepVoxels * voxel_mm_;
-  for (int pass = 0; pass < kDescentPasses; ++pass) {
+  for (int pass = 0; pass < steps; ++pass) {
     Vec3 step(0.0);
     if (!step_of_descent(ball, d.all, d.sides, d, step)) break;
     const double length = length_of(step);
@@ -222,7 +221,7 @@ CavityConstraint CavityWalls::constraint_of(const Ball& ball, const Descent& d) 
 }
 
 double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint,
-                           Jump jump) noexcept {
+                           Jump jump, int steps) noexcept {
   const CavityConstraint from = constraints_[constraint];
   if (from.seen) {
     const Vec3 moved = ball.at - from.seen_from;
@@ -230,7 +229,7 @@ double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting
   }
   Descent d;
   d.x = from.foot;
-  descend(volume, ball, cutting, d);
+  descend(volume, ball, cutting, steps, d);
   const double far = length_of(ball.at - d.x);
   if (!d.arrived && d.in_void) {
     if (from.sampled) places_[static_cast<std::size_t>(from.from)].dropped = true;

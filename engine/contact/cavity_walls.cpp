@@ -10,7 +10,7 @@ namespace {
 constexpr double kMarginMm = 0.016, kMostMarginMm = 0.06;  // looked for so far beyond what is asked for, for what is to come
 constexpr double kSpacingVoxels = 2.0;  // of the directions' places on the ball; ridges between them are looked for
 constexpr double kPastMm = 0.03;        // a way nearer to the ball's centre holds poses that fit
-constexpr double kMovedOnMm = 0.05;     // sweeps that are not carved move a place by less
+constexpr double kMovedOnMm = 0.08;     // sweeps that are not carved move a place by less: the stroke that waits, and a tick
 constexpr double kPlaceFarMm = 0.01;    // the field may be off by as much: a place beyond is looked for from there
 /// A four's directions lie within this over n of its middle: 0.5 / n on a cube's face, sqrt 2 of it at a corner.
 constexpr double kMiddleOff = 0.75;
@@ -39,7 +39,8 @@ double CavityWalls::room_mm(const Ball& ball) const noexcept {
 }
 
 void CavityWalls::start(const Cutting& cutting) noexcept {
-  if (cutting.any()) release();
+  if (cutting.any()) feature_count_ = 0;
+  ++cuttings_;
   past_count_ = past_sweeps_ = 0;
   feature_count_ = std::min(feature_count_, kMostKept);
   for (std::size_t i = 0; i < feature_count_; ++i) features_[i].seen = false;
@@ -58,7 +59,7 @@ CavityWalls::Found CavityWalls::found() const noexcept {
 
 void CavityWalls::set_found(const Found& found) noexcept {
   release();
-  sampled_ = {found.centre, found.radius_mm, found.reach_mm, -1};
+  sampled_ = {found.centre, found.radius_mm, found.reach_mm};
   places_made_ = false;
   feature_count_ = static_cast<std::size_t>(std::clamp(found.features, 0, static_cast<std::int32_t>(kMostKept)));
   for (std::size_t i = 0; i < feature_count_; ++i) {
@@ -75,15 +76,15 @@ Sweeps::Deepest CavityWalls::deepest(const SweptRuns& runs, const Cutting& cutti
 }
 
 /// Keeps the place of what is left that is about the nearest to `at`. False if there is none within reach.
-bool CavityWalls::sample_at(const Volume& volume, const Cutting& cutting, Vec3 at) noexcept {
+bool CavityWalls::sample_at(const Volume& volume, std::int32_t end, Vec3 at) noexcept {
   Vec3 x = at, inwards(0.0);
   double curved = 0.0;
   bool met = false;
   for (int pass = 0; pass < kPlacePasses && !met; ++pass) {
     visited_ += kPlaceWork;
-    const SweptRuns& runs = void_.runs_at(volume, x, cutting.end);
+    const SweptRuns& runs = void_.runs_at(volume, x, end);
     if (!runs.known) return false;
-    const Sweeps::Deepest deep = deepest(runs, cutting, x);
+    const Sweeps::Deepest deep = sweeps_.deepest({runs.run, static_cast<std::size_t>(runs.count)}, x);
     if (pass == 0) note_nearby(deep.sweep);
     inwards = deep.inwards;
     curved = 1.0 / sweeps_.radius_mm(deep.sweep);
@@ -100,7 +101,7 @@ bool CavityWalls::sample_at(const Volume& volume, const Cutting& cutting, Vec3 a
     // What another sweep takes of so short a way is a tenth of it.
     met = std::fabs(depth) < kPlaceMetMm;
   }
-  if (!met && !settle(volume, cutting, at, x)) return false;
+  if (!met && !settle(volume, {{0, -1}, end}, at, x)) return false;
   const Vec3 off = x - sampled_.centre;
   const double far = sampled_.radius_mm + sampled_.reach_mm;
   if (glm::dot(off, off) > far * far) return false;
@@ -109,7 +110,7 @@ bool CavityWalls::sample_at(const Volume& volume, const Cutting& cutting, Vec3 a
 }
 
 /// Looks on the ridge where the walls of two places meet between them.
-void CavityWalls::sample_between(const Volume& volume, const Cutting& cutting, const Place& a, const Place& b) noexcept {
+void CavityWalls::sample_between(const Volume& volume, std::int32_t end, const Place& a, const Place& b) noexcept {
   const Vec3 way = b.at - a.at;
   const double length = length_of(way);
   if (length < kPlaceMetMm || place_count_ == places_.size()) return;
@@ -125,10 +126,10 @@ void CavityWalls::sample_between(const Volume& volume, const Cutting& cutting, c
   if (rise_a <= 0.0 || rise_b <= 0.0) return;
   const double from_a = length * rise_b / (rise_a + rise_b), high = from_a * rise_a;
   if (high < kRidgeMm || high > length) return;
-  sample_at(volume, cutting, a.at + along * from_a + up * high);
+  sample_at(volume, end, a.at + along * from_a + up * high);
 }
 
-void CavityWalls::sample(const Volume& volume, const Cutting& cutting) noexcept {
+void CavityWalls::sample(const Volume& volume, std::int32_t end) noexcept {
   const Ball ball{sampled_.centre, sampled_.radius_mm, sampled_.reach_mm};
   place_count_ = 0;
   nearby_count_ = 0;
@@ -146,13 +147,13 @@ void CavityWalls::sample(const Volume& volume, const Cutting& cutting) noexcept 
     for (std::size_t q = 0; q < 4; ++q) {
       const Vec3 d = four.of[q], at = ball.at + ball.radius_mm * d;
       const double about = void_.about_mm(volume, at);
-      if (about < far && sample_at(volume, cutting, about > kPlaceFarMm ? at + about * d : at))
+      if (about < far && sample_at(volume, end, about > kPlaceFarMm ? at + about * d : at))
         place_at_[4 * k + q] = static_cast<std::int16_t>(place_count_ - 1);
     }
   }
   for (const BallDirections::Pair& pair : directions.pairs) {
     const std::int16_t a = place_at_[static_cast<std::size_t>(pair.a)], b = place_at_[static_cast<std::size_t>(pair.b)];
-    if (a >= 0 && b >= 0) sample_between(volume, cutting, places_[static_cast<std::size_t>(a)], places_[static_cast<std::size_t>(b)]);
+    if (a >= 0 && b >= 0) sample_between(volume, end, places_[static_cast<std::size_t>(a)], places_[static_cast<std::size_t>(b)]);
   }
 }
 
@@ -240,10 +241,15 @@ void CavityWalls::add_place(const Ball& ball, const Cutting& cutting, std::int32
   const Vec3 before = ball.at - at;
   const double most = r + ball.slack_mm + kMovedOnMm;
   if (glm::dot(before, before) > most * most) return;
-  if (cutting.any() && cutting.uncarved.to >= sampled_.newest) {
-    // What is swept since then has moved it on.
-    const Sweeps::Deepest deep = sweeps_.deepest({std::max(cutting.uncarved.from, sampled_.newest), cutting.uncarved.to}, at);
-    if (deep.depth_mm > 0.0) at -= deep.inwards * deep.depth_mm;
+  if (cutting.any()) {
+    // What is not carved has moved it on.
+    Place& place = places_[static_cast<std::size_t>(i)];
+    if (place.moved_for != cuttings_) {
+      const Sweeps::Deepest deep = sweeps_.deepest(cutting.uncarved, at);
+      place.moved = deep.depth_mm > 0.0 ? at - deep.inwards * deep.depth_mm : at;
+      place.moved_for = cuttings_;
+    }
+    at = place.moved;
   }
   // Not all sweeps about a place are named there.
   for (int k = 0; k < past_sweeps_; ++k) {
@@ -264,12 +270,12 @@ void CavityWalls::look(const Volume& volume, const Ball& ball, const Cutting& cu
   const bool further = room_mm(ball) < ball.slack_mm;
   if (further) {
     const double margin = std::clamp(ball.slack_mm, kMarginMm, kMostMarginMm);
-    sampled_ = {ball.at, ball.radius_mm, ball.slack_mm + margin, cutting.any() ? cutting.uncarved.to : -1};
+    sampled_ = {ball.at, ball.radius_mm, ball.slack_mm + margin};
     places_made_ = false;
   }
   if (places_made_) return;
   const std::int64_t before = visited_;
-  sample(volume, cutting);
+  sample(volume, cutting.end);
   // Places that a discarded cache held were counted when they were looked for.
   if (!further) visited_ = before;
 }

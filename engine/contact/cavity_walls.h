@@ -45,8 +45,9 @@ class CavityWalls {
   /// Whether a feature whose place jumps gives up its old place, which holds a ball as well.
   enum class Jump : std::uint8_t { replaces, keeps_both };
   /// Makes the feature that a constraint of the last build() is a place of, for a ball at `at`. The next build() has it.
-  /// How far the ball is off it; negative: it enters.
-  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump) noexcept;
+  /// How far the ball is off it; negative: it enters. steps: of the descent, kMostSteps to its end.
+  static constexpr int kMostSteps = 10;
+  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump, int steps) noexcept;
   /// Where one sweep alone holds a ball: it stands within what a ball as wide or wider has swept.
   struct Held {
     bool held = false;    // else that sweep alone does not answer
@@ -75,6 +76,8 @@ class CavityWalls {
   }
   /// To be called at each tick's begin. What was found last serves on where nothing has been cut since.
   void start(const Cutting& cutting) noexcept;
+  /// Sweeps that are not carved have grown.
+  void recut() noexcept { ++cuttings_; }
   /// Nothing that was found serves on.
   void release() noexcept {
     sampled_ = Sampled{};
@@ -111,11 +114,12 @@ class CavityWalls {
     bool dropped = false;  // its feature stands for it
     Vec3 inwards{0.0};     // unit, out of what is left
     double curved = 0.0;   // of the wall about the ball, 1/mm
+    Vec3 moved{0.0};       // by what was not carved at that time, of cuttings_
+    std::uint32_t moved_for = 0;
   };
   struct Sampled {
     Vec3 centre{0.0};
     double radius_mm = 0.0, reach_mm = -1.0;  // all within radius + reach of centre; negative: nothing is
-    std::int32_t newest = -1;                 // sweep of the cutting that it knows
   };
   using Side = Sweeps::Deepest;  // a surface at a place: what a run has swept, or the specimen's own without a sweep
   /// What a search for the nearest place of the surface stands at.
@@ -141,9 +145,9 @@ class CavityWalls {
   bool settle(const Volume& volume, const Cutting& cutting, Vec3 at, Vec3& x) noexcept;
   bool to_surface(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept;
   void look(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
-  void sample(const Volume& volume, const Cutting& cutting) noexcept;
-  bool sample_at(const Volume& volume, const Cutting& cutting, Vec3 at) noexcept;
-  void sample_between(const Volume& volume, const Cutting& cutting, const Place& a, const Place& b) noexcept;
+  void sample(const Volume& volume, std::int32_t end) noexcept;
+  bool sample_at(const Volume& volume, std::int32_t end, Vec3 at) noexcept;
+  void sample_between(const Volume& volume, std::int32_t end, const Place& a, const Place& b) noexcept;
   void note_nearby(std::int32_t sweep) noexcept;
   void find_past(const Volume& volume, const Ball& ball, const Cutting& cutting) noexcept;
   void note_past(const Ball& ball, std::int32_t sweep) noexcept;
@@ -155,7 +159,7 @@ class CavityWalls {
   Sweeps::Deepest deepest(const SweptRuns& runs, const Cutting& cutting, Vec3 x) const noexcept;
   bool add_runs(const Volume& volume, const Cutting& cutting, Descent& d) noexcept;
   int sides_at(const Volume& volume, const Descent& d, Side* out) noexcept;
-  void descend(const Volume& volume, const Ball& ball, const Cutting& cutting, Descent& d) noexcept;
+  void descend(const Volume& volume, const Ball& ball, const Cutting& cutting, int steps, Descent& d) noexcept;
   bool step_of_descent(const Ball& ball, const Side* side, int sides, Descent& d, Vec3& step) const noexcept;
   CavityConstraint constraint_of(const Ball& ball, const Descent& d) const noexcept;
 
@@ -166,6 +170,7 @@ class CavityWalls {
   Sampled sampled_;
   bool places_made_ = true;   // places_ are those of sampled_
   std::vector<Place> places_;
+  std::uint32_t cuttings_ = 0;  // times that the cutting may have changed
   std::vector<std::int16_t> place_at_;  // [direction]: of places_; -1: none
   std::vector<CavityConstraint> features_;
   std::vector<CavityConstraint> constraints_;

@@ -14,6 +14,8 @@ constexpr double kTrustMoved = 1.2, kTrustMovedMm = 0.002;    // the first one: 
 constexpr double kTrustGrows = 2.0, kTrustFalls = 0.5;  // of the last step, if it was as long as may be, and if not
 constexpr double kLeastRoomMm = 0.012;   // with less room the surface is looked for anew
 constexpr double kBeyondTrustMm = 0.003;  // constraints are built this far beyond it
+constexpr double kNearlyMm = 2e-3;        // a search that moves by more, and does not turn back, needs no feature to the end of its descent
+constexpr int kFewSteps = 3;
 constexpr double kSettledMm = 2e-4;       // a step that is shorter ends the search: Newton's next would be 1 nm
 constexpr double kMarginMm = 0.1;  // of the specimen's own features: few are near, and a wide look costs more than many
 constexpr double kMarginCuttingMm = 0.04;  // the same while it cuts: a carving soon discards what was found
@@ -209,14 +211,14 @@ bool SurfaceContact::near_cavity(const Volume& volume, const Tool& tool, Vec3 fr
 
 /// Goes from the places that hold the ball to the features that they are of. True if the ball at `at` enters one.
 bool SurfaceContact::refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found,
-                                      CavityWalls::Jump jump) noexcept {
+                                      CavityWalls::Jump jump, int steps) noexcept {
   const std::int64_t before = walls_.visited();
   bool enters = false;
   for (int a = 0; a < found.active; ++a) {
     const std::int32_t candidate = origins_[static_cast<std::size_t>(found.index[a])].candidate;
     if (candidate >= 0) continue;
     const auto i = static_cast<std::size_t>(-1 - candidate);
-    const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, cutting_, i, jump);
+    const double slack = walls_.refine(volume, {at, tool.bur->radius_mm - tool.thin_cut, 0.0}, cutting_, i, jump, steps);
     enters = enters || slack < -kEntersMm;
   }
   candidates_left_ -= static_cast<int>(walls_.visited() - before);
@@ -263,8 +265,9 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
     if (turns > 0) keep_planes(found, y);
     last_way = way;
     y = far > trust ? y + way * (trust / far) : found.y;
+    const int steps = turns > 0 || std::min(far, trust) < kNearlyMm ? CavityWalls::kMostSteps : kFewSteps;
     const auto jump = turns > 0 ? CavityWalls::Jump::keeps_both : CavityWalls::Jump::replaces;
-    arrived = !refine_in_cavity(volume, tool, y, found, jump) && std::min(far, trust) < kSettledMm;
+    arrived = !refine_in_cavity(volume, tool, y, found, jump, steps) && std::min(far, trust) < kSettledMm;
     // The answer lies between two such poses.
     arrived = arrived || (turns >= kMostTurns && far < kLeastTrustMm);
     const double grows = turns > 0 ? 1.0 : kTrustGrows;

@@ -242,7 +242,7 @@ bool SurfaceContact::push_out(const Volume& volume, const Bur& bur, Vec3 axis, V
     if (!found.feasible || length_of(found.y - pose) > kMost) return false;
     const double moved = length_of(found.y - y);
     y = found.y;
-    if (!refine_in_cavity(volume, tool, y, found, CavityWalls::Jump::replaces) && moved < 1e-6) break;
+    if (!refine_in_cavity(volume, tool, y, found, CavityWalls::Jump::replaces, CavityWalls::kMostSteps) && moved < 1e-6) break;
   }
   out = y;
   return true;

@@ -91,13 +91,17 @@ class SurfaceContact {
     forget();
   }
 
-  /// To be called before a tick's first solve(); then set_cutting() after each add to the sweeps.
+  /// To be called before a tick's first solve(); then set_cutting() after each change of the cutting.
   void start_tick(const Cutting& cutting) noexcept {
     reset_budget();
-    set_cutting(cutting);
+    cutting_ = cutting;
     walls_.start(cutting);
   }
-  void set_cutting(const Cutting& cutting) noexcept { cutting_ = cutting; }
+  void set_cutting(const Cutting& cutting) noexcept {
+    if (cutting.end != cutting_.end) walls_.release();
+    walls_.recut();
+    cutting_ = cutting;
+  }
   /// State: CavityWalls::found().
   CavityWalls::Found found_in_cavity() const noexcept { return walls_.found(); }
   void set_found_in_cavity(const CavityWalls::Found& found) noexcept { walls_.set_found(found); }
@@ -292,7 +296,7 @@ class SurfaceContact {
   PlaneSearch nearest_in_metric(const Metric& metric, Vec3 y, Vec3 z, bool& infeasible) noexcept;
   static constexpr double kNearCavityMm = 0.02;  // beyond a step: a ball this near to what balls have cut is solved in the cavity
   bool near_cavity(const Volume& volume, const Tool& tool, Vec3 from, double step) noexcept;
-  bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found, CavityWalls::Jump jump) noexcept;
+  bool refine_in_cavity(const Volume& volume, const Tool& tool, Vec3 at, const PlaneSearch& found, CavityWalls::Jump jump, int steps) noexcept;
   void note_in_cavity(const Volume& volume, const PlaneSearch& found, Contact& out) const noexcept;
   struct PlaneSolve;
   void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;

@@ -101,10 +101,11 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   edges_ = edges_ || has_edges;
   const Grid& grid = volume.grid();
   const Vec3f local((centre - (grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * (1.0 / voxel_mm_));
+  const SweptVoid::Known* walls = cut && tool.ball() && part == ToolPart::head ? &walls_.known(volume, brick) : nullptr;
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
     near(x, y, z, count, local, has_edges, [&](int i) {
       // Of these cells a ball has walls and ridges; its neck and shank have points.
-      if (tool.ball() && part == ToolPart::head && page != nullptr && page->feature[i].swept) return;
+      if (walls != nullptr && page != nullptr && (page->feature[i].swept || walls->has(page->feature[i].cell))) return;
       add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, part);
     });
   };

@@ -61,7 +61,7 @@ void SweptVoid::find_known(const Volume& volume, IVec3 at, Known& out) const noe
   const Specimen& specimen = volume.specimen();
   int brick[8];
   for (int i = 0; i < 8; ++i) brick[i] = specimen.brick_index(at + IVec3(i & 1, i >> 1 & 1, i >> 2));
-  // [z][y]: nine voxels in a row that name a sweep, deep in the specimen.
+  // [z][y]: nine voxels in a row that name a sweep.
   unsigned known[9][9];
   for (int z = 0; z < 9; ++z)
     for (int y = 0; y < 9; ++y) {
@@ -70,11 +70,9 @@ void SweptVoid::find_known(const Volume& volume, IVec3 at, Known& out) const noe
         const int b = brick[over | (y >> 3) << 1 | (z >> 3) << 2];
         const std::int32_t* ids = b < 0 ? nullptr : volume.sweeps_of(b);
         if (ids == nullptr) continue;
-        const std::uint16_t* base = specimen.s_of(b);
-        if (base == nullptr && specimen.s_in(b, 0) != kSolid) continue;
         const int row = brick_offset(0, y & 7, z & 7);
         for (int x = 0; x < (over == 0 ? 8 : 1); ++x)
-          if (ids[row + x] >= 0 && (base == nullptr || base[row + x] >= kDeep)) known[z][y] |= 1u << (8 * over + x);
+          if (ids[row + x] >= 0) known[z][y] |= 1u << (8 * over + x);
       }
     }
   for (int z = 0; z < 8; ++z) {
@@ -83,6 +81,11 @@ void SweptVoid::find_known(const Volume& volume, IVec3 at, Known& out) const noe
       const unsigned four = known[z][y] & known[z][y + 1] & known[z + 1][y] & known[z + 1][y + 1];
       out.slice[z] |= static_cast<std::uint64_t>(four & four >> 1 & 0xffu) << (8 * y);
     }
+  }
+  const BasePoints points = specimen.surface().in(specimen.brick_index(at));
+  for (int i = 0; i < points.count; ++i) {
+    const int cell = points.normal[i].cell();
+    out.slice[cell >> 6] &= ~(std::uint64_t{1} << (cell & 63));
   }
 }
 

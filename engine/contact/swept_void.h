@@ -50,10 +50,11 @@ class SweptVoid {
   /// Distance to the specimen's own surface, positive outside the tissue; mm, a bound beyond the band.
   FieldPoint base(const Volume& volume, Vec3 p) noexcept { return base_.at(volume, Field::base, p); }
 
-  /// Of the cells whose lower corner lies in a brick, a bit each as in brick_offset: deep in the specimen, all voxels with a
-  /// sweep.
+  /// Of the cells whose lower corner lies in a brick, a bit each as in brick_offset: all voxels name a sweep, and the specimen
+  /// has no point of its own in it. Sweeps alone say what such a cell holds.
   struct Known {
     std::uint64_t slice[8];
+    bool has(int cell) const noexcept { return (slice[cell >> 6] >> (cell & 63) & 1) != 0; }
   };
   /// Pre: volume.has_cut(brick).
   const Known& known(const Volume& volume, int brick) noexcept;

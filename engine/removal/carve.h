@@ -50,7 +50,7 @@ void for_changed(const Carved& carved, Visit&& visit) noexcept {
 Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part = {}) noexcept;
 
 /// The same with the sweeps of a run, kMostAtOnce at most. A voxel that one of them lowers keeps its id.
-inline constexpr std::int32_t kMostAtOnce = 8;
+inline constexpr std::int32_t kMostAtOnce = 16;
 Carved carve_run(Volume& volume, const Sweeps& sweeps, SweepRun run, CarvePart part = {}) noexcept;
 
 enum class SweepStart : std::uint8_t { uncut, carved };

@@ -25,6 +25,7 @@ class SurfaceMethod final : public ContactMethod {
     Carved carved;
     if (head.head.ball()) {
       const std::int32_t id = state.sweeps.add_apart(from_mm, to_mm, head.radius_mm);
+      state.surface->set_cutting({.end = state.sweeps.size()});
       carved = id >= 0 ? carve_run(state.volume, state.sweeps, {id, id}) : carve_sweep(state.volume, from_mm, to_mm, head.radius_mm);
     } else {
       carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);

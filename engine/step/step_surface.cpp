@@ -19,13 +19,15 @@ constexpr double kTieMm = 0.005;  // largest distance of the cut pose from the p
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
 constexpr double kLeastSweepMm = 0.03;
+/// The same of a ball that does not go straight: contact has its sweeps exactly before and after.
+constexpr double kLeastBallSweepMm = 0.06;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
 constexpr double kLeastSlideMm = 0.0004;
 /// While sliding, the bur may stand this deep in tissue: more than kShallowTauMm needs no correction (slide_depth()).
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
 /// Sweeps of a ball that are carved together.
-constexpr std::int32_t kSweepsAtOnce = 8;
+constexpr std::int32_t kSweepsAtOnce = 16;
 static_assert(kSweepsAtOnce <= kMostAtOnce);
 /// A proxy that outruns its device by this factor and this length is solved for again, in kParts parts of the way.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
@@ -57,6 +59,24 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
   return weight > 0.0 ? sum / weight : 0.0;
 }
 
+/// What contact has to know of a ball's sweeps while it cuts.
+Cutting cutting_of(const StepState::Inner& state) noexcept {
+  Cutting out;
+  const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
+  if (state.cut_pending || sweep.next >= 0)
+    out.uncarved = {sweep.next >= 0 ? sweep.first : state.cut_first, state.cut_last};
+  if (out.uncarved.from < 0) out.uncarved = {};
+  out.end = out.uncarved.to >= out.uncarved.from ? out.uncarved.from : state.sweeps.size();
+  return out;
+}
+
+/// The device's motion in a tick, and the proxy's answer to it.
+struct Motion {
+  Vec3 way{0.0};        // of the device, mm
+  double moved = 0.0;   // length of it
+  Vec3 slid{0.0};       // of the proxy, mm
+};
+
 /// Carves so many bricks of the pending sweep. False if the volume had no room.
 bool carve_pending(StepState::Inner& state, int bricks) noexcept {
   StepState::Inner::PendingSweep& sweep = state.pending_sweep;
@@ -71,6 +91,7 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
     carved = carve_sweep(state.volume, sweep.from, sweep.to, bur.radius_mm, {sweep.next, bricks});
   for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
   sweep.next = carved.next;
+  state.surface->set_cutting(cutting_of(state));
   const bool room = drop_crumbs(state, carved);
   return room && !carved.overflow;
 }
@@ -106,24 +127,6 @@ bool carve_all(StepState::Inner& state, std::uint16_t bur) noexcept {
   const bool room = !state.cut_pending || queue_sweep(state, bur);
   return carve_pending(state, kAllBricks) && room;
 }
-
-/// What contact has to know of a ball's sweeps while it cuts.
-Cutting cutting_of(const StepState::Inner& state) noexcept {
-  Cutting out;
-  const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
-  if (state.cut_pending || sweep.next >= 0)
-    out.uncarved = {sweep.next >= 0 ? sweep.first : state.cut_first, state.cut_last};
-  if (out.uncarved.from < 0) out.uncarved = {};
-  out.end = out.uncarved.to >= out.uncarved.from ? out.uncarved.from : state.sweeps.size();
-  return out;
-}
-
-/// The device's motion in a tick, and the proxy's answer to it.
-struct Motion {
-  Vec3 way{0.0};        // of the device, mm
-  double moved = 0.0;   // length of it
-  Vec3 slid{0.0};       // of the proxy, mm
-};
 
 void add_flags(const Contact& contact, StepOutput& out) noexcept {
   out.infeasible = out.infeasible || contact.infeasible;
@@ -226,8 +229,8 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
   const Bur& bur = state.scene->burs[out.bur];
   const double tau = slide_depth(bur, tick.axis, cut.head.direction, slid, cut.advance_mm);
   if (!(tau < kShallowTauMm)) return false;
-  out.overflow = !carve_all(state, out.bur) || out.overflow;
-  state.surface->set_cutting(cutting_of(state));
+  const bool carves = !bur.head.ball();  // a ball's sweeps count at once
+  if (carves) out.overflow = !carve_all(state, out.bur) || out.overflow;
   Vec3 out_pose;
   const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
   if (state.surface->push_out(state.volume, bur, tick.axis, cut.pose, shallow, out_pose)) {
@@ -237,7 +240,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
     cut.advance_mm = 0.0;
   }
   cut.aim_at(tick.device, contact);
-  return true;
+  return carves;
 }
 
 /// Stores a way of the bur. True if the growing sweep is straight with it. A sweep that does not go on with it is queued.
@@ -273,7 +276,8 @@ void sweep_along(StepState::Inner& state, const Tick& tick, const Advance& cut, 
   state.cut_pending = true;
   out.cutting = true;
   out.advance_mm = cut.advance_mm;
-  const double longest_mm = straight ? std::min(kLongestSweepMm, 0.5 * state.volume.grid().voxel_mm) : kLeastSweepMm;
+  const double least_mm = state.scene->burs[out.bur].head.ball() ? kLeastBallSweepMm : kLeastSweepMm;
+  const double longest_mm = straight ? std::min(kLongestSweepMm, 0.5 * state.volume.grid().voxel_mm) : least_mm;
   if (length_of(next - state.cut_from) >= longest_mm) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
   state.surface->set_cutting(cutting_of(state));
 }
@@ -293,15 +297,18 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
     state.cut_pose = next;
   }
   state.cut_valid = true;
-  // Carved before contact is solved again, so that a change of the field does not count as a slide. A small bur carves once a
-  // tick at most: the features about it are recomputed afterwards.
-  if (state.pending_sweep.next >= 0) {
+  // A head is carved before contact is solved again, so that a change of the field does not count as a slide; once a tick at
+  // most if it is small: the features about it are recomputed afterwards. A ball's field waits, for its sweeps count at once.
+  const auto carve_some = [&] {
+    if (state.pending_sweep.next < 0) return;
     const int bricks = bricks_a_tick(state);
     if (!carved || bricks != kAllBricks) out.overflow = !carve_pending(state, bricks) || out.overflow;
-    state.surface->set_cutting(cutting_of(state));
-  }
+  };
+  const bool ball = state.scene->burs[out.bur].head.ball();
+  if (!ball) carve_some();
   const Contact after =
       state.surface->after_cut(state.volume, *state.scene, out.bur, tick.axis, contact, tick.device, cut.advance_mm);
+  if (ball) carve_some();
   add_flags(after, out);
   state.proxy = after.pose_mm;
   return after;
@@ -321,6 +328,7 @@ bool end_stroke(StepState::Inner& state) noexcept {
   state.cut_valid = false;
   state.memory.break_path();
   state.sweeps.break_path();
+  state.surface->set_cutting(cutting_of(state));
   return room;
 }
 
