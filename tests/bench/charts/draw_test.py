@@ -54,8 +54,9 @@ class Committed(unittest.TestCase):
             self.assertEqual(draw.differing({same: "text", other: "text", gone: "text"}), [str(other), str(gone)])
 
     def test_every_figure_names_machine_engine_version_and_commit(self):
+        machine = self.tables["accuracy"].machine
         for figure in (contact_charts.error_against_voxel(self.tables["accuracy"]), removal_charts.depth_over_time(self.tables["removal"])):
-            self.assertTrue(any("AMD EPYC, engine " in t and "commit" in t for t in texts(figure)))
+            self.assertTrue(any(f"{machine}, engine " in t and "commit" in t for t in texts(figure)))
 
     def test_no_title_or_footing_leaves_its_figure(self):
         t = self.tables

@@ -46,13 +46,15 @@ class Table:
 
 
 def read(path):
-    """Reads a table with the first line "# commit …, engine …, machine …". Raises Missing for any other file."""
+    """Reads a table with the first line "# commit …, engine …, machine …". Raises Missing for any other file.
+    A machine's name is without marks: what stands under a chart has one line."""
     with open(path, newline="", encoding="utf-8") as file:
         head = file.readline().strip()
         source = re.fullmatch(r"# commit (.+?), engine (\d+), machine (.+)", head)
         if source is None:
             raise Missing(f"{path}: no line of commit, engine version and machine")
         commit, engine, machine = source.groups()
+        machine = re.sub(r"\((R|TM)\)| (Processor|CPU)$", "", machine)
         rows = [Row(row) for row in csv.DictReader(file)]
     if any(None in row or None in row.values() for row in rows):
         raise Missing(f"{path}: a line of another length")
