@@ -45,7 +45,7 @@ class CavityWalls {
   /// Whether a feature whose place jumps gives up its old place, which holds a ball as well.
   enum class Jump : std::uint8_t { replaces, keeps_both };
   /// Makes the feature that a constraint of the last build() is a place of, for a ball at `at`. The next build() has it.
-  /// How far the ball is off it; negative: it enters. steps: of the descent, kMostSteps to its end.
+  /// How far the ball is off it; negative: it enters. steps: most of its descent; kMostSteps reach its end.
   static constexpr int kMostSteps = 10;
   double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump, int steps) noexcept;
   /// Where one sweep alone holds a ball: it stands within what a ball as wide or wider has swept.

@@ -19,7 +19,7 @@ constexpr double kTieMm = 0.005;  // largest distance of the cut pose from the p
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
 constexpr double kLeastSweepMm = 0.03;
-/// The same of a ball that does not go straight: contact has its sweeps exactly before and after.
+/// The same of a ball that does not go straight. Contact has its sweeps exactly before and after; a carving costs a tick 75 us.
 constexpr double kLeastBallSweepMm = 0.06;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
 constexpr double kLeastSlideMm = 0.0004;
@@ -69,13 +69,6 @@ Cutting cutting_of(const StepState::Inner& state) noexcept {
   out.end = out.uncarved.to >= out.uncarved.from ? out.uncarved.from : state.sweeps.size();
   return out;
 }
-
-/// The device's motion in a tick, and the proxy's answer to it.
-struct Motion {
-  Vec3 way{0.0};        // of the device, mm
-  double moved = 0.0;   // length of it
-  Vec3 slid{0.0};       // of the proxy, mm
-};
 
 /// Carves so many bricks of the pending sweep. False if the volume had no room.
 bool carve_pending(StepState::Inner& state, int bricks) noexcept {
@@ -127,6 +120,13 @@ bool carve_all(StepState::Inner& state, std::uint16_t bur) noexcept {
   const bool room = !state.cut_pending || queue_sweep(state, bur);
   return carve_pending(state, kAllBricks) && room;
 }
+
+/// The device's motion in a tick, and the proxy's answer to it.
+struct Motion {
+  Vec3 way{0.0};        // of the device, mm
+  double moved = 0.0;   // length of it
+  Vec3 slid{0.0};       // of the proxy, mm
+};
 
 void add_flags(const Contact& contact, StepOutput& out) noexcept {
   out.infeasible = out.infeasible || contact.infeasible;
