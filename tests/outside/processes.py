@@ -77,12 +77,21 @@ class Watcher:
         return None
 
     def _locked(self, pid):
+        """Read by descriptor: the kernel does not list /proc/locks at one moment."""
+        folder = f"/proc/{pid}"
         try:
-            inode = os.stat(self.database).st_ino
-        except OSError:
-            return True  # nothing to lock: only its own end takes a file away
-        with open("/proc/locks", encoding="ascii") as f:
-            return re.search(rf"POSIX .* {pid} [0-9a-f]+:[0-9a-f]+:{inode} ", f.read()) is not None
+            numbers = os.listdir(f"{folder}/fd")
+        except OSError:  # it has ended
+            return True
+        for number in numbers:
+            try:
+                if os.readlink(f"{folder}/fd/{number}") == self.database:
+                    with open(f"{folder}/fdinfo/{number}", encoding="ascii") as f:
+                        if "lock:" in f.read():
+                            return True
+            except OSError:  # closed since
+                pass
+        return not os.path.exists(self.database)  # nothing to lock: only its own end takes a file away
 
     def _look(self, pid):
         self.looks += 1

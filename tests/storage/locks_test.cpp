@@ -18,16 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using Access = DatabaseOptions::Access;
 
-/// Locks that this process holds on the file, as the kernel lists them.
+/// Locks that this process holds on the file. Read by descriptor: the kernel does not list /proc/locks at one moment, so
+/// another program's locks make it name one twice or not at all.
 int locks_held(const fs::path& file) {
-  struct stat about {};
-  if (stat(file.c_str(), &about) != 0) return -1;
-  const std::string process = " " + std::to_string(getpid()) + " ", inode = ":" + std::to_string(about.st_ino) + " ";
-  std::ifstream locks("/proc/locks");
   int held = 0;
-  for (std::string line; std::getline(locks, line);) {
-    held += line.find("POSIX") != std::string::npos && line.find(process) != std::string::npos &&
-            line.find(inode) != std::string::npos;
+  for (const auto& descriptor : fs::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;  // the iterator's own
+    if (fs::read_symlink(descriptor, gone) != fs::canonical(file)) continue;
+    std::ifstream about("/proc/self/fdinfo" / descriptor.path().filename());
+    for (std::string line; std::getline(about, line);) held += line.starts_with("lock:");
   }
   return held;
 }
