@@ -127,11 +127,15 @@ void slide_row(StepState& state, CavityTruth& truth, const Options& options, Row
   truth.start(state.last().proxy_mm);
   Comparison comparison(row);
   const int ticks = static_cast<int>(kSlideTicksPerS * options.budget_s);
+  // All ticks first: the truth's search between two of them would empty the caches.
+  std::vector<std::pair<StepOutput, double>> made;
+  made.reserve(static_cast<std::size_t>(ticks));
   for (const Vec3 device : exploring_points(row.bur_radius_mm, row.speed_mm_s, options.seed, ticks)) {
     double spent = 0.0;
     const StepOutput out = explore(state, bur, device, spent);
-    comparison.add(out, truth.follow(out.device_mm), truth, spent);
+    made.emplace_back(out, spent);
   }
+  for (const auto& [out, spent] : made) comparison.add(out, truth.follow(out.device_mm), truth, spent);
   comparison.fill();
 }
 
