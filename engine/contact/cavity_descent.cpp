@@ -13,7 +13,10 @@ constexpr double kSameMm = 1e-4;           // features nearer to each other are 
 constexpr double kJumpMm = 1e-3;           // a place further from its last one is another place
 constexpr int kSettlePasses = 6;           // three settle a place at an islet's tips (stability), and two overlap it by 94 um
 constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
-constexpr double kGainMm = 1e-7;           // each step comes nearer by this: half of the rounding of the sweeps' places
+constexpr double kGainMm = 1e-5;           // each step comes nearer by this
+constexpr double kBlockedMm = 1e-3;        // a wall that ends a step sooner holds the place: the step goes over it
+constexpr double kTrustGrows = 2.0;
+constexpr double kShorter = 0.25, kLeastShare = 0.1, kMostShare = 0.8;  // of a step that came no nearer
 constexpr double kStepVoxels = 1.0, kLeastStepMm = 1e-3;  // longest and shortest step
 constexpr double kSideReachVoxels = 0.6;   // a side that leaves a place so deep under it owns nothing near it
 constexpr double kFarVoxels = 5.0;         // a feature lies no further from its place
@@ -102,20 +105,39 @@ bool CavityWalls::settle(const Volume& volume, const Cutting& cutting, Vec3 at, 
   return false;
 }
 
+/// from + further, but no further than to where a side takes over that does not hold the place.
+Vec3 CavityWalls::up_to_wall(Vec3 from, Vec3 further, const PlaneSearch& found, const Descent& d) noexcept {
+  double share = 1.0;
+  Vec3 tangent = further;
+  if (found.active == 1) tangent -= d.side[0].inwards * glm::dot(d.side[0].inwards, further);
+  for (int k = 0; k < d.sides; ++k) {
+    bool holds = false;
+    for (int a = 0; a < found.active; ++a) holds = holds || found.index[a] == k;
+    const double rate = glm::dot(d.all[k].inwards, tangent);
+    if (holds || !(rate > 0.0)) continue;
+    const double room = -d.all[k].depth_mm - glm::dot(d.all[k].inwards, from);
+    share = std::min(share, std::max(0.0, room) / rate);
+  }
+  return from + further * share;
+}
+
 /// One step towards the place nearest to the ball's centre that all sides leave standing. False if there is none nearby.
-bool CavityWalls::step_of_descent(const Ball& ball, const Side* side, int sides, Descent& d, Vec3& step) const noexcept {
-  const PlaneSearch found = nearest_under(side, sides, ball.at - d.x);
+bool CavityWalls::step_of_descent(const Ball& ball, Descent& d, Step& step) const noexcept {
+  const PlaneSearch found = nearest_under(d.all, d.sides, ball.at - d.x);
   if (!found.feasible || found.active == 0) return false;
   d.active = found.active;
-  for (int a = 0; a < found.active; ++a) d.side[a] = side[found.index[a]];
-  step = found.y;
+  for (int a = 0; a < found.active; ++a) d.side[a] = d.all[found.index[a]];
+  step.whole = step.to_wall = found.y;
   if (found.active == 1 && d.side[0].sweep != Sweeps::kNone) {
     // A tube's nearest place is where the way's nearest place looks past the ball's centre.
     const Sweep sweep = sweeps_[d.side[0].sweep];
     const Vec3 on = sweep.nearest_on(ball.at), off = ball.at - on;
     const double distance = length_of(off);
     if (distance < kNoWayMm) return false;
-    if (distance < sweep.radius_mm) step = on + off * (sweep.radius_mm / distance) - d.x;
+    if (distance < sweep.radius_mm) {
+      step.whole = on + off * (sweep.radius_mm / distance) - d.x;
+      step.to_wall = up_to_wall(Vec3(0.0), step.whole, found, d);
+    }
     d.side[0].on = on;
   }
   if (found.active != 2) return true;
@@ -137,10 +159,28 @@ bool CavityWalls::step_of_descent(const Ball& ball, const Side* side, int sides,
     d.curved -= found.weight[a] * turns / distance;
   }
   // Bent about the ball's centre, a ridge is nearest at its end.
-  const double along = glm::dot(step, d.along);
+  const double along = glm::dot(step.whole, d.along);
   const double to_end = std::copysign(kStepVoxels * voxel_mm_, along);
-  step += d.along * ((d.curved > kLeastCurved ? along / d.curved : to_end) - along);
+  const Vec3 across_it = step.whole - d.along * along;
+  const Vec3 further = d.along * (d.curved > kLeastCurved ? along / d.curved : to_end);
+  step.to_wall = up_to_wall(across_it, further, found, d);
+  step.whole = across_it + further;
   return true;
+}
+
+/// How much nearer a step comes at most: other walls only stand further off.
+double CavityWalls::most_gain(const Ball& ball, const Descent& d, Vec3 step) const noexcept {
+  const Vec3 off = ball.at - d.x;
+  const double far = length_of(off);
+  if (d.active == 1 && d.side[0].sweep != Sweeps::kNone) {
+    const Sweep sweep = sweeps_[d.side[0].sweep];
+    const Vec3 on = sweep.nearest_on(d.x + step), out = d.x + step - on;
+    const double distance = length_of(out);
+    if (distance < kNoWayMm) return far;
+    return far - length_of(ball.at - (on + out * (sweep.radius_mm / distance)));
+  }
+  const double along = d.active == 2 ? glm::dot(step, d.along) : 0.0;
+  return (glm::dot(off, step) - 0.5 * d.curved * along * along) / far;
 }
 
 /// Moves along the line to the ball's centre until what is left begins. False where no side faces it.
@@ -166,31 +206,68 @@ bool CavityWalls::to_surface(const Volume& volume, const Ball& ball, const Cutti
   return !d.in_void;
 }
 
+/// How deep x lies in a side; what is not among those known is far off.
+double CavityWalls::depth_of(std::int32_t sweep, Vec3 x, const Side* known, int count) const noexcept {
+  if (sweep != Sweeps::kNone) return sweeps_.deepest({sweep, sweep}, x).depth_mm;
+  for (int k = 0; k < count; ++k)
+    if (known[k].sweep == sweep) return known[k].depth_mm;
+  return -kGoneMm;
+}
+
+/// Goes a step and back onto what is left. Where it comes no nearer, another side has taken over on its way.
+CavityWalls::Tried CavityWalls::try_step(const Volume& volume, const Ball& ball, const Cutting& cutting, Vec3 step,
+                                         Descent& d) noexcept {
+  const Vec3 from = d.x;
+  const int count = d.sides;
+  Side about[Descent::kMostRuns + 1];
+  std::copy_n(d.all, count, about);
+  d.x += step;
+  Tried out{-kGoneMm, kShorter};
+  if (to_surface(volume, ball, cutting, d)) {
+    out.gain_mm = length_of(from - ball.at) - length_of(d.x - ball.at);
+    if (out.gain_mm >= kGainMm) return out;
+    const Side& other = *std::max_element(d.all, d.all + d.sides, [](const Side& a, const Side& b) { return a.depth_mm < b.depth_mm; });
+    bool held = false;
+    double over = kGoneMm;
+    for (int a = 0; a < d.active; ++a) {
+      held = held || d.side[a].sweep == other.sweep;
+      over = std::min(over, other.depth_mm - depth_of(d.side[a].sweep, d.x, d.all, d.sides));
+    }
+    const double room = -depth_of(other.sweep, from, about, count);
+    if (!held && room > 0.0 && over > 0.0 && room < kGoneMm) out.share = std::clamp(room / (room + over), kLeastShare, kMostShare);
+  }
+  d.x = from;
+  d.in_void = false;
+  std::copy_n(about, count, d.all);
+  d.sides = count;
+  return out;
+}
+
 void CavityWalls::descend(const Volume& volume, const Ball& ball, const Cutting& cutting, int steps, Descent& d) noexcept {
   const Vec3 start = d.x;
   if (!to_surface(volume, ball, cutting, d)) return;
-  d.arrived = true;
+  d.arrived = d.ended = true;
   double trust = kStepVoxels * voxel_mm_;
   for (int pass = 0; pass < steps; ++pass) {
-    Vec3 step(0.0);
-    if (!step_of_descent(ball, d.all, d.sides, d, step)) break;
+    Step found;
+    if (!step_of_descent(ball, d, found)) return;
+    d.at_rest = length_of(found.whole) < kDescendedMm;
+    if (d.at_rest) return;
+    Vec3 step = length_of(found.to_wall) < kBlockedMm ? found.whole : found.to_wall;
     const double length = length_of(step);
-    d.at_rest = length < kDescendedMm;
-    if (d.at_rest) break;
-    const Vec3 before = d.x;
-    d.x += length > trust ? step * (trust / length) : step;
-    if (!to_surface(volume, ball, cutting, d) || length_of(d.x - ball.at) > length_of(before - ball.at) - kGainMm) {
-      d.x = before;
-      d.in_void = false;
-      trust = 0.25 * std::min(length, trust);
-      if (trust < kLeastStepMm) break;
-      if (!to_surface(volume, ball, cutting, d)) return;
-      d.in_void = false;
-      continue;
+    if (length > trust) step *= trust / length;
+    if (most_gain(ball, d, step) < kGainMm) return;
+    const Tried tried = try_step(volume, ball, cutting, step, d);
+    if (tried.gain_mm >= kGainMm) {
+      trust = std::min(kStepVoxels * voxel_mm_, kTrustGrows * trust);
+    } else {
+      trust = tried.share * std::min(length, trust);
+      if (tried.gain_mm >= 0.0 || trust < kLeastStepMm) return;
     }
     const Vec3 off = d.x - start;
-    if (glm::dot(off, off) > kFarVoxels * kFarVoxels * voxel_mm_ * voxel_mm_) break;
+    if (glm::dot(off, off) > kFarVoxels * kFarVoxels * voxel_mm_ * voxel_mm_) return;
   }
+  d.ended = steps == kMostSteps;
 }
 
 CavityConstraint CavityWalls::constraint_of(const Ball& ball, const Descent& d) const noexcept {
@@ -223,7 +300,7 @@ CavityConstraint CavityWalls::constraint_of(const Ball& ball, const Descent& d) 
 double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint,
                            Jump jump, int steps) noexcept {
   const CavityConstraint from = constraints_[constraint];
-  if (from.seen) {
+  if (from.seen && (from.ended || steps < kMostSteps)) {
     const Vec3 moved = ball.at - from.seen_from;
     if (glm::dot(moved, moved) < kSeenMm * kSeenMm) return glm::dot(from.n, ball.at) - from.c;
   }
@@ -237,6 +314,7 @@ double CavityWalls::refine(const Volume& volume, const Ball& ball, const Cutting
   }
   if (!d.arrived || far < kNoWayMm) return 0.0;
   CavityConstraint made = constraint_of(ball, d);
+  made.ended = d.ended;
   const bool apart = from.sampled || (jump == Jump::keeps_both && length_of(made.foot - from.foot) > kJumpMm);
   if (apart && !from.sampled) features_[static_cast<std::size_t>(from.from)].seen = false;
   std::size_t at = apart ? feature_count_ : static_cast<std::size_t>(from.from);

@@ -10,7 +10,6 @@ namespace {
 constexpr double kMarginMm = 0.016, kMostMarginMm = 0.06;  // looked for so far beyond what is asked for, for what is to come
 constexpr double kSpacingVoxels = 2.0;  // of the directions' places on the ball; ridges between them are looked for
 constexpr double kPastMm = 0.03;        // a way nearer to the ball's centre holds poses that fit
-constexpr double kMovedOnMm = 0.08;     // sweeps that are not carved move a place by less: the stroke that waits, and a tick
 constexpr double kPlaceFarMm = 0.01;    // the field may be off by as much: a place beyond is looked for from there
 /// A four's directions lie within this over n of its middle: 0.5 / n on a cube's face, sqrt 2 of it at a corner.
 constexpr double kMiddleOff = 0.75;
@@ -239,8 +238,8 @@ void CavityWalls::add_place(const Ball& ball, const Cutting& cutting, std::int32
   if (places_[static_cast<std::size_t>(i)].dropped) return;
   Vec3 at = places_[static_cast<std::size_t>(i)].at;
   const Vec3 before = ball.at - at;
-  const double most = r + ball.slack_mm + kMovedOnMm;
-  if (glm::dot(before, before) > most * most) return;
+  const double most = r + ball.slack_mm;
+  if (glm::dot(before, before) > most * most) return;  // a sweep moves it away from its way, so from the ball
   if (cutting.any()) {
     // What is not carved has moved it on.
     Place& place = places_[static_cast<std::size_t>(i)];
@@ -262,7 +261,7 @@ void CavityWalls::add_place(const Ball& ball, const Cutting& cutting, std::int32
   const double far = length_of(off);
   if (far > r + ball.slack_mm || far < kNoWayMm) return;
   const Vec3 n = off / far;
-  constraints_[count_++] = {n, glm::dot(n, at) + r, glm::dmat3(0.0), at, ball.at, false, true, i};
+  constraints_[count_++] = {n, glm::dot(n, at) + r, glm::dmat3(0.0), at, ball.at, false, false, true, i};
 }
 
 /// Looks for the surface where what was found does not reach.

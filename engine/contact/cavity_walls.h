@@ -22,6 +22,7 @@ struct CavityConstraint {
   Vec3 foot{0.0};        // where the ball would touch
   Vec3 seen_from{0.0};   // the pose that it was built at
   bool seen = false;     // else the foot alone counts
+  bool ended = false;    // its descent has reached the feature
   bool sampled = false;   // of a place, else of a feature
   std::int32_t from = 0;  // its number among these
 };
@@ -132,6 +133,7 @@ class CavityWalls {
     bool arrived = false;
     bool in_void = false;
     bool at_rest = false;  // nowhere nearby is nearer
+    bool ended = false;    // no further step brings it nearer
     // All that the cells on its way have named: one cell's names alone would let it go round in circles.
     static constexpr int kMostRuns = Sweeps::kMostRuns;
     SweepRun run[kMostRuns];
@@ -160,7 +162,19 @@ class CavityWalls {
   bool add_runs(const Volume& volume, const Cutting& cutting, Descent& d) noexcept;
   int sides_at(const Volume& volume, const Descent& d, Side* out) noexcept;
   void descend(const Volume& volume, const Ball& ball, const Cutting& cutting, int steps, Descent& d) noexcept;
-  bool step_of_descent(const Ball& ball, const Side* side, int sides, Descent& d, Vec3& step) const noexcept;
+  struct Step {
+    Vec3 whole{0.0};    // under the sides that hold the place
+    Vec3 to_wall{0.0};  // up to where another side takes over
+  };
+  bool step_of_descent(const Ball& ball, Descent& d, Step& step) const noexcept;
+  static Vec3 up_to_wall(Vec3 from, Vec3 further, const PlaneSearch& found, const Descent& d) noexcept;
+  double most_gain(const Ball& ball, const Descent& d, Vec3 step) const noexcept;
+  struct Tried {
+    double gain_mm = 0.0;  // so much nearer; without it the place has not moved
+    double share = 0.0;    // of the step, which may gain
+  };
+  Tried try_step(const Volume& volume, const Ball& ball, const Cutting& cutting, Vec3 step, Descent& d) noexcept;
+  double depth_of(std::int32_t sweep, Vec3 x, const Side* known, int count) const noexcept;
   CavityConstraint constraint_of(const Ball& ball, const Descent& d) const noexcept;
 
   const Sweeps& sweeps_;

@@ -7,6 +7,7 @@
 
 #include "engine/contact/plane_search.h"
 #include "engine/tool/swept.h"
+#include "engine/volume/cell_field.h"
 
 namespace cusp::engine {
 
@@ -68,10 +69,9 @@ struct Met {
   /// eighth: of a voxel about the place, whose middle is asked.
   void look(const Volume& volume, const Scene& scene, Vec3 at_mm, double w, unsigned eighth) noexcept {
     const Grid& grid = volume.grid();
-    const Vec3 x = (at_mm - grid.origin_mm) / grid.voxel_mm +
+    const Vec3 x = (at_mm - grid.origin_mm) * (1.0 / grid.voxel_mm) +
                    Vec3(eighth & 1 ? 0.75 : 0.25, eighth & 2 ? 0.75 : 0.25, eighth & 4 ? 0.75 : 0.25);
-    const IVec3 v(static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
-                  static_cast<int>(std::floor(x.z)));
+    const IVec3 v = cell_of_voxels(x);
     // The front itself stands at s = 1/2: a quarter voxel of band either way counts as met.
     if (volume.s(v) < 26000) return;
     const double speed = scene.tissues[index_of(volume.tissue(v))].speed_mm_s;

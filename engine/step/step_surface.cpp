@@ -229,8 +229,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
   const Bur& bur = state.scene->burs[out.bur];
   const double tau = slide_depth(bur, tick.axis, cut.head.direction, slid, cut.advance_mm);
   if (!(tau < kShallowTauMm)) return false;
-  const bool carves = !bur.head.ball();  // a ball's sweeps count at once
-  if (carves) out.overflow = !carve_all(state, out.bur) || out.overflow;
+  out.overflow = !carve_all(state, out.bur) || out.overflow;
   Vec3 out_pose;
   const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
   if (state.surface->push_out(state.volume, bur, tick.axis, cut.pose, shallow, out_pose)) {
@@ -240,7 +239,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
     cut.advance_mm = 0.0;
   }
   cut.aim_at(tick.device, contact);
-  return carves;
+  return true;
 }
 
 /// Stores a way of the bur. True if the growing sweep is straight with it. A sweep that does not go on with it is queued.

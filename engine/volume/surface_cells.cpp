@@ -134,8 +134,7 @@ bool surface_point(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept
 double base_distance_mm(const Specimen& specimen, Vec3 at_mm, Vec3* normal) noexcept {
   const Grid& grid = specimen.grid();
   const Vec3 x = (at_mm - grid.origin_mm) / grid.voxel_mm;
-  const IVec3 cell(static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
-                   static_cast<int>(std::floor(x.z)));
+  const IVec3 cell = cell_of_voxels(x);
   CellField f;
   f.load(specimen, cell);
   Vec3 g;

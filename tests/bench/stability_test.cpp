@@ -107,9 +107,9 @@ TEST(Islet, HasNoTissueWhereItsSlotsHaveCut) {
   // let the bur 38 um into the tip itself.
   const Row row = run_case(case_of("islands", Method::surface, GuardUse::on, 3));
   EXPECT_EQ(failures_of(row), std::vector<FailureKind>{});
-  EXPECT_LE(row.force_step_p99_mn, 5.0);  // measured: 0.7
-  EXPECT_LE(row.force_step_mn, 50.0);     // measured: 46
-  EXPECT_LE(row.penetration_um, 1.0);     // measured: 0.13
+  EXPECT_LE(row.force_step_p99_mn, 5.0);  // measured: 0.9
+  EXPECT_LE(row.force_step_mn, 50.0);     // measured: 30
+  EXPECT_LE(row.penetration_um, 1.0);     // measured: 0.47
 }
 
 TEST(StartInside, RaisesTheForceThroughTheRamp) {

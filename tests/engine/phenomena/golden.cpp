@@ -56,10 +56,10 @@ Golden run(Method method, Handpiece handpiece) {
 }
 
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_surface_proxy) {
-  EXPECT_EQ(run(Method::surface, Handpiece::turbine), (Golden{11650508083050965542ull, 18312901936029122856ull, 3286362731204035198ull}));
+  EXPECT_EQ(run(Method::surface, Handpiece::turbine), (Golden{5319665350482620317ull, 13709952481937140298ull, 4018692590971099354ull}));
 }
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
-  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), (Golden{12214965102902366071ull, 2460960802914835284ull, 14135289125671829409ull}));
+  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), (Golden{12214965102902366071ull, 2460960802914835284ull, 819117023522913436ull}));
 }
 
 }  // namespace
