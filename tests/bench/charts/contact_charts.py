@@ -52,11 +52,11 @@ def in_cavity(cavity, radius, **texts):
             and r.text("encoder_mm") in ("", "0")]
 
 
-def explored(cavity, radius):
-    """The slide at 50 mm/s in the usual cavity. Raises Missing without it."""
-    found = [r for r in in_cavity(cavity, radius, motion="slide") if r.is_near("speed_mm_s", SPEED_MM_S)]
+def explored(cavity, radius, speed_mm_s=SPEED_MM_S):
+    """The slide at a speed in the usual cavity. Raises Missing without it."""
+    found = [r for r in in_cavity(cavity, radius, motion="slide") if r.is_near("speed_mm_s", speed_mm_s)]
     if not found:
-        raise Missing(f"cavity: a slide at 50 mm/s after {CAVITY_MINUTES:.0f} minutes with a bur of {radius} mm")
+        raise Missing(f"cavity: a slide at {speed_mm_s:.0f} mm/s after {CAVITY_MINUTES:.0f} minutes with a bur of {radius} mm")
     return found[0]
 
 

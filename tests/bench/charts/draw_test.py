@@ -111,17 +111,18 @@ class Committed(unittest.TestCase):
                    "force_step_excess_mn_p99", "force_step_excess_mn_max", "tick_us_p50", "tick_us_p999")
         slides = [{**fields, **dict.fromkeys(numbers, "7.5"), "bur_radius_mm": r} for r in ("0.25", "0.4", "0.5")]
         mill = {"method": "surface", "task": "mill", "minutes": "2", "tremor_mm": "0.05", "bur_radius_mm": "0.4", "tick_us_mean": "151", "tick_us_p999": "495"}
-        cavity = table("cavity", [*slides, mill])
+        slow = [{**slide, "speed_mm_s": "5", "tick_us_p50": "2.5"} for slide in slides]
+        cavity = table("cavity", [*slides, *slow, mill])
         accuracy, rate = self.tables["accuracy"], self.tables["rate"]
         shown = markdown_tables.methods(accuracy, rate, cavity)
         self.assertTrue(shown.startswith(markdown_tables.methods(accuracy, rate)))
-        self.assertIn("| 0.4 mm | 7.5 · 7.5 · 7.5 | 7.5 · 7.5 | 7.5 | 7.5 · 7.5 | 7.5 · 7.5 | 151 · 495 |", shown)
-        self.assertIn("| 0.5 mm | 7.5 · 7.5 · 7.5 | 7.5 · 7.5 | 7.5 | 7.5 · 7.5 | 7.5 · 7.5 | – |", shown)
+        self.assertIn("| 0.4 mm | 7.5 · 7.5 · 7.5 | 7.5 · 7.5 | 7.5 | 7.5 · 7.5 | 2.5 · 7.5 | 7.5 · 7.5 | 151 · 495 |", shown)
+        self.assertIn("| 0.5 mm | 7.5 · 7.5 · 7.5 | 7.5 · 7.5 | 7.5 | 7.5 · 7.5 | 2.5 · 7.5 | 7.5 · 7.5 | – |", shown)
         label = "surface proxy in a cavity, milled 2 min"
         self.assertIn(label, texts(contact_charts.speed_against_accuracy(accuracy, rate, 0.5, cavity)))
         self.assertNotIn(label, texts(contact_charts.speed_against_accuracy(accuracy, rate, 0.5)))
         with self.assertRaisesRegex(Missing, "0.4 mm"):
-            markdown_tables.methods(accuracy, rate, table("cavity", [slides[0], slides[2], mill]))
+            markdown_tables.methods(accuracy, rate, table("cavity", [slides[0], slides[2], *slow, mill]))
         self.assertIn("milled cavity", draw.write_tables({**self.tables, "cavity": cavity})["methods.md"])
         clean = {name: rows for name, rows in self.tables.items() if name != "cavity"}
         self.assertNotIn("milled cavity", draw.write_tables(clean)["methods.md"])
