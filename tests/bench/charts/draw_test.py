@@ -2,6 +2,7 @@
 """Charts and tables show the rows, name missing rows, and match the committed files."""
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,7 @@ from tables import Missing, Row, Table, read, read_all
 HERE = pathlib.Path(__file__).resolve().parent
 RESULTS = HERE.parent / "results"
 README = HERE.parent / "README.md"
+PROJECT_README = HERE.parents[2] / "README.md"
 
 
 def table(name, rows):
@@ -52,6 +54,10 @@ class Committed(unittest.TestCase):
             same.write_text("text")
             other.write_text("other")
             self.assertEqual(draw.differing({same: "text", other: "text", gone: "text"}), [str(other), str(gone)])
+
+    def test_the_projects_readme_names_the_engine_version_of_its_charts(self):
+        named = re.findall(r"[Ee]ngine version (\d+)", PROJECT_README.read_text(encoding="utf-8"))
+        self.assertEqual(named, [str(self.tables[name].engine) for name in ("accuracy", "stability", "removal")])
 
     def test_every_figure_names_machine_engine_version_and_commit(self):
         machine = self.tables["accuracy"].machine
