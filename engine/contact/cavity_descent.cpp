@@ -13,10 +13,10 @@ constexpr double kSameMm = 1e-4;           // features nearer to each other are 
 constexpr double kJumpMm = 1e-3;           // a place further from its last one is another place
 constexpr int kSettlePasses = 6;           // three settle a place at an islet's tips (stability), and two overlap it by 94 um
 constexpr double kDescendedMm = 2e-4;      // a shorter step ends it: off by 0.2 nm in distance
-constexpr double kGainMm = 1e-5;           // each step comes nearer by this
+constexpr double kGainMm = 1e-5;           // a step comes nearer by this: a search takes less for no entry (surface_cavity.cpp)
 constexpr double kBlockedMm = 1e-3;        // a wall that ends a step sooner holds the place: the step goes over it
-constexpr double kTrustGrows = 2.0;
-constexpr double kShorter = 0.25, kLeastShare = 0.1, kMostShare = 0.8;  // of a step that came no nearer
+constexpr double kTrustGrows = 2.0;        // of a step that came nearer, up to kStepVoxels
+constexpr double kShorter = 0.25, kLeastShare = 0.1, kMostShare = 0.8;  // of a step that came no nearer: a secant's, kept inside
 constexpr double kStepVoxels = 1.0, kLeastStepMm = 1e-3;  // longest and shortest step
 constexpr double kSideReachVoxels = 0.6;   // a side that leaves a place so deep under it owns nothing near it
 constexpr double kFarVoxels = 5.0;         // a feature lies no further from its place
@@ -168,7 +168,7 @@ bool CavityWalls::step_of_descent(const Ball& ball, Descent& d, Step& step) cons
   return true;
 }
 
-/// How much nearer a step comes at most: other walls only stand further off.
+/// How much nearer a step comes at most, to second order: other walls only stand further off.
 double CavityWalls::most_gain(const Ball& ball, const Descent& d, Vec3 step) const noexcept {
   const Vec3 off = ball.at - d.x;
   const double far = length_of(off);

@@ -15,7 +15,7 @@ constexpr double kTrustGrows = 2.0, kTrustFalls = 0.5;  // of the last step, if 
 constexpr double kLeastRoomMm = 0.012;   // with less room the surface is looked for anew
 constexpr double kBeyondTrustMm = 0.003;  // constraints are built this far beyond it
 constexpr double kNearlyMm = 5e-4;        // a search that moves by less, or turns back, descends to the end of each feature
-constexpr int kFewSteps = 3;              // else so far
+constexpr int kFewSteps = 3;              // else so far: two make more passes and take as long (milling)
 constexpr double kSettledMm = 2e-4;       // a step that is shorter ends the search: Newton's next would be 1 nm
 constexpr double kMarginMm = 0.1;  // of the specimen's own features: few are near, and a wide look costs more than many
 constexpr double kMarginCuttingMm = 0.04;  // the same while it cuts: a carving soon discards what was found
