@@ -20,6 +20,8 @@ const double kAir = distance_from_solid(solid_from_distance(0.5));
 constexpr double kTaken = 1.6, kUntouched = 2.2;
 /// Voxels: a scratch up to this deep holds a cutting bur though no cell of the cut has it.
 constexpr double kShallow = 0.15;
+/// Voxels: a head touches no deeper sample than it looks for points beside it.
+constexpr double kDeepestInside = 0.8;
 
 /// Another surface ends the plane of a point: of more than two, the nearest two.
 void add_beside(CutFeature& point, double d_mm, Vec3f normal) noexcept {
@@ -145,6 +147,18 @@ void CutSurface::add_edge(const Volume& volume, const Cell& cell, const SharpEdg
   out.other_d_mm = -out.third_d_mm;
 }
 
+/// A field rounds an inner edge, but its samples in the tissue are distances to what was swept, and exact.
+void CutSurface::add_insides(const Volume& volume, const Cell& cell, const CellField& cut, const CellField* base, Vec3 normal) noexcept {
+  for (int i = 0; i < 8; ++i) {
+    const double d = base == nullptr ? cut.at_corner(i) : std::max(cut.at_corner(i), base->at_corner(i));
+    if (!(d < 0.0 && d > -kDeepestInside)) continue;
+    const Vec3 at(i & 1, i >> 1 & 1, i >> 2);
+    CutFeature& inside = add_feature(volume, cell, at, normal, at);
+    inside.inside = true;
+    inside.other_d_mm = static_cast<float>(-d * cell.voxel_mm);
+  }
+}
+
 /// Loads the field of the cell o away. False if nothing crosses it.
 bool CutSurface::load_beside(const Volume& volume, const Cell& cell, IVec3 o, CellField& to) noexcept {
   if (!wide_ready_) decode_wide(volume, {cell.at.x >> 3, cell.at.y >> 3, cell.at.z >> 3});
@@ -174,13 +188,16 @@ void CutSurface::add_cut(const Volume& volume, const Cell& cell, const Creased& 
   if (crease.kind != Creased::Kind::no || !cell_point(cut, f, n)) return;
   const double other = base == nullptr ? -kBandVoxels : base->eval(f, gradient);
   if (!(other <= 0.0)) return;
+  const bool inner_edge = cut.rounds_inner_edge();
+  if (inner_edge) add_insides(volume, cell, cut, base, n);
   CutFeature& point = add_feature(volume, cell, f, n, f - 0.5 * n);
+  point.inner_edge = inner_edge;
   const double length = std::sqrt(glm::dot(gradient, gradient));
   if (other > -kBeside && length > 0.25) add_beside(point, other * cell.voxel_mm / length, Vec3f(gradient / length));
 }
 
 bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, Part part) noexcept {
-  if (made_count_ + 3 > made_.size()) return true;  // room for an edge, a point and the mouth
+  if (made_count_ + 11 > made_.size()) return true;  // room for an edge, a point, the mouth and the corners
   const bool resolved = part == Part::resolved;
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
   const Cell cell{local, corner + local, offset, volume.grid().voxel_mm};

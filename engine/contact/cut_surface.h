@@ -37,6 +37,8 @@ struct CutFeature {
   bool edge = false;
   bool swept = false;           // balls' sweeps alone made the cell: CavityWalls has it exactly
   std::uint8_t others = 0;      // surfaces near the point
+  bool inner_edge = false;      // a point that the field rounds off an inner edge: heads have its voxels inside instead
+  bool inside = false;          // a voxel in the tissue, whose surface is other_d_mm away; normal: of the surface there
 };
 
 /// What the specimen's own surface has at place i of a brick's points.
@@ -160,6 +162,7 @@ class CutSurface {
   BaseAbout base_about(const Volume& volume, const Cell& cell, const double* corners) noexcept;
   CutFeature& add_feature(const Volume& volume, const Cell& cell, Vec3 place, Vec3 normal, Vec3 under) noexcept;
   void add_edge(const Volume& volume, const Cell& cell, const SharpEdge& edge) noexcept;
+  void add_insides(const Volume& volume, const Cell& cell, const CellField& cut, const CellField* base, Vec3 normal) noexcept;
   bool load_beside(const Volume& volume, const Cell& cell, IVec3 o, CellField& to) noexcept;
   void add_cut(const Volume& volume, const Cell& cell, const Creased& crease, const CellField& cut, const CellField* base) noexcept;
   /// Adds the specimen's point i, if the cut has left it. True if the cell is creased; an unresolved cell never is.

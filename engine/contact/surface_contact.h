@@ -23,7 +23,7 @@ namespace cusp::engine {
 class SurfaceContact {
  public:
   /// The bur is thinner by this against the cut field: without a clearance it jams in its own hole.
-  static constexpr double kClearanceMm = 0.001;
+  static constexpr double kClearanceMm = 0.001, kHeadClearanceMm = 0.002;  // of a ball; of others, known by a field to 2 um
 
   /// memory: past cut poses of heads that are no balls; sweeps: of balls. Both outlive this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory& memory, const Sweeps& sweeps);
@@ -128,10 +128,10 @@ class SurfaceContact {
   static constexpr double kEdgeClose = 1e-4;        // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
   static constexpr double kEdgeBends = 0.02;        // below, it bends about the place about as the ball does
   static constexpr int kEdgeNewton = 4;             // steps of Newton along an edge
-  enum class Kind : std::uint8_t { surface, edge, shank };
+  enum class Kind : std::uint8_t { surface, edge, inside, shank };
   struct Candidate {
     Vec3 point{0.0}, normal{0.0};          // an edge's tangent
-    double level = 0.0;                    // normal . point
+    double level = 0.0;                    // normal . point; inside the tissue: how far its surface is
     const CutFeature* feature = nullptr;   // of an edge, and where others end the point's plane
     Kind kind = Kind::surface;
     Field field = Field::base;
@@ -188,7 +188,7 @@ class SurfaceContact {
     const Bur* bur = nullptr;
     Vec3 axis{0.0};
     std::uint16_t index = kNoBur;
-    double thin_base = 0.0, thin_cut = kClearanceMm;  // by how much the head is thinner against each field
+    double thin_base = 0.0, thin_cut = ball() ? kClearanceMm : kHeadClearanceMm;  // the head is thinner against each field
     bool ball() const noexcept { return bur->head.ball(); }
     double thin(Field field) const noexcept { return field == Field::base ? thin_base : thin_cut; }
     /// Where the neck leaves the head; of a ball the head answers for what lies within it.
@@ -250,6 +250,7 @@ class SurfaceContact {
     Vec3 at{0.0}, normal{0.0};
     bool deepest = true;  // no place of the head stands deeper over the surface's plane
   };
+  bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
   HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double beside2) const noexcept;
   bool plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm, Plane& plane,
                      bool& trusted) const noexcept;

@@ -11,6 +11,8 @@ namespace {
 // Margin of the candidates, in steps: they serve while the bur stays within it.
 constexpr double kStepsAhead = 8.0, kStepsMeanwhile = 2.0;
 constexpr double kLeastMargin = 0.06;  // mm
+/// Voxels from an inner edge to where its rounding ends: a cell's field reads one sample beyond it.
+constexpr double kRimReach = 1.0;
 
 /// Cells that two cylinders reach, of a brick in which they stand at a place.
 auto cells_of(TwoCylinders shape) noexcept {
@@ -74,7 +76,8 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
   out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
   out.normal = Vec3(feature->normal);
   out.level = glm::dot(out.normal, out.point);
-  out.kind = source.shank ? Kind::shank : feature->edge ? Kind::edge : Kind::surface;
+  out.kind = source.shank ? Kind::shank : feature->edge ? Kind::edge : feature->inside ? Kind::inside : Kind::surface;
+  if (out.kind == Kind::inside) out.level = feature->other_d_mm;
   out.field = feature->field;
   out.tissue = feature->tissue;
   out.others = source.shank ? std::uint8_t{0} : feature->others;
@@ -104,6 +107,9 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   const SweptVoid::Known* walls = cut && tool.ball() && part == ToolPart::head ? &walls_.known(volume, brick) : nullptr;
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
     near(x, y, z, count, local, has_edges, [&](int i) {
+      // At an inner edge a head that is no ball has exact places inside, all else the rounded point.
+      const bool of_head = !tool.ball() && part == ToolPart::head;
+      if (page != nullptr && (of_head ? page->feature[i].inner_edge : page->feature[i].inside)) return;
       // Of these cells a ball has walls and ridges; its neck and shank have points.
       if (walls != nullptr && page != nullptr && (page->feature[i].swept || walls->has(page->feature[i].cell))) return;
       add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, part);
@@ -227,6 +233,12 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   count_ = ball_count_ + shank_count_;
 }
 
+/// True at a rim, which reaches further into an inner edge than the field does.
+bool SurfaceContact::near_rim(const Tool& tool, Vec3 from_pivot) const noexcept {
+  OnHalf rim;
+  return !tool.ball() && tool.bur->head.rim(by_head(*tool.bur, tool.axis, from_pivot).at, kRimReach * voxel_mm_, rim);
+}
+
 void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept {
   // The point under the head in the direction of the push, which no cell's own point need be near.
   const Vec3 push = device - pose;
@@ -241,6 +253,7 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
     if (!at.known || at.d_mm > 0.3 * voxel_mm_ || at.d_mm < -0.3 * voxel_mm_) continue;
     // Beside an edge the field is rounded; points and edges know better.
     if (at.creased && (all_resolved_ || field == Field::base)) continue;
+    if (at.inner_edge && near_rim(tool, x - pose)) continue;
     Candidate candidate;
     candidate.point = p - at.normal * at.d_mm;
     candidate.normal = at.normal;

@@ -202,6 +202,9 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const B
       }
     }
     gradient = gradient_in_space(place, tool.axis);
+  } else if (c.kind == Kind::inside) {
+    gap -= c.level;
+    gradient = gradient_in_space(place, tool.axis);
   } else {
     if (gap > slack_mm + voxel_mm_) return false;
     // The distance along a piece is all but convex: where its slope changes sign.

@@ -90,7 +90,8 @@ bool SurfaceContact::correct(const Volume& volume, const Tool& tool, Vec3 at, To
     const HeadFoot foot = foot_of(tool, s.field, s.normal, s.point, at);
     const Vec3 x = at + foot.at;
     const FieldPoint field = fields_.at(volume, s.field, x);
-    if (!field.known || (field.creased && (all_resolved_ || s.field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ ||
+    if (!field.known || (field.inner_edge && !tool.ball()) ||
+        (field.creased && (all_resolved_ || s.field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ ||
         glm::dot(field.normal, s.normal) < kTurned)
       return false;
     s.normal = field.normal;

@@ -64,6 +64,17 @@ class CellField {
   }
   /// The samples round the cell bend outwards on one side and not on the other: an outer edge passes close by.
   bool crease_near() const noexcept { return crease_near_; }
+  /// True if the field rounds an inner edge. It is no distance then: its gradient's length differs from 1 at a corner.
+  /// The rounding fills the edge by up to half a voxel.
+  bool rounds_inner_edge() const noexcept {
+    if (!inner_edge_near_) return false;
+    Vec3 gradient;
+    for (int i = 0; i < 8; ++i) {
+      eval(Vec3(i & 1, i >> 1 & 1, i >> 2), gradient);
+      if (std::fabs(std::sqrt(glm::dot(gradient, gradient)) - 1.0) > kSteepness) return true;
+    }
+    return false;
+  }
   /// Largest second difference, voxels.
   double most_bent() const noexcept {
     double most = 0.0;
@@ -190,12 +201,13 @@ class CellField {
       const double flatter = std::fabs(a) < std::fabs(b) ? a : b;
       if (gap <= kFlatGap || (gap <= kCreaseGap && std::fabs(flatter) >= kFlat)) return 0.5 * (a + b);
       crease_near_ = crease_near_ || a > kOuterEdge || b > kOuterEdge;
+      inner_edge_near_ = inner_edge_near_ || a < -kOuterEdge || b < -kOuterEdge;
       return flatter;
     }
     return a_ok ? a : b_ok ? b : 0.0;
   }
   void correct() noexcept {
-    crease_near_ = false;
+    crease_near_ = inner_edge_near_ = false;
     // Places in d_: x, then 4 y, then 16 z.
     constexpr int along[3] = {1, 4, 16};
     constexpr int across[3][2] = {{4, 16}, {1, 16}, {1, 4}};
@@ -216,10 +228,12 @@ class CellField {
   /// A second difference above this is an outer edge of 17 degrees or more; a flatter edge is rounded by less than 0.04
   /// voxel.
   static constexpr double kOuterEdge = 0.3;
+  /// A gradient's length is 1 to this much at the corners of a cell of a hollow of 3.5 voxels: of its cubic.
+  static constexpr double kSteepness = 0.05;
 
   double d_[64];
   double second_[3][4];
-  bool crease_near_ = false;
+  bool crease_near_ = false, inner_edge_near_ = false;  // a sample's second difference shows an outer or inner edge
 };
 
 /// A place of the field: distance in mm and unit normal out of the tissue (or into the cut's void).
@@ -228,6 +242,7 @@ struct FieldPoint {
   Vec3 normal{0.0, 0.0, 1.0};
   bool known = false;  // inside the band and with a gradient
   bool creased = false;  // an outer edge passes close by: rounded
+  bool inner_edge = false;  // the cut's field rounds one there
 };
 
 /// The cell of a place in voxels: floor without a call into libm.
@@ -254,6 +269,7 @@ class FieldCells {
     if (!e.valid || e.field != field || e.cell != cell) {
       e.values.load(volume, field, cell);
       e.in_band = e.values.in_band();
+      e.inner_edge = field == Field::cut && e.values.rounds_inner_edge();
       e.valid = true;
       e.field = field;
       e.cell = cell;
@@ -264,6 +280,7 @@ class FieldCells {
     out.d_mm = d * grid.voxel_mm;
     const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
     out.creased = e.values.crease_near();
+    out.inner_edge = e.inner_edge;
     if (e.in_band && length > 0.25) {
       out.normal = g / length;
       out.d_mm /= length;
@@ -281,7 +298,7 @@ class FieldCells {
   struct Entry {
     IVec3 cell{0};
     Field field = Field::base;
-    bool valid = false, in_band = false;
+    bool valid = false, in_band = false, inner_edge = false;
     CellField values;
   };
   Entry entry_[kEntries];

@@ -208,7 +208,7 @@ class SlotCourse : public HeadCourse {
     return specimen_of(Solid(ConvexTissue{}), voxel_mm, Reading::banded);
   }
   std::unique_ptr<HeadTruth> truth() const override {
-    return std::make_unique<SlotTruth>(slot_, bur_, SurfaceContact::kClearanceMm);
+    return std::make_unique<SlotTruth>(slot_, bur_, SurfaceContact::kHeadClearanceMm);
   }
   AxisMotion axis_motion(std::string_view kind, std::uint64_t seed) const override {
     return {kind, Frame::of(slot_.axis, slot_.frame.x, slot_.pivot), AxisMotion::Span::slot, seed};

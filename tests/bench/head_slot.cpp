@@ -12,7 +12,7 @@ constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 constexpr double kSlotMm = 0.8, kSlotShare = 0.55;  // depth: the least of both
 constexpr double kHalfSlotMm = 2.5;
 constexpr double kMillStepMm = 0.1;
-constexpr double kWallStep = std::numbers::pi / 360.0;  // between two walls' normals: 4 nm of the clearance
+constexpr double kWallStep = std::numbers::pi / 360.0;  // between two walls' normals: 9 nm of the clearance
 constexpr double kLongestMoveMm = 0.01;                 // of the proxy between two linearisations
 constexpr int kMostMoves = 300;
 constexpr int kAround = 36;

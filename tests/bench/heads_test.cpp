@@ -203,7 +203,7 @@ TEST(ConvexTruth, ClearanceIsTheSkinsDistance) {
 }
 
 TEST(SlotTruth, HoldsABurWithItsOwnAxisOnTheMilledLine) {
-  constexpr double kThin = SurfaceContact::kClearanceMm;
+  constexpr double kThin = SurfaceContact::kHeadClearanceMm;
   for (const std::string_view number : kHeadBurs) {
     const Bur& bur = bur_of(number);
     const auto course = make_course("slot", bur, 21);
@@ -218,7 +218,7 @@ TEST(SlotTruth, HoldsABurWithItsOwnAxisOnTheMilledLine) {
       const Vec3 foot = slot.at(glm::dot(device - slot.pivot, slot.frame.x));
       off = std::max(off, length(exact.pose_mm - foot - unit(device - foot) * kThin));
     }
-    EXPECT_LE(off, bound(5e-6)) << number;  // mm; 4.4e-6: a quarter of a degree, half a step of the walls' normals
+    EXPECT_LE(off, bound(5e-3) * kThin) << number;  // 4.4e-3: a quarter of a degree, half a step of the walls' normals
   }
 }
 
@@ -255,7 +255,7 @@ struct SlotLook {
     }
   }
   void expect(std::string_view what) const {
-    EXPECT_LE(deepest_mm, SurfaceContact::kClearanceMm + bound(1e-5)) << what;  // so much is cut for the head
+    EXPECT_LE(deepest_mm, SurfaceContact::kHeadClearanceMm + bound(1e-5)) << what;  // so much is cut for the head
     EXPECT_LE(clearance_mm, bound(1e-6)) << what;
     EXPECT_LE(nearer_mm, bound(1e-7)) << what;
   }
@@ -287,7 +287,7 @@ TEST(SlotTruth, LiftsAHeadOverTheSlotsEdges) {
   const Bur& bur = bur_of("368-023");
   const HeadSlot slot = slot_of(bur, oblique_frame().z);
   for (const double side : {-1.0, 1.0}) {
-    SlotTruth truth(slot, bur, SurfaceContact::kClearanceMm);
+    SlotTruth truth(slot, bur, SurfaceContact::kHeadClearanceMm);
     truth.start(slot.at(0.5), slot.axis);
     SlotLook look;
     for (int k = 1; k <= 12; ++k) {
@@ -354,6 +354,30 @@ TEST(Heads, FindsNoErrorInTheExactProxyAndSeesAnIgnoredTurn) {
   };
   const Row ignored = measure_head(of, "slide", what);
   EXPECT_GT(ignored.depth_um_mean, 10.0 * measure_head(of, "slide", quick()).depth_um_mean);
+}
+
+/// A rim reaches into the inner edge of its own slot, which the field rounds; a tapered flank needs the clearance.
+TEST(Heads, SlidesInItsOwnSlotWhileTheHandTrembles) {
+  for (const std::string_view number : {"57", "35", "330", "245"}) {
+    Measure what = quick();
+    what.voxel_mm = 10.0 / 128;
+    const Row row = measure_head({number, "slot", "jitter"}, "slide", what);
+    EXPECT_GE(row.samples, 400) << number;
+    EXPECT_EQ(row.infeasible_ticks, 0) << number;
+    EXPECT_EQ(row.apart_percent, 0.0) << number;
+    EXPECT_LT(row.angle_deg_mean, 1.0) << number;
+    EXPECT_LT(row.pose_um_mean, 5.0) << number;
+    EXPECT_LT(row.depth_um_mean, 1.0) << number;
+  }
+}
+
+/// Without the tissue's own samples a rim goes 5.5 um too deep there.
+TEST(Heads, TurnsInItsOwnSlotWithoutEnteringItsInnerEdge) {
+  Measure what = quick();
+  what.voxel_mm = 10.0 / 128;
+  const Row row = measure_head({"57", "slot", "turning"}, "slide", what);
+  EXPECT_LT(row.angle_deg_mean, 1.0);
+  EXPECT_LT(row.depth_um_max, 3.0);
 }
 
 TEST(Heads, GivesARowForEachBurShapeAxisAndMotion) {

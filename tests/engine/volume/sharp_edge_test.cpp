@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/volume/cell_field.h"
 #include "engine/volume/specimen.h"
 #include "tests/modules.h"
 
@@ -25,7 +26,7 @@ struct Surface {
   int points = 0;
 };
 
-Surface surface_of(const std::function<double(Vec3)>& distance) {
+std::shared_ptr<const Specimen> specimen_of(const std::function<double(Vec3)>& distance) {
   const int n = 56;
   Grid grid{IVec3(n), kVoxel, Vec3(-0.5 * kVoxel * (n - 1))};
   VoxelVolume volume(grid);
@@ -37,7 +38,11 @@ Surface surface_of(const std::function<double(Vec3)>& distance) {
         volume.s[i] = solid_from_distance(distance(grid.centre_mm(v)) / kVoxel);
         if (volume.s[i] > 0) volume.tissue[i] = Tissue::dentine;
       }
-  const auto specimen = Specimen::build(volume, Reading::banded);
+  return Specimen::build(volume, Reading::banded);
+}
+
+Surface surface_of(const std::function<double(Vec3)>& distance) {
+  const auto specimen = specimen_of(distance);
   Surface out;
   const IVec3 bricks = specimen->brick_count();
   for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
@@ -121,6 +126,52 @@ TEST(SharpEdge, a_smooth_surface_and_an_inner_edge_have_none) {
   const Surface inner = surface_of([](Vec3 p) { return -wedge(p, kA, kB); });
   EXPECT_TRUE(inner.edges.empty());
   EXPECT_GT(inner.points, 500);
+}
+
+/// Of the crossed cells in the middle of a 5 mm cube: those whose field rounds an inner edge, and how far the points of
+/// the others stand from the surface at most, voxels.
+struct InnerEdges {
+  int rounded = 0, other = 0;
+  double worst_other = 0.0, farthest = 0.0;  // of a rounded one from the line through the origin
+};
+
+InnerEdges inner_edges_of(const std::function<double(Vec3)>& distance, Vec3 line) {
+  const auto specimen = specimen_of(distance);
+  const Grid& grid = specimen->grid();
+  InnerEdges out;
+  IVec3 cell;
+  for (cell.z = 10; cell.z < 45; ++cell.z)
+    for (cell.y = 10; cell.y < 45; ++cell.y)
+      for (cell.x = 10; cell.x < 45; ++cell.x) {
+        CellField field;
+        field.load(*specimen, cell);
+        Vec3 at, normal;
+        if (!field.crossed() || !cell_point(field, at, normal)) continue;
+        const Vec3 p = grid.centre_mm(cell) + kVoxel * at;
+        if (field.rounds_inner_edge()) {
+          ++out.rounded;
+          const Vec3 off = p - line * glm::dot(p, line);
+          out.farthest = std::max(out.farthest, std::sqrt(glm::dot(off, off)) / kVoxel);
+        } else {
+          ++out.other;
+          out.worst_other = std::max(out.worst_other, std::fabs(distance(p)) / kVoxel);
+        }
+      }
+  return out;
+}
+
+TEST(InnerEdge, is_seen_where_the_field_rounds_it) {
+  const InnerEdges right = inner_edges_of([](Vec3 p) { return -wedge(p, kA, kB); }, glm::cross(kA, kB));
+  EXPECT_GT(right.rounded, 35);
+  EXPECT_GT(right.other, 500);
+  EXPECT_LT(right.worst_other, 0.02);  // the rounding is 0.3 voxel where it is most
+  EXPECT_LT(right.farthest, 2.0);
+}
+
+TEST(InnerEdge, is_none_in_a_hollow_of_three_and_a_half_voxels) {
+  const InnerEdges ball = inner_edges_of([](Vec3 p) { return 0.35 - std::sqrt(glm::dot(p, p)); }, Vec3(0.0));
+  EXPECT_EQ(ball.rounded, 0);
+  EXPECT_GT(ball.other, 60);
 }
 
 }  // namespace
