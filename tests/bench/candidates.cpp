@@ -17,11 +17,17 @@ std::int64_t answered_free(StepState& state) {
 
 bool newest_sweep(StepState& state, Vec3& from_mm, Vec3& to_mm) {
   const engine::Sweeps& sweeps = state.inner().sweeps;
-  if (sweeps.size() == 0) return false;
-  const engine::Sweep newest = sweeps[sweeps.size() - 1];
-  from_mm = newest.a;
-  to_mm = newest.b;
-  return true;
+  const engine::CutMemory& memory = state.inner().memory;
+  if (sweeps.size() > 0) {
+    const engine::Sweep newest = sweeps[sweeps.size() - 1];
+    from_mm = newest.a;
+    to_mm = newest.b;
+  } else if (memory.size() > 0) {
+    const engine::CutMemory::Segment& newest = memory.segment(memory.size() - 1);
+    from_mm = newest.a;
+    to_mm = newest.b;
+  }
+  return sweeps.size() > 0 || memory.size() > 0;
 }
 
 }  // namespace cusp::bench

@@ -14,7 +14,7 @@ std::int64_t most_candidates(StepState& state);
 /// Ticks so far that the cached free space answered without a search; -1 for the other methods.
 std::int64_t answered_free(StepState& state);
 
-/// The surface method's newest swept segment of cut poses; false if there is none.
+/// The surface method's newest swept segment of cut poses: of balls, else of other heads. False if there is none.
 bool newest_sweep(StepState& state, Vec3& from_mm, Vec3& to_mm);
 
 }  // namespace cusp::bench

@@ -224,6 +224,24 @@ Row measure_head(const HeadCase& of, std::string_view motion, const Measure& wha
   return row;
 }
 
+namespace {
+
+void add_cavities(const Options& options, std::vector<Row>& rows) {
+  Measure what;
+  what.seed = options.seed;
+  for (const std::string_view bur : kHeadBurs)
+    for (const std::string_view axis : {"fixed", "jitter"})
+      for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0}))
+        for (const double minutes : chosen(options.minutes, {0.5}))
+          for (const double tremor : chosen(options.tremors_mm, {0.05})) {
+            if (!asked(options.burs, bur) || !asked(options.axes, axis)) continue;
+            what.speed_mm_s = speed;
+            rows.push_back(measure_head_cavity({bur, "cavity", axis}, what, {minutes, tremor}));
+          }
+}
+
+}  // namespace
+
 std::vector<Row> heads_rows(const Options& options) {
   std::vector<Row> rows;
   if (!asked(options.methods, key_of(Method::surface))) return rows;
@@ -245,6 +263,7 @@ std::vector<Row> heads_rows(const Options& options) {
           }
         }
       }
+  if (!options.shapes.empty() && asked(options.shapes, "cavity")) add_cavities(options, rows);
   return rows;
 }
 

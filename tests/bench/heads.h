@@ -24,7 +24,18 @@ struct HeadCase {
 /// the other half to the exact proxy, which follows as many ticks as it has time for. tick_us_*: thread CPU time.
 Row measure_head(const HeadCase& of, std::string_view motion, const Measure& what);
 
-/// Default set: every bur, shape and axis at 10/128 mm; presses but in slots, slides at 5 and 50 mm/s.
+/// How a head's cavity is milled, and how much of the exploring is compared.
+struct HeadCavity {
+  double minutes = 0.5, tremor_mm = 0.05;
+  int ticks = 8000, every = 50;
+};
+
+/// The shape "cavity": the head mills it at 5 mm/s (cavity.h) and slides in it. Every `every`-th tick is compared with the
+/// exact proxy downhill from the method's own pose; one whose search does not come to rest is left out (`skipped`).
+Row measure_head_cavity(const HeadCase& of, const Measure& what, const HeadCavity& cavity);
+
+/// Default set: every bur, shape and axis at 10/128 mm; presses but in slots, slides at 5 and 50 mm/s. A cavity takes
+/// up to a minute of search a row and is measured when asked for by name.
 std::vector<Row> heads_rows(const Options& options);
 
 /// Prints or writes heads_rows and returns an exit code of program.h.
