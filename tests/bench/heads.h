@@ -27,7 +27,7 @@ Row measure_head(const HeadCase& of, std::string_view motion, const Measure& wha
 /// How a head's cavity is milled, and how much of the exploring is compared.
 struct HeadCavity {
   double minutes = 0.5, tremor_mm = 0.05;
-  int ticks = 8000, every = 50;
+  int ticks = 8000, every = 200;
 };
 
 /// The shape "cavity": the head mills it at 5 mm/s (cavity.h) and slides in it. Every `every`-th tick is compared with the
