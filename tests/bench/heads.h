@@ -31,7 +31,7 @@ struct HeadCavity {
 };
 
 /// The shape "cavity": the head mills it at 5 mm/s (cavity.h) and slides in it. Every `every`-th tick is compared with the
-/// exact proxy downhill from the method's own pose; one whose search does not come to rest is left out (`skipped`).
+/// exact proxy downhill from the method's own pose; one whose search ends on no admissible pose is left out (`skipped`).
 Row measure_head_cavity(const HeadCase& of, const Measure& what, const HeadCavity& cavity);
 
 /// Default set: every bur, shape and axis at 10/128 mm; presses but in slots, slides at 5 and 50 mm/s. A cavity takes

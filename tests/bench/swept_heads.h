@@ -34,7 +34,7 @@ class SweptHeads {
   double deepest_mm(Vec3 pivot, Vec3 axis) const;
 
   /// The pivot nearest to `device`, downhill from `from`, at which no skin is deeper than thinner_mm. nullopt if the search
-  /// does not come to rest on an admissible pose.
+  /// ends, after 0.1 mm at most, on a pose that is not admissible.
   std::optional<Vec3> proxy_from(Vec3 from, Vec3 axis, Vec3 device, double thinner_mm) const;
 
  private:
