@@ -237,7 +237,6 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
   kept_planes_.clear();
   const int passes = cutting_.any() ? kPassesCutting : kPasses;
   for (int pass = 0; pass < passes && !arrived && (pass == 0 || candidates_left_ > 0); ++pass) {
-    --passes_left_;
     candidates_left_ -= kCandidatesOfPass;
     const double room = walls_.room_mm({y, tool.bur->radius_mm - tool.thin_cut, 0.0}) - kBeyondTrustMm;
     if (room > kLeastRoomMm) trust = std::min(trust, room);
@@ -278,7 +277,6 @@ Contact SurfaceContact::solve_in_cavity(const Volume& volume, const Tool& tool, 
   out.deferred = !arrived && !out.infeasible;
   out.overflow = overflow_;
   walls_.keep({y, tool.bur->radius_mm - tool.thin_cut, kKeptMm});
-  if (candidates_left_ <= 0) passes_left_ = 0;
   return out;
 }
 

@@ -21,6 +21,8 @@ inline void SurfaceContact::add_constraint(std::size_t i, const Constraint& cons
   origins_[k] = {static_cast<std::int32_t>(i), constraint.trusted, false};
   near_[k] = static_cast<std::int32_t>(i);
   low_[k] = constraint.low_mm;
+  held_[k].holds_mm = constraint.holds_mm;
+  if (constraint.holds_mm > 0.0) held_[k].plane = {constraint.normal, constraint.level};
   planes_.add(constraint.normal, constraint.level);
 }
 
@@ -43,12 +45,9 @@ inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, 
 /// As constrain(), for a head that is no ball. `place`: the candidate's point by the head at `at`.
 inline void SurfaceContact::constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept {
   const Candidate& c = candidates_[i];
-  Plane plane;
-  bool trusted = false;
-  if (!plane_of_head(tool, c, place, at, slack_mm, plane, trusted)) return;
-  // How far such a head may come under a surface's plane further on is not known.
-  const double low = c.kind == Kind::surface ? -slack_mm : glm::dot(plane.n, at) - plane.c;
-  add_constraint(i, {plane.n, plane.c, trusted, low});
+  const HeadPlane found = plane_of_head(tool, c, place, at, slack_mm);
+  if (!found.near) return;
+  add_constraint(i, {found.plane.n, found.plane.c, found.trusted(), found.low_mm, found.holds_mm});
   near_cut_ = near_cut_ || c.field == Field::cut || c.kind == Kind::edge;
 }
 
@@ -227,16 +226,16 @@ std::size_t SurfaceContact::add_head_constraints(const Volume& volume, const Too
                                                  double slack_mm) noexcept {
   // A rim stands on the plane of a point that is beside it.
   const double beside = std::max(kPlaneReach * voxel_mm_, kHalfEdge * voxel_mm_);
-  const Reach reach = head_within(tool, slack_mm + beside);
-  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
-  shape.at = Vec3f((at - gathered_.centre) / voxel_mm_);
+  HeadBand band(tool.bur->head, tool.axis, slack_mm, beside, 1.0 / voxel_mm_);
+  band.at = Vec3f((at - gathered_.centre) / voxel_mm_);
   const double far = step + beside;
   // A distance to the head changes by no more than the head moves: few are reckoned at `centre` too.
   const Vec3 moved = at - centre;
   const double most = std::sqrt(glm::dot(moved, moved)) + kRounding;
   std::size_t looked = 0;
-  for_inside(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), shape, [&](int k) {
+  for_band(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), band, [&](int k, bool may_be_surface) {
     const auto i = static_cast<std::size_t>(k);
+    if (sources_[i].kind == Kind::surface && !may_be_surface) return;
     known_of(volume, tool, i);
     ++looked;
     const Vec3 point = candidates_[i].point;
@@ -283,7 +282,7 @@ void SurfaceContact::build_constraints(const Volume& volume, const Tool& tool, V
   if (shank_count_ > 0) looked += add_shank_constraints(volume, tool, centre, step, at, slack_mm);
   built_ = {at, slack_mm, planes_.size()};
   if (looked > most_candidates_) most_candidates_ = looked;
-  candidates_left_ -= static_cast<int>(looked);
+  candidates_left_ -= static_cast<int>(looked) * (tool.ball() ? 1 : kHeadCandidate);
 }
 
 /// The same constraints, seen from another place and at most slack_mm away, of the last full build's candidates. False if that
@@ -294,16 +293,22 @@ bool SurfaceContact::rebuild_constraints(const Tool& tool, Vec3 at, double slack
   const double within = slack_mm + shifted;
   if (shifted > kMostShift || within > built_.within_mm) return false;
   planes_.clear();
-  candidates_left_ -= static_cast<int>(built_.count);
+  int looked = 0;
   for (std::size_t k = 0; k < built_.count; ++k) {
     if (low_[k] > within) continue;
-    const auto i = static_cast<std::size_t>(near_[k]);
     Plane plane;
-    bool trusted = false;
-    if (!plane_of(tool, candidates_[i], at, slack_mm, plane, trusted)) continue;
+    bool trusted = held_[k].trusted();
+    if (shifted <= held_[k].holds_mm) {
+      plane = held_[k].plane;
+      if (glm::dot(plane.n, at) - plane.c > slack_mm) continue;
+    } else {
+      ++looked;
+      if (!plane_of(tool, candidates_[static_cast<std::size_t>(near_[k])], at, slack_mm, plane, trusted)) continue;
+    }
     origins_[planes_.size()] = {near_[k], trusted, false};
     planes_.add(plane.n, plane.c);
   }
+  candidates_left_ -= looked * (tool.ball() ? 1 : kHeadCandidate);
   return true;
 }
 

@@ -50,6 +50,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
       origins_(candidates_.size()),
       near_(candidates_.size()),
       low_(candidates_.size()),
+      held_(candidates_.size()),
       cut_(volume),
       sweeps_(sweeps),
       walls_(volume, sweeps),
@@ -70,14 +71,6 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
     if (!volume.cuttable(b)) continue;
     bricks_low_ = glm::min(bricks_low_, specimen.brick_at(b));
     bricks_high_ = glm::max(bricks_high_, specimen.brick_at(b));
-  }
-}
-
-void SurfaceContact::PointsBox::add(Vec3f p) noexcept {
-  for (int a = 0; a < 3; ++a) {
-    const int below = static_cast<int>((p[a] + 0.25f) * 16.0f);
-    from[a] = static_cast<std::uint8_t>(std::min<int>(from[a], below));
-    to[a] = static_cast<std::uint8_t>(std::max<int>(to[a], below + 1));
   }
 }
 
@@ -163,7 +156,7 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
     ++answered_free_;
     return out;
   }
-  const Tool tool{&bur, axis, bur_index};
+  const Tool tool = tool_of(bur, axis, bur_index);
   if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.contains(from)) {
     // It leaves the known free space: there may be more.
     find_free(volume, tool, from);
@@ -187,6 +180,13 @@ Contact SurfaceContact::follow(const Volume& volume, const Scene& scene, std::ui
   return out;
 }
 
+/// While it cuts, a head that is thinner by more than a ball would cut less.
+SurfaceContact::Tool SurfaceContact::tool_of(const Bur& bur, Vec3 axis, std::uint16_t index) const noexcept {
+  Tool tool{&bur, axis, index};
+  if (!cut_.resolves()) tool.thin_cut = kClearanceMm;
+  return tool;
+}
+
 void SurfaceContact::look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   if (free_pause_ > 0)
     --free_pause_;
@@ -199,7 +199,7 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
   // The field is the same: only the memory relaxes constraints, so the last ones are solved again.
   if (active_set_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
     Contact out;
-    const Tool tool{&scene.burs[bur_index], axis, bur_index};
+    const Tool tool = tool_of(scene.burs[bur_index], axis, bur_index);
     find_past(tool, before.pose_mm);
     relax_by_past(0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);

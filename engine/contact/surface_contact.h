@@ -13,6 +13,7 @@
 #include "engine/contact/cut_surface.h"
 #include "engine/contact/kept_planes.h"
 #include "engine/contact/plane_search.h"
+#include "engine/contact/points_box.h"
 #include "engine/scene/scene.h"
 #include "engine/tool/swept.h"
 #include "engine/volume/cell_field.h"
@@ -22,8 +23,9 @@ namespace cusp::engine {
 
 class SurfaceContact {
  public:
-  /// The bur is thinner by this against the cut field: without a clearance it jams in its own hole.
-  static constexpr double kClearanceMm = 0.001, kHeadClearanceMm = 0.002;  // of a ball; of others, known by a field to 2 um
+  /// The bur is thinner by this against the cut field: without a clearance it jams in its own hole. The second is of a head
+  /// that is no ball and does not cut: a field knows what it has cut to 2 um.
+  static constexpr double kClearanceMm = 0.001, kHeadClearanceMm = 0.002;
 
   /// memory: past cut poses of heads that are no balls; sweeps: of balls. Both outlive this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory& memory, const Sweeps& sweeps);
@@ -65,17 +67,16 @@ class SurfaceContact {
     shank_free_ = {};
   }
 
-  /// Budget of a tick: passes and candidates of all searches after reset_budget(). Each search makes at least one pass.
-  /// If both run out, the search stops with `deferred` set. A candidate costs 25 to 50 ns; a wide bur or a long flank has
-  /// thousands.
-  static constexpr int kMostPasses = 48, kMostCandidates = 10000;
-  static constexpr int kCandidatesOfPass = 20;  // a pass costs as much as so many candidates
+  /// Budget of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least; more while
+  /// the bur cuts, for a tick with `deferred` set cuts nothing. Where it runs out, a search that has moved stops with it set.
+  static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48;
+  static constexpr int kCandidatesOfPass = 20, kHeadCandidate = 3;  // cost of a pass, and of a candidate of a head that is no ball
   void reset_budget() noexcept {
     candidates_before_ = candidates_visited();
-    passes_left_ = kMostPasses;
     candidates_left_ = kMostCandidates;
+    passes_ = 0;
   }
-  bool spent() const noexcept { return passes_left_ <= 0 && candidates_left_ <= 0; }
+  bool spent() const noexcept { return candidates_left_ <= 0 && passes_ >= (cut_.resolves() ? kLeastPasses : kLeastCutting); }
 
   /// off: while the bur cuts; all parts are unresolved then, for strokes are carved later than they enter the memory. now:
   /// parts near the bur are resolved, at most CutSurface::kResolvePerTick. wait: none is in this tick.
@@ -111,7 +112,7 @@ class SurfaceContact {
 
   /// Ticks that FreeSpace answered; for benches.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
-  /// Candidates visited since construction, a pass counted as kCandidatesOfPass; for tests and benches.
+  /// Candidates visited since construction, counted as the budget does; for tests and benches.
   std::int64_t candidates_visited() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
   /// Most candidates of one pass; for benches.
   std::size_t most_candidates() const noexcept { return most_candidates_; }
@@ -138,22 +139,12 @@ class SurfaceContact {
     Tissue tissue = Tissue::empty;
     std::uint8_t others = 0;
   };
-  /// Box about the points of a brick, in sixteenths of a voxel from a quarter voxel below its first voxel.
-  struct PointsBox {
-    std::uint8_t from[3] = {255, 255, 255};
-    std::uint8_t to[3] = {0, 0, 0};
-    bool edges = false;
-    bool empty() const noexcept { return from[0] > to[0]; }
-    Vec3 low() const noexcept { return Vec3(from[0], from[1], from[2]) * 0.0625 - 0.25; }
-    Vec3 high() const noexcept { return Vec3(to[0], to[1], to[2]) * 0.0625 - 0.25; }
-    void add(Vec3f p) noexcept;
-  };
   /// Where a candidate is made from: a page of the cut's surface, or the specimen's own points.
   struct Source {
     const CutSurface::Page* page = nullptr;
     std::int32_t brick = 0;
     std::uint16_t index = 0;
-    bool shank = false;
+    Kind kind = Kind::surface;
     std::int16_t x = 0, y = 0, z = 0;  // of the brick
   };
   /// How a plane came to be, beside Plane itself.
@@ -171,11 +162,11 @@ class SurfaceContact {
     double level = 0;   // normal . point
     double radius = 0;  // of the ball, thinner against what it has cut
   };
-  /// The last full build of constraints: near_ are its candidates, low_ their least distances.
+  /// The last full build of constraints: near_ are its candidates, low_ their least distances, held_ their planes.
   struct Built {
     Vec3 at{0.0};
     double within_mm = -1.0;  // it left out constraints further off; negative: invalid
-    std::size_t count = 0;    // of near_, low_
+    std::size_t count = 0;    // of near_, low_, held_
   };
   struct Polished {
     bool accepted = false;
@@ -194,6 +185,7 @@ class SurfaceContact {
     /// Where the neck leaves the head; of a ball the head answers for what lies within it.
     double neck_from() const noexcept { return ball() ? 0.0 : bur->head.high(); }
   };
+  Tool tool_of(const Bur& bur, Vec3 axis, std::uint16_t index) const noexcept;
   /// Candidates at hand: all that a ball of radius + margin about `centre` reaches, and the shank with the same margin.
   struct Gathered {
     Vec3 centre{0.0};
@@ -249,14 +241,22 @@ class SurfaceContact {
   struct HeadFoot {
     Vec3 at{0.0}, normal{0.0};
     bool deepest = true;  // no place of the head stands deeper over the surface's plane
+    double over = 0.0;    // mm: how high the deepest one stands over it
+  };
+  /// A head's constraint, and how far the head may go until it may be another.
+  struct HeadPlane {
+    Plane plane;
+    bool near = false;      // it is within the slack
+    double low_mm = 0.0;    // less the head's way, a bound of its distance from below
+    double holds_mm = 0.0;  // for so long a way the plane stays the same; 0: it turns with the head
+    bool trusted() const noexcept { return holds_mm > 0.0; }
   };
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
   HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double beside2) const noexcept;
-  bool plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm, Plane& plane,
-                     bool& trusted) const noexcept;
+  HeadPlane plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm) const noexcept;
   bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                  const CutSurface::Page* page, ToolPart part) noexcept;
+                  const CutSurface::Page* page, Kind kind) noexcept;
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   void build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
@@ -269,7 +269,7 @@ class SurfaceContact {
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
   void constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept;
-  struct Constraint { Vec3 normal; double level; bool trusted; double low_mm; };
+  struct Constraint { Vec3 normal; double level; bool trusted; double low_mm, holds_mm = -1.0; };
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
@@ -349,6 +349,7 @@ class SurfaceContact {
   Built built_;
   std::vector<std::int32_t> near_;     // candidates of built_
   std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
+  std::vector<HeadPlane> held_;        // what each of near_ was at built_.at; of a ball only that it does not hold
   std::size_t count_ = 0, ball_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
   std::size_t shank_count_ = 0;
@@ -364,7 +365,7 @@ class SurfaceContact {
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
-  int passes_left_ = kMostPasses, candidates_left_ = kMostCandidates;
+  int candidates_left_ = kMostCandidates, passes_ = 0;
   std::int64_t candidates_before_ = 0;
   bool all_resolved_ = true;           // no part near the bur is unresolved
   /// If valid, no part within kUnresolvedMarginMm of `at` is unresolved.

@@ -30,6 +30,7 @@ struct SurfaceContact::PlaneSolve {
   double step = 0.0;       // length of a search
   bool with_foot = false;  // the point under the push is a candidate
   bool arrived = false;
+  bool moved = false;      // a pass has moved the pose: what comes next may wait for the next tick
   Contact out;
 
   // Of the present search.
@@ -98,8 +99,8 @@ void SurfaceContact::constrain_pass(const Volume& volume, const Tool& tool, Plan
 
 /// One pass. True if the search goes on.
 bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
-  --passes_left_;
   candidates_left_ -= kCandidatesOfPass;
+  ++passes_;
   constrain_pass(volume, tool, s, pass);
   bool infeasible = false;
   const PlaneSearch found = search_planes(s.y, s.device, infeasible);
@@ -144,6 +145,7 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
 /// Moves the pose to what was found, at most by the step. whole: how far that is from where the search began, mm.
 void SurfaceContact::go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept {
   s.y = found.y;
+  s.moved = true;
   if (s.left) {
     s.next_step = std::min(kLongestStep, 1.2 * (whole - s.step) + 0.01);
     s.predicted = (found.y - s.centre) * (1.0 - s.step / whole);  // where the next one goes on
@@ -187,8 +189,9 @@ Contact SurfaceContact::solve_by_planes(const Volume& volume, const Tool& tool, 
   s.step = step;
   for (int search = 0; search < kSearches && !s.arrived && (search == 0 || !spent()); ++search) {
     begin_search(volume, tool, s);
-    for (int pass = 0; pass < kPasses && make_pass(volume, tool, s, pass); ++pass) {
-    }
+    bool goes_on = true;
+    for (int pass = 0; pass < kPasses && goes_on && !(s.moved && spent()); ++pass) goes_on = make_pass(volume, tool, s, pass);
+    if (goes_on && spent()) break;
     // A pose that still moves after the last pass continues in the next search, else it stops up to 0.1 mm short. Near a cut
     // only a rolling one continues: others alternate between walls of the bur's own hole.
     if (!s.left && !((s.rolling || !near_cut_) && s.last_moved > kTangentsHoldMm)) s.arrived = true;

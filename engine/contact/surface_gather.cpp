@@ -42,7 +42,7 @@ void SurfaceContact::add(const Candidate& candidate, const CutFeature* own) noex
 
 /// A candidate that is only made when a search comes near it. x, y, z: voxels from where it is gathered.
 void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                                const CutSurface::Page* page, ToolPart part) noexcept {
+                                const CutSurface::Page* page, Kind kind) noexcept {
   if (count_ == candidates_.size()) {
     overflow_ = true;
     return;
@@ -51,7 +51,7 @@ void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, I
   place_y_[count_] = y;
   place_z_[count_] = z;
   known_[count_] = Known::unmade;
-  sources_[count_++] = {page, brick, static_cast<std::uint16_t>(index), part == ToolPart::shank, static_cast<std::int16_t>(at.x),
+  sources_[count_++] = {page, brick, static_cast<std::uint16_t>(index), kind, static_cast<std::int16_t>(at.x),
                         static_cast<std::int16_t>(at.y), static_cast<std::int16_t>(at.z)};
 }
 
@@ -76,11 +76,11 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
   out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
   out.normal = Vec3(feature->normal);
   out.level = glm::dot(out.normal, out.point);
-  out.kind = source.shank ? Kind::shank : feature->edge ? Kind::edge : feature->inside ? Kind::inside : Kind::surface;
+  out.kind = source.kind;
   if (out.kind == Kind::inside) out.level = feature->other_d_mm;
   out.field = feature->field;
   out.tissue = feature->tissue;
-  out.others = source.shank ? std::uint8_t{0} : feature->others;
+  out.others = source.kind == Kind::shank ? std::uint8_t{0} : feature->others;
   out.feature = feature;
   known_[i] = out.kind == Kind::edge && tool.ball() ? Known::edge : Known::other;
   if (out.kind == Kind::surface && out.others == 0) {
@@ -105,6 +105,7 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
   const Grid& grid = volume.grid();
   const Vec3f local((centre - (grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * (1.0 / voxel_mm_));
   const SweptVoid::Known* walls = cut && tool.ball() && part == ToolPart::head ? &walls_.known(volume, brick) : nullptr;
+  const BasePoints base_points = cut ? BasePoints{} : volume.specimen().surface().in(brick);
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
     near(x, y, z, count, local, has_edges, [&](int i) {
       // At an inner edge a head that is no ball has exact places inside, all else the rounded point.
@@ -112,12 +113,16 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
       if (page != nullptr && (of_head ? page->feature[i].inner_edge : page->feature[i].inside)) return;
       // Of these cells a ball has walls and ridges; its neck and shank have points.
       if (walls != nullptr && page != nullptr && (page->feature[i].swept || walls->has(page->feature[i].cell))) return;
-      add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, part);
+      const bool edge = page == nullptr ? base_points.normal[i].edge() : page->feature[i].edge;
+      const Kind kind = part == ToolPart::shank                       ? Kind::shank
+                        : edge                                        ? Kind::edge
+                        : page != nullptr && page->feature[i].inside ? Kind::inside
+                                                                      : Kind::surface;
+      add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, kind);
     });
   };
   if (!cut) {
-    const BasePoints points = volume.specimen().surface().in(brick);
-    gather_near(points.x, points.y, points.z, points.count, nullptr);
+    gather_near(base_points.x, base_points.y, base_points.z, base_points.count, nullptr);
     return;
   }
   for (std::int32_t p = cut_.first(volume, brick, [&] { return cells(local); }); p >= 0; p = cut_.page(p).next) {
@@ -145,12 +150,13 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const auto shank_cells = cells_of(cylinders_of(beside.from, beside.wide_from, beside.to, beside.slim, beside.thick, tool.axis, per_mm));
   if (!tool.ball()) {
     const Reach reach = head_within(tool, margin_mm + std::max(edge_mm, kPlaneReach * voxel_mm_));
-    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
+    const TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
+    HeadBand band(tool.bur->head, tool.axis, margin_mm, std::max(edge_mm, kPlaneReach * voxel_mm_), per_mm);
     bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
       gather_from(volume, tool, centre, brick, at, ToolPart::head, [&](Vec3f local) { return cells_of(shape)(local) | shank_cells(local); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
-                    shape.at = local;
-                    for_inside(x, y, z, count, shape, pass);
+                    band.at = local;
+                    for_band(x, y, z, count, band, [&](int i, bool) { pass(i); });
                   });
     });
     return;
@@ -220,8 +226,8 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
            glm::dot(off, off) <= left * left;
   };
   if (!reaches(gathered_)) {
-    // While the bur cuts it serves until the next piece is carved, while edges are found until the next tick.
-    const double steps = all_resolved_ ? kStepsAhead : kStepsMeanwhile;
+    // While the bur cuts it serves until the next piece is carved, while edges are found or the axis turns until the next tick.
+    const double steps = all_resolved_ && gathered_.axis == tool.axis ? kStepsAhead : kStepsMeanwhile;
     const double margin = step + std::min(most_margin_mm, std::max(kLeastMargin, steps * step));
     count_ = 0;
     gather_head(volume, tool, centre, margin);

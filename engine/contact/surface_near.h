@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/head_band.h"
 #include "engine/contact/near_points.h"
 #include "engine/contact/surface_contact.h"
 

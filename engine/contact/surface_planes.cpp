@@ -13,6 +13,7 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 
 constexpr double kLongestLeap = 10.0;       // of the last pass's move
 constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
+constexpr double kHoldsMm = 1e-12;            // least of a plane that does not turn with the head
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 
@@ -142,8 +143,8 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
   const OnHalf deepest = head.support(down, at);
   HeadFoot foot{tool.axis * deepest.t + out * deepest.rho, normal, true};
   const Vec3 d = foot.at - point_from_pivot;
-  const double height = glm::dot(normal, d);
-  if (glm::dot(d, d) - height * height <= beside2) return foot;
+  foot.over = glm::dot(normal, d);
+  if (glm::dot(d, d) - foot.over * foot.over <= beside2) return foot;
   const OnHalf near{at.t - point.distance * gradient.t, at.rho - point.distance * gradient.rho};
   foot.deepest = false;
   if (std::fabs(gradient.t) < std::fabs(gradient.rho)) {
@@ -172,41 +173,46 @@ SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal
 }
 
 /// As plane_of, for a head that is no ball. `place`: the candidate's point by the head at y.
-bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y, double slack_mm, Plane& plane,
-                                   bool& trusted) const noexcept {
+SurfaceContact::HeadPlane SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const ByHead& place, Vec3 y,
+                                                        double slack_mm) const noexcept {
   const double thin = tool.thin(c.field);
-  const double beside = kPlaneReach * voxel_mm_;
-  trusted = false;
+  HeadPlane out;
   double gap = place.distance + thin;
+  out.low_mm = gap;
   Vec3 gradient;
   if (c.kind == Kind::surface) {
-    if (gap > slack_mm + beside) return false;
+    const double beside = kPlaneReach * voxel_mm_, beside2 = beside * beside;
     const Vec3 point = c.point - y;
-    const HeadFoot foot = head_foot(tool, c.normal, point, place, beside * beside);
+    const HeadFoot foot = head_foot(tool, c.normal, point, place, beside2);
+    out.low_mm = foot.over + thin;
     const double facing = glm::dot(c.normal, foot.normal);
     const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;
     const Vec3 d = foot.at - point;
-    const double over = glm::dot(c.normal, d);
-    if (facing > kFacing && height > -tool.bur->radius_mm && glm::dot(d, d) - over * over <= beside * beside) {
+    const double over = glm::dot(c.normal, d), side2 = glm::dot(d, d) - over * over;
+    if (facing > kFacing && height > -tool.bur->radius_mm && side2 <= beside2) {
       const auto past = [&](Vec3 other, double other_d) {
-        return other_d + glm::dot(other, d) - over * glm::dot(other, c.normal) > 0.0;
+        return other_d + glm::dot(other, d) - over * glm::dot(other, c.normal);
       };
-      const bool beyond = c.others > 0 && (past(Vec3(c.feature->other_normal), c.feature->other_d_mm) ||
-                                           (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm)));
-      if (!beyond) {
-        if (height > slack_mm) return false;
-        plane.n = foot.normal;
-        plane.c = glm::dot(foot.normal, y) - height;
-        trusted = foot.deepest;
-        return true;
+      double beyond = -1e300;
+      if (c.others > 0) beyond = past(Vec3(c.feature->other_normal), c.feature->other_d_mm);
+      if (c.others > 1) beyond = std::max(beyond, past(Vec3(c.feature->third_normal), c.feature->third_d_mm));
+      if (!(beyond > 0.0)) {
+        if (height > slack_mm) return out;
+        out.near = true;
+        out.plane.n = foot.normal;
+        out.plane.c = glm::dot(foot.normal, y) - height;
+        // A place of the head goes sideways over its surface's plane no further than the head goes.
+        if (foot.deepest) out.holds_mm = std::max(kHoldsMm, std::min(beside - std::sqrt(std::max(side2, 0.0)), -beyond));
+        return out;
       }
     }
     gradient = gradient_in_space(place, tool.axis);
   } else if (c.kind == Kind::inside) {
     gap -= c.level;
+    out.low_mm = gap;
     gradient = gradient_in_space(place, tool.axis);
   } else {
-    if (gap > slack_mm + voxel_mm_) return false;
+    if (gap > slack_mm + voxel_mm_) return out;
     // The distance along a piece is all but convex: where its slope changes sign.
     const CutFeature& f = *c.feature;
     const Vec3 tangent = c.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
@@ -223,11 +229,13 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, const B
         (slope(middle) > 0.0 ? high : low) = middle;
       }
     }
+    out.low_mm = gap;
   }
-  if (gap > slack_mm) return false;
-  plane.n = -gradient;
-  plane.c = glm::dot(plane.n, y) - gap;
-  return true;
+  if (gap > slack_mm) return out;
+  out.near = true;
+  out.plane.n = -gradient;
+  out.plane.c = glm::dot(out.plane.n, y) - gap;
+  return out;
 }
 
 /// The plane that keeps the bur off one candidate, seen from y; false where it is further than slack_mm off.
@@ -237,7 +245,12 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
     trusted = false;
     return plane_of_shank(tool, c, y, slack_mm, plane);
   }
-  if (!tool.ball()) return plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm, plane, trusted);
+  if (!tool.ball()) {
+    const HeadPlane found = plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm);
+    plane = found.plane;
+    trusted = found.trusted();
+    return found.near;
+  }
   const double r = tool.bur->radius_mm - tool.thin(c.field);
   if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm, plane, trusted);
   trusted = false;

@@ -29,9 +29,9 @@ constexpr double kLeastTauMm = 0.00005;
 /// Sweeps of a ball that are carved together.
 constexpr std::int32_t kSweepsAtOnce = 16;
 static_assert(kSweepsAtOnce <= kMostAtOnce);
-/// A proxy that outruns its device by this factor and this length is solved for again, in kParts parts of the way.
+/// A proxy that outruns its device by this factor and this length is solved for again, in parts of the way.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
-constexpr int kParts = 8;
+constexpr int kParts = 8, kHeadParts = 4;  // of a ball, and of another head, whose search costs more
 /// Reach of a search: the device's motion times kReach, and kReachMm.
 constexpr double kReach = 1.1, kReachMm = 0.004;
 /// Tolerance of a prediction, as a share of the device's motion and a length. The proxy's excess motion predicts the
@@ -133,20 +133,21 @@ void add_flags(const Contact& contact, StepOutput& out) noexcept {
   out.overflow = out.overflow || contact.overflow;
 }
 
-/// Solves for the same way in kParts parts. In one step the proxy can cross an edge that stops an evenly moving device.
+/// Solves for the same way in parts. In one step the proxy can cross an edge that stops an evenly moving device.
 Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& motion, StepOutput& out) noexcept {
   SurfaceContact& surface = *state.surface;
   surface.reset_budget();
   Contact contact;
   Vec3 at = state.proxy;
-  const Vec3 part = motion.way / static_cast<double>(kParts);
-  const double part_reach = kReach * motion.moved / kParts + kReachMm;
-  for (int i = 1; i <= kParts && !(i > 1 && surface.spent()); ++i) {
-    const Vec3 to = i < kParts ? state.device + part * static_cast<double>(i) : tick.device;
+  const int parts = state.scene->burs[out.bur].head.ball() ? kParts : kHeadParts;
+  const Vec3 part = motion.way / static_cast<double>(parts);
+  const double part_reach = kReach * motion.moved / parts + kReachMm;
+  for (int i = 1; i <= parts && !(i > 1 && surface.spent()); ++i) {
+    const Vec3 to = i < parts ? state.device + part * static_cast<double>(i) : tick.device;
     contact = surface.solve(state.volume, *state.scene, out.bur, tick.axis, at, to, part, part_reach, SurfaceContact::kAnyWay);
     at = contact.pose_mm;
     add_flags(contact, out);
-    contact.deferred = contact.deferred || (i < kParts && surface.spent());
+    contact.deferred = contact.deferred || (i < parts && surface.spent());
   }
   return contact;
 }

@@ -55,10 +55,15 @@ bool Profile::add(const OutlinePiece& piece) noexcept {
   if (count_ > 0 && cross(sides_[n - 1].last, side.first) > kStraight) return false;
   pieces_[n] = piece;
   sides_[n] = side;
+  add_lines(piece, side);
 
   if (count_ == 0) low_ = piece.from.t;
   ++count_;
   high_ = piece.to.t;
+  // Along an outline the radius is the piece's, about the axis rho by the normal's part across; least at an end.
+  if (piece.radius > 0.0) sharpest_ = std::fmin(sharpest_, piece.radius);
+  if (side.first.rho > kStraight) sharpest_ = std::fmin(sharpest_, piece.from.rho / side.first.rho);
+  if (side.last.rho > kStraight) sharpest_ = std::fmin(sharpest_, piece.to.rho / side.last.rho);
   const auto take = [this](OnHalf p) {
     wide_ = p.rho > wide_ ? p.rho : wide_;
     const double away = length(p);
@@ -75,6 +80,41 @@ bool Profile::add(const OutlinePiece& piece) noexcept {
     }
   }
   return true;
+}
+
+bool Profile::edge(int i) const noexcept {
+  const auto n = static_cast<std::size_t>(i);
+  return i + 1 < count_ && cross(sides_[n].last, sides_[n + 1].first) <= -kEdgeSine;
+}
+
+void Profile::add_lines(const OutlinePiece& piece, const Side& side) noexcept {
+  const auto add = [&](OnHalf normal, double level) {
+    // Pieces that touch share a line.
+    if (line_count_ > 0 && std::fabs(cross(lines_[static_cast<std::size_t>(line_count_ - 1)].normal, normal)) < kStraight) return;
+    lines_[static_cast<std::size_t>(line_count_++)] = {normal, level};
+  };
+  if (piece.radius == 0.0) {
+    add(side.first, side.level);
+    return;
+  }
+  // Tangents at the arc's ends, halved until two of them meet close enough to it.
+  OnHalf normals[kMostOfPiece] = {side.first, side.last};
+  int count = 2;
+  const auto off_arc = [&] {
+    const double half2 = 0.5 + 0.5 * dot(normals[0], normals[1]);  // squared cosine of half the angle between them
+    return half2 > 0.0 ? piece.radius * (1.0 / std::sqrt(half2) - 1.0) : 1e300;
+  };
+  while (2 * count - 1 <= kMostOfPiece && off_arc() > kOffArcMm) {
+    for (int i = count - 1; i > 0; --i) {
+      const OnHalf a = normals[i - 1], b = normals[i], sum{a.t + b.t, a.rho + b.rho};
+      const double size = length(sum);
+      normals[2 * i] = b;
+      // Of half a turn, the way outwards from the axis.
+      normals[2 * i - 1] = size > kStraight ? OnHalf{sum.t / size, sum.rho / size} : OnHalf{0.0, 1.0};
+    }
+    count = 2 * count - 1;
+  }
+  for (int i = 0; i < count; ++i) add(normals[i], dot(normals[i], piece.centre) + piece.radius);
 }
 
 bool Profile::closed() const noexcept {
@@ -147,8 +187,7 @@ bool Profile::rim(OnHalf at, double far, OnHalf& out) const noexcept {
   double least = far * far;
   bool any = false;
   for (int i = 0; i + 1 < count_; ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    if (cross(sides_[n].last, sides_[n + 1].first) > -kEdgeSine) continue;
+    if (!edge(i)) continue;
     const OnHalf d = at - piece(i).to;
     if (dot(d, d) > least) continue;
     least = dot(d, d);

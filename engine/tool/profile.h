@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "engine/base/vec.h"
 
@@ -24,9 +25,15 @@ struct OutlinePiece {
   friend bool operator==(const OutlinePiece&, const OutlinePiece&) = default;
 };
 
+/// A line that the solid touches and does not cross: normal (unit, outwards) . place - level is never above the distance.
+struct SupportLine {
+  OnHalf normal;
+  double level = 0.0;
+};
+
 class Profile {
  public:
-  static constexpr int kMostPieces = 8;
+  static constexpr int kMostPieces = 8, kMostOfPiece = 9;  // support lines of a piece
 
   /// None: the bur is a ball about its pivot.
   Profile() = default;
@@ -49,12 +56,20 @@ class Profile {
   /// point lies in the same half plane. Ties (on the axis, on a ridge inside) go to the lowest piece. Pre: closed().
   double distance(OnHalf at, OnHalf& gradient) const noexcept;
 
+  /// Least radius of curvature of the solid, its edges left out; 0 where it has a point.
+  double least_radius() const noexcept { return sharpest_; }
+  /// True if pieces i and i + 1 meet in an edge.
+  bool edge(int i) const noexcept;
   /// The nearest edge between two pieces within `far` of a place of the outline. False if there is none.
   bool rim(OnHalf at, double far, OnHalf& out) const noexcept;
 
   /// The point of the solid furthest along `direction` (unit; rho component >= 0). If a whole flat end or straight
   /// flank is furthest, its point nearest to `near`. Pre: closed().
   OnHalf support(OnHalf direction, OnHalf near) const noexcept;
+
+  /// Lines about the outline, which leave it by at most kOffArcMm (a wide arc by more).
+  static constexpr double kOffArcMm = 0.02;
+  std::span<const SupportLine> support_lines() const noexcept { return {lines_.data(), static_cast<std::size_t>(line_count_)}; }
 
   friend bool operator==(const Profile& a, const Profile& b) noexcept {
     if (a.count_ != b.count_) return false;
@@ -73,10 +88,13 @@ class Profile {
   /// Distance of a place to the line or circle of piece i, and its outward normal. above: the nearest point lies on the
   /// piece.
   double side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noexcept;
+  void add_lines(const OutlinePiece& piece, const Side& side) noexcept;
 
   std::array<OutlinePiece, kMostPieces> pieces_{};
   std::array<Side, kMostPieces> sides_{};
-  int count_ = 0;
+  std::array<SupportLine, static_cast<std::size_t>(kMostPieces * kMostOfPiece)> lines_{};
+  int count_ = 0, line_count_ = 0;
+  double sharpest_ = 1e9;
   double low_ = 0.0, high_ = 0.0, wide_ = 0.0, reach_ = 0.0;
 };
 

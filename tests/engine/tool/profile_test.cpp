@@ -147,6 +147,37 @@ double volume_of(const Profile& profile) {
   return sum;
 }
 
+TEST(Profile, has_lines_that_touch_it_and_leave_its_outline_by_little) {
+  Random random(8);
+  for (const Bur& bur : all_shapes()) {
+    const auto highest = [&](OnHalf at) {
+      double most = -1e300;
+      for (const SupportLine& line : bur.head.support_lines())
+        most = std::max(most, line.normal.t * at.t + line.normal.rho * at.rho - line.level);
+      return most;
+    };
+    for (int round = 0; round < 400; ++round) {
+      const OnHalf at{3.0 * bur.head.reach() * random(), std::fabs(2.0 * bur.head.widest() * random())};
+      OnHalf gradient;
+      EXPECT_LE(highest(at), bur.head.distance(at, gradient) + 1e-12) << bur.name << " " << at.t << " " << at.rho;
+    }
+    for (const OnHalf& at : outline(bur.head, 200)) EXPECT_GE(highest(at), -Profile::kOffArcMm) << bur.name;
+  }
+}
+
+TEST(Profile, is_as_sharp_as_its_least_arc_and_its_tip) {
+  EXPECT_DOUBLE_EQ(flat_head(0.5, 0.5, 4.0).value().least_radius(), 0.5);
+  EXPECT_NEAR(round_end_head(0.5, 0.9, 8.0).value().least_radius(), 0.5, 1e-12);
+  EXPECT_NEAR(pear_head(0.4, 0.3, 0.25, 1.8).value().least_radius(), 0.25, 0.002);
+  EXPECT_NEAR(oval_head(0.6, 0.1, 5.0, 0.45, 8.0).value().least_radius(), 0.1, 1e-12);
+  // Wider at the tip: the narrow end's radius, a little more along the slanted flank's normal.
+  const Profile cone = flat_head(0.6, 0.35, 1.2).value();
+  EXPECT_NEAR(cone.least_radius(), 0.35 * std::sqrt(1.2 * 1.2 + 0.25 * 0.25) / 1.2, 1e-12);
+  EXPECT_TRUE(cone.edge(0) && cone.edge(1));
+  EXPECT_FALSE(cone.edge(2)) << "nothing follows the last piece";
+  EXPECT_FALSE(round_end_head(0.5, 0.9, 8.0).value().edge(0)) << "a flank that touches its ball";
+}
+
 TEST(Profile, encloses_the_volume_that_solid_geometry_gives_it) {
   const auto cone = [](double a, double b, double h) { return kPi * h * (a * a + a * b + b * b) / 3.0; };
   // Midpoint discs, 4,000 of them: short by less than 2e-6 of each of these volumes.

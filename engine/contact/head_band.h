@@ -1,0 +1,74 @@
+/// Which of many points may hold off a head that is no ball, four at a time. Places in voxels, single precision: what passes is
+/// asked again exactly. Wait-free; the vector and the portable path do the same arithmetic. Thread: any.
+#pragma once
+
+#include <cmath>
+
+#include "engine/base/lanes.h"
+#include "engine/base/vec.h"
+#include "engine/tool/profile.h"
+
+namespace cusp::engine {
+
+/// The places about a head at which a surface may be within `slack` of it. In the points' own frame.
+/// A surface's plane stands for it within `side` of its point. So the head's place over that plane is no further than `side`
+/// beside the point, and the point is within slack + side of the head: `wide`. Where the head is no sharper than its least
+/// radius, a ball of it lies in the head and touches that place: the point is within `narrow`, or within `rim` of an edge.
+struct HeadBand {
+  static constexpr double kSlack = 0.02;  // voxels that single precision may be off by near the axis, and then some
+  struct Line { float t, rho, level; };
+  struct Rim { float t, rho; };
+
+  HeadBand(const Profile& head, Vec3 along, double slack_mm, double side_mm, double per_mm) noexcept : axis(along) {
+    const auto bound = [&](double mm) { return static_cast<float>(mm * per_mm + kSlack); };
+    const double bend = head.least_radius() + slack_mm;
+    wide = bound(slack_mm + side_mm);
+    narrow = bound(std::sqrt(bend * bend + side_mm * side_mm) - head.least_radius());
+    const float reach = bound(side_mm + std::sqrt(slack_mm * slack_mm + side_mm * side_mm));
+    rim2 = reach * reach;
+    for (const SupportLine& l : head.support_lines())
+      line[count++] = {static_cast<float>(l.normal.t), static_cast<float>(l.normal.rho), static_cast<float>(l.level * per_mm)};
+    for (int i = 0; i < head.size(); ++i)
+      if (head.edge(i)) rim[rims++] = {static_cast<float>(head.piece(i).to.t * per_mm), static_cast<float>(head.piece(i).to.rho * per_mm)};
+  }
+
+  Vec3f at{0.0f}, axis{0.0f};  // of the pivot
+  float wide = 0.0f, narrow = 0.0f, rim2 = 0.0f;  // of the distance to the head, and the squared one to an edge
+  int count = 0, rims = 0;
+  Line line[Profile::kMostPieces * Profile::kMostOfPiece];
+  Rim rim[Profile::kMostPieces];
+};
+
+/// Calls visit(i, may_be_surface) in rising order for each point within `wide`; may_be_surface: also within `narrow`, or near an
+/// edge. Three floats beyond count must be readable.
+template <class Visit>
+inline void for_band(const float* x, const float* y, const float* z, int count, const HeadBand& band, Visit&& visit) noexcept {
+  const auto load = [](const float* from) {
+    Lanes out;
+    __builtin_memcpy(&out, from, sizeof out);
+    return out;
+  };
+  for (int i = 0; i < count; i += kLanes) {
+    const Lanes dx = load(x + i) - band.at.x, dy = load(y + i) - band.at.y, dz = load(z + i) - band.at.z;
+    const Lanes t = dx * band.axis.x + dy * band.axis.y + dz * band.axis.z;
+    const Lanes rho = sqrt_of(most_of(dx * dx + dy * dy + dz * dz - t * t, all_lanes(0.0f)));
+    // A convex head is no nearer than a line that it touches.
+    Lanes off = all_lanes(-3.0e38f);
+    for (int k = 0; k < band.count; ++k) off = most_of(off, t * band.line[k].t + rho * band.line[k].rho - band.line[k].level);
+    unsigned hit = bits_of(off <= band.wide);
+    if (count - i < kLanes) hit &= (1u << (count - i)) - 1u;
+    if (hit == 0) continue;
+    LaneMask close = off <= band.narrow;
+    for (int k = 0; k < band.rims; ++k) {
+      const Lanes dt = t - band.rim[k].t, dr = rho - band.rim[k].rho;
+      close |= dt * dt + dr * dr <= band.rim2;
+    }
+    const unsigned narrow = bits_of(close);
+    for (; hit != 0; hit &= hit - 1) {
+      const int lane = __builtin_ctz(hit);
+      visit(i + lane, (narrow >> lane & 1) != 0);
+    }
+  }
+}
+
+}  // namespace cusp::engine
