@@ -31,7 +31,7 @@ constexpr std::int32_t kSweepsAtOnce = 16;
 static_assert(kSweepsAtOnce <= kMostAtOnce);
 /// A proxy that outruns its device by this factor and this length is solved for again, in parts of the way.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
-constexpr int kParts = 8, kHeadParts = 4;  // of a ball, and of another head, whose search costs more
+constexpr int kParts = 8, kHeadParts = 4;  // the second of a head that is no ball and does not cut: its search costs more
 /// Reach of a search: the device's motion times kReach, and kReachMm.
 constexpr double kReach = 1.1, kReachMm = 0.004;
 /// Tolerance of a prediction, as a share of the device's motion and a length. The proxy's excess motion predicts the
@@ -139,7 +139,7 @@ Contact solve_in_parts(StepState::Inner& state, const Tick& tick, const Motion& 
   surface.reset_budget();
   Contact contact;
   Vec3 at = state.proxy;
-  const int parts = state.scene->burs[out.bur].head.ball() ? kParts : kHeadParts;
+  const int parts = tick.cut || state.scene->burs[out.bur].head.ball() ? kParts : kHeadParts;
   const Vec3 part = motion.way / static_cast<double>(parts);
   const double part_reach = kReach * motion.moved / parts + kReachMm;
   for (int i = 1; i <= parts && !(i > 1 && surface.spent()); ++i) {
