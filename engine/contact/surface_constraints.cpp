@@ -21,8 +21,7 @@ inline void SurfaceContact::add_constraint(std::size_t i, const Constraint& cons
   origins_[k] = {static_cast<std::int32_t>(i), constraint.trusted, false};
   near_[k] = static_cast<std::int32_t>(i);
   low_[k] = constraint.low_mm;
-  held_[k].holds_mm = constraint.holds_mm;
-  if (constraint.holds_mm > 0.0) held_[k].plane = {constraint.normal, constraint.level};
+  if (constraint.holds_mm >= 0.0) held_[k] = {{constraint.normal, constraint.level}, true, constraint.low_mm, constraint.holds_mm};
   planes_.add(constraint.normal, constraint.level);
 }
 
@@ -38,7 +37,7 @@ inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, 
     const double height = glm::dot(c.normal, at) - c.level;
     if (height > 0.0) low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
-  add_constraint(i, {plane.n, plane.c, trusted, low});
+  add_constraint(i, {plane.n, plane.c, trusted, low, tool.ball() ? -1.0 : 0.0});
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
 }
 
@@ -297,9 +296,10 @@ bool SurfaceContact::rebuild_constraints(const Tool& tool, Vec3 at, double slack
   for (std::size_t k = 0; k < built_.count; ++k) {
     if (low_[k] > within) continue;
     Plane plane;
-    bool trusted = held_[k].trusted();
-    if (shifted <= held_[k].holds_mm) {
+    bool trusted = false;
+    if (!tool.ball() && shifted <= held_[k].holds_mm) {
       plane = held_[k].plane;
+      trusted = held_[k].trusted();
       if (glm::dot(plane.n, at) - plane.c > slack_mm) continue;
     } else {
       ++looked;

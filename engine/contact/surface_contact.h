@@ -349,7 +349,7 @@ class SurfaceContact {
   Built built_;
   std::vector<std::int32_t> near_;     // candidates of built_
   std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
-  std::vector<HeadPlane> held_;        // what each of near_ was at built_.at; of a ball only that it does not hold
+  std::vector<HeadPlane> held_;        // what each of near_ was at built_.at; not of a ball
   std::size_t count_ = 0, ball_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
   std::size_t shank_count_ = 0;
