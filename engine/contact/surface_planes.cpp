@@ -17,6 +17,27 @@ constexpr double kHoldsMm = 1e-12;            // least of a plane that does not 
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 
+/// Of a head at y to an edge's piece about `middle`, and its gradient.
+double distance_to_edge(const Bur& bur, Vec3 axis, Vec3 y, Vec3 middle, Vec3 tangent, const CutFeature& f, Vec3& gradient) noexcept {
+  const Vec3 bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
+  double distance = 0.0;
+  const auto slope = [&](double t) {
+    const Vec3 turn = twist + t * fourth;
+    const Vec3 point = middle + t * (tangent + t * (bend + t * turn)) - y;
+    distance = head_distance(bur, axis, point, gradient);
+    return glm::dot(gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
+  };
+  // It is all but convex along a piece: nearest where its slope changes sign.
+  double low = f.other_d_mm, high = f.third_d_mm;
+  if (slope(high) > 0.0 && slope(low) < 0.0) {
+    for (int pass = 0; pass < kEdgePasses; ++pass) {
+      const double between = 0.5 * (low + high);
+      (slope(between) > 0.0 ? high : low) = between;
+    }
+  }
+  return distance;
+}
+
 }  // namespace
 
 /// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
@@ -213,22 +234,7 @@ SurfaceContact::HeadPlane SurfaceContact::plane_of_head(const Tool& tool, const 
     gradient = gradient_in_space(place, tool.axis);
   } else {
     if (gap > slack_mm + voxel_mm_) return out;
-    // The distance along a piece is all but convex: where its slope changes sign.
-    const CutFeature& f = *c.feature;
-    const Vec3 tangent = c.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
-    const auto slope = [&](double t) {
-      const Vec3 turn = twist + t * fourth;
-      const Vec3 point = c.point + t * (tangent + t * (bend + t * turn)) - y;
-      gap = head_distance(*tool.bur, tool.axis, point, gradient) + thin;
-      return glm::dot(gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
-    };
-    double low = f.other_d_mm, high = f.third_d_mm;
-    if (slope(high) > 0.0 && slope(low) < 0.0) {
-      for (int pass = 0; pass < kEdgePasses; ++pass) {
-        const double middle = 0.5 * (low + high);
-        (slope(middle) > 0.0 ? high : low) = middle;
-      }
-    }
+    gap = distance_to_edge(*tool.bur, tool.axis, y, c.point, c.normal, *c.feature, gradient) + thin;
     out.low_mm = gap;
   }
   if (gap > slack_mm) return out;
