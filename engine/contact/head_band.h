@@ -11,11 +11,11 @@
 namespace cusp::engine {
 
 /// The places about a head at which a surface may be within `slack` of it. In the points' own frame.
-/// A surface's plane stands for it within `side` of its point. So the head's place over that plane is no further than `side`
-/// beside the point, and the point is within slack + side of the head: `wide`. Where the head is no sharper than its least
-/// radius, a ball of it lies in the head and touches that place: the point is within `narrow`, or within `rim` of an edge.
+/// A surface's plane stands for it within `side` of its point: the point is within slack + side of the head (`wide`).
+/// Off the head's edges a ball of its least radius touches that plane from within: the point is within `narrow`.
+/// At an edge the point is within `rim2` of it.
 struct HeadBand {
-  static constexpr double kSlack = 0.02;  // voxels that single precision may be off by near the axis, and then some
+  static constexpr double kSlack = 0.02;  // voxels: single precision is off by less, near the axis by 0.008
   struct Line { float t, rho, level; };
   struct Rim { float t, rho; };
 

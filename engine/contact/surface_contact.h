@@ -70,7 +70,7 @@ class SurfaceContact {
   /// Budget of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least; more while
   /// the bur cuts, for a tick with `deferred` set cuts nothing. Where it runs out, a search that has moved stops with it set.
   static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48;
-  static constexpr int kCandidatesOfPass = 20, kHeadCandidate = 3;  // cost of a pass, and of a candidate of a head that is no ball
+  static constexpr int kCandidatesOfPass = 20, kHeadCandidate = 3;  // cost of a pass; of a candidate of another head, some 90 ns
   void reset_budget() noexcept {
     candidates_before_ = candidates_visited();
     candidates_left_ = kMostCandidates;
