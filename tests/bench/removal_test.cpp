@@ -155,6 +155,16 @@ TEST(RemovalShape, EqualsTheSweptBurForAWideFastBur) {
   EXPECT_LT(left.most_um, 10.0);
 }
 
+TEST(RemovalShape, EqualsTheSweptBurForAFastTaper) {
+  // Measured 0.06 and 2.6 um. A way solved for in four parts leaves 0.56 and 33 um.
+  const Cutter cutter{"170", catalogue_bur("170")->bur};
+  const RemainingSurface left =
+      lead_along(cutter, 10.0 / 128, Path::straight, points_of(Path::straight, cutter, {.speed_mm_s = 200.0}), 1.0, 1);
+  EXPECT_GT(left.points, 500);
+  EXPECT_LT(left.mean_um, 0.5);
+  EXPECT_LT(left.most_um, 10.0);
+}
+
 TEST(RemovalShape, EqualsTheSweptBurForAnAcuteRim) {
   // Measured 0.03 um and 0.38 % of volume, mostly at the edges. The head's own depth alone gives 3.2 um and 1.3 %.
   const Cutter cutter{"35", catalogue_bur("35")->bur};
