@@ -10,6 +10,11 @@ std::int64_t most_candidates(StepState& state) {
   return surface ? static_cast<std::int64_t>(surface->most_candidates()) : -1;
 }
 
+std::int64_t counted_work(StepState& state) {
+  const auto& surface = state.inner().surface;
+  return surface ? surface->candidates_visited() : -1;
+}
+
 std::int64_t answered_free(StepState& state) {
   const auto& surface = state.inner().surface;
   return surface ? static_cast<std::int64_t>(surface->answered_free()) : -1;

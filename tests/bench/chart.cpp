@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStabilityFull = "stability-full.csv";
 constexpr const char* kRemovalFull = "removal-full.csv";
+constexpr const char* kMillFull = "mill-full.csv";
 
 /// Rows of one report go to their kinds, each with the report's source.
 void sort_in(Evidence& to, const Report& report) {
@@ -31,6 +32,7 @@ void sort_in(Evidence& to, const Report& report) {
     const bool full = row.sweep == kFullSweep;
     Report& kind = !row.measure.empty()     ? full ? to.removal_full : to.removal
                    : !row.case_name.empty() ? full ? to.stability_full : to.stability
+                   : full                   ? to.mill_full
                    : !row.axis.empty()      ? to.heads
                    : row.shape == "cavity"  ? to.cavity
                    : row.volume_voxels >= 0 ? to.scale
@@ -91,7 +93,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
       files.emplace_back(name);
       continue;
     }
-    for (const char* table : {"accuracy.csv", "cavity.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "heads.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull})
+    for (const char* table : {"accuracy.csv", "cavity.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "heads.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull, kMillFull})
       if (fs::exists(fs::path(name) / table, none)) files.push_back(fs::path(name) / table);
   }
   Evidence out;
@@ -110,7 +112,8 @@ std::map<std::string, std::string> tables_of(const Evidence& evidence) {
                                      {"removal.csv", &evidence.removal},
                                      {"heads.csv", &evidence.heads},
                                      {kStabilityFull, &evidence.stability_full},
-                                     {kRemovalFull, &evidence.removal_full}})
+                                     {kRemovalFull, &evidence.removal_full},
+                                     {kMillFull, &evidence.mill_full}})
     if (!report->rows.empty()) out[name] = to_csv(*report);
   if (!evidence.pace.samples.empty()) out["pace.csv"] = to_csv(evidence.pace);
   if (!evidence.motion.samples.empty()) out["motion.csv"] = to_csv(evidence.motion);
@@ -142,7 +145,7 @@ int run_chart(const Options& options) {
   if (!options.json.empty()) {
     Report all{evidence.rate.source, evidence.accuracy.rows};
     for (const Report* more : {&evidence.cavity, &evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.heads, &evidence.stability_full,
-                               &evidence.removal_full})
+                               &evidence.removal_full, &evidence.mill_full})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
     if (const auto written = print_json(all, options.json); !written)
       return failed({ChartError::cannot_write, written.error().where, ""});

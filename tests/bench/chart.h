@@ -17,7 +17,7 @@ using ChartFailure = Failure<ChartError>;
 /// The rows behind all charts and tables.
 struct Evidence {
   Report accuracy, cavity, rate, scale, stability, removal, heads;
-  Report stability_full, removal_full;  // of --full; chart reads and never measures them
+  Report stability_full, removal_full, mill_full;  // of --full; chart reads and never measures them
   PaceReport pace;
   MotionReport motion;
 };

@@ -198,15 +198,35 @@ Report full_stability() {
   return out;
 }
 
+/// As `rate --task mill --full` writes it.
+Report full_mill() {
+  Report out{{"0123456789abcdef", 9, "A CPU"}, {}};
+  for (const std::string_view axis : {"fixed", "jitter"}) {
+    Row& row = out.rows.emplace_back();
+    row.sweep = kFullSweep;
+    row.method = "surface";
+    row.shape = "cavity";
+    row.task = "mill";
+    row.bur = "pear 330";
+    row.axis = axis;
+    row.work_us_max = 250.0;
+    row.deferred_percent = 0.5;
+  }
+  return out;
+}
+
 TEST(Chart, KeepsTheTablesOfAFullSweepApartAndFindsThemAgain) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_full";
   Evidence evidence = made_up();
   evidence.stability_full = full_stability();
+  evidence.mill_full = full_mill();
   write_tables(folder, evidence);
   const auto read = read_evidence({folder.string()});
   ASSERT_TRUE(read);
   EXPECT_EQ(read->stability_full.rows.size(), full_stability().rows.size());
   EXPECT_EQ(read->stability.rows.size(), evidence.stability.rows.size());
+  EXPECT_EQ(read->mill_full.rows.size(), evidence.mill_full.rows.size());
+  EXPECT_EQ(read->cavity.rows.size(), evidence.cavity.rows.size());
   EXPECT_EQ(tables_of(*read), tables_of(evidence));
   std::filesystem::remove_all(folder);
 }

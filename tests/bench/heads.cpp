@@ -197,7 +197,7 @@ void print_heads(const std::vector<Row>& rows) {
 
 Row measure_head(const HeadCase& of, std::string_view motion, const Measure& what) {
   const CatalogueBur* entry = catalogue_bur(of.bur);
-  if (entry == nullptr) throw std::runtime_error("no bur " + std::string(of.bur));
+  if (entry == nullptr || entry->bur.head.ball()) throw std::runtime_error("no head " + std::string(of.bur));
   Row row;
   row.method = key_of(Method::surface);
   row.bur = entry->shape + ' ' + entry->bur.name;
@@ -226,15 +226,20 @@ Row measure_head(const HeadCase& of, std::string_view motion, const Measure& wha
 
 namespace {
 
+std::vector<std::string_view> burs_asked(const Options& options) {
+  if (options.burs.empty()) return {kHeadBurs.begin(), kHeadBurs.end()};
+  return {options.burs.begin(), options.burs.end()};
+}
+
 void add_cavities(const Options& options, std::vector<Row>& rows) {
   Measure what;
   what.seed = options.seed;
-  for (const std::string_view bur : kHeadBurs)
+  for (const std::string_view bur : burs_asked(options))
     for (const std::string_view axis : {"fixed", "jitter"})
       for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0}))
         for (const double minutes : chosen(options.minutes, {0.5}))
           for (const double tremor : chosen(options.tremors_mm, {0.05})) {
-            if (!asked(options.burs, bur) || !asked(options.axes, axis)) continue;
+            if (!asked(options.axes, axis)) continue;
             what.speed_mm_s = speed;
             rows.push_back(measure_head_cavity({bur, "cavity", axis}, what, {minutes, tremor}));
           }
@@ -248,10 +253,10 @@ std::vector<Row> heads_rows(const Options& options) {
   Measure what;
   what.budget_s = options.budget_s;
   what.seed = options.seed;
-  for (const std::string_view bur : kHeadBurs)
+  for (const std::string_view bur : burs_asked(options))
     for (const std::string_view shape : kHeadShapes)
       for (const std::string_view axis : kAxisMotions) {
-        if (!asked(options.burs, bur) || !asked(options.shapes, shape) || !asked(options.axes, axis)) continue;
+        if (!asked(options.shapes, shape) || !asked(options.axes, axis)) continue;
         for (const double voxel : chosen(options.voxels_mm, {kHeadVoxelMm})) {
           what.voxel_mm = voxel;
           const HeadCase of{bur, shape, axis};

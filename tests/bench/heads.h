@@ -34,7 +34,7 @@ struct HeadCavity {
 /// exact proxy downhill from the method's own pose; one whose search ends on no admissible pose is left out (`skipped`).
 Row measure_head_cavity(const HeadCase& of, const Measure& what, const HeadCavity& cavity);
 
-/// Default set: every bur, shape and axis at 10/128 mm; presses but in slots, slides at 5 and 50 mm/s. A cavity takes
+/// Default set: every bur of kHeadBurs, shape and axis at 10/128 mm; presses but in slots, slides at 5 and 50 mm/s. A cavity takes
 /// up to a minute of search a row and is measured when asked for by name.
 std::vector<Row> heads_rows(const Options& options);
 

@@ -28,9 +28,9 @@ struct Options {
   std::vector<std::string> directions;  // removal
   std::vector<double> ticks_ms;         // removal
   std::vector<double> alphas;           // removal
-  std::vector<std::string> burs;        // heads: catalogue numbers
-  std::vector<std::string> axes;        // heads: fixed, turning, jitter
-  bool full = false;                    // removal: full product, every bur; stability: k_max on every device
+  std::vector<std::string> burs;        // heads, mill: catalogue numbers
+  std::vector<std::string> axes;        // heads: fixed, turning, jitter; mill: fixed, jitter
+  bool full = false;                    // removal: full product, every bur; stability: k_max on every device; rate: mill, every bur
   std::vector<double> speeds_mm_s;
   std::vector<double> bur_radii_mm;
   std::vector<double> voxels_mm;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <iostream>
 
+#include "scenarios/burs/bur_catalogue.h"
 #include "tests/bench/accuracy.h"
 #include "tests/bench/cavity.h"
 #include "tests/bench/chart.h"
@@ -80,11 +81,14 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
       ->check(CLI::IsMember(direction_names()));
   app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
   app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
-  const std::vector<std::string> burs(kHeadBurs.begin(), kHeadBurs.end()), axes(kAxisMotions.begin(), kAxisMotions.end());
-  app.add_option("--bur", options.burs, "heads: only this catalogue number (repeatable)")->check(CLI::IsMember(burs));
-  app.add_option("--axis", options.axes, "heads: fixed, turning or jitter (repeatable)")->check(CLI::IsMember(axes));
+  std::vector<std::string> burs;
+  for (const scenarios::CatalogueBur& entry : scenarios::bur_catalogue()) burs.push_back(entry.bur.name);
+  const std::vector<std::string> axes(kAxisMotions.begin(), kAxisMotions.end());
+  app.add_option("--bur", options.burs, "heads, and rate's mill alone: this catalogue number (repeatable)")->check(CLI::IsMember(burs));
+  app.add_option("--axis", options.axes, "heads: fixed, turning or jitter; mill: fixed or jitter (repeatable)")->check(CLI::IsMember(axes));
   app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round bur at 0.1 mm, not all pairs; every bur of the "
-               "catalogue. stability: k_max on every device, grip, friction and delay, and nothing else");
+               "catalogue. stability: k_max on every device, grip, friction and delay, and nothing else. rate: mill with every bur of the "
+               "catalogue, and nothing else");
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
   app.add_option("--bur-radius-mm", options.bur_radii_mm, "bur radii (repeatable)")->check(CLI::Range(0.05, 5.0));
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "tests/bench/bur_mill.h"
 #include "tests/bench/channel.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/mill.h"
@@ -179,7 +180,17 @@ std::vector<Row> perforation_rows(const Shape& face, double voxel_mm, const Opti
   return rows;
 }
 
+void print_bur_mills(const std::vector<Row>& rows) {
+  fmt::print("{:<28}{:<8}{:>6}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "bur", "axis", "min", "mean us", "p50", "p99", "p99.9",
+             "p99.99", "max", "work us", "deferred%", "ticks");
+  for (const Row& r : rows)
+    fmt::print("{:<28}{:<8}{:>6.3g}{:>10.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>10.3f}{:>10}\n", r.bur, r.axis, r.minutes,
+               r.tick_us_mean, r.tick_us_p50, r.tick_us_p99, r.tick_us_p999, r.tick_us_p9999, r.tick_us_max, r.work_us_max,
+               r.deferred_percent, r.samples);
+}
+
 void print_rates(const std::vector<Row>& rows) {
+  if (!rows.empty() && !rows.front().bur.empty()) return print_bur_mills(rows);
   fmt::print("{:<13}{:<10}{:>6}{:>8}  {:<16}{:>11}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "task", "shape", "r", "voxel",
              "method", "updates/s", "ratio", "p50 us", "p99", "p99.9", "max");
   for (const Row& r : rows)
@@ -226,6 +237,7 @@ std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, std::
 }
 
 std::vector<Row> rate_rows(const Options& options) {
+  if (options.full || !options.burs.empty()) return asked(options.tasks, "mill") ? bur_mill_rows(options) : std::vector<Row>{};
   std::vector<Row> rows;
   const auto add = [&rows](std::vector<Row> more) { rows.insert(rows.end(), more.begin(), more.end()); };
   for (const RateTask& task : standard_tasks()) {

@@ -2,7 +2,7 @@
 /// one run on one core, with voxels of 10/128 mm, 128^3 in 10 mm.
 /// Displacement: 50 mm/s, kClearMm outside the offset surface. Exploration: slides at 50 mm/s, kDepthMm below it, and
 /// through the bur's own channel. Perforation: the bur in tissue, 1 mm/s at ticks of 1 ms, updates of the volume included.
-/// A fourth task is Cusp's own: mill (mill.h).
+/// A fourth task is Cusp's own: mill (mill.h). With --bur or --full nothing but mill is measured, bur by bur (bur_mill.h).
 #pragma once
 
 #include <memory>

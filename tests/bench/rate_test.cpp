@@ -109,6 +109,34 @@ TEST(Rate, GivesNoRatioWithoutTheOccupancyProxy) {
   EXPECT_TRUE(std::isnan(rows[0].ratio_to_occupancy));
 }
 
+TEST(Rate, MillsWithABurOfTheCatalogueAndNothingElse) {
+  Options options;
+  options.burs = {"57", "4"};  // a straight fissure and a ball
+  options.minutes = {0.02};
+  const std::vector<Row> rows = rate_rows(options);
+  ASSERT_EQ(rows.size(), 4u);
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.bur + ' ' + row.axis);
+    EXPECT_EQ(row.task, "mill");
+    EXPECT_EQ(row.sweep, kFullSweep);
+    EXPECT_EQ(row.samples, 1199);
+    EXPECT_GT(row.work_us_max, 0.0);
+    EXPECT_GE(row.tick_us_max, row.tick_us_p9999);
+    EXPECT_GE(row.deferred_percent, 0.0);
+    EXPECT_LE(row.deferred_percent, 100.0);
+  }
+  EXPECT_EQ(rows[0].bur, "straight_fissure 57");
+  EXPECT_EQ(rows[0].axis, "fixed");
+  EXPECT_EQ(rows[1].axis, "jitter");
+  EXPECT_EQ(rows[2].bur, "round 4");
+}
+
+TEST(Rate, RefusesABurThatTheCatalogueLacks) {
+  Options options;
+  options.burs = {"no such bur"};
+  EXPECT_THROW(rate_rows(options), std::runtime_error);
+}
+
 TEST(Rate, ExploresEveryKindOfChannel) {
   Options options;
   options.budget_s = 0.002;

@@ -123,6 +123,8 @@ struct Row {
   double tick_us_p999 = kAbsent;
   double tick_us_p9999 = kAbsent;
   double tick_us_max = kAbsent;
+  double work_us_max = kAbsent;       // rate: of mill with a catalogue bur: most counted work of a tick, at the row's mean time of its unit
+  double deferred_percent = kAbsent;  // rate: the same: ticks whose search went on in the next one
   double ratio_to_occupancy = kAbsent;  // rate: updates_per_s over the occupancy proxy's in the same run
   double cached_share = kAbsent;        // rate: ticks answered from the cached clearance, 0 to 1
   std::int64_t volume_voxels = -1;      // scale
@@ -257,6 +259,8 @@ void visit_cost(R& row, Visit& visit) {
   visit("tick_us_p999", row.tick_us_p999);
   visit("tick_us_p9999", row.tick_us_p9999);
   visit("tick_us_max", row.tick_us_max);
+  visit("work_us_max", row.work_us_max);
+  visit("deferred_percent", row.deferred_percent);
   visit("ratio_to_occupancy", row.ratio_to_occupancy);
   visit("cached_share", row.cached_share);
   visit("volume_voxels", row.volume_voxels);

@@ -37,6 +37,7 @@ def write_tables(tables):
         "stability.md": markdown_tables.stability(t["stability"]),
         "removal.md": markdown_tables.removal(t["removal"], t.get("removal-full")),
         "figures.md": markdown_tables.figures(t),
+        **({"milling.md": markdown_tables.milling(t["mill-full"])} if "mill-full" in t else {}),
     }
 
 

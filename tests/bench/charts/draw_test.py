@@ -133,6 +133,16 @@ class Committed(unittest.TestCase):
         clean = {name: rows for name, rows in self.tables.items() if name != "cavity"}
         self.assertNotIn("milled cavity", draw.write_tables(clean)["methods.md"])
 
+    def test_milling_has_a_line_for_each_bur_and_axis_and_names_longer_runs(self):
+        row = {"bur": "inverted_cone 35", "axis": "fixed", "minutes": "2", "tick_us_mean": "80.4", "tick_us_p999": "251", "tick_us_p9999": "300",
+               "work_us_max": "280", "deferred_percent": "0.25"}
+        shown = markdown_tables.milling(table("mill-full", [row, {**row, "axis": "jitter", "minutes": "20"}]))
+        self.assertIn("| inverted cone 35 | fixed | 80 · 251 · 300 | 280 | 0.25 |", shown)
+        self.assertIn("| inverted cone 35, 20 min | jitter | 80 · 251 · 300 | 280 | 0.25 |", shown)
+        with self.assertRaisesRegex(Missing, "inverted_cone 35"):
+            markdown_tables.milling(table("mill-full", [{**row, "tick_us_mean": ""}]))
+        self.assertNotIn("milling.md", draw.write_tables({name: rows for name, rows in self.tables.items() if name != "mill-full"}))
+
     def test_a_full_sweep_widens_the_table_of_removal_only_where_it_was_run(self):
         self.assertIn("all 36 burs", markdown_tables.removal(self.tables["removal"], self.tables["removal-full"]))
         self.assertNotIn("all 36 burs", markdown_tables.removal(self.tables["removal"]))

@@ -78,6 +78,22 @@ def methods(accuracy, rate, cavity=None):
         "drilling at 1 mm/s, all updates of the volume included.\n") + (in_a_cavity(cavity) if cavity else "")
 
 
+def milling(full):
+    """A cutting tick with every bur of the catalogue, from rows of `rate --task mill --full`."""
+    def tick(row):
+        fields = ("tick_us_mean", "tick_us_p999", "tick_us_p9999")
+        return " · ".join(small(needed(row.number(f), f"milling: {f} of {row.text('bur')}")) for f in fields)
+
+    least = min(r.number("minutes") for r in full.rows)
+    rows = []
+    for row in full.rows:
+        name = row.text("bur").replace("_", " ") + (f", {row.number('minutes'):g} min" if row.number("minutes") > least else "")
+        rows.append([name, row.text("axis"), tick(row), small(row.number("work_us_max")), f"{row.number('deferred_percent'):.2g}"])
+    return lines(["bur", "axis", "tick mean · p99.9 · p99.99, µs", "most counted work, µs", "ticks deferred, %"], rows) + (
+        f"\n{full.source}: each bur mills for {least:g} minutes at 5 mm/s with a tremor of {CAVITY_TREMOR_MM} mm, its axis fixed or jittering by "
+        "0.1 degrees; thread CPU time. Counted work: of the search for the proxy, at the row's mean time of a unit.\n")
+
+
 def stability(table):
     rows = []
     for method in METHODS:

@@ -1,0 +1,115 @@
+#include "tests/bench/bur_mill.h"
+
+#include <stdexcept>
+
+#include "scenarios/burs/bur_catalogue.h"
+#include "tests/bench/candidates.h"
+#include "tests/bench/mill.h"
+#include "tests/bench/names.h"
+#include "tests/bench/pin.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kNeckMm = 0.1;         // radius
+constexpr double kNeckFreeMm = 2.0;     // of its length beyond the head: the cavity is 1.8 mm deep
+constexpr double kOverMm = 5.0;         // of the pivot over the face, before it mills
+constexpr double kThroughAirMm = 0.05;  // a tick, through free space
+
+std::shared_ptr<Scene> scene_with(const Bur& head) {
+  std::shared_ptr<Scene> scene = cavity_scene(Method::surface);
+  Bur bur = head;
+  bur.neck_radius_mm = bur.shank_radius_mm = kNeckMm;
+  bur.neck_length_mm = (head.head.ball() ? head.radius_mm : head.head.high()) + kNeckFreeMm;
+  scene->burs = {bur};
+  scene->tool_axis = oblique_frame().z;
+  scene->tilt_cosine = 0.5;
+  return scene;
+}
+
+Row bur_mill_row(const CatalogueBur& entry, std::string_view axis, double minutes, const MillHand& hand) {
+  BurMill mill(entry.bur, axis, hand);
+  const auto ticks = std::max<std::int64_t>(1, static_cast<std::int64_t>(minutes * 60e3));
+  std::int64_t deferred = 0;
+  for (std::int64_t k = 0; k < ticks; ++k) {
+    const StepOutput out = mill.mill_tick();
+    if (k == 0) mill.start_measuring();
+    deferred += out.deferred;
+  }
+  Row row;
+  row.sweep = kFullSweep;
+  row.method = key_of(Method::surface);
+  row.shape = "cavity";
+  row.task = "mill";
+  row.bur = entry.shape + ' ' + entry.bur.name;
+  row.axis = axis;
+  row.speed_mm_s = kMillSpeedMmS;
+  row.bur_radius_mm = entry.bur.radius_mm;
+  row.voxel_mm = kCavityVoxelMm;
+  row.minutes = minutes;
+  row.tremor_mm = hand.tremor_mm;
+  row.seed = static_cast<std::int64_t>(hand.seed);
+  row.samples = static_cast<std::int64_t>(mill.times().count());
+  mill.times().fill(row);
+  row.tick_us_mean = 1e6 / row.updates_per_s;
+  const BurMill::Work& work = mill.work();
+  if (work.sum > 0) row.work_us_max = 1e6 * mill.times().sum_s() * static_cast<double>(work.most) / static_cast<double>(work.sum);
+  row.deferred_percent = 100.0 * static_cast<double>(deferred) / static_cast<double>(ticks);
+  return row;
+}
+
+}  // namespace
+
+BurMill::BurMill(const Bur& bur, std::string_view axis, const MillHand& hand)
+    : state_(scene_with(bur)),
+      axis_(axis, Frame::of(oblique_frame().z, oblique_frame().x, Vec3(0.0)), AxisMotion::Span::slot, hand.seed),
+      motion_(hand) {}
+
+StepOutput BurMill::timed(Vec3 device, Vec3 wanted_axis, std::uint16_t buttons) {
+  StepInput input = turned_input(device, oblique_frame().z, wanted_axis);
+  input.buttons = buttons;
+  const std::int64_t worked = counted_work(state_);
+  const double before = core_time_s();
+  const StepOutput out = step(state_, input);
+  times_.add_ns(static_cast<std::int64_t>((core_time_s() - before) * 1e9));
+  const std::int64_t work = counted_work(state_) - worked;
+  work_.sum += work;
+  work_.most = std::max(work_.most, work);
+  return out;
+}
+
+void BurMill::lead(Vec3 to) {
+  const Vec3 from = state_.last().tick == 0 ? to : state_.last().device_mm;
+  const int ticks = static_cast<int>(length(to - from) / kThroughAirMm) + 1;
+  for (int k = 1; k <= ticks; ++k) timed(from + (to - from) * (static_cast<double>(k) / ticks), oblique_frame().z, 0);
+}
+
+StepOutput BurMill::mill_tick() {
+  const Vec3 device = motion_.next();
+  if (!milling_) {
+    lead(oblique_frame().to_world({0.0, 0.0, kOverMm}));
+    lead(device);
+    milling_ = true;
+  }
+  return timed(device, axis_.next(), StepInput::kCut);
+}
+
+std::vector<Row> bur_mill_rows(const Options& options) {
+  std::vector<std::string> numbers = options.burs;
+  if (options.full)
+    for (const CatalogueBur& entry : bur_catalogue()) numbers.push_back(entry.bur.name);
+  std::vector<Row> rows;
+  if (!asked(options.methods, key_of(Method::surface))) return rows;
+  for (const std::string& number : numbers) {
+    const CatalogueBur* entry = catalogue_bur(number);
+    if (entry == nullptr) throw std::runtime_error("no bur " + number);
+    for (const std::string_view axis : {"fixed", "jitter"})
+      for (const double tremor : chosen(options.tremors_mm, {0.05}))
+        for (const double minutes : chosen(options.minutes, {kMillMinutes}))
+          if (asked(options.axes, axis)) rows.push_back(bur_mill_row(*entry, axis, minutes, {tremor, 0.0, options.seed}));
+  }
+  return rows;
+}
+
+}  // namespace cusp::bench
