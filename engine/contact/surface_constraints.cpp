@@ -21,7 +21,6 @@ inline void SurfaceContact::add_constraint(std::size_t i, const Constraint& cons
   origins_[k] = {static_cast<std::int32_t>(i), constraint.trusted, false};
   near_[k] = static_cast<std::int32_t>(i);
   low_[k] = constraint.low_mm;
-  if (constraint.holds_mm >= 0.0) held_[k] = {{constraint.normal, constraint.level}, true, constraint.low_mm, constraint.holds_mm};
   planes_.add(constraint.normal, constraint.level);
 }
 
@@ -37,7 +36,7 @@ inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, 
     const double height = glm::dot(c.normal, at) - c.level;
     if (height > 0.0) low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
-  add_constraint(i, {plane.n, plane.c, trusted, low, tool.ball() ? -1.0 : 0.0});
+  add_constraint(i, {plane.n, plane.c, trusted, low});
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
 }
 
@@ -46,7 +45,7 @@ inline void SurfaceContact::constrain_head(const Tool& tool, std::size_t i, cons
   const Candidate& c = candidates_[i];
   const HeadPlane found = plane_of_head(tool, c, place, at, slack_mm);
   if (!found.near) return;
-  add_constraint(i, {found.plane.n, found.plane.c, found.trusted(), found.low_mm, found.holds_mm});
+  add_constraint(i, {found.plane.n, found.plane.c, found.trusted, found.low_mm});
   near_cut_ = near_cut_ || c.field == Field::cut || c.kind == Kind::edge;
 }
 
@@ -297,14 +296,8 @@ bool SurfaceContact::rebuild_constraints(const Tool& tool, Vec3 at, double slack
     if (low_[k] > within) continue;
     Plane plane;
     bool trusted = false;
-    if (!tool.ball() && shifted <= held_[k].holds_mm) {
-      plane = held_[k].plane;
-      trusted = held_[k].trusted();
-      if (glm::dot(plane.n, at) - plane.c > slack_mm) continue;
-    } else {
-      ++looked;
-      if (!plane_of(tool, candidates_[static_cast<std::size_t>(near_[k])], at, slack_mm, plane, trusted)) continue;
-    }
+    ++looked;
+    if (!plane_of(tool, candidates_[static_cast<std::size_t>(near_[k])], at, slack_mm, plane, trusted)) continue;
     origins_[planes_.size()] = {near_[k], trusted, false};
     planes_.add(plane.n, plane.c);
   }

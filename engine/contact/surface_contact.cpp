@@ -50,7 +50,6 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
       origins_(candidates_.size()),
       near_(candidates_.size()),
       low_(candidates_.size()),
-      held_(candidates_.size()),
       cut_(volume),
       sweeps_(sweeps),
       walls_(volume, sweeps),

@@ -162,11 +162,11 @@ class SurfaceContact {
     double level = 0;   // normal . point
     double radius = 0;  // of the ball, thinner against what it has cut
   };
-  /// The last full build of constraints: near_ are its candidates, low_ their least distances, held_ their planes.
+  /// The last full build of constraints: near_ are its candidates, low_ their least distances.
   struct Built {
     Vec3 at{0.0};
     double within_mm = -1.0;  // it left out constraints further off; negative: invalid
-    std::size_t count = 0;    // of near_, low_, held_
+    std::size_t count = 0;    // of near_ and low_
   };
   struct Polished {
     bool accepted = false;
@@ -243,13 +243,12 @@ class SurfaceContact {
     bool deepest = true;  // no place of the head stands deeper over the surface's plane
     double over = 0.0;    // mm: how high the deepest one stands over it
   };
-  /// A head's constraint, and how far the head may go until it may be another.
+  /// A head's constraint.
   struct HeadPlane {
     Plane plane;
-    bool near = false;      // it is within the slack
-    double low_mm = 0.0;    // less the head's way, a bound of its distance from below
-    double holds_mm = 0.0;  // for so long a way the plane stays the same; 0: it turns with the head
-    bool trusted() const noexcept { return holds_mm > 0.0; }
+    bool near = false;     // it is within the slack
+    bool trusted = false;  // it does not turn with the head
+    double low_mm = 0.0;   // less the head's way, a bound of its distance from below
   };
   bool near_rim(const Tool& tool, Vec3 from_pivot) const noexcept;
   HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, const ByHead& point, double beside2) const noexcept;
@@ -269,7 +268,7 @@ class SurfaceContact {
   void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
   void constrain_head(const Tool& tool, std::size_t i, const ByHead& place, Vec3 at, double slack_mm) noexcept;
-  struct Constraint { Vec3 normal; double level; bool trusted; double low_mm, holds_mm = -1.0; };
+  struct Constraint { Vec3 normal; double level; bool trusted; double low_mm; };
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
@@ -349,7 +348,6 @@ class SurfaceContact {
   Built built_;
   std::vector<std::int32_t> near_;     // candidates of built_
   std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
-  std::vector<HeadPlane> held_;        // what each of near_ was at built_.at; not of a ball
   std::size_t count_ = 0, ball_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
   std::size_t shank_count_ = 0;

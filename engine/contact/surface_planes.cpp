@@ -13,7 +13,6 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 
 constexpr double kLongestLeap = 10.0;       // of the last pass's move
 constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
-constexpr double kHoldsMm = 1e-12;            // least of a plane that does not turn with the head
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 
@@ -214,16 +213,14 @@ SurfaceContact::HeadPlane SurfaceContact::plane_of_head(const Tool& tool, const 
       const auto past = [&](Vec3 other, double other_d) {
         return other_d + glm::dot(other, d) - over * glm::dot(other, c.normal);
       };
-      double beyond = -1e300;
-      if (c.others > 0) beyond = past(Vec3(c.feature->other_normal), c.feature->other_d_mm);
-      if (c.others > 1) beyond = std::max(beyond, past(Vec3(c.feature->third_normal), c.feature->third_d_mm));
-      if (!(beyond > 0.0)) {
+      const bool beyond = (c.others > 0 && past(Vec3(c.feature->other_normal), c.feature->other_d_mm) > 0.0) ||
+                          (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm) > 0.0);
+      if (!beyond) {
         if (height > slack_mm) return out;
         out.near = true;
         out.plane.n = foot.normal;
         out.plane.c = glm::dot(foot.normal, y) - height;
-        // A place of the head goes sideways over its surface's plane no further than the head goes.
-        if (foot.deepest) out.holds_mm = std::max(kHoldsMm, std::min(beside - std::sqrt(std::max(side2, 0.0)), -beyond));
+        out.trusted = foot.deepest;
         return out;
       }
     }
@@ -254,7 +251,7 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
   if (!tool.ball()) {
     const HeadPlane found = plane_of_head(tool, c, by_head(*tool.bur, tool.axis, c.point - y), y, slack_mm);
     plane = found.plane;
-    trusted = found.trusted();
+    trusted = found.trusted;
     return found.near;
   }
   const double r = tool.bur->radius_mm - tool.thin(c.field);
