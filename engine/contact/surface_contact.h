@@ -301,6 +301,7 @@ class SurfaceContact {
   struct PlaneSolve;
   void begin_search(const Volume& volume, const Tool& tool, PlaneSolve& s) noexcept;
   void build_anew(PlaneSolve& s) noexcept;
+  void build_further(const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept;
   void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;

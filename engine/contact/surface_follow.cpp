@@ -16,6 +16,7 @@ constexpr double kPredictedMm = 0.005;       // mm: and this much more
 constexpr double kFurther = 1.5;            // of the pass's move: constraints are rebuilt for this distance if it leaves the first
 constexpr double kAsked = 0.3;              // of the last pass's move: how far the next may go
 constexpr double kAskedMm = 0.002;          // mm: and this much more
+constexpr double kNearStep = 0.5;            // of a step: as far as constraints may be built beyond those that are complete
 constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass are built for this distance, for those that follow
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
 constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
@@ -47,10 +48,10 @@ struct SurfaceContact::PlaneSolve {
   double next_step = 0.0;
 };
 
-/// Constraints are next built at the present pose, for the whole step.
+/// Constraints are next built at the present pose.
 void SurfaceContact::build_anew(PlaneSolve& s) noexcept {
   s.at = s.y;
-  s.limit = 2.0 * s.step;
+  s.limit = std::min(2.0 * s.step, kAgainMm);
   s.last_moved = 1.0;
   built_.within_mm = -1.0;
 }
@@ -97,6 +98,23 @@ void SurfaceContact::constrain_pass(const Volume& volume, const Tool& tool, Plan
   relax_by_past(0, planes_.size());
 }
 
+/// Constraints are next built for more: where the pose goes, unless that is far; else from where they are, in the end for the
+/// whole step. off: how far the pose that was found is from there, mm.
+void SurfaceContact::build_further(const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept {
+  const double further = std::min(2.0 * s.step, kFurther * off + kPredictedMm);
+  s.last_moved = 1.0;
+  if (pass > 0 && !s.uses_prediction && off < kNearStep * s.step) {
+    s.at = found.y;
+    s.asked = kAsked * off + kAskedMm;
+    s.limit = std::max(s.limit, s.asked);
+  } else if (s.within < s.limit) {
+    s.asked = std::min(s.limit, further);
+  } else {
+    s.limit = further;
+    built_.within_mm = -1.0;
+  }
+}
+
 /// One pass. True if the search goes on.
 bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
   candidates_left_ -= kCandidatesOfPass;
@@ -118,10 +136,8 @@ bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolv
   if (s.arrived) return false;
   const double off = length_of(found.y - s.at);
   if (off > s.within && s.within < 2.0 * s.step) {
-    // Further than the constraints are complete for: builds them for more, in the end for the whole step.
-    if (s.within == s.limit) s.limit = std::min(2.0 * s.step, kFurther * off + kPredictedMm);
-    built_.within_mm = -1.0;
-    s.last_moved = 1.0;
+    // Further than the constraints are complete for.
+    build_further(found, off, pass, s);
     return true;
   }
   const double whole = length_of(found.y - s.centre);
