@@ -19,6 +19,8 @@ constexpr double kTieMm = 0.005;  // largest distance of the cut pose from the p
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
 constexpr double kLeastSweepMm = 0.03;
+/// A head's path may bend away from its sweep by so much: the clearance holds it there.
+constexpr double kBentMm = SurfaceContact::kClearanceMm;
 /// The same of a ball that does not go straight. Contact has its sweeps exactly before and after; a carving costs a tick 75 us.
 constexpr double kLeastBallSweepMm = 0.06;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
@@ -91,16 +93,15 @@ bool carve_pending(StepState::Inner& state, int bricks) noexcept {
 
 constexpr int kAllBricks = 1 << 30;
 
-/// Bricks a tick that carve a sweep well before the next one is queued.
+/// Bricks a tick that carve a sweep well before the next one is queued. Of another head all: each part costs as much again for
+/// the cells beside it.
 int bricks_a_tick(const StepState::Inner& state) noexcept {
   const StepState::Inner::PendingSweep& sweep = state.pending_sweep;
   const double side = kBrickEdge * state.volume.grid().voxel_mm;
   const Bur& bur = state.scene->burs[sweep.bur];
-  const double across = 2.0 * bur.radius_mm / side + 1.0;
-  const double along = bur.head.ball() ? across : (bur.head.high() - bur.head.low()) / side + 1.0;
-  // A small bur's front lies in few bricks. One carving is cheaper, because each part recomputes the cells of its
-  // bricks.
-  return across * along < 10.0 ? kAllBricks : 1 + static_cast<int>(across * along / 16.0);
+  const double across = 2.0 * bur.radius_mm / side + 1.0, front = across * across;
+  // A small ball's front lies in few bricks.
+  return !bur.head.ball() || front < 10.0 ? kAllBricks : 1 + static_cast<int>(front / 16.0);
 }
 
 /// Queues the sweep from cut_from to cut_pose, after carving the one that was pending. False if the volume had no room.
@@ -255,7 +256,8 @@ bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, St
   }
   if (state.cut_pending && !(state.cut_axis == tick.axis)) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
   const bool goes_on = state.memory.add(from, to, {out.bur, tick.axis});
-  if (state.cut_pending && !goes_on) out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+  if (state.cut_pending && !goes_on && !state.memory.nearly_straight_from(state.cut_from, kBentMm))
+    out.overflow = !queue_sweep(state, out.bur) || out.overflow;
   return state.memory.straight_from(state.cut_pending ? state.cut_from : from);
 }
 

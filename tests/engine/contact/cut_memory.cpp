@@ -64,6 +64,26 @@ TEST(CutMemory, full_it_finds_what_a_look_at_all_of_it_finds) {
   EXPECT_LT(none, looks / 10) << "forgotten places alone";
 }
 
+TEST(CutMemory, a_path_is_nearly_straight_while_no_corner_of_it_leaves_the_line_to_its_end) {
+  constexpr double kOff = 0.001;
+  // An arc of 1 mm: its chord is off by length^2 / 8 mm.
+  const auto arc = [](int k) { return Vec3(std::sin(0.005 * k), 1.0 - std::cos(0.005 * k), 0.0); };
+  CutMemory memory;
+  EXPECT_FALSE(memory.nearly_straight_from(arc(0), kOff)) << "empty";
+  for (int k = 0; k < 40; ++k) {
+    memory.add(arc(k), arc(k + 1), kHead);
+    const double chord = 0.005 * (k + 1), off = chord * chord / 8.0;
+    if (std::fabs(off - kOff) < 0.1 * kOff) continue;
+    EXPECT_EQ(memory.nearly_straight_from(arc(0), kOff), off < kOff) << k;
+  }
+  // From within a segment too, and not from beside the path, nor before another way.
+  EXPECT_TRUE(memory.nearly_straight_from(0.5 * (arc(38) + arc(39)), kOff));
+  EXPECT_FALSE(memory.nearly_straight_from(arc(39) + Vec3(0.0, 0.01, 0.0), kOff));
+  memory.break_path();
+  memory.add(arc(60), arc(61), kHead);
+  EXPECT_FALSE(memory.nearly_straight_from(arc(38), kOff));
+}
+
 TEST(CutMemory, what_is_loaded_answers_as_what_was_added) {
   const CutMemory memory = filled();
   std::vector<CutMemory::Segment> all;
