@@ -53,8 +53,7 @@ Row bur_mill_row(const CatalogueBur& entry, std::string_view axis, double minute
   row.samples = static_cast<std::int64_t>(mill.times().count());
   mill.times().fill(row);
   row.tick_us_mean = 1e6 / row.updates_per_s;
-  const BurMill::Work& work = mill.work();
-  if (work.sum > 0) row.work_us_max = 1e6 * mill.times().sum_s() * static_cast<double>(work.most) / static_cast<double>(work.sum);
+  row.work_us_max = mill.work().most_us();
   row.deferred_percent = 100.0 * static_cast<double>(deferred) / static_cast<double>(ticks);
   return row;
 }
@@ -66,16 +65,32 @@ BurMill::BurMill(const Bur& bur, std::string_view axis, const MillHand& hand)
       axis_(axis, Frame::of(oblique_frame().z, oblique_frame().x, Vec3(0.0)), AxisMotion::Span::slot, hand.seed),
       motion_(hand) {}
 
+void BurMill::Work::add(std::int64_t units, double tick_us) noexcept {
+  const auto w = static_cast<double>(units);
+  most = std::max(most, units);
+  ticks += 1.0;
+  sum += w;
+  squares += w * w;
+  us += tick_us;
+  with_us += w * tick_us;
+}
+
+double BurMill::Work::most_us() const noexcept {
+  const double spread = ticks * squares - sum * sum;
+  if (!(spread > 0.0)) return kAbsent;
+  const double per_unit = (ticks * with_us - sum * us) / spread;
+  return (us + per_unit * (ticks * static_cast<double>(most) - sum)) / ticks;
+}
+
 StepOutput BurMill::timed(Vec3 device, Vec3 wanted_axis, std::uint16_t buttons) {
   StepInput input = turned_input(device, oblique_frame().z, wanted_axis);
   input.buttons = buttons;
   const std::int64_t worked = counted_work(state_);
   const double before = core_time_s();
   const StepOutput out = step(state_, input);
-  times_.add_ns(static_cast<std::int64_t>((core_time_s() - before) * 1e9));
-  const std::int64_t work = counted_work(state_) - worked;
-  work_.sum += work;
-  work_.most = std::max(work_.most, work);
+  const double seconds = core_time_s() - before;
+  times_.add_ns(static_cast<std::int64_t>(seconds * 1e9));
+  work_.add(counted_work(state_) - worked, seconds * 1e6);
   return out;
 }
 

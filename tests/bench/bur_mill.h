@@ -25,9 +25,13 @@ class BurMill {
 
   StepState& state() { return state_; }
   TickTimes& times() { return times_; }
-  /// Units of counted work: of all ticks and of the costliest one.
+  /// Counted work of ticks, in units of the search for the proxy, against their times.
   struct Work {
-    std::int64_t sum = 0, most = 0;
+    std::int64_t most = 0;  // of a tick
+    double ticks = 0.0, sum = 0.0, squares = 0.0, us = 0.0, with_us = 0.0;
+    void add(std::int64_t units, double tick_us) noexcept;
+    /// Time of `most` units by the straight line that fits all ticks best; NaN where all count the same.
+    double most_us() const noexcept;
   };
   const Work& work() const { return work_; }
   /// Forgets times and work.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/bench/bur_mill.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/lanes.h"
 #include "tests/bench/motions.h"
@@ -129,6 +130,19 @@ TEST(Rate, MillsWithABurOfTheCatalogueAndNothingElse) {
   EXPECT_EQ(rows[0].axis, "fixed");
   EXPECT_EQ(rows[1].axis, "jitter");
   EXPECT_EQ(rows[2].bur, "round 4");
+}
+
+TEST(Rate, PutsTheCostliestTickOnTheLineThatFitsWorkAndTimeBest) {
+  BurMill::Work work;
+  EXPECT_TRUE(std::isnan(work.most_us()));
+  work.add(10, 25.0);
+  EXPECT_TRUE(std::isnan(work.most_us()));
+  work.add(20, 45.0);
+  work.add(1000, 2005.0);
+  EXPECT_NEAR(work.most_us(), 2005.0, 1e-9);  // 5 us and 2 us a unit
+  work.add(20, 65.0);
+  work.add(20, 25.0);  // as far off on either side
+  EXPECT_NEAR(work.most_us(), 2005.0, 1e-6);
 }
 
 TEST(Rate, RefusesABurThatTheCatalogueLacks) {

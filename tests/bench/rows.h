@@ -123,7 +123,7 @@ struct Row {
   double tick_us_p999 = kAbsent;
   double tick_us_p9999 = kAbsent;
   double tick_us_max = kAbsent;
-  double work_us_max = kAbsent;       // rate: of mill with a catalogue bur: most counted work of a tick, at the row's mean time of its unit
+  double work_us_max = kAbsent;       // rate: of mill with a catalogue bur: most counted work of a tick, by the line that fits the row's ticks
   double deferred_percent = kAbsent;  // rate: the same: ticks whose search went on in the next one
   double ratio_to_occupancy = kAbsent;  // rate: updates_per_s over the occupancy proxy's in the same run
   double cached_share = kAbsent;        // rate: ticks answered from the cached clearance, 0 to 1

@@ -91,7 +91,7 @@ def milling(full):
         rows.append([name, row.text("axis"), tick(row), small(row.number("work_us_max")), f"{row.number('deferred_percent'):.2g}"])
     return lines(["bur", "axis", "tick mean · p99.9 · p99.99, µs", "most counted work, µs", "ticks deferred, %"], rows) + (
         f"\n{full.source}: each bur mills for {least:g} minutes at 5 mm/s with a tremor of {CAVITY_TREMOR_MM} mm, its axis fixed or jittering by "
-        "0.1 degrees; thread CPU time. Counted work: of the search for the proxy, at the row's mean time of a unit.\n")
+        "0.1 degrees; thread CPU time. Counted work: of the search for the proxy, by the line that fits the row's ticks best.\n")
 
 
 def stability(table):
