@@ -43,6 +43,12 @@ constexpr Verb kVerbs[] = {
     {"chart", "measures every verb, or reads --from, and writes the tables for charts/draw.py", run_chart, true},
 };
 
+std::vector<std::string> bur_numbers() {
+  std::vector<std::string> out;
+  for (const scenarios::CatalogueBur& entry : scenarios::bur_catalogue()) out.push_back(entry.bur.name);
+  return out;
+}
+
 void add_options(CLI::App& app, Options& options, const Verb& verb) {
   const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
   std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
@@ -81,10 +87,8 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
       ->check(CLI::IsMember(direction_names()));
   app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
   app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
-  std::vector<std::string> burs;
-  for (const scenarios::CatalogueBur& entry : scenarios::bur_catalogue()) burs.push_back(entry.bur.name);
   const std::vector<std::string> axes(kAxisMotions.begin(), kAxisMotions.end());
-  app.add_option("--bur", options.burs, "heads, and rate's mill alone: this catalogue number (repeatable)")->check(CLI::IsMember(burs));
+  app.add_option("--bur", options.burs, "heads, and rate's mill alone: this catalogue number (repeatable)")->check(CLI::IsMember(bur_numbers()));
   app.add_option("--axis", options.axes, "heads: fixed, turning or jitter; mill: fixed or jitter (repeatable)")->check(CLI::IsMember(axes));
   app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round bur at 0.1 mm, not all pairs; every bur of the "
                "catalogue. stability: k_max on every device, grip, friction and delay, and nothing else. rate: mill with every bur of the "
