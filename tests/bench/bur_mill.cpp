@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kNeckMm = 0.1;         // radius
 constexpr double kNeckFreeMm = 2.0;     // of its length beyond the head: the cavity is 1.8 mm deep
-constexpr double kOverMm = 5.0;         // of the pivot over the face, before it mills
 constexpr double kThroughAirMm = 0.05;  // a tick, through free space
 
 std::shared_ptr<Scene> scene_with(const Bur& head) {
@@ -32,11 +31,8 @@ Row bur_mill_row(const CatalogueBur& entry, std::string_view axis, double minute
   BurMill mill(entry.bur, axis, hand);
   const auto ticks = std::max<std::int64_t>(1, static_cast<std::int64_t>(minutes * 60e3));
   std::int64_t deferred = 0;
-  for (std::int64_t k = 0; k < ticks; ++k) {
-    const StepOutput out = mill.mill_tick();
-    if (k == 0) mill.start_measuring();
-    deferred += out.deferred;
-  }
+  for (std::int64_t k = 0; k < ticks; ++k)
+    deferred += mill.mill_tick().deferred;
   Row row;
   row.sweep = kFullSweep;
   row.method = key_of(Method::surface);
@@ -94,17 +90,15 @@ StepOutput BurMill::timed(Vec3 device, Vec3 wanted_axis, std::uint16_t buttons) 
   return out;
 }
 
-void BurMill::lead(Vec3 to) {
-  const Vec3 from = state_.last().tick == 0 ? to : state_.last().device_mm;
-  const int ticks = static_cast<int>(length(to - from) / kThroughAirMm) + 1;
-  for (int k = 1; k <= ticks; ++k) timed(from + (to - from) * (static_cast<double>(k) / ticks), oblique_frame().z, 0);
+void BurMill::lead_to(Vec3 to) {
+  lead(state_, [](StepState& state, const StepInput& input) { return step(state, input); }, to, kThroughAirMm);
 }
 
 StepOutput BurMill::mill_tick() {
   const Vec3 device = motion_.next();
   if (!milling_) {
-    lead(oblique_frame().to_world({0.0, 0.0, kOverMm}));
-    lead(device);
+    lead_to(oblique_frame().to_world({0.0, 0.0, kOverMm}));
+    lead_to(device);
     milling_ = true;
   }
   return timed(device, axis_.next(), StepInput::kCut);

@@ -16,12 +16,13 @@ class BurMill {
   /// axis: of kAxisMotions. It rests along the frame's z.
   BurMill(const Bur& bur, std::string_view axis, const MillHand& hand);
 
-  /// The next tick of the milling. The first comes after a way through free space.
+  /// The next tick of the milling. Before the first the bur comes through free space.
   StepOutput mill_tick();
   /// A tick with the button up and the axis in motion.
   StepOutput tick(Vec3 device) { return timed(device, axis_.next(), 0); }
-  /// Straight through free space with the axis at rest.
-  void lead(Vec3 to);
+  static constexpr double kOverMm = 5.0;  // of the pivot over the face, on the way into the cavity
+  /// Straight through free space with the axis at rest; not timed.
+  void lead_to(Vec3 to);
 
   StepState& state() { return state_; }
   TickTimes& times() { return times_; }

@@ -12,7 +12,6 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kOverMm = 5.0;         // of the pivot over the face, between milling and exploring
 constexpr double kOtherMm = 0.05;       // proxies further apart stand in different minima
 constexpr double kPathRadiusMm = 0.4;   // of exploring_points(): device points beyond the milled path, for every head
 const Vec3 kMiddle(0.0, 0.0, -0.8);     // free, in the frame's own axes
@@ -35,10 +34,10 @@ std::vector<HeadSweep> mill_cavity(BurMill& mill, double minutes) {
 /// Up, over the middle, and down into it.
 void enter(BurMill& mill) {
   Vec3 above = oblique_frame().to_local(mill.state().last().device_mm);
-  above.z = kOverMm;
-  mill.lead(oblique_frame().to_world(above));
-  mill.lead(oblique_frame().to_world({0.0, 0.0, kOverMm}));
-  mill.lead(oblique_frame().to_world(kMiddle));
+  above.z = BurMill::kOverMm;
+  mill.lead_to(oblique_frame().to_world(above));
+  mill.lead_to(oblique_frame().to_world({0.0, 0.0, BurMill::kOverMm}));
+  mill.lead_to(oblique_frame().to_world(kMiddle));
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(Rate, MillsWithABurOfTheCatalogueAndNothingElse) {
     SCOPED_TRACE(row.bur + ' ' + row.axis);
     EXPECT_EQ(row.task, "mill");
     EXPECT_EQ(row.sweep, kFullSweep);
-    EXPECT_EQ(row.samples, 1199);
+    EXPECT_EQ(row.samples, 1200);
     EXPECT_GT(row.work_us_max, 0.0);
     EXPECT_GE(row.tick_us_max, row.tick_us_p9999);
     EXPECT_GE(row.deferred_percent, 0.0);
