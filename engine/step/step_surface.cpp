@@ -19,10 +19,10 @@ constexpr double kTieMm = 0.005;  // largest distance of the cut pose from the p
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
 constexpr double kLeastSweepMm = 0.03;
-/// A head's path may bend away from its sweep by so much: the clearance holds it there.
-constexpr double kBentMm = SurfaceContact::kClearanceMm;
 /// The same of a ball that does not go straight. Contact has its sweeps exactly before and after; a carving costs a tick 75 us.
 constexpr double kLeastBallSweepMm = 0.06;
+/// A sweep of another head ends where a bend of its path leaves the line by more: its clearance while it cuts.
+constexpr double kBentMm = SurfaceContact::kClearanceMm;
 /// A shorter slide takes at most its own length too much, and a carved sweep moves the contact that far anyway.
 constexpr double kLeastSlideMm = 0.0004;
 /// While sliding, the bur may stand this deep in tissue: more than kShallowTauMm needs no correction (slide_depth()).
