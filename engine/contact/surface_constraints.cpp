@@ -280,7 +280,10 @@ void SurfaceContact::build_constraints(const Volume& volume, const Tool& tool, V
   if (shank_count_ > 0) looked += add_shank_constraints(volume, tool, centre, step, at, slack_mm);
   built_ = {at, slack_mm, planes_.size()};
   if (looked > most_candidates_) most_candidates_ = looked;
-  candidates_left_ -= static_cast<int>(looked) * (tool.ball() ? 1 : kHeadCandidate);
+  const int unit = tool.ball() ? 1 : kHeadCandidate;
+  const int cost = kCandidatesOfConstraint * static_cast<int>(planes_.size()) * unit;
+  candidates_left_ -= cost;
+  uncharged_ += static_cast<std::int64_t>(looked) * unit - cost;
 }
 
 /// The same constraints, seen from another place and at most slack_mm away, of the last full build's candidates. False if that

@@ -69,10 +69,12 @@ class SurfaceContact {
 
   /// Budget of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least; more while
   /// the bur cuts, for a tick with `deferred` set cuts nothing. Where it runs out, a search that has moved stops with it set.
+  /// How many candidates are looked at depends on what is at hand, so constraints are charged: each as kCandidatesOfConstraint.
   static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48;
   static constexpr int kCandidatesOfPass = 20, kHeadCandidate = 3;  // cost of a pass; of a candidate of another head, some 90 ns
+  static constexpr int kCandidatesOfConstraint = 2;
   void reset_budget() noexcept {
-    candidates_before_ = candidates_visited();
+    candidates_before_ = charged();
     candidates_left_ = kMostCandidates;
     passes_ = 0;
   }
@@ -112,8 +114,8 @@ class SurfaceContact {
 
   /// Ticks that FreeSpace answered; for benches.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
-  /// Candidates visited since construction, counted as the budget does; for tests and benches.
-  std::int64_t candidates_visited() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
+  /// Candidates looked at since construction; for tests and benches.
+  std::int64_t candidates_visited() const noexcept { return charged() + uncharged_; }
   /// Most candidates of one pass; for benches.
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
@@ -218,6 +220,8 @@ class SurfaceContact {
   };
   static Reach shank_within(const Tool& tool, double margin_mm) noexcept;
   static Reach head_within(const Tool& tool, double margin_mm) noexcept;
+  template <class Visit>
+  void unresolved_near(const Volume& volume, const Tool& tool, Vec3 pose, double margin_mm, Visit&& visit) const noexcept;
   template <class Visit>
   void bricks_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) const noexcept;
   template <class Visit>
@@ -366,6 +370,8 @@ class SurfaceContact {
   bool overflow_ = false;
   int candidates_left_ = kMostCandidates, passes_ = 0;
   std::int64_t candidates_before_ = 0;
+  std::int64_t uncharged_ = 0;         // candidates looked at beyond those that the budget was charged for
+  std::int64_t charged() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
   bool all_resolved_ = true;           // no part near the bur is unresolved
   /// If valid, no part within kUnresolvedMarginMm of `at` is unresolved.
   struct UnresolvedFar {

@@ -154,10 +154,8 @@ void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre,
         const double along = half.x * std::fabs(axis.x) + half.y * std::fabs(axis.y) + half.z * std::fabs(axis.z);
         if (t + along < reach.from || t - along > reach.to) continue;
         const double wide = t + along > reach.wide_from ? thick : reach.slim;
-        const double diagonal2 = glm::dot(half, half);
-        const double off2 = glm::dot(middle, middle) - t * t;
-        // off > wide + diagonal, squared twice so that no root is taken: (a + b)^2 <= 2 a^2 + 2 b^2.
-        if (off2 > 2.0 * (wide * wide + diagonal2)) continue;
+        const double far = wide + std::sqrt(glm::dot(half, half));
+        if (glm::dot(middle, middle) - t * t > far * far) continue;
         visit(row + x, IVec3(x, y, z));
       }
     }

@@ -14,6 +14,34 @@ constexpr double kUnresolvedMarginMm = 0.1;
 
 }  // namespace
 
+/// Calls visit(brick, parts) with the unresolved parts within margin_mm of the bur, the head's bricks first: of a ball the parts,
+/// of neck, shank and another head all of a brick. What it visits is among what a pose `d` away visits with d more of margin.
+template <class Visit>
+void SurfaceContact::unresolved_near(const Volume& volume, const Tool& tool, Vec3 pose, double margin_mm, Visit&& visit) const noexcept {
+  const double side = voxel_mm_, reach = tool.bur->radius_mm + margin_mm;
+  const auto near = [&](IVec3 at) {
+    if (!tool.ball()) return CutSurface::kAllParts;
+    CutSurface::Parts out = 0;
+    const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
+    for (int part = 0; part < 2 * kBrickEdge; ++part) {
+      const double y = part % 2 * 4.0, z = part / 2;
+      const Vec3 low = corner + Vec3(-0.2, y - 0.2, z - 0.2) * side, high = corner + Vec3(8.2, y + 4.2, z + 1.2) * side;
+      out = static_cast<CutSurface::Parts>(out | (box_distance2(pose, low, high) <= reach * reach ? 1u << part : 0u));
+    }
+    return out;
+  };
+  const auto visit_among = [&](int brick, CutSurface::Parts parts) {
+    parts = static_cast<CutSurface::Parts>(parts & cut_.unresolved(volume, brick));
+    if (parts != 0) visit(brick, parts);
+  };
+  head_bricks(volume, tool, pose, margin_mm, [&](int brick, IVec3 at) {
+    if (volume.has_cut(brick) && cut_.unresolved(volume, brick) != 0) visit_among(brick, near(at));
+  });
+  bricks_within(volume, tool.axis, pose, shank_within(tool, margin_mm), [&](int brick, IVec3) {
+    if (volume.has_cut(brick)) visit_among(brick, CutSurface::kAllParts);
+  });
+}
+
 void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, Resolve when) noexcept {
   const bool on = when != Resolve::off;
   if (on != cut_.resolves()) {
@@ -30,47 +58,17 @@ void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Ve
   if (unresolved_far_.valid && unresolved_far_.bur == &bur && unresolved_far_.axis == axis && glm::dot(gone, gone) <= kUnresolvedMarginMm * kUnresolvedMarginMm) return;
 
   const Tool tool{&bur, axis};
-  const double side = voxel_mm_;
-  // Parts of a brick near the head of a ball; of another head all.
-  const auto near = [&](IVec3 at, double margin) {
-    if (!tool.ball()) return CutSurface::kAllParts;
-    CutSurface::Parts out = 0;
-    const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
-    const double reach = bur.radius_mm + margin;
-    for (int part = 0; part < 2 * kBrickEdge; ++part) {
-      const double y = part % 2 * 4.0, z = part / 2;
-      const Vec3 low = corner + Vec3(-0.2, y - 0.2, z - 0.2) * side, high = corner + Vec3(8.2, y + 4.2, z + 1.2) * side;
-      out = static_cast<CutSurface::Parts>(out | (box_distance2(pose, low, high) <= reach * reach ? 1u << part : 0u));
-    }
-    return out;
-  };
   int budget = when == Resolve::wait ? 0 : CutSurface::kResolvePerTick;
-  bool any = false, far = false;
-  // The head first, then the shank.
-  head_bricks(volume, tool, pose, kResolveWithinMm + kUnresolvedMarginMm, [&](int brick, IVec3 at) {
-    if (!volume.has_cut(brick)) return;
-    const CutSurface::Parts unresolved = cut_.unresolved(volume, brick);
-    if (unresolved == 0 || (unresolved & near(at, kResolveWithinMm + kUnresolvedMarginMm)) == 0) return;
-    far = true;
-    const auto wanted = static_cast<CutSurface::Parts>(unresolved & near(at, kResolveWithinMm));
-    if (wanted == 0) return;
+  bool any = false;
+  unresolved_near(volume, tool, pose, kResolveWithinMm, [&](int brick, CutSurface::Parts parts) {
     any = true;
-    if (budget > 0) budget = cut_.resolve_parts(volume, brick, wanted, budget);
+    if (budget > 0) budget = cut_.resolve_parts(volume, brick, parts, budget);
   });
-  const auto shank = [&](double margin, auto&& visit) {
-    bricks_within(volume, axis, pose, shank_within(tool, margin), [&](int brick, IVec3) {
-      if (volume.has_cut(brick) && cut_.unresolved(volume, brick) != 0) visit(brick);
-    });
-  };
-  if (budget > 0)
-    shank(kResolveWithinMm, [&](int brick) {
-      any = true;
-      if (budget > 0) budget = cut_.resolve_parts(volume, brick, CutSurface::kAllParts, budget);
-    });
   if (any) {
     gathered_.valid = free_.valid = false;
-  } else if (!far) {
-    shank(kResolveWithinMm + kUnresolvedMarginMm, [&](int) { far = true; });
+  } else {
+    bool far = false;
+    unresolved_near(volume, tool, pose, kResolveWithinMm + kUnresolvedMarginMm, [&](int, CutSurface::Parts) { far = true; });
     unresolved_far_ = {pose, axis, &bur, !far};
   }
   all_resolved_ = !any || budget > 0;
