@@ -1,6 +1,7 @@
 // hash(), save() and restore(): three visitors of the list in state_fields.h.
 #include "engine/step/state_fields.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "engine/volume/hash.h"
@@ -164,13 +165,28 @@ class Reader {
   bool good_ = true;
 };
 
+/// True if a run names sweeps that follow each other, or none.
+bool in_store(const Sweeps& sweeps, SweepRun run) noexcept {
+  if (run.to == Sweeps::kNone) return run.from == Sweeps::kNone || run.from == 0;
+  return run.from >= 0 && run.from <= run.to && run.to < sweeps.size() && !sweeps.gap(run.from) &&
+         sweeps.about(run.from, 0, run.to - run.from).to == run.to;
+}
+
+/// True if no voxel names the gap between two ways.
+bool name_sweeps(const Volume& volume, const Sweeps& sweeps) noexcept {
+  for (const std::int32_t brick : volume.cut_bricks())
+    if (const std::int32_t* ids = volume.sweeps_of(brick))
+      if (std::any_of(ids, ids + kBrickVoxels, [&](std::int32_t id) { return id != Volume::kNoSweep && sweeps.gap(id); })) return false;
+  return true;
+}
+
 /// Indices and enums of the state are the scene's; what the spindle and the heat keep is in their range.
 bool in_range(const StepState::Inner& s) noexcept {
   const std::size_t burs = s.scene->burs.size();
   if (s.last.bur >= burs || index_of(s.last.tissue) >= kTissueCodes || s.guard.fault > Fault::stale) return false;
   if (s.pending_sweep.bur >= burs || s.pending_sweep.next < -1) return false;
-  for (const std::int32_t id : {s.cut_first, s.cut_last, s.pending_sweep.first, s.pending_sweep.last})
-    if (id < Sweeps::kNone || id > s.sweeps.size()) return false;
+  if (!in_store(s.sweeps, {s.cut_first, s.cut_last}) || !in_store(s.sweeps, {s.pending_sweep.first, s.pending_sweep.last})) return false;
+  if (!name_sweeps(s.volume, s.sweeps)) return false;
   for (std::size_t i = 0; i < s.memory.size(); ++i) {
     const std::int32_t head = s.memory.segment(i).by.head;
     if (head < 0 || head >= static_cast<std::int32_t>(burs)) return false;

@@ -250,7 +250,11 @@ bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, St
   if (bur.head.ball()) {
     if (state.cut_pending && state.cut_last - state.cut_first + 1 >= kSweepsAtOnce)
       out.overflow = !queue_sweep(state, out.bur) || out.overflow;
-    state.cut_last = state.sweeps.add(from, to, bur.radius_mm);
+    const std::int32_t id = state.sweeps.add(from, to, bur.radius_mm);
+    // Where the store of ways is full, what comes has no id: it is carved apart from what has.
+    if (state.cut_pending && (id == Sweeps::kNone) != (state.cut_last == Sweeps::kNone))
+      out.overflow = !queue_sweep(state, out.bur) || out.overflow;
+    state.cut_last = id;
     if (!state.cut_pending) state.cut_first = state.cut_last;
     return state.cut_last == state.cut_first;
   }

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "engine/step/guard.h"
+#include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/modules.h"
 
@@ -122,6 +124,69 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                            for (char& c : name) c = c == '-' ? '_' : c;
                            return name;
                          });
+
+std::shared_ptr<const Scene> ball_scene() {
+  return scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }), Method::surface, 0.4, 4.0);
+}
+/// A shaking ball that sinks along a circle.
+StepInput spiral(int k) {
+  return input_at({0.9 * std::sin(0.02 * k) + 0.004 * std::sin(2.1 * k), 0.9 * std::cos(0.02 * k) + 0.004 * std::sin(1.7 * k), 1.65 - 0.0005 * k},
+                  CutButton::pressed);
+}
+
+TEST(KeyState, is_whole_where_the_store_of_ways_fills_up_in_a_stroke) {
+  const auto scene = ball_scene();
+  StepState state(scene);
+  approach(state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
+  auto fill = [ways = 0](Sweeps& sweeps, int left) mutable {
+    for (; sweeps.size() + left < static_cast<int>(Sweeps::kMost); ++ways) {
+      const Vec3 low(1.7, 1.7, -1.7), high = low + Vec3(1e-4, 0.0, 0.0);
+      sweeps.add_apart(ways % 2 == 0 ? low : high, ways % 2 == 0 ? high : low, 1e-4);
+    }
+    sweeps.break_path();
+  };
+  fill(state.inner().sweeps, 40);
+  const std::vector<std::byte> bytes = state.save();
+  int filled_amid_a_sweep = 0;
+  for (int left = 33; left < 40; ++left) {
+    auto cuts = StepState::restore(scene, bytes);
+    ASSERT_TRUE(cuts);
+    StepState::Inner& inner = cuts->inner();
+    fill(inner.sweeps, left);
+    for (int k = 0; k < 500; ++k) {
+      const bool growing = inner.cut_pending && inner.cut_last != Sweeps::kNone;
+      step(*cuts, spiral(k));
+      if (!growing || inner.cut_last != Sweeps::kNone) continue;
+      ++filled_amid_a_sweep;
+      EXPECT_EQ(inner.cut_first, Sweeps::kNone) << "what was swept before has lost its end";
+      const auto again = StepState::restore(scene, cuts->save());
+      ASSERT_TRUE(again);
+      EXPECT_EQ(again->hash(), cuts->hash());
+      break;
+    }
+  }
+  EXPECT_GT(filled_amid_a_sweep, 0);
+}
+
+TEST(KeyState, is_refused_if_a_voxel_or_a_run_names_the_gap_between_two_ways) {
+  const auto scene = ball_scene();
+  StepState state(scene);
+  approach(state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
+  for (int k = 0; k < 200; ++k) step(state, k % 60 < 50 ? spiral(k) : input_at({0.0, 0.9, 2.6}));
+  StepState::Inner& inner = state.inner();
+  std::int32_t gap = 0;
+  while (!inner.sweeps.gap(gap)) ++gap;
+  ASSERT_TRUE(StepState::restore(scene, state.save()));
+  const auto refuses_with = [&](std::int32_t& id) {
+    const std::int32_t was = std::exchange(id, gap);
+    const bool refuses = !StepState::restore(scene, state.save());
+    id = was;
+    return refuses;
+  };
+  EXPECT_TRUE(refuses_with(inner.cut_last));
+  EXPECT_TRUE(refuses_with(inner.volume.sweeps_for_writing(inner.volume.cut_bricks()[0])[100]));
+  EXPECT_TRUE(StepState::restore(scene, state.save()));
+}
 
 Vec3 given_for(const GuardSettings& settings, GuardState& state, Vec3 raw_n) {
   std::uint16_t acts = 0;
