@@ -106,7 +106,9 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
     force = passive(settings, state.passivity, now);
     if (state.passivity.scale < 1.0 && tick.contact) act(GuardPart::passivity);
   }
-  acts = static_cast<std::uint16_t>(acts | bound_size(settings, state, force) | bound_rise(settings, state, tick.dt_ms, force));
+  // Its size, then its rise: the other way round gives another force.
+  const unsigned bounded = bound_size(settings, state, force);
+  acts = static_cast<std::uint16_t>(acts | bounded | bound_rise(settings, state, tick.dt_ms, force));
   state.given_n = force;
   hold(state.passivity, force, tick.contact ? tick.proxy_mm - tick.device_mm : Vec3(0.0));
   const std::uint16_t now_acted = acts;

@@ -103,7 +103,7 @@ class BandedMethod final : public ContactMethod {
     if (advance > 0.0) {
       const bool whole = state.cut_valid && swept_whole(length_of(next - state.cut_pose), tick.dt_s);
       const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, bur, scene.tool_axis);
-      out.overflow = !drop_crumbs(state, carved) || carved.overflow;
+      out.overflow = !drop_crumbs(state, carved) || carved.overflow || out.overflow;
       out.cutting = carved.any;
       out.advance_mm = advance;
     }

@@ -64,7 +64,7 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   if (!tick.cut || contact.hits == 0 || contact.shank) return;
   const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step,
                                      alpha, tick.dt_s * tick.removal_factor, state.wear_remainder);
-  out.overflow = worn.overflow;
+  out.overflow = worn.overflow || out.overflow;
   if (worn.gone) out.overflow = !drop_crumbs(state, worn.low, worn.high) || out.overflow;
   out.cutting = worn.any;
   if (worn.any) out.advance_mm = alpha * scene.tissues[most].speed_mm_s * tick.dt_s * tick.removal_factor;

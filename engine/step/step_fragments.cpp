@@ -25,7 +25,7 @@ bool remove_fragments(StepState::Inner& state, std::uint16_t named) noexcept {
   bool room = true;
   state.fragment_removal.receive(state.volume, named);
   state.fragment_removal.advance(
-      state.volume, [&](std::span<const IVec3> voxels) { room = state.method->remove_voxels(state, voxels); });
+      state.volume, [&](std::span<const IVec3> voxels) { room = state.method->remove_voxels(state, voxels) && room; });
   return room;
 }
 
