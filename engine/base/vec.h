@@ -2,6 +2,8 @@
 /// Frame: specimen, right-handed, x mesial, y buccal, z up (occlusal), millimetres, unless a name has another unit.
 #pragma once
 
+#include <cmath>
+
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -11,5 +13,7 @@ using Vec3 = glm::dvec3;
 using Vec3f = glm::vec3;
 using IVec3 = glm::ivec3;
 using Quat = glm::dquat;
+
+inline double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 }  // namespace cusp

@@ -25,8 +25,6 @@ constexpr double kInVoidMm = 1e-3;         // a place deeper in the void is none
 constexpr double kGoneMm = 1e9;            // where no ball reaches
 constexpr std::int64_t kDescentWork = 16;  // units of 25 ns
 
-double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
-
 /// I - n n^T.
 glm::dmat3 across(Vec3 n) noexcept { return glm::dmat3(1.0) - glm::outerProduct(n, n); }
 

@@ -17,8 +17,6 @@ constexpr int kPlacePasses = 2;
 constexpr double kRidgeMm = 5e-4;  // a ridge that is higher over the line between two places is looked for
 constexpr std::int64_t kSampleWork = 1, kPlaceWork = 5;  // units of 25 ns
 
-double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
-
 }  // namespace
 
 CavityWalls::CavityWalls(const Volume& volume, const Sweeps& sweeps)

@@ -9,8 +9,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 constexpr double kBallVoxels = 2.0,
                  kHolderVoxels = 3.0;  // spacing of the scan: it finds a direction, the foot is exact
 constexpr int kPasses = 24;            // of one tick
@@ -42,12 +40,12 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
     for (const PointShell::HeadPoint& point : shell.points.head) {
       if (!box_.contains(y + point.offset_mm)) continue;
       const double d = field.at(y + point.offset_mm);
-      if (d < out.gap_mm) out = {point.offset_mm, d, false};
+      if (d < out.gap_mm) out = {point.offset_mm, d};
     }
     for (const PointShell::BallPoint& point : shell.points.ball) {
       const Vec3 offset = point.out * shell.radius_mm;
       const double d = field.at(y + offset);
-      if (d < out.gap_mm) out = {offset, d, false};
+      if (d < out.gap_mm) out = {offset, d};
     }
   }
   const double leaves = box_.leaves(y, axis_, shell.holder_radius_mm);
@@ -56,7 +54,7 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
     const Vec3 p = y + point.offset_mm;
     if (!box_.contains(p)) continue;
     const double d = field.at(p);
-    if (d < out.gap_mm) out = {point.offset_mm, d, true};
+    if (d < out.gap_mm) out = {point.offset_mm, d};
   }
   return out;
 }

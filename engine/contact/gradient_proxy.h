@@ -46,7 +46,6 @@ class GradientProxy {
   struct Scan {
     Vec3 offset{0.0};
     double gap_mm = 0.0;
-    bool shank = false;
   };
   Scan scan(const TrilinearField& field, std::size_t bur, Vec3 y) const noexcept;
   Foot foot(const TrilinearField& field, const Bur& bur, Vec3 y, Vec3 offset) const noexcept;

@@ -13,11 +13,8 @@ constexpr int kAbout = 16;            // sweeps before and after the wall's owne
 constexpr int kMostAlong = 64;        // sweeps that the ball passes in a tick
 constexpr int kHops = 8;              // owners of walls that are tried
 constexpr double kAtDeviceMm = 1e-6;  // a ball so near to the device is pulled nowhere
-constexpr double kHoldsMm = 5e-3;     // kTieMm of the step: the cut pose, so the sweep, lies within it of the proxy
 constexpr double kOtherWayMm = 0.05;  // another owner lies no further along the way
 constexpr std::int64_t kHopWork = 16; // units of 25 ns
-
-double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
 }  // namespace
 
@@ -28,7 +25,7 @@ std::int32_t CavityWalls::holder(const Ball& ball, std::int32_t about, const Cut
     const Sweeps::Nearest uncarved = sweeps_.nearest(cutting.uncarved, ball.at);
     if (uncarved.distance_mm < found.distance_mm) found = uncarved;
   }
-  return found.distance_mm <= sweeps_.radius_mm(found.sweep) - ball.radius_mm + kHoldsMm ? found.sweep : Sweeps::kNone;
+  return found.distance_mm <= sweeps_.radius_mm(found.sweep) - ball.radius_mm + kTieMm ? found.sweep : Sweeps::kNone;
 }
 
 /// Goes from sweep to sweep while the next one comes nearer to the device. False if the way is too long.

@@ -84,7 +84,7 @@ inline void for_inside(const float* x, const float* y, const float* z, int count
 #endif
 }
 
-/// Largest n . (x, y, z) of the points; -infinity of none. Only for bounds: the order of the sums is fixed all the same.
+/// Largest n . (x, y, z) of the points; -3e38 of none. Only for bounds: the order of the sums is fixed all the same.
 inline float highest_along(const float* x, const float* y, const float* z, int count, Vec3f n) noexcept {
   float most = -3.0e38f;
 #if defined(__SSE2__)

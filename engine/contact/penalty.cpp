@@ -10,7 +10,6 @@
 namespace cusp::engine {
 
 namespace {
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 constexpr double kHolderVoxels = 3.0;  // spacing of the neck's and shank's points
 constexpr int kHalvings = 40;          // of the bur's diameter: to 1e-12 mm
 constexpr int kChords = 24;            // of another head's depth

@@ -28,8 +28,6 @@ constexpr double kFlat = 0.85;
 /// 0.6.
 constexpr double kNearVoxels = 2.5;
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// Sums over a byte's set bits: of their places, and of the squares of these.
 template <unsigned kPower>
 constexpr std::array<std::uint8_t, 256> kSums = [] {

@@ -26,8 +26,6 @@ constexpr double kLeastMetric = 0.05;     // below, there is no minimum nearby: 
 constexpr int kMostTurns = 4;  // a search that still goes to and fro then, by less than the least trust, ends where it is
 constexpr int kPasses = 20, kPassesCutting = 14;  // a tick that cuts solves twice, and makes cells anew
 
-double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
-
 bool apart(const glm::dmat3& a, const glm::dmat3& b) noexcept {
   constexpr double kApart = 0.05;
   for (int i = 0; i < 3; ++i)

@@ -9,8 +9,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// Crossing cells within reach of the widest bur: the ball's own area twice over (two fields), and that of neck and shank, as
 /// far as the specimen is long.
 std::size_t candidate_room(const Scene& scene) {

@@ -276,8 +276,8 @@ class SurfaceContact {
   void add_constraint(std::size_t i, const Constraint& constraint) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
-  bool nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
-  bool nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
+  void nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
+  void nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   void look_for_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;

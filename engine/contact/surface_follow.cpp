@@ -8,8 +8,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 constexpr int kSearches = 64;               // searches of a solve (5 mm); more are deferred
 constexpr double kPredicted = 0.05;         // of a step: constraints are first built for this distance about the predicted pose
 constexpr double kPredictedMm = 0.005;       // mm: and this much more

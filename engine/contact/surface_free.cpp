@@ -60,8 +60,8 @@ CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm
   return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kFloatSlack));
 }
 
-/// Normal of the surface's point that is nearest to a head that is no ball; false, and n as it was, where none is near.
-bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
+/// Normal of the surface's point that is nearest to a head that is no ball; n as it was where none is near.
+void SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
   double nearest = 1e300;
   for (const double margin : {kCloseMm, kFreeMargin}) {
     features_within(volume, tool.axis, pose, head_within(tool, margin), [&](Vec3 point, const CutFeature& f) {
@@ -71,13 +71,12 @@ bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec
       nearest = gap;
       n = f.edge ? -gradient : Vec3(f.normal);
     });
-    if (nearest < 1e200) return true;
+    if (nearest < 1e200) return;
   }
-  return false;
 }
 
 /// The same of a ball.
-bool SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
+void SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
   const double r = tool.bur->radius_mm;
   double nearest2 = 1e300;
   Vec3 nearest(0.0);
@@ -120,7 +119,6 @@ bool SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec
     if (nearest2 < 1e200) break;
   }
   if (nearest2 < 1e200) n = nearest;
-  return nearest2 < 1e200;
 }
 
 /// Free space beyond a plane with normal n, if there is enough.

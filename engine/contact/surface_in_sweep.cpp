@@ -12,8 +12,6 @@ constexpr double kShankAheadMm[] = {0.1, 0.03, 0.0};  // looked for so far beyon
 constexpr double kBesideMm = 0.01;       // that neck and shank must be free beyond the way
 constexpr double kWays = 1.5, kWayMm = 0.02;  // a longer way than so many of the device's and so much is no slide
 
-double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
-
 }  // namespace
 
 /// True if nothing stands within within_mm of neck and shank.

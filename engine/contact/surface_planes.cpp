@@ -9,8 +9,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 constexpr double kLongestLeap = 10.0;       // of the last pass's move
 constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm

@@ -7,8 +7,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 constexpr double kSameNormal = 0.9396926;   // cos 20 deg: planes of one smooth surface
 constexpr double kTurned = 0.8480481;       // cos 32 deg: a normal that turns further belongs to something else
 constexpr double kFootReach = 1.2;          // voxels from its point within which a polished foot is that surface's

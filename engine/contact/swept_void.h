@@ -1,5 +1,5 @@
-/// The void that balls have cut, at a place: how deep it lies in what the sweeps have swept that the eight voxels about it
-/// name. Nothing is kept but a mask a brick. Frame: specimen, mm. Thread: haptic. Wait-free; the constructor takes all memory.
+/// The void that balls have cut, at a place: how deep it lies in what the sweeps have swept that the voxels about it name, 32
+/// at most. It keeps the sweeps of 4,096 cells, a mask a brick, and cells of the specimen's field. Frame: specimen, mm. Thread: haptic. Wait-free; the constructor takes all memory.
 #pragma once
 
 #include <cstdint>

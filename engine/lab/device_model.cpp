@@ -45,8 +45,6 @@ Matrix motion(const MassOnSpring& of, double seconds) {
   return sum;
 }
 
-double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
-
 }  // namespace
 
 DeviceSettings falcon(const MovingMass& moving) noexcept {

@@ -1,4 +1,4 @@
-/// Digest of a session at a constant few hundred nanoseconds a tick. It adds every output, and the cut field of one
+/// Digest of a session at a constant few hundred nanoseconds a tick. It adds what contact, removal and the guard give, and the cut field of one
 /// brick a tick in turn. Equal inputs give equal digests after equal ticks. A brick that differs changes the digest
 /// after at most as many ticks as bricks are cut. StepState::hash() reads all cut bricks at once, about 0.4 us each,
 /// too much for one tick of a large cavity.

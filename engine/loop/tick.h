@@ -77,7 +77,6 @@ class Ticker {
 
   /// The loop's own state; only where no tick can run.
   const StepState& state() const noexcept { return state_; }
-  StepState take_state() noexcept { return std::move(state_); }
 
  private:
   enum class Want : std::uint8_t { nothing, pause, resume };

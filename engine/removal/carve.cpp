@@ -179,11 +179,7 @@ Carved carve(Volume& volume, const BallSweeps& all, CarvePart part) noexcept {
         if (!carve_brick(volume, all, brick, corner, box, changed)) out.overflow = true;
         if (!changed) continue;
         volume.touched(brick);
-        out.low = out.any ? glm::min(out.low, box.low) : box.low;
-        out.high = out.any ? glm::max(out.high, box.high) : box.high;
-        out.any = true;
-        if (out.bricks < Carved::kBoxes) out.box[out.bricks] = box;
-        ++out.bricks;
+        out.add(box);
       }
   return out;
 }

@@ -20,6 +20,15 @@ struct Carved {
   Box box[kBoxes];
   int bricks = 0;          // that changed
   int next = -1;           // CarvePart::first of the next part; -1: the carving is complete
+
+  /// A brick changed in a box.
+  void add(const Box& changed) noexcept {
+    low = any ? glm::min(low, changed.low) : changed.low;
+    high = any ? glm::max(high, changed.high) : changed.high;
+    any = true;
+    if (bricks < kBoxes) box[bricks] = changed;
+    ++bricks;
+  }
 };
 
 /// True if a pose that moved length_mm in dt_s swept its way. Faster or further, the bur flew and did not cut there.

@@ -305,11 +305,7 @@ class Carving {
 
   void record(int index, const Carved::Box& box) noexcept {
     volume_.touched(index);
-    out_.low = out_.any ? glm::min(out_.low, box.low) : box.low;
-    out_.high = out_.any ? glm::max(out_.high, box.high) : box.high;
-    out_.any = true;
-    if (out_.bricks < Carved::kBoxes) out_.box[out_.bricks] = box;
-    ++out_.bricks;
+    out_.add(box);
   }
 
   /// The brick at hand.

@@ -1,5 +1,7 @@
 #include "engine/removal/heat.h"
 
+#include "engine/removal/spindle.h"
+
 namespace cusp::engine {
 
 namespace {
@@ -12,10 +14,6 @@ constexpr double kDryDecayS = 30.0;       // how the tooth cools by itself, and 
 constexpr double kWetDecayS = 5.0;
 constexpr double kCoolantLeaves = 0.05;   // of the heat [M]
 constexpr double kFallsBack = 0.8;
-
-double within(double value, double low, double high) noexcept {
-  return value > low ? (value < high ? value : high) : low;
-}
 
 }  // namespace
 

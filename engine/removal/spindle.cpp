@@ -13,11 +13,6 @@ constexpr double kRecoverShare = 0.5;
 /// Drag is whole from this share of the free speed on: it begins softly.
 constexpr double kWholeDragShare = 0.1;
 
-/// NaN too goes to `low`.
-double within(double value, double low, double high) noexcept {
-  return value > low ? (value < high ? value : high) : low;
-}
-
 }  // namespace
 
 void advance(SpindleState& state, const SpindleSettings& settings, double pedal, double push_n, double radius_mm,

@@ -22,6 +22,9 @@ struct SpindleSettings {
 
 inline constexpr double kStallRadiusMm = 0.5;
 
+/// `value` between both; not a number gives `low`.
+constexpr double within(double value, double low, double high) noexcept { return value > low ? (value < high ? value : high) : low; }
+
 /// All zero for Handpiece::none.
 constexpr SpindleSettings settings_of(Handpiece handpiece) noexcept {
   switch (handpiece) {

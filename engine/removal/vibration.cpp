@@ -7,10 +7,6 @@ namespace {
 /// Below this the wave fades: a slow push to and fro would be work, not a tremble.
 constexpr double kSlowHz = 50.0;
 
-double within(double value, double low, double high) noexcept {
-  return value > low ? (value < high ? value : high) : low;
-}
-
 }  // namespace
 
 int subharmonic_of(const SpindleSettings& settings) noexcept {

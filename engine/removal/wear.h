@@ -27,9 +27,6 @@ struct HeadPush {
 /// Pre: at most three normals of walls, unit, out of the tissue.
 HeadPush push_of_head(Vec3 to_device, std::span<const Vec3> walls) noexcept;
 
-/// Density of eq. (6) for a removal velocity: (updates per second / voxels per mm) / velocity. 40 updates a second.
-inline double density_for(double velocity_mm_s, double voxel_mm) noexcept { return 40.0 * voxel_mm / velocity_mm_s; }
-
 /// Speed at full wear of a ball that pushes towards `direction` (unit): harmonic mean over the tissues that its front
 /// meets, weighted by what each point of the front sweeps. 0 where the front meets tissue that cannot be cut.
 /// fallback: the speed when the front meets nothing yet. tick: the points are turned about the way from tick to tick, and

@@ -11,8 +11,6 @@ constexpr double kVelocityMs = 4.0;
 /// A late tick may raise the force no more than one in time.
 constexpr double kMostRiseMs = 1.0;
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 bool zero(Vec3 v) noexcept { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
 
 /// True without contact and without any effect of an earlier one. Every part then gives zero, so only position and

@@ -23,8 +23,6 @@ constexpr double kLeastNPerMm = 0.2, kHalfDampingNsPerMm = 0.25e-3, kHalfTickS =
 /// mm/s).
 constexpr double kNoiseMjPerMs = 5e-6;
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// A spring whose force is limited.
 struct LimitedSpring {
   double k_n_per_mm, most_n;

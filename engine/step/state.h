@@ -30,7 +30,6 @@ struct StepState::Inner {
   Vec3 predicted_excess{0.0};      // surface: the proxy's last move less the device's, per mm of the device's
   bool prediction_holds = false;   // the last two ticks had much the same excess: the next displacement is predicted by it
   Vec3 cut_pose{0.0};              // banded: the bur's pose as far as removal goes
-  Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;
   bool cut_valid = false;
   bool cut_pending = false;        // the sweep from cut_from to cut_pose is still growing

@@ -185,7 +185,7 @@ void visit(Fields& f, T& surface, const Volume& volume, int bricks) {
 template <class Fields, MaybeConst<StepState::Inner> T>
 void visit(Fields& f, T& state) {
   // scene is what the state is of; fronts and method are made from it.
-  [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, predicted_excess, prediction_holds, cut_pose, velocity, started, cut_valid,
+  [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, predicted_excess, prediction_holds, cut_pose, started, cut_valid,
                           cut_pending, cut_from, cut_axis, cut_first, cut_last, pending_sweep, wear_remainder, foot, memory, sweeps, fragment_removal, fronts, surface, method,
                           phenomena] = state;
   const IVec3 count = scene->specimen->brick_count();
@@ -197,7 +197,6 @@ void visit(Fields& f, T& state) {
   f("predicted_excess", predicted_excess);
   f("prediction_holds", prediction_holds);
   f("cut_pose", cut_pose);
-  f("velocity", velocity);
   f("started", started);
   f("cut_valid", cut_valid);
   f("cut_pending", cut_pending);

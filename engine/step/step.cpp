@@ -149,7 +149,6 @@ void step_faulted(StepState::Inner& state, double dt_ms, StepOutput& out) noexce
   out.proxy_mm = state.started ? state.proxy : out.device_mm;
   out.faulted = true;
   out.overflow = !state.method->end_stroke(state) || out.overflow;
-  state.velocity = Vec3(0.0);
   release(state.guard);
   if (state.started) state.device = out.device_mm;
   if (state.phenomena) rest(*state.phenomena, dt_ms * 1e-3, out);

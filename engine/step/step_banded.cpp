@@ -16,8 +16,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// Finder: Penalty or GradientProxy.
 template <class Finder>
 class BandedMethod final : public ContactMethod {
@@ -42,19 +40,14 @@ class BandedMethod final : public ContactMethod {
     out.deferred = contact.deferred;
     out.shank = contact.shank;
     out.contact = contact.touching;
-    if (!out.contact) {
-      state.velocity = Vec3(0.0);
-      return;
-    }
+    if (!out.contact) return;
     const Vec3 spring = state.proxy - tick.device;
     out.tissue = contact.tissue;
     out.stiffness_n_per_mm = contact.stiffness_n_per_mm;
     out.force_raw_n = contact.stiffness_n_per_mm * spring;
-    if (scene.friction && tick.dt_s > 0.0) {
-      state.velocity = (state.proxy - before) / tick.dt_s;
-      out.force_raw_n +=
-          coulomb_n(state.velocity, scene.friction_coefficient, contact.stiffness_n_per_mm * length_of(spring));
-    }
+    if (scene.friction && tick.dt_s > 0.0)
+      out.force_raw_n += coulomb_n((state.proxy - before) / tick.dt_s, scene.friction_coefficient,
+                                   contact.stiffness_n_per_mm * length_of(spring));
   }
 
   bool end_stroke(StepState::Inner& state) noexcept override {

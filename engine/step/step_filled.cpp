@@ -14,8 +14,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// Eq. (3) with K_T from the scene's friction coefficient. The push of the mean offset (about the bur's radius) is this
 /// share of the spring's force. It is scaled by alpha, so that it vanishes with the contact.
 Vec3 tool_friction(const Scene& scene, const VoxelContact& contact, double stiffness, double alpha) noexcept {

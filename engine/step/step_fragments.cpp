@@ -4,21 +4,25 @@
 
 namespace cusp::engine {
 
-bool drop_crumbs(StepState::Inner& state, const Carved& carved) noexcept {
-  if (!carved.any) return true;
+namespace {
+
+/// for_boxes(mark) marks what has changed within low..high.
+template <class ForBoxes>
+bool drop_crumbs_in(StepState::Inner& state, IVec3 low, IVec3 high, ForBoxes&& for_boxes) noexcept {
   bool room = true;
-  for_crumbs(
-      state.volume, carved.low, carved.high, [&](auto&& mark) { for_changed(carved, mark); },
-      [&](const Crumb& crumb) { room = state.method->remove_voxels(state, crumb.voxels()) && room; });
+  for_crumbs(state.volume, low, high, for_boxes,
+             [&](const Crumb& crumb) { room = state.method->remove_voxels(state, crumb.voxels()) && room; });
   return room;
 }
 
+}  // namespace
+
+bool drop_crumbs(StepState::Inner& state, const Carved& carved) noexcept {
+  return !carved.any || drop_crumbs_in(state, carved.low, carved.high, [&](auto&& mark) { for_changed(carved, mark); });
+}
+
 bool drop_crumbs(StepState::Inner& state, IVec3 low, IVec3 high) noexcept {
-  bool room = true;
-  for_crumbs(
-      state.volume, low, high, [&](auto&& mark) { mark(low, high); },
-      [&](const Crumb& crumb) { room = state.method->remove_voxels(state, crumb.voxels()) && room; });
-  return room;
+  return drop_crumbs_in(state, low, high, [&](auto&& mark) { mark(low, high); });
 }
 
 bool remove_fragments(StepState::Inner& state, std::uint16_t named) noexcept {

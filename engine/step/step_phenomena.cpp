@@ -8,8 +8,6 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// Force that presses the bur on the tissue, without friction, N.
 double push_of(const StepOutput& out) noexcept {
   return out.contact ? out.stiffness_n_per_mm * length_of(out.proxy_mm - out.device_mm) : 0.0;

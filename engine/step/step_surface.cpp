@@ -12,9 +12,7 @@ namespace cusp::engine {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
-constexpr double kTieMm = 0.005;  // largest distance of the cut pose from the proxy
+constexpr double kTieMm = CavityWalls::kTieMm;  // largest distance of the cut pose from the proxy
 /// A stroke is carved in sweeps; meanwhile contact knows its poses. A sweep ends where the stroke turns, after half
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
@@ -28,9 +26,6 @@ constexpr double kLeastSlideMm = 0.0004;
 /// While sliding, the bur may stand this deep in tissue: more than kShallowTauMm needs no correction (slide_depth()).
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
-/// Sweeps of a ball that are carved together.
-constexpr std::int32_t kSweepsAtOnce = 16;
-static_assert(kSweepsAtOnce <= kMostAtOnce);
 /// A proxy that outruns its device by this factor and this length is solved for again, in parts of the way.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
 constexpr int kParts = 8, kHeadParts = 4;  // the second of a head that is no ball and does not cut: its search costs more
@@ -248,7 +243,7 @@ bool limit_slide(StepState::Inner& state, const Tick& tick, const Contact& conta
 bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, StepOutput& out) noexcept {
   const Bur& bur = state.scene->burs[out.bur];
   if (bur.head.ball()) {
-    if (state.cut_pending && state.cut_last - state.cut_first + 1 >= kSweepsAtOnce)
+    if (state.cut_pending && state.cut_last - state.cut_first + 1 >= kMostAtOnce)
       out.overflow = !queue_sweep(state, out.bur) || out.overflow;
     const std::int32_t id = state.sweeps.add(from, to, bur.radius_mm);
     // Where the store of ways is full, what comes has no id: it is carved apart from what has.
@@ -320,12 +315,6 @@ Contact cut_tissue(StepState::Inner& state, const Tick& tick, const Contact& con
   return after;
 }
 
-void add_friction(StepState::Inner& state, Vec3 proxy_before, double stiffness, double spring_mm, double dt_s,
-                  StepOutput& out) noexcept {
-  state.velocity = (state.proxy - proxy_before) / dt_s;
-  out.force_raw_n += coulomb_n(state.velocity, state.scene->friction_coefficient, stiffness * spring_mm);
-}
-
 }  // namespace
 
 bool end_stroke(StepState::Inner& state) noexcept {
@@ -363,15 +352,13 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   out.shank = contact.shank();
   const Vec3 spring = state.proxy - device;
   out.contact = contact.active > 0 && length_of(spring) > 1e-6;
-  if (!out.contact) {
-    state.velocity = Vec3(0.0);
-    return;
-  }
+  if (!out.contact) return;
   out.tissue = touched.tissue;
   out.stiffness_n_per_mm = touched.stiffness_n_per_mm;
   out.force_raw_n = touched.stiffness_n_per_mm * spring;
   if (scene.friction && tick.dt_s > 0.0)
-    add_friction(state, before, touched.stiffness_n_per_mm, length_of(spring), tick.dt_s, out);
+    out.force_raw_n += coulomb_n((state.proxy - before) / tick.dt_s, scene.friction_coefficient,
+                                 touched.stiffness_n_per_mm * length_of(spring));
 }
 
 }  // namespace cusp::engine

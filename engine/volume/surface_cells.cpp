@@ -21,8 +21,6 @@ Tissue corner_tissue(const Volume& volume, IVec3 cell) noexcept {
   return tissue;
 }
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
 /// True if the corners' occupancies differ.
 bool crosses(const Volume& volume, IVec3 cell) noexcept {
   const bool first = volume.occupied(cell);

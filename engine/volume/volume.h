@@ -65,7 +65,7 @@ class Volume {
     const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? nullptr : &cut_[static_cast<std::size_t>(slot) * kBrickVoxels];
   }
-  /// Rises with each change of the brick; 0 before the first. For drawing and for caches.
+  /// Rises with each change of the brick's surface; 0 before the first. For drawing and for caches.
   std::uint32_t revision(int brick) const noexcept {
     const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? loaded_ : revision_[static_cast<std::size_t>(slot)];
@@ -93,7 +93,7 @@ class Volume {
   /// Haptic thread. The ids of a brick, for writing.
   std::int32_t* sweeps_for_writing(int brick) noexcept { return const_cast<std::int32_t*>(sweeps_of(brick)); }
 
-  /// Haptic thread. To be called once after each write to a brick. Pre: has_cut(brick).
+  /// Haptic thread. To be called once after each write that moves the surface of a brick. Pre: has_cut(brick).
   void touched(int brick) noexcept { ++revision_[static_cast<std::size_t>(slot_[static_cast<std::size_t>(brick)])]; }
 
   /// The same on every machine for the same specimen and the same cuts, whatever their order.

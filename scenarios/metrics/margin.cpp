@@ -24,8 +24,6 @@ constexpr double kWithoutFactor = 0.25;
 /// normal is neither wall's.
 constexpr double kLeastCorner = 0.2;
 
-double length_of(Vec3 v) noexcept { return std::sqrt(glm::dot(v, v)); }
-
 /// Angle between two chords, 0 to 180 degrees.
 double between_deg(Vec3 a, Vec3 b) noexcept {
   const double rise = length_of(glm::cross(a, b)), run = glm::dot(a, b);

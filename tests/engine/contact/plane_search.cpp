@@ -10,8 +10,6 @@
 namespace cusp::test {
 namespace {
 
-double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
-
 /// By trying every three planes: of the places where three meet and none is violated, the nearest to q.
 Vec3 nearest_corner(Vec3 q, std::span<const Plane> planes, double tolerance_mm) {
   Vec3 best(1e9);

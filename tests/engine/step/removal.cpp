@@ -254,12 +254,6 @@ TEST(OccupancyRemoval, loses_no_wear_to_rounding_at_a_slow_advance) {
   EXPECT_NEAR(kSolid - least, 3277, 1);
 }
 
-TEST(Wear, densities_of_equation_six_are_the_papers) {
-  EXPECT_NEAR(density_for(1.2, kPaperVoxelMm), 2.604, 0.001);
-  EXPECT_NEAR(density_for(0.8, kPaperVoxelMm), 3.906, 0.001);
-  EXPECT_NEAR(density_for(0.5, kPaperVoxelMm), 6.25, 0.001);
-}
-
 TEST(Wear, the_coefficient_grows_with_the_push_and_stops_at_one) {
   EXPECT_DOUBLE_EQ(wear_coefficient(0.75, 1.0, 1.5), 0.5);
   EXPECT_DOUBLE_EQ(wear_coefficient(9.0, 1.0, 1.5), 1.0);
