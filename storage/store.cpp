@@ -1,7 +1,5 @@
 #include "storage/store.h"
 
-#include <algorithm>
-
 #include "storage/base/files.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/rollback_counter.h"
@@ -10,18 +8,11 @@
 namespace cusp::storage {
 namespace {
 
-/// The file holds the secret key as 64 raw bytes; its second half is the public key.
-Stored<StationKey> key_from(const std::string& bytes, const std::filesystem::path& file) {
-  StationKey key;
-  if (bytes.size() != key.secret_key.size()) return fail(StorageError::corrupt, file.string());
-  std::ranges::transform(bytes, key.secret_key.begin(), [](char c) { return static_cast<std::uint8_t>(c); });
-  std::copy_n(key.secret_key.begin() + 32, 32, key.public_key.begin());
-  // If the halves do not match, nobody could check what the key signs.
-  const Hash256 probe = blake2b_256(std::string_view{"probe"});
-  if (!signature_holds(key.public_key, probe, key.sign(probe))) {
-    return fail(StorageError::corrupt, file.string());
-  }
-  return key;
+/// Beside the file itself; beside the link that leads to it if the key lies there alone.
+std::filesystem::path key_file_of(const std::filesystem::path& file, const std::filesystem::path& real) {
+  std::error_code ignored;
+  const std::filesystem::path own = real.string() + ".key", linked = file.string() + ".key";
+  return !std::filesystem::exists(own, ignored) && std::filesystem::exists(linked, ignored) ? linked : own;
 }
 
 Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
@@ -35,7 +26,9 @@ Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
     content = read_private_file(file);
     if (!content) return std::unexpected(content.error());
   }
-  return key_from(content->value_or(""), file);
+  const auto key = station_key_from(content->value_or(""));
+  if (!key) return fail(StorageError::corrupt, file.string());
+  return *key;
 }
 
 /// Station row and key, under the database's write lock: processes that start together agree on both.
@@ -88,12 +81,14 @@ Store::Store(StorageContext context)
       key_states{context_} {}
 
 Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, StoreOptions options) {
-  auto database = Database::open(file, options.database);
+  // Key, counter and lock file of one database are the same under each name that leads to it.
+  const std::filesystem::path real = behind_links(file);
+  auto database = Database::open(real, options.database);
   if (!database) return std::unexpected(database.error());
   auto store = std::make_unique<Store>(
       StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
   StorageContext& context = store->context();
-  const auto key_file = options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
+  const auto key_file = options.key_file.empty() ? key_file_of(file, real) : options.key_file;
   context.key_file = key_file;
   context.counter_file = counter_file_of(key_file);
   if (context.db.read_only()) {

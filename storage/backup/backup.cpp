@@ -87,7 +87,17 @@ void remove_new(const fs::path& made) {
   fs::remove_all(made, ignored);
 }
 
-Stored<void> copy_back(const Backup& backup, const fs::path& file, const fs::path& key) {
+/// corrupt if the file is there and holds no whole key.
+Stored<void> check_key_file(const fs::path& file) {
+  const auto content = read_private_file(file);
+  if (!content) return std::unexpected(content.error());
+  if (*content && !station_key_from(**content)) return fail(StorageError::corrupt, file.string());
+  return {};
+}
+
+Stored<void> copy_back(const Backup& backup, const fs::path& file) {
+  const fs::path key = file.string() + ".key";
+  if (auto good = check_key_file(backup.folder / kBackupKey); !good) return good;
   auto from = Database::open(backup.folder / kBackupDatabase, {.access = DatabaseOptions::Access::read_only});
   if (!from) return std::unexpected(from.error());
   const auto damage = from->integrity_check();
@@ -98,6 +108,27 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file, const fs::pat
   if (auto done = copy_private(backup.folder / kBackupKey, key); !done) return done;
   const auto sessions = check_copy(file);
   if (!sessions) return std::unexpected(sessions.error());
+  return {};
+}
+
+/// What a restore makes, by what follows the database's name.
+constexpr std::array<const char*, 3> kRestored = {"", ".key", ".key-counter"};
+
+/// The database gets its name last: whoever opens it finds key and counter.
+Stored<void> name_restored(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  // SQLite keeps its log if closing could not write all of it into the database.
+  if (fs::exists(from.string() + "-wal", error)) return fail(StorageError::io, to.string());
+  std::vector<fs::path> named;
+  for (std::size_t i = kRestored.size(); i-- > 0;) {
+    const fs::path made = from.string() + kRestored[i], name = to.string() + kRestored[i];
+    if (!fs::exists(made, error)) continue;
+    if (auto done = rename_new(made, name); !done) {
+      for (const fs::path& own : named) fs::remove(own, error);
+      return done;
+    }
+    named.push_back(name);
+  }
   return {};
 }
 
@@ -169,15 +200,22 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
   return {};
 }
 
-Stored<void> restore_backup(const Backup& backup, const fs::path& file) {
-  const fs::path key = file.string() + ".key";
-  for (const fs::path& name : {file, key, counter_file_of(key)}) {
-    std::error_code error;
-    if (fs::exists(name, error)) return fail(StorageError::duplicate, name.string());
+Stored<void> restore_backup(const Backup& backup, const fs::path& file, const FinishRestored& finish) {
+  std::error_code error;
+  for (const char* ending : kRestored) {
+    if (fs::exists(file.string() + ending, error)) return fail(StorageError::duplicate, file.string() + ending);
   }
-  auto done = copy_back(backup, file, key);
-  if (done) return done;
-  for (const fs::path& name : {file, key, counter_file_of(key)}) remove_new(name);
+  const fs::path parent = fs::absolute(file, error).parent_path();
+  if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
+  const fs::path folder = parent / (".cusp-restore-" + Uuid::v7().text());
+  if (!fs::create_directory(folder, error)) return std::unexpected(backup_failure(error, file));
+  const fs::path fresh = folder / file.filename();
+  auto done = copy_back(backup, fresh);
+  if (done && finish) done = finish(fresh);
+  if (done) done = name_restored(fresh, file);
+  remove_new(folder);
+  // People know the name that they gave, not the folder.
+  if (!done && done.error().where.starts_with(folder.string())) done.error().where = file.string();
   return done;
 }
 

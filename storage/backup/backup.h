@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,10 +33,13 @@ Stored<Backup> read_backup(const std::filesystem::path& folder);
 /// Removes all of this station but the newest `keep` ones.
 Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, std::size_t keep);
 
-/// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them exists: nothing is
-/// overwritten. corrupt if the backup is damaged. A failure leaves
-/// no new file. log_restored() follows, in the store of the new file.
-Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file);
+/// Work on the new database and what lies beside it, before they get their names. It closes what it opens.
+using FinishRestored = std::function<Stored<void>(const std::filesystem::path& database)>;
+
+/// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them exists, or comes
+/// meanwhile: nothing is overwritten or removed. corrupt if the backup or its key is damaged. A failure, also of `finish`, leaves no
+/// new file. log_restored() belongs into `finish`, or follows in the store of the new file.
+Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file, const FinishRestored& finish = {});
 /// Moves a database that cannot be read, with its log, index, key and counter, to a new folder beside it; nothing is deleted. Returns
 /// the folder, "station.db-damaged-2026-11-20T09-14-03Z". After a failure all is where it was. No process may have the file open.
 Stored<std::filesystem::path> put_aside(const std::filesystem::path& file, std::int64_t utc_us);

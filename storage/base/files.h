@@ -15,9 +15,16 @@ bool on_network_drive(const std::filesystem::path& folder);
 /// Whether this process may write the file, or create files in the folder.
 bool can_write(const std::filesystem::path& path);
 
+/// The absolute path that `file` leads to once links are followed, also if nothing is there yet. `file` if the system gives no
+/// answer.
+std::filesystem::path behind_links(const std::filesystem::path& file);
+
 /// The cause that an errno names: disk_full, quota_exceeded, file_too_large, out_of_memory, read_only, not_found,
 /// duplicate, else io.
 StorageError error_from_errno(int error) noexcept;
+
+/// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays.
+Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);

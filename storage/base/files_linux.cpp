@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -62,7 +63,49 @@ bool write_through(int descriptor, const std::string& content) {
   return fsync(descriptor) == 0;
 }
 
+/// link() fails with one of these where the file system has no hard links, as FAT, or this file may get no more.
+bool lacks_links(int error) {
+  return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
+}
+
+/// rename() replaces only the empty file that this process has created.
+bool rename_over_own(const char* from, const char* to) {
+  const int own = open(to, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (own < 0) return false;
+  close(own);
+  if (rename(from, to) == 0) return true;
+  const int error = errno;
+  unlink(to);
+  errno = error;
+  return false;
+}
+
+/// Each way fails with EEXIST if another process created `to` meanwhile.
+bool take_name(const char* from, const char* to) {
+  if (link(from, to) == 0) {
+    unlink(from);
+    return true;
+  }
+  if (!lacks_links(errno)) return false;
+  if (renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return true;
+  return (errno == EINVAL || errno == ENOSYS) && rename_over_own(from, to);
+}
+
 }  // namespace
+
+std::filesystem::path behind_links(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::path whole = std::filesystem::absolute(file, error);
+  // weakly_canonical() keeps a link whose file is not there. Linux follows at most 40 links.
+  for (int followed = 0; followed < 40 && std::filesystem::is_symlink(whole, error); ++followed) {
+    const std::filesystem::path target = std::filesystem::read_symlink(whole, error);
+    if (error) return file;
+    whole = whole.parent_path() / target;
+  }
+  error.clear();
+  const std::filesystem::path real = std::filesystem::weakly_canonical(whole, error);
+  return error ? file : real;
+}
 
 StorageError error_from_errno(int error) noexcept {
   switch (error) {
@@ -112,24 +155,29 @@ bool on_network_drive(const std::filesystem::path& folder) {
 
 bool can_write(const std::filesystem::path& path) { return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0; }
 
+Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (!take_name(from.c_str(), to.c_str())) return std::unexpected(failure_now(to));
+  std::error_code ignored;
+  const auto folder = std::filesystem::absolute(to, ignored).parent_path();
+  if (const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); descriptor >= 0) {
+    fsync(descriptor);
+    close(descriptor);
+  }
+  return {};
+}
+
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {
   std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp replaces the last six
   const int descriptor = mkstemp(fresh.data());                   // readable by its owner alone
   if (descriptor < 0) return std::unexpected(failure_now(file));
-  bool good = write_through(descriptor, content);
-  // link() instead of rename(): it fails if another process created the file meanwhile.
-  good = good && link(fresh.c_str(), file.c_str()) == 0;
   Stored<void> result;
-  if (!good) result = std::unexpected(failure_now(file));
-  close(descriptor);
-  unlink(fresh.c_str());
-  if (good) {
-    const auto folder = std::filesystem::absolute(file).parent_path();
-    if (const int d = open(folder.c_str(), O_RDONLY | O_DIRECTORY); d >= 0) {
-      fsync(d);
-      close(d);
-    }
+  if (write_through(descriptor, content)) {
+    result = rename_new(fresh, file);
+  } else {
+    result = std::unexpected(failure_now(file));
   }
+  close(descriptor);
+  if (!result) unlink(fresh.c_str());
   return result;
 }
 

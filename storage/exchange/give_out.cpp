@@ -111,7 +111,7 @@ Stored<SignedText> sign_given_out(StorageContext& context, const Actor& actor, E
 
 Stored<GivenOut> give_out(StorageContext& context, const Actor& actor, ExchangeKind kind, const std::filesystem::path& file) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
-  if (!context.key) return fail(StorageError::read_only, context.db.file().string());
+  if (!context.key) return std::unexpected(context.db.unwritable());
   GivenOut out{.description = {.station = context.station, .kind = kind, .maker = actor.id, .made_utc_us = context.clock()},
                .key = context.key->id()};
   const auto made = make_copy(file, context.db.file(), [&](Database& to) -> Stored<void> {

@@ -24,7 +24,7 @@ void free_number(Merge& merge, const PersonInFile& person) {
       [](Row row) { return row.id<UserId>(0); }, person.number, person.id);
   if (!holder) {
     const auto taken = merge.transaction.first("SELECT 1 FROM people WHERE number = ?1 AND id <> ?2", [](Row) { return true; }, person.number, person.id);
-    if (taken) merge.refuse(StorageError::duplicate, person.number);
+    if (taken) merge.refuse(StorageError::duplicate, person.number, "number");
     return;
   }
   merge.transaction.run("UPDATE people SET number = number || ' ' || substr(hex(id), 25) WHERE id = ?1", *holder);

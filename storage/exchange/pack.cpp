@@ -43,7 +43,7 @@ std::optional<PackDescription> description_from(std::string_view text) {
 
 Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, SessionId session, std::vector<PackFile> files) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
-  if (!context.key) return fail(StorageError::read_only, context.db.file().string());
+  if (!context.key) return std::unexpected(context.db.unwritable());
   Transaction transaction(context.db);
   log_event(context, transaction, {.actor = actor.id, .action = "packed", .subject = session.uuid, .detail = {}});
   const auto log = transaction.first("SELECT entries, link FROM audit_head", [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; });

@@ -164,7 +164,7 @@ std::string_view key_of(ReadOutcome outcome) noexcept {
 
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
-  if (!context.key) return fail(StorageError::read_only, context.db.file().string());
+  if (!context.key) return std::unexpected(context.db.unwritable());
   auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only});
   if (!opened) return std::unexpected(opened.error());
   StorageContext from{std::move(*opened), context.clock, context.cost, context.station, std::nullopt};

@@ -50,7 +50,7 @@ bool own(Transaction& transaction, const Hash256& key) {
 std::string_view key_of(KeyRole role) noexcept { return kRoles[static_cast<std::size_t>(role)]; }
 
 Stored<SignedText> own_key(StorageContext& context) {
-  if (!context.key) return fail(StorageError::read_only, context.db.file().string());
+  if (!context.key) return std::unexpected(context.db.unwritable());
   nlohmann::ordered_json out;
   out["cusp_station_key"] = kKeyFormat;
   out["station"] = context.station.text();

@@ -68,18 +68,23 @@ void add_dates(Line& line, const AttemptDates& dates) {
   line.time(dates.finished_utc_us).text(dates.cohort).time(dates.opens_utc_us).time(dates.due_utc_us);
 }
 
+/// Whether a spreadsheet takes a cell that begins so for a formula. Source: OWASP, "CSV Injection".
+bool begins_formula(char c) { return c == '=' || c == '+' || c == '-' || c == '@'; }
+
 }  // namespace
 
 std::string csv_text(std::string_view text) {
   std::string out;
-  // First characters that a spreadsheet takes for a formula. Source: OWASP, "CSV Injection".
-  const bool formula = !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos;
-  if (formula) out += '\'';
+  if (!text.empty() && (begins_formula(text.front()) || std::string_view("\t\r\n").contains(text.front()))) out += '\'';
   bool quote = false;
+  char before = '\0';  // the last character but quotes, which a spreadsheet takes off
   for (const char c : text) {
     quote = quote || c == '"' || c == ',' || c == '\r' || c == '\n';
+    // A spreadsheet that parts columns by semicolons or tabs begins a cell here.
+    if ((before == ';' || before == '\t') && begins_formula(c)) out += '\'';
     if (c == '"') out += '"';
     out += c;
+    if (c != '"') before = c;
   }
   quote = quote || (!text.empty() && (text.front() == ' ' || text.back() == ' '));
   return quote ? '"' + out + '"' : out;

@@ -27,6 +27,18 @@ StationKey StationKey::make() {
   crypto_sign_keypair(key.public_key.data(), key.secret_key.data());
   return key;
 }
+
+std::optional<StationKey> station_key_from(std::string_view content) {
+  StationKey key;
+  if (content.size() != key.secret_key.size()) return std::nullopt;
+  std::ranges::transform(content, key.secret_key.begin(), [](char c) { return static_cast<std::uint8_t>(c); });
+  std::copy_n(key.secret_key.begin() + 32, 32, key.public_key.begin());
+  // If the halves do not match, nobody could check what the key signs.
+  const Hash256 probe = blake2b_256(std::string_view{"probe"});
+  if (!signature_holds(key.public_key, probe, key.sign(probe))) return std::nullopt;
+  return key;
+}
+
 Hash256 key_id(std::span<const std::uint8_t, 32> public_key) { return blake2b_256(std::as_bytes(public_key)); }
 Hash256 StationKey::id() const { return key_id(public_key); }
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "engine/base/ids.h"
 #include "storage/records/chain.h"
@@ -31,6 +33,10 @@ struct StationKey {
   /// Signs H(label, owner, head.links, head.link).
   Signature sign_head(const Uuid& owner, const ChainHead& head) const;
 };
+
+/// The key of a key file's content: the secret half as 64 raw bytes, whose last 32 are the public half. nullopt if the size
+/// is another, or the halves do not belong together.
+std::optional<StationKey> station_key_from(std::string_view content);
 
 /// A head as a table stores it.
 struct SignedHead {

@@ -192,7 +192,7 @@ Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, 
   const auto chosen = choose(context, actor, order.older_than_days);
   if (!chosen) return std::unexpected(chosen.error());
   const bool carry_out = order.mode == ThinningMode::carry_out;
-  if (carry_out && !context.key) return fail(StorageError::read_only, context.db.file().string());
+  if (carry_out && !context.key) return std::unexpected(context.db.unwritable());
   ThinningReport report;
   report.kept = chosen->kept;
   for (std::size_t i = 0; i < chosen->thinnable.size(); ++i) {

@@ -13,7 +13,9 @@ Database::Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions:
 }
 Database::~Database() { sqlite3_close_v2(handle_); }
 Database::Database(Database&& other) noexcept
-    : handle_{std::exchange(other.handle_, nullptr)}, file_{std::move(other.file_)}, read_only_{other.read_only_} {}
+    : handle_{std::exchange(other.handle_, nullptr)}, file_{std::move(other.file_)}, read_only_{other.read_only_}, unwritable_{std::move(other.unwritable_)} {}
+
+StorageFailure Database::unwritable() const { return unwritable_.value_or(StorageFailure{StorageError::read_only, file_.string()}); }
 
 int Database::schema_version() {
   const auto version = first("PRAGMA user_version", [](Row row) { return static_cast<int>(row.integer(0)); });
@@ -90,6 +92,7 @@ Stored<void> Transaction::commit() {
     if (auto done = database_.run("COMMIT"); !done) refuse(std::move(done.error()));
   }
   if (failure_) {
+    if (failure_->code == StorageError::read_only && database_.read_only()) failure_ = database_.unwritable();
     if (open_ && database_.in_transaction()) static_cast<void>(database_.run("ROLLBACK"));
     open_ = false;
     return std::unexpected(*failure_);

@@ -51,6 +51,10 @@ class Database {
 
   const std::filesystem::path& file() const noexcept { return file_; }
   bool read_only() const noexcept { return read_only_; }
+  /// Why the file is open for reading alone: what unwritable() then returns.
+  void set_unwritable(StorageFailure why) { unwritable_ = std::move(why); }
+  /// What a write fails with if read_only(): read_only, unless set_unwritable() has named another cause.
+  StorageFailure unwritable() const;
   int schema_version();
 
   Statement prepare(std::string_view sql) { return Statement{handle_, sql}; }
@@ -120,6 +124,7 @@ class Database {
   sqlite3* handle_;
   std::filesystem::path file_;
   bool read_only_;
+  std::optional<StorageFailure> unwritable_{};
 };
 
 /// While it lives, all reads see the database as of the first read. Inside another Snapshot or a Transaction it does

@@ -1,9 +1,21 @@
 /// Backups: whole, of one moment, beside a program that writes on; and what restoring one gives.
 #include <gtest/gtest.h>
 
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+
+#include <algorithm>
+#include <barrier>
+#include <cerrno>
+#include <cstddef>
 #include <fstream>
+#include <functional>
+#include <thread>
 
 #include "storage/backup/backup.h"
+#include "storage/base/files.h"
 #include "tests/storage/school.h"
 
 namespace cusp::test {
@@ -24,7 +36,53 @@ struct BackupTest : ::testing::Test {
   std::size_t folders() {
     return fs::exists(into()) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(into()), {})) : 0;
   }
+  /// What a restore to new.db has left, by name.
+  std::vector<std::string> left() {
+    std::vector<std::string> out;
+    for (const auto& entry : fs::directory_iterator(into().parent_path())) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("new.db") || name.starts_with(".cusp-restore")) out.push_back(name);
+    }
+    std::ranges::sort(out);
+    return out;
+  }
+  const std::vector<std::string> whole = {"new.db", "new.db.key", "new.db.key-counter"};
 };
+
+/// A system call, and the errno that it fails with.
+struct RefusedCall {
+  long number;
+  std::uint32_t error;
+};
+
+/// Of this thread alone, until it ends. False: the kernel admits no filter.
+bool refuse_calls(const std::vector<RefusedCall>& calls) {
+  std::vector<sock_filter> program;
+  program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)));
+  for (const RefusedCall& call : calls) {
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call.number), 0, 1));
+    program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | call.error));
+  }
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+  sock_fprog filter{};
+  filter.len = static_cast<unsigned short>(program.size());
+  filter.filter = program.data();
+  return prctl(PR_SET_NO_NEW_PRIVS, 1UL, 0UL, 0UL, 0UL) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+/// As on FAT, where link() fails with EPERM. False: `work` was not called.
+bool without_links(std::vector<RefusedCall> calls, const std::function<void()>& work) {
+  calls.push_back({SYS_linkat, EPERM});
+#ifdef SYS_link
+  calls.push_back({SYS_link, EPERM});
+#endif
+  bool refused = false;
+  std::thread([&] {
+    refused = refuse_calls(calls);
+    if (refused) work();
+  }).join();
+  return refused;
+}
 
 TEST_F(BackupTest, restored_is_the_same_school_whole_and_says_so_in_its_log) {
   const SessionId session = complete_session(*store, lena, version);
@@ -109,6 +167,81 @@ TEST_F(BackupTest, restoring_overwrites_nothing) {
   }
   EXPECT_EQ(fs::file_size(folder / "x.db"), 4u);
   EXPECT_FALSE(fs::exists(folder / "y.db"));
+}
+
+TEST_F(BackupTest, restored_by_several_at_once_is_there_once_and_whole) {
+  complete_session(*store, lena, version);
+  const Backup backup = make();
+  constexpr std::size_t kAtOnce = 6;
+  std::vector<Stored<void>> done(kAtOnce);
+  std::barrier<> start(static_cast<std::ptrdiff_t>(kAtOnce));
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < kAtOnce; ++i) {
+    threads.emplace_back([&, i] {
+      start.arrive_and_wait();
+      done[i] = restore_backup(backup, folder / "new.db");
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(std::ranges::count_if(done, [](const Stored<void>& one) { return one.has_value(); }), 1);
+  for (const Stored<void>& one : done) {
+    if (!one) {
+      EXPECT_EQ(one.error().code, StorageError::duplicate) << one.error().where << ": " << one.error().detail;
+    }
+  }
+  EXPECT_EQ(left(), whole);
+  EXPECT_TRUE(must(verify_store(open(folder / "new.db")->context())).intact());
+}
+
+TEST_F(BackupTest, what_another_restores_meanwhile_stays) {
+  const Backup backup = make();
+  const fs::path file = folder / "new.db";
+  EXPECT_EQ(code_of(restore_backup(backup, file, [&](const fs::path&) { return restore_backup(backup, file); })), StorageError::duplicate);
+  EXPECT_EQ(left(), whole);
+  const auto restored = open(file);
+  EXPECT_FALSE(restored->context().incident);
+  EXPECT_TRUE(must(verify_store(restored->context())).intact());
+}
+
+TEST_F(BackupTest, with_a_damaged_key_is_not_restored) {
+  const Backup backup = make();
+  for (const std::string& content : {std::string("short"), std::string(64, 'x')}) {
+    std::ofstream(backup.folder / "station.db.key", std::ios::binary) << content;
+    EXPECT_EQ(code_of(restore_backup(backup, folder / "new.db")), StorageError::corrupt) << content;
+    EXPECT_TRUE(left().empty()) << left().front();
+  }
+}
+
+TEST_F(BackupTest, leaves_no_file_where_the_work_after_restoring_fails) {
+  const Backup backup = make();
+  const auto done = restore_backup(backup, folder / "new.db", [](const fs::path& database) -> Stored<void> {
+    return fail(StorageError::disk_full, database.string());
+  });
+  ASSERT_EQ(code_of(done), StorageError::disk_full);
+  EXPECT_EQ(done.error().where, (folder / "new.db").string());
+  EXPECT_TRUE(left().empty()) << left().front();
+}
+
+TEST_F(BackupTest, is_made_and_restored_on_a_drive_without_hard_links) {
+  complete_session(*store, lena, version);
+  // The second drive knows no RENAME_NOREPLACE either.
+  for (const std::vector<RefusedCall>& more : {std::vector<RefusedCall>{}, std::vector<RefusedCall>{{SYS_renameat2, EINVAL}}}) {
+    const fs::path file = folder / ("new.db" + std::to_string(more.size()));
+    Stored<Backup> backup = fail(StorageError::io, "not made");
+    Stored<void> restored, again, taken;
+    const bool ran = without_links(more, [&] {
+      backup = make_backup(store->context(), administrator, into());
+      if (backup) restored = restore_backup(*backup, file);
+      if (backup) again = restore_backup(*backup, file);
+      taken = write_private_file(file.string() + ".key", "another");
+    });
+    if (!ran) GTEST_SKIP() << "the kernel admits no filter of system calls";
+    must(backup);
+    must(restored);
+    EXPECT_EQ(code_of(again), StorageError::duplicate);
+    EXPECT_EQ(code_of(taken), StorageError::duplicate);
+    EXPECT_TRUE(must(verify_store(open(file)->context())).intact());
+  }
 }
 
 TEST_F(BackupTest, damaged_records_are_put_aside_whole_and_a_backup_takes_their_place) {

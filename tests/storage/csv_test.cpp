@@ -28,8 +28,16 @@ TEST(CsvCells, what_a_spreadsheet_would_run_is_made_plain) {
   EXPECT_EQ(csv_text("+49 30"), "'+49 30");
   EXPECT_EQ(csv_text("-2"), "'-2");
   EXPECT_EQ(csv_text("@SUM(A1)"), "'@SUM(A1)");
-  EXPECT_EQ(csv_text("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_text("\t=1"), "'\t'=1");
   EXPECT_EQ(csv_text("=HYPERLINK(\"x\",\"y\")"), "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"");
+}
+
+TEST(CsvCells, so_is_what_a_spreadsheet_with_another_separator_would_run) {
+  EXPECT_EQ(csv_text("Lena;=1+1"), "Lena;'=1+1");
+  EXPECT_EQ(csv_text("Lena\t@SUM(A1)"), "Lena\t'@SUM(A1)");
+  EXPECT_EQ(csv_text("a;+1;-2"), "a;'+1;'-2");
+  EXPECT_EQ(csv_text("a;\"=1\""), "\"a;\"\"'=1\"\"\"");
+  for (const char* plain : {"a; b", "a;b", "1-2", "x = 1; y = 2", "2.5;3", "Brandt-Meier"}) EXPECT_EQ(csv_text(plain), plain);
 }
 
 TEST(CsvCells, numbers_read_back_exactly_and_carry_a_point) {

@@ -242,6 +242,7 @@ TEST_F(ExchangeTest, a_number_that_somebody_else_has_here_refuses_the_office_fil
   const auto done = read_in(station->context(), keeper, office_file());
   ASSERT_EQ(code_of(done), StorageError::duplicate);
   EXPECT_EQ(done.error().where, lena.number);
+  EXPECT_EQ(done.error().detail, "number");
   EXPECT_EQ(shared_records(*station), before);
 }
 

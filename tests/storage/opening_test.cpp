@@ -199,6 +199,22 @@ TEST(Opening, a_read_only_file_or_folder_is_refused_for_writing_and_read_all_the
   fs::permissions(path, fs::perms::owner_all);
 }
 
+TEST(Opening, a_write_to_a_file_that_is_open_for_reading_alone_fails_with_what_kept_it_so) {
+  const Folder folder;
+  {
+    must(Database::open(folder / "a.db"));
+  }
+  auto db = must(Database::open(folder / "a.db", {.access = Access::read_only}));
+  const auto failing_write = [&db] {
+    Transaction transaction(db);
+    transaction.run("DELETE FROM people");
+    return code_of(transaction.commit());
+  };
+  EXPECT_EQ(failing_write(), StorageError::read_only);
+  db.set_unwritable({StorageError::disk_full, "a.db"});
+  EXPECT_EQ(failing_write(), StorageError::disk_full);
+}
+
 TEST(Opening, two_may_stand_on_one_file_and_see_each_others_work) {
   const Folder folder;
   const auto one = open(folder / "a.db");
@@ -235,6 +251,29 @@ TEST(StationKeys, where_the_key_is_lost_a_new_one_is_made_and_old_signatures_sti
   EXPECT_TRUE(must(verify_session(store->context(), old)).intact());
   EXPECT_TRUE(must(verify_session(store->context(), fresh)).intact());
   EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+}
+
+TEST(StationKeys, a_link_to_a_database_leads_to_the_key_beside_the_file_itself) {
+  const Folder folder;
+  fs::create_directory(folder / "elsewhere");
+  const fs::path file = folder / "a.db", link = fs::path(folder / "elsewhere") / "link.db";
+  fs::create_symlink(file, link);
+  Hash256 key{};
+  {
+    const auto store = open(link);  // makes the file that the link names
+    key = store->context().key->id();
+    make_student(*store);
+  }
+  for (const fs::path& name : {file, link}) {
+    const auto store = open(name);
+    EXPECT_EQ(store->context().key->id(), key) << name;
+    EXPECT_FALSE(store->context().incident) << name;
+    EXPECT_EQ(store->context().lock_file(), fs::canonical(file).string() + ".running");
+    EXPECT_TRUE(must(verify_audit_log(store->context())).intact()) << name;
+  }
+  EXPECT_TRUE(fs::exists(folder / "a.db.key"));
+  EXPECT_FALSE(fs::exists(link.string() + ".key"));
+  EXPECT_FALSE(fs::exists(link.string() + ".key-counter"));
 }
 
 TEST(StationKeys, a_damaged_key_file_is_refused_and_not_replaced) {
