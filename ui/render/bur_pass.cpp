@@ -69,6 +69,13 @@ std::vector<BodyRing> profile(const Bur& bur) {
   return out;
 }
 
+/// How solid neck and shank are drawn: seen along the axis they would hide the blades and what these cut.
+float shank_share(const FrameView& view, const BurPose& pose) {
+  constexpr float kFadesFrom = 0.88f, kFadedFrom = 0.96f, kFadedShare = 0.25f;  // cosines of 28 and 16 degrees
+  const float along = glm::dot(view.to_eye, glm::vec3(pose.axis));
+  return glm::mix(1.0f, kFadedShare, glm::smoothstep(kFadesFrom, kFadedFrom, along));
+}
+
 }  // namespace
 
 std::vector<BodyVertex> bur_mesh(const Bur& bur) {
@@ -83,12 +90,18 @@ bool BurPass::create(std::string& why) {
   return true;
 }
 
-void BurPass::draw(const FrameView& view, const BurPose& pose) {
+void BurPass::use(const FrameView& view, const BurPose& pose, float share) {
   if (!made_ || !(*made_ == pose.bur)) {
-    body_.fill(bur_mesh(pose.bur));
+    const std::vector<BodyVertex> mesh = bur_mesh(pose.bur);
+    body_.fill(mesh);
     made_ = pose.bur;
+    count_ = static_cast<GLsizei>(mesh.size());
+    // The mesh begins at the tip: after its blades come neck and shank.
+    const auto last = std::find_if(mesh.rbegin(), mesh.rend(), [](const BodyVertex& v) { return v.cutting > 0.5f; });
+    blades_ = static_cast<GLsizei>((mesh.rend() - last + 2) / 3 * 3);
   }
   program_.use();
+  program_.set("share", share);
   program_.set("clip_from_world", view.clip_from_world);
   program_.set("world_from_tool", world_from_body(pose.pivot_mm, pose.axis));
   program_.set("eye", view.eye);
@@ -96,7 +109,22 @@ void BurPass::draw(const FrameView& view, const BurPose& pose) {
   program_.set("up", view.up);
   program_.set("turn", pose.turning ? -1.0f : 0.0f);
   program_.set("radius", static_cast<float>(std::max(pose.bur.radius_mm, 0.01)));
-  body_.draw();
+}
+
+void BurPass::draw(const FrameView& view, const BurPose& pose) {
+  const bool whole = shank_share(view, pose) >= 1.0f;
+  use(view, pose, 1.0f);
+  body_.draw(0, whole ? count_ : blades_);
+}
+
+void BurPass::draw_faded_shank(const FrameView& view, const BurPose& pose) {
+  const float share = shank_share(view, pose);
+  if (share >= 1.0f) return;
+  use(view, pose, share);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  body_.draw(blades_, count_ - blades_);
+  glDisable(GL_BLEND);
 }
 
 }  // namespace cusp::ui

@@ -16,12 +16,18 @@ std::vector<BodyVertex> bur_mesh(const Bur& bur);
 class BurPass {
  public:
   bool create(std::string& why);
+  /// Neck and shank only where they are not seen along the axis.
   void draw(const FrameView& view, const BurPose& pose);
+  /// The rest, half transparent, over all that is drawn.
+  void draw_faded_shank(const FrameView& view, const BurPose& pose);
 
  private:
+  void use(const FrameView& view, const BurPose& pose, float share);
+
   GlProgram program_;
   BodyBuffer body_;
   std::optional<Bur> made_;
+  GLsizei blades_ = 0, count_ = 0;  // vertices of the blades, and of all
 };
 
 }  // namespace cusp::ui

@@ -215,6 +215,7 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
   }
   if (scene.bur) in.bur.draw(view, *scene.bur);
   if (scene.show_target && !scene.cutaway) in.overlay.draw(view);
+  if (scene.bur) in.bur.draw_faded_shank(view, *scene.bur);
   if (scene.mirror && !scene.cutaway) {
     const DrawStats mirrored = in.draw_mirror(view, scene);
     drawn.triangles += mirrored.triangles;

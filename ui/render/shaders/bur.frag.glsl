@@ -7,6 +7,7 @@ uniform vec3 eye;
 uniform vec3 key_light, up;
 uniform float turn;     // angle of the blades; below 0: turning too fast to see them
 uniform float radius;
+uniform float share;    // how solid it is drawn
 out vec4 colour;
 void main() {
   vec3 n = normalize(facing);
@@ -33,5 +34,5 @@ void main() {
   float s4 = s * s * s * s;
   float s16 = s4 * s4 * s4 * s4;
   vec3 lit = metal * dark * (0.52 + 0.70 * key) * band + vec3(0.30) * s16 * dark + metal * 0.25 * smoothstep(0.3, 0.9, sky);
-  colour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);
+  colour = vec4(sqrt(clamp(lit, 0.0, 1.0)), share);
 }
