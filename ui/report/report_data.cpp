@@ -111,7 +111,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   }
   // The records do not hold this flag.
   mark_counted_with_target(data.result.grade, result.scenario.rubric);
-  data.critical = critical_events(data.result.grade, result.measures, store, result.session);
+  data.critical = critical_events(data.result.grade, store, result.session);
   data.title = local(result.scenario.title);
   for (const Measure& m : result.measures) {
     if (m.metric == "force_peak" && m.measured) data.peak_push_n = m.value;

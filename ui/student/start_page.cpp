@@ -90,7 +90,9 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   connect(&pictures_, &ThumbnailCache::ready, this, &StartPage::show_picture);
   QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_;
   for (const AssessmentCard* card : findChildren<AssessmentCard*>()) {
-    if (card->start_button() != nullptr) first = card->start_button();
+    if (card->start_button() == nullptr) continue;
+    first = card->start_button();
+    break;
   }
   if (first != nullptr) setFocusProxy(first);
 }
@@ -311,7 +313,7 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     specimen = row.exercise.scenario.specimen;
     target = &row.exercise.scenario.target;
   }
-  for (const CriticalEvent& event : critical_events(grade, {}, &store_, last.session)) {
+  for (const CriticalEvent& event : critical_events(grade, &store_, last.session)) {
     add(u"cross"_qs, Ink::bad, critical_text(event, specimen) + u'.', critical_advice(event.key));
   }
   int shown = 0;

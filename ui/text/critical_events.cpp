@@ -26,14 +26,12 @@ std::optional<double> first_pulp_s(Store& store, const SessionId& session) {
   return std::nullopt;
 }
 
-std::optional<Vec3> place_of(const std::string& key, const Grade& grade, const std::vector<Measure>& measures) {
-  for (const Measure& m : measures) {
-    if (m.metric == key && m.measured && m.where_mm) return m.where_mm;
-  }
-  if (key != "pulp_exposure") return std::nullopt;
-  // A stored attempt keeps its criteria alone: where the cut came nearest to the pulp, it opened it.
+/// Of the criteria alone, which a stored attempt keeps: a report names the same place when it is opened again. Where the cut
+/// came nearest to the pulp, it opened it.
+std::optional<Vec3> place_of(const std::string& key, const Grade& grade) {
+  const std::string criterion = key == "pulp_exposure" ? "remaining_over_pulp" : key;
   for (const CriterionGrade& c : grade.criteria) {
-    if (c.id == "remaining_over_pulp" && c.measure.measured) return c.measure.where_mm;
+    if (c.id == criterion && c.measure.measured) return c.measure.where_mm;
   }
   return std::nullopt;
 }
@@ -49,11 +47,10 @@ QString oblique(const Side& at) {
 
 }  // namespace
 
-std::vector<CriticalEvent> critical_events(const Grade& grade, const std::vector<Measure>& measures, Store* store,
-                                           const SessionId& session) {
+std::vector<CriticalEvent> critical_events(const Grade& grade, Store* store, const SessionId& session) {
   std::vector<CriticalEvent> events;
   for (const std::string& key : grade.critical) {
-    CriticalEvent event{key, std::nullopt, place_of(key, grade, measures)};
+    CriticalEvent event{key, std::nullopt, place_of(key, grade)};
     if (key == "pulp_exposure" && store != nullptr && !session.is_nil()) event.at_s = first_pulp_s(*store, session);
     events.push_back(std::move(event));
   }

@@ -19,10 +19,8 @@ struct CriticalEvent {
   std::optional<Vec3> place_mm;  // none: not known
 };
 
-/// In the order of the grade; the opened pulp before all others. `measures` may be empty (a stored attempt); `store` may be
-/// null: then no time is known.
-std::vector<CriticalEvent> critical_events(const Grade& grade, const std::vector<Measure>& measures, Store* store,
-                                           const SessionId& session);
+/// In the order of the grade; the opened pulp before all others. `store` may be null: then no time is known.
+std::vector<CriticalEvent> critical_events(const Grade& grade, Store* store, const SessionId& session);
 
 /// "The pulp was opened after 1:12 min, distobuccal".
 QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen);

@@ -211,7 +211,7 @@ TEST(ReportPdf, puts_an_opened_pulp_before_every_other_advice) {
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
   ReportData data = sample();
   data.result.grade.critical = {"pulp_exposure"};
-  data.critical = critical_events(data.result.grade, {}, nullptr, {});
+  data.critical = critical_events(data.result.grade, nullptr, {});
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()));
   const std::string text = text_in(file);
   const auto advice = text.find("Next time"), pulp = text.find("The pulp was opened", advice);

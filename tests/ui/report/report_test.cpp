@@ -123,7 +123,7 @@ TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
   ReportData data = sample(70);
   data.result.scenario = *load_builtin("class-1-36");
   data.result.grade.critical = {"dry_cutting", "pulp_exposure"};
-  data.critical = critical_events(data.result.grade, {}, nullptr, {});
+  data.critical = critical_events(data.result.grade, nullptr, {});
   data.critical[0].at_s = 72;
   data.critical[0].place_mm = Vec3(2.0, 1.5, -3.0);  // of a lower left molar: mesial and buccal
   const Advice first = first_advice(data);
@@ -152,7 +152,7 @@ TEST(ReportData, a_stored_attempt_knows_where_the_pulp_was_opened_from_its_crite
   over.id = "remaining_over_pulp";
   over.measure = {"remaining_over_pulp", true, 0.0, 0.04, "mm", Vec3(0.1, 0.2, -3.0)};
   grade.criteria.push_back(over);
-  const auto events = critical_events(grade, {}, nullptr, {});
+  const auto events = critical_events(grade, nullptr, {});
   ASSERT_EQ(events.size(), 1u);
   ASSERT_TRUE(events[0].place_mm);
   EXPECT_EQ(*events[0].place_mm, Vec3(0.1, 0.2, -3.0));
@@ -278,7 +278,7 @@ TEST(ReportPage, an_opened_pulp_is_shown_above_everything_else) {
   ReportData data = sample();
   data.result.grade.critical = {"pulp_exposure"};
   data.result.grade.passed = false;
-  data.critical = critical_events(data.result.grade, {}, nullptr, {});
+  data.critical = critical_events(data.result.grade, nullptr, {});
   const Ports ports = Ports::of_the_system();
   ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
   page.show();
