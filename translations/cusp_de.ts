@@ -2908,6 +2908,30 @@
         <source>“%1” is assigned to “%2” more than once: say which with --due. Due: %3.</source>
         <translation>„%1“ ist „%2“ mehr als einmal zugewiesen: Nennen Sie mit --due, welche Frist gilt. Fristen: %3.</translation>
     </message>
+    <message>
+        <source>The standard output cannot be written.</source>
+        <translation>Die Standardausgabe kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>There is no verb %1 (see cusp --help)</source>
+        <translation>Den Befehl %1 gibt es nicht (siehe cusp --help)</translation>
+    </message>
+    <message>
+        <source>%1 is no number from 0 on</source>
+        <translation>%1 ist keine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>%1 is no number above 0</source>
+        <translation>%1 ist keine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number from 0 on</source>
+        <translation>%1 ist keine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number from 1 on</source>
+        <translation>%1 ist keine ganze Zahl ab 1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3077,6 +3101,18 @@
     <message>
         <source>only with %1</source>
         <translation>nur mit %1</translation>
+    </message>
+    <message>
+        <source>No cohort yet</source>
+        <translation>Noch keine Kohorte</translation>
+    </message>
+    <message>
+        <source>%1 is assigned to %2 already.</source>
+        <translation>%1 ist %2 bereits aufgegeben.</translation>
+    </message>
+    <message>
+        <source>An open assignment has the same kind, days, attempts and devices. Change one of them to assign it again.</source>
+        <translation>Eine offene Aufgabe hat dieselbe Art, dieselben Tage, Versuche und Geräte. Ändern Sie etwas davon, um sie erneut aufzugeben.</translation>
     </message>
 </context>
 <context>
@@ -3583,12 +3619,12 @@
         <translation>Farben: nicht entfernt, auf dem Ziel, überpräpariert; von -0,5 bis +0,5 mm</translation>
     </message>
     <message>
-        <source>Uncut remainder</source>
-        <translation>Nicht entfernt</translation>
-    </message>
-    <message>
         <source>Over-cut</source>
         <translation>Überpräpariert</translation>
+    </message>
+    <message>
+        <source>Not removed</source>
+        <translation>Nicht entfernt</translation>
     </message>
 </context>
 <context>
@@ -3779,6 +3815,14 @@
         <source>Growing the other teeth of the jaw</source>
         <translation>Die übrigen Zähne des Kiefers wachsen</translation>
     </message>
+    <message>
+        <source>Leave this assessment?</source>
+        <translation>Diese Prüfung verlassen?</translation>
+    </message>
+    <message>
+        <source>It counts as interrupted. To leave, the invigilator types the start code.</source>
+        <translation>Sie zählt als unterbrochen. Zum Verlassen gibt die Aufsicht den Startcode ein.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DrillStage</name>
@@ -3792,7 +3836,7 @@
     </message>
     <message>
         <source>Cutaway</source>
-        <translation>Aufschnitt</translation>
+        <translation>Schnittansicht</translation>
     </message>
     <message>
         <source>From above</source>
@@ -5132,10 +5176,6 @@
         <translation>Zahn wärmer um</translation>
     </message>
     <message>
-        <source>The pulp is at risk from %1 (not verified)</source>
-        <translation>Gefahr für die Pulpa ab %1 (nicht gesichert)</translation>
-    </message>
-    <message>
         <source>Sound off</source>
         <translation>Ton aus</translation>
     </message>
@@ -5177,16 +5217,20 @@
         <translation>%1 U/min</translation>
     </message>
     <message>
-        <source>Too warm for the pulp (%1, not verified): run the coolant</source>
-        <translation>Zu warm für die Pulpa (%1, nicht gesichert): kühlen</translation>
-    </message>
-    <message>
         <source>Speed %1.</source>
         <translation>Drehzahl %1.</translation>
     </message>
     <message>
         <source>Tooth warmer by %1.</source>
         <translation>Zahn wärmer um %1.</translation>
+    </message>
+    <message>
+        <source>The pulp is at risk from a rise of %1</source>
+        <translation>Gefahr für die Pulpa ab einem Anstieg von %1</translation>
+    </message>
+    <message>
+        <source>Too warm for the pulp (a rise of %1): run the coolant</source>
+        <translation>Zu warm für die Pulpa (Anstieg von %1): kühlen</translation>
     </message>
 </context>
 <context>
@@ -6217,10 +6261,6 @@
         <translation>Entlang des Zahnbogens</translation>
     </message>
     <message>
-        <source>Towards the cheek</source>
-        <translation>Zur Wange</translation>
-    </message>
-    <message>
         <source>Height</source>
         <translation>Höhe</translation>
     </message>
@@ -6244,6 +6284,10 @@
         <source>%1 proposed, %2 set</source>
         <extracomment>%1, %2: numbers of landmarks</extracomment>
         <translation>%1 vorgeschlagen, %2 gesetzt</translation>
+    </message>
+    <message>
+        <source>Towards buccal</source>
+        <translation>Nach bukkal</translation>
     </message>
 </context>
 <context>
@@ -6799,20 +6843,12 @@
         <translation>Der Kommentar ist leer.</translation>
     </message>
     <message>
-        <source>Write it above.</source>
-        <translation>Schreiben Sie ihn oben.</translation>
-    </message>
-    <message>
         <source>The comment is kept.</source>
         <translation>Der Kommentar ist gespeichert.</translation>
     </message>
     <message>
         <source>A change needs a reason.</source>
         <translation>Eine Änderung braucht eine Begründung.</translation>
-    </message>
-    <message>
-        <source>Write it above; the student reads it.</source>
-        <translation>Schreiben Sie sie oben; der Studierende liest sie.</translation>
     </message>
     <message>
         <source>The points are changed. The measured grade is kept beside them.</source>
@@ -6837,6 +6873,14 @@
     <message>
         <source>Comment, change points, confirm or release</source>
         <translation>Kommentieren, Punkte ändern, bestätigen oder freigeben</translation>
+    </message>
+    <message>
+        <source>Write it below.</source>
+        <translation>Schreiben Sie ihn unten.</translation>
+    </message>
+    <message>
+        <source>Write it below; the student reads it.</source>
+        <translation>Schreiben Sie sie unten; der Studierende liest sie.</translation>
     </message>
 </context>
 <context>
@@ -7031,6 +7075,10 @@
         <source>Not as they were signed: %1.</source>
         <translation>Nicht so, wie sie signiert wurden: %1.</translation>
     </message>
+    <message>
+        <source>Its records cannot be read any more.</source>
+        <translation>Ihre Daten sind nicht mehr lesbar.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PartsForm</name>
@@ -7115,10 +7163,6 @@
         <translation>Entlang des Zahnbogens</translation>
     </message>
     <message>
-        <source>Towards the cheek</source>
-        <translation>Zur Wange</translation>
-    </message>
-    <message>
         <source>Height</source>
         <translation>Höhe</translation>
     </message>
@@ -7161,6 +7205,10 @@
     <message>
         <source>Place of all shapes</source>
         <translation>Lage aller Formen</translation>
+    </message>
+    <message>
+        <source>Towards buccal</source>
+        <translation>Nach bukkal</translation>
     </message>
 </context>
 <context>
@@ -9079,10 +9127,6 @@
         <translation>Entlang des Zahnbogens</translation>
     </message>
     <message>
-        <source>Towards the cheek</source>
-        <translation>Zur Wange</translation>
-    </message>
-    <message>
         <source>Add a point</source>
         <translation>Punkt hinzufügen</translation>
     </message>
@@ -9155,16 +9199,20 @@
         <translation>Neigung, Zahnbogen vorwärts</translation>
     </message>
     <message>
-        <source>Lean, towards the tongue</source>
-        <translation>Neigung, zur Zunge</translation>
-    </message>
-    <message>
-        <source>Lean, towards the cheek</source>
-        <translation>Neigung, zur Wange</translation>
-    </message>
-    <message>
         <source>Above 0 the wall opens upwards</source>
         <translation>Über 0 öffnet sich die Wand nach oben</translation>
+    </message>
+    <message>
+        <source>Lean, towards lingual</source>
+        <translation>Neigung, nach lingual</translation>
+    </message>
+    <message>
+        <source>Lean, towards buccal</source>
+        <translation>Neigung, nach bukkal</translation>
+    </message>
+    <message>
+        <source>Towards buccal</source>
+        <translation>Nach bukkal</translation>
     </message>
 </context>
 <context>
@@ -10060,7 +10108,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Cut out</source>
-        <translation>Ausgeschnitten</translation>
+        <translation>Präpariert</translation>
     </message>
     <message>
         <source>Show the tooth as it is when the target is met</source>
@@ -10322,10 +10370,6 @@ Ihr bester davor</translation>
     <message>
         <source>Cavosurface angle, mean</source>
         <translation>Präparationsrandwinkel, Mittel</translation>
-    </message>
-    <message>
-        <source>Margin below 80° or above 110° (band not verified)</source>
-        <translation>Rand unter 80° oder über 110° (Band nicht geprüft)</translation>
     </message>
     <message>
         <source>Contact open (1 yes, 0 no)</source>
@@ -10913,7 +10957,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Practice</source>
-        <translation>Training</translation>
+        <translation>Übung</translation>
     </message>
     <message>
         <source>Assessment</source>
@@ -11167,16 +11211,8 @@ Ihr bester davor</translation>
         <translation>Ohne Kühlung gebohrt</translation>
     </message>
     <message>
-        <source>Tooth warmer by (not verified)</source>
-        <translation>Zahn wärmer um (nicht gesichert)</translation>
-    </message>
-    <message>
         <source>Tooth overheated</source>
         <translation>Zahn überhitzt</translation>
-    </message>
-    <message>
-        <source>The tooth was overheated by cutting dry (criterion not verified)</source>
-        <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt (Grenze nicht gesichert)</translation>
     </message>
     <message>
         <source>%1 without coolant; full points up to %2</source>
@@ -12576,6 +12612,18 @@ Ihr bester davor</translation>
     <message>
         <source>What is whole can be read and exported. Nothing can be drilled or changed until a backup takes their place.</source>
         <translation>Was unversehrt ist, kann gelesen und ausgegeben werden. Gebohrt oder geändert wird nichts, bis eine Sicherung an ihre Stelle tritt.</translation>
+    </message>
+    <message>
+        <source>Tooth warmer by</source>
+        <translation>Zahn wärmer um</translation>
+    </message>
+    <message>
+        <source>The tooth was overheated by cutting dry</source>
+        <translation>Der Zahn wurde durch trockenes Schleifen überhitzt</translation>
+    </message>
+    <message>
+        <source>Margin below 80° or above 110°</source>
+        <translation>Rand unter 80° oder über 110°</translation>
     </message>
 </context>
 <context>

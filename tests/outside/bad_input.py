@@ -5,9 +5,11 @@
 import contextlib
 import json
 import os
+import resource
 import shutil
 import signal
 import sqlite3
+import stat
 import subprocess
 import sys
 
@@ -62,6 +64,9 @@ def scenarios(desk):
     refused(desk, "missing exercise file", "validate", desk.path("none.cusp"), names=("none.cusp",))
     refused(desk, "missing script", "play", "channel-1", "--script", desk.path("none.csv"), "--db", desk.path("s.db"),
             "--out", desk.path("o"), names=("none.csv",))
+    for script in (desk.folder, "/dev/zero"):
+        refused(desk, f"{script} as a script", "play", "channel-1", "--script", script, "--db", desk.path("s.db"), "--out", desk.path("o"),
+                names=(script, "cannot be read"))
     with open(desk.path("bad.csv"), "w", encoding="utf-8") as f:
         f.write("elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n1000,0,0,zero,0,0,0,32767,0,0\n")
     refused(desk, "broken script", "play", desk.small_exercise(), "--script", desk.path("bad.csv"), "--db", desk.path("s.db"),
@@ -171,10 +176,56 @@ def usage(desk):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))
+    check("nonsense" in desk.run("nonsense")[2], "an unknown verb is not named")
+    replay, play = ("replay", "x.db", "019a9f3c-6a00-7c41-9b1e-000000000000"), ("play", "channel-1", "--out", desk.path("o"))
+    for verb, option, value in ((replay, "--at", "nan"), (replay, "--at", "-1"), (replay, "--at", "inf"), (play, "--seconds", "nan"), (play, "--seconds", "0"),
+                                (play, "--seed", "-1"), (play, "--seed", "99999999999999999999"), (play, "--seed", "1.5"),
+                                (("export", "x.db", "--exercise", "channel-1"), "--exercise-version", "0")):
+        status, _, err = desk.run(*verb, f"{option}={value}")
+        check(status == 2 and option in err and value in err and len(err) < 120, f"{verb} {option} {value}: exit {status}: {err}")
+        one_sentence(err, option)
     for verb in (("play",), ("replay",), ("grade",), ("validate",), ("import",), ("specimen",), ("audit",), ("history",), ("export",),
                  ("template", "list"), ("template", "fit")):
         status, out, err = desk.run(*verb, "--help")
         check(status == 0 and "--json" in out and not err, f"{verb} --help: {status} {err}")
+
+
+def outputs(desk):
+    """What --json names is written where it leads to, keeps its permissions, and may be a pipe; lost output is no success."""
+    target, link, pipe = desk.path("target.json"), desk.path("link.json"), desk.path("pipe.json")
+    with open(target, "w", encoding="utf-8") as f:
+        f.write("old")
+    os.chmod(target, 0o600)
+    os.symlink(target, link)
+    status, _, err = desk.run("template", "list", "--json", link)
+    check(status == 0 and os.path.islink(link), f"a link was replaced: {err}")
+    check(stat.S_IMODE(os.stat(target).st_mode) == 0o600, f"permissions of a file that was there: {os.stat(target)}")
+    with open(target, encoding="utf-8") as f:
+        listed = json.load(f)
+    os.mkfifo(pipe)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as reader:
+        status, _, err = desk.run("template", "list", "--json", pipe)
+        is_pipe = stat.S_ISFIFO(os.stat(pipe).st_mode)
+        if status != 0 or not is_pipe:
+            reader.kill()
+        check(status == 0 and is_pipe, f"a pipe was replaced: {err}")
+        check(json.loads(reader.communicate(timeout=HUNG_S)[0]) == listed, "what came through the pipe")
+    for arguments in (("template", "list"), ("template", "list", "--json", "-"), ("--help",)):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([desk.cusp, *arguments], stdin=subprocess.DEVNULL, stdout=full, stderr=subprocess.PIPE, text=True,
+                                  timeout=HUNG_S, env=desk.environment())
+        check(done.returncode == 1 and "standard output" in done.stderr, f"{arguments} to a full disk: exit {done.returncode}: {done.stderr}")
+        one_sentence(done.stderr, f"{arguments} to a full disk")
+
+
+def file_sizes(desk):
+    """Where the process may write no larger file, it ends by itself and names the cause."""
+    play = ("play", desk.small_exercise(), "--script", desk.small_script(1), "--db", desk.path("large.db"), "--out", desk.path("o"))
+    for limit, arguments in ((1000, ("specimen", "tooth", "--voxel-mm", "0.3", "-o", desk.path("large.nrrd"))), (20000, play)):
+        done = subprocess.run([desk.cusp, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HUNG_S,
+                              env=desk.environment(), preexec_fn=lambda size=limit: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+        check(done.returncode == 1, f"{arguments} with at most {limit} bytes: exit {done.returncode}: {done.stderr}")
+        one_sentence(done.stderr, f"{arguments} with at most {limit} bytes")
 
 
 def mounted(folder, options):
@@ -242,4 +293,6 @@ with Desk(sys.argv[1]) as the_desk:
     scenarios(the_desk)
     audits(the_desk)
     databases(the_desk)
+    outputs(the_desk)
+    file_sizes(the_desk)
     disks(the_desk)

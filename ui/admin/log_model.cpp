@@ -89,7 +89,9 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
   if (role == ChipRole && column == kProof && !proof_text_of(proof_, e.number).isEmpty()) {
     return static_cast<int>(proof_chip(proof_, e.number));
   }
-  if (role == Qt::ToolTipRole && column == kAbout && e.subject != Uuid{}) return QString::fromStdString(e.subject.text());
+  if (role == Qt::ToolTipRole && column == kWho) return tool_tip_text(actor_text(e, names_));
+  if (role == Qt::ToolTipRole && column == kAbout && e.subject != Uuid{})
+    return tool_tip_text(about_text(e, names_) + u" · "_qs + QString::fromStdString(e.subject.text()));
   if (role != Qt::DisplayRole) return {};
   switch (column) {
     case kNumber: return QLocale().toString(static_cast<qlonglong>(e.number));

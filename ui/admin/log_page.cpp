@@ -4,11 +4,13 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QDateEdit>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTimer>
+#include <algorithm>
 
 #include "storage/export/csv.h"
 #include "ui/text/audit_log_text.h"
@@ -28,10 +30,12 @@ namespace {
 constexpr int kEntriesAtOnce = 200;     // a page of the table
 constexpr int kExportedAtOnce = 5'000;  // entries read at a time for the CSV
 constexpr int kLookMs = 100;            // between two looks at how far a verification is
+constexpr int kMostWho = 180, kMostAbout = 220;  // px at 100 %: a longer name is elided, and What stays on the screen
 constexpr int kBetweenDays = -1;        // data of the period that the two dates set
 
 QDateEdit* make_day(const QString& name, const QDate& day) {
   auto* field = new QDateEdit(day);
+  field->setLocale(QLocale());  // the language may be another than when the window was made
   field->setCalendarPopup(true);
   field->setDisplayFormat(u"d MMM yyyy"_qs);
   field->setAccessibleName(name);
@@ -107,6 +111,7 @@ QWidget* LogPage::make_table() {
   table_->setAccessibleName(tr("Entries of the audit log"));
   table_->setModel(model_);
   table_->set_stretch_column(LogModel::kWhat);
+  for (const int column : {LogModel::kWho, LogModel::kAbout}) table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
   below_ = new QStackedWidget;
   below_->addWidget(table_);
   auto* none = new EmptyState(u"list"_qs, tr("No entry fits"), tr("The log has no entry of this kind, person and date."), tr("Show all entries"));
@@ -165,6 +170,8 @@ void LogPage::read() {
   below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
   for (const int column : {LogModel::kNumber, LogModel::kWhen, LogModel::kWho, LogModel::kAbout}) table_->resizeColumnToContents(column);
   table_->setColumnWidth(LogModel::kProof, px(140));
+  table_->setColumnWidth(LogModel::kWho, std::min(table_->columnWidth(LogModel::kWho), px(kMostWho)));
+  table_->setColumnWidth(LogModel::kAbout, std::min(table_->columnWidth(LogModel::kAbout), px(kMostAbout)));
   table_->choose_row(0);
 }
 
@@ -172,13 +179,13 @@ void LogPage::show_all() {
   for (QComboBox* box : {kind_, person_, period_}) box->setCurrentIndex(0);
 }
 
+/// verify_ stays enabled, as with ButtonWait: a disabled button hands the focus on.
 void LogPage::verify() {
   if (verifying()) return;
   const auto newest = page({}, 1, INT64_MAX);
   if (!newest) return;
   entries_ = newest->empty() ? 0 : newest->front().number + 1;
   progress_ = std::make_shared<LogProgress>();
-  verify_->setEnabled(false);
   band_->clear();
   busy_->start(tr("Verifying the audit log"), Busy::Cancel::offered);
   look_->start(kLookMs);
@@ -205,7 +212,6 @@ void LogPage::cancel_verification() {
   task_ = BackgroundTask();
   look_->stop();
   busy_->finish();
-  verify_->setEnabled(true);
 }
 
 /// "It says: Lena Brandt, Account disabled."; empty if the entry is gone.

@@ -243,7 +243,9 @@ void PeoplePage::show_saved(const AccountChange& change, const Stored<void>& don
   read();
   fit_save();
   band_->show_message(Band::Kind::good, change.before ? tr("%1 is saved.").arg(name) : tr("%1 is added.").arg(name), {});
-  if (!change.before && !edited_) begin_new();
+  if (change.before || edited_) return;
+  begin_new();
+  save_->setEnabled(false);  // until something is typed: a double click presses it twice
 }
 
 void PeoplePage::fit_save() {

@@ -33,7 +33,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kStackBelow = 1000;       // px at 100 %, of the page
+constexpr int kStackBelow = 1040;       // px at 100 %, of the page
 constexpr double kFrom = 40;    // points: least value of the axis unless somebody has fewer
 constexpr int kMostSorted = 5000;  // attempts that another order than the newest first is made of: fetched in 0.2 s
 constexpr int kMostDots = 300;  // attempts drawn one by one
@@ -277,13 +277,12 @@ void Performance::show_numbers(const Figures& f) {
   const QString none = QStringLiteral("–");
   figure_[0]->setText(format_number(f.attempts, 0));
   note_[0]->setText(tr("%n student(s)", nullptr, f.students));
-  figure_[1]->setText(f.median_score ? format_points(std::round(*f.median_score)) : none);
+  figure_[1]->setText(f.median_score ? format_points(*f.median_score) : none);
   note_[1]->setText(f.attempts < 4 ? QString()
-                               : tr("half lie in %1 to %2").arg(format_points(std::round(f.middle_half.low)),
-                                                                format_points(std::round(f.middle_half.high))));
+                               : tr("half lie in %1 to %2").arg(format_points(f.middle_half.low), format_points(f.middle_half.high)));
   figure_[2]->setText(f.attempts > 0 ? format({100.0 * f.passed / f.attempts, std::nullopt, u"%"_qs, 0}) : none);
   note_[2]->setText(f.passed_95 ? tr("95 % interval %1 to %2")
-                                      .arg(format_number(100 * f.passed_95->low, 0), format_number(100 * f.passed_95->high, 0))
+                                      .arg(format_number(100 * f.passed_95->low, 0), format({100 * f.passed_95->high, std::nullopt, u"%"_qs, 0}))
                                 : QString());
   figure_[3]->setText(f.median_time_s ? format_clock(*f.median_time_s) : none);
   note_[3]->setText(f.median_time_s ? tr("minutes and seconds") : QString());

@@ -141,7 +141,8 @@ void StationPage::show_backups() {
 
 void StationPage::begin(const QString& what) {
   working_ = true;
-  for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(false);
+  // The pressed button stays enabled, as with ButtonWait: a disabled one hands the focus on to a field.
+  for (QPushButton* button : {back_up_, choose_, verify_}) button->setEnabled(button == window()->focusWidget());
   busy_->start(what, Busy::Cancel::none);
 }
 

@@ -4,6 +4,7 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QTimer>
+#include <csignal>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -36,6 +37,7 @@ void run_in_turns(const Steps& steps, std::size_t next = 0) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the process's file-size limit then fails with EFBIG
   if (cusp::ui::is_verb(argc, argv)) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);

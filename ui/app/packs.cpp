@@ -74,6 +74,7 @@ void Desktop::open_pack(const QString& path) {
           if (!waiting || page() != waiting) return;
           back();
           if (!*opened) return show_failure(opened->error());
+          if (!(*opened)->readable) return show_failure({PackCard::tr("This pack was changed after it was made."), PackCard::tr("Its records cannot be read any more.")});
           show_pack(std::make_shared<const OpenedPack>(std::move(**opened)));
         },
         Qt::QueuedConnection);

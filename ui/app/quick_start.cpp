@@ -46,6 +46,7 @@ QuickStart::QuickStart(QWidget* parent) : QWidget(parent) {
   const BarTop top = make_bar_top();
   QPushButton* back = add_way_back(top, tr("To the program"));
   connect(back, &QPushButton::clicked, this, &QuickStart::back_wanted);
+  let_escape_go_back(back);
   top.row->addWidget(make_label(tr("Quick start"), TextRole::section, Weight::bold));
   top.row->addStretch();
   outer->addWidget(top.bar);

@@ -25,6 +25,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kSidebar = 200;  // px at 100 %
+constexpr int kNameWide = 180;  // of an account in the bar
 
 /// A page as large as the window leaves it; it scrolls where it needs more. A resizable QScrollArea would give it its wished height.
 class PageArea : public QScrollArea {
@@ -155,7 +156,8 @@ QPushButton* Shell::make_account_button(const Account& account) {
   auto* chevron = new QLabel;
   chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, devicePixelRatioF()));
   const QString name = QString::fromStdString(account.name);
-  QLabel* who = make_label(name);
+  QLabel* who = make_label({});
+  who->setText(who->fontMetrics().elidedText(name, Qt::ElideRight, px(kNameWide)));
   QLabel* role = make_label(role_name(account.role), TextRole::body, Weight::regular, "text2");
   for (QLabel* label : {face, who, role, chevron}) {
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -163,6 +165,7 @@ QPushButton* Shell::make_account_button(const Account& account) {
   }
   button->setMinimumWidth(inside->sizeHint().width());
   button->setAccessibleName(tr("Account of %1").arg(name));
+  button->setToolTip(button->accessibleName());
   button->setMenu(make_account_menu(account, button));
   return button;
 }

@@ -24,8 +24,10 @@ Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path
   // A disk that takes nothing more can still be read; where it cannot, that failure is the one to show.
   const StorageError code = store ? StorageError{} : store.error().code;
   if (!store && (code == StorageError::read_only || out_of_space(code) || code == StorageError::io)) {
+    const StorageFailure why = store.error();
     options.database.access = DatabaseOptions::Access::read_only;
     store = Store::open(file, options);
+    if (store) (*store)->database().set_unwritable(why);
   }
   if (!store) return std::unexpected(describe(store.error()));
   return std::move(*store);

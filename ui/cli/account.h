@@ -19,7 +19,7 @@ struct AccountOption {
   void add_to(CLI::App& verb);
 };
 
-/// Opens a database that is there; read-only where it cannot be written.
+/// Opens a database that is there; read-only where it cannot be written, and a write then fails with the cause.
 Result<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file);
 
 /// What sign_in() does in a database without accounts.

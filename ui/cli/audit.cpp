@@ -58,14 +58,15 @@ void print(const AuditReport& report) {
   print_line(plain(leanest_sentence(report)));
 }
 
-/// Asked before what takes minutes. Leaves nothing.
+/// Asked before what takes minutes. Leaves nothing. True of a pipe or a device, which is not opened.
 bool can_be_written(const std::filesystem::path& file) {
   std::error_code error;
+  const std::filesystem::file_status there = std::filesystem::status(file, error);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) return !std::filesystem::is_directory(there);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder, error) || !writable_folder(folder)) return false;
   // A file that its owner has locked is not to be replaced either.
-  return !std::filesystem::exists(file, error) ||
-         (std::filesystem::is_regular_file(file, error) && std::ofstream(file, std::ios::binary | std::ios::app).good());
+  return !std::filesystem::exists(there) || std::ofstream(file, std::ios::binary | std::ios::app).good();
 }
 
 int audit_verb(const AuditOptions& o) {

@@ -42,6 +42,15 @@ int back_up(const BackupOptions& o) {
   return kDone;
 }
 
+/// The store is closed before the database gets its name.
+Stored<void> finish_restored(const Backup& backup, const std::filesystem::path& database) {
+  StoreOptions options;
+  options.database.access = DatabaseOptions::Access::existing;
+  const auto store = Store::open(database, options);
+  if (!store) return std::unexpected(store.error());
+  return log_restored((*store)->context(), backup);
+}
+
 int restore(const BackupOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.to)) return failed(*no);
   const auto backup = read_backup(o.from);
@@ -49,17 +58,12 @@ int restore(const BackupOptions& o) {
     if (backup.error().code != StorageError::not_found) return failed(describe(backup.error()));
     return failed(CliText::tr("%1 is no whole backup.").arg(QString::fromStdString(o.from)));
   }
-  const auto done = restore_backup(*backup, o.to);
+  const auto done = restore_backup(*backup, o.to, [&backup](const std::filesystem::path& database) { return finish_restored(*backup, database); });
   if (!done && done.error().code == StorageError::duplicate) {
     return failed(CliText::tr("%1 is there already. Restore to a new name; nothing was changed.")
                       .arg(QString::fromStdString(done.error().where)));
   }
   if (!done) return failed(describe(done.error()));
-  StoreOptions options;
-  options.database.access = DatabaseOptions::Access::existing;
-  auto store = Store::open(o.to, options);
-  if (!store) return failed(describe(store.error()));
-  if (auto logged = log_restored((*store)->context(), *backup); !logged) return failed(describe(logged.error()));
   if (!o.json.write(backup_json(*backup))) return kFailed;
   if (!o.json.on_stdout()) {
     print_line(plain(CliText::tr("%n session(s) are restored as of %1.", nullptr, static_cast<int>(backup->sessions))

@@ -3,7 +3,6 @@
 #include "storage/export/csv.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "storage/base/clock.h"
@@ -106,16 +105,14 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
   return filter;
 }
 
-/// False: could not be written; stderr has the message.
+/// False: could not be written; stderr has the message, or gets that of after_output().
 bool write_csv(const ExportOptions& o, const std::string& text) {
   if (!o.csv_on_stdout()) {
     if (write_whole(o.out, text)) return true;
     failed(CliText::tr("%1 cannot be written.").arg(typed_text(o.out)));
     return false;
   }
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return true;
-  failed(CliText::tr("%1 cannot be written.").arg(QStringLiteral("stdout")));
-  return false;
+  return write_out(text);
 }
 
 int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
@@ -182,7 +179,7 @@ void add_filters(CLI::App& verb, ExportOptions& o) {
       add_named(verb, "--exercise", o.exercise, CliText::tr("Only attempts at this exercise: its key or id"))->type_name("KEY");
   verb.add_option("--exercise-version", o.version, help(CliText::tr("Only attempts at this version of the exercise")))
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(check_counting)
       ->needs(exercise);
   of_attempts.push_back(verb.add_option("--student", o.student, help(CliText::tr("Part of a name or number")))->type_name("TEXT"));
   of_attempts.push_back(verb.add_option("--drilled-by", o.drilled_by, help(CliText::tr("Only attempts of students, or of staff")))

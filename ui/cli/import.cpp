@@ -360,15 +360,15 @@ void add_import(CLI::App& program, Job& job) {
   verb->add_option("--hollows", o->hollows, help(CliText::tr("What closed hollows of a volume are made of")))->type_name("TISSUE");
   verb->add_flag("--largest-piece", o->largest, help(CliText::tr("Of a volume keep only the largest connected component")));
   verb->add_option("--unit-mm", o->unit_mm, help(CliText::tr("Length of one unit of the file in millimetres")))
-      ->check(CLI::PositiveNumber)
+      ->check(check_positive)
       ->capture_default_str();
   verb->add_option("--scale", o->scale, help(CliText::tr("Factor on the unit, as 0.1 for a tooth that came in ten times too long")))
-      ->check(CLI::PositiveNumber)
+      ->check(check_positive)
       ->capture_default_str();
   verb->add_option("--voxel-mm", o->voxel_mm, help(CliText::tr("Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes")))
-      ->check(CLI::PositiveNumber);
+      ->check(check_positive);
   verb->add_option("--mend-mm", o->mend_mm, help(CliText::tr("Mend meshes, and close holes up to this width in millimetres")))
-      ->check(CLI::NonNegativeNumber);
+      ->check(check_not_negative);
   verb->add_option("--up", o->up, help(CliText::tr("The file's axis towards the chewing surface")))->capture_default_str();
   verb->add_option("--turn", o->turns, help(CliText::tr("A quarter turn of what was made about this axis, by the right hand; -x turns back; may be repeated")))
       ->type_name("AXIS")

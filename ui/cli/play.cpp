@@ -71,8 +71,10 @@ std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySett
   settings.elapsed_us = [rows = trace.get(), next = std::size_t{0}]() mutable { return rows->rows()[next++].elapsed_us; };
   // Known to be good before a session begins.
   if (auto opened = trace->open(); !opened) {
-    const bool missing = opened.error().code == PortError::not_found;
-    return failed(missing ? describe(ImportFailure{ImportError::missing_file, o.script, {}}) : describe(opened.error()));
+    if (opened.error().code == PortError::not_found) return failed(describe(ImportFailure{ImportError::missing_file, o.script, {}}));
+    if (opened.error().code == PortError::bad_file) return failed(describe(opened.error()));
+    // describe(PortFailure) speaks of a device.
+    return failed(describe(ImportFailure{ImportError::io, o.script, {}}));
   }
   trace->close();
   port = std::move(trace);
@@ -142,7 +144,7 @@ void add_play(CLI::App& program, Job& job) {
                    help(CliText::tr("expert, competent, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
-  verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->capture_default_str();
+  verb->add_option("--seed", o->seed, help(CliText::tr("Of the scripted operator's tremor")))->check(check_whole)->capture_default_str();
   verb->add_flag("--progress", o->progress, help(CliText::tr("Print each second of the session to stderr as it is played")));
   verb->add_option("--device", o->device,
                    help(CliText::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
@@ -150,10 +152,10 @@ void add_play(CLI::App& program, Job& job) {
       ->type_name("DEVICE");
   verb->add_option("--seconds", o->seconds, help(CliText::tr("With --device: end after so many seconds of the session; the "
                                                               "scripted operator begins anew meanwhile")))
-      ->check(CLI::PositiveNumber);
+      ->check(check_positive);
   verb->add_option("--silence-every", o->silence_every_s,
                    help(CliText::tr("With the emulated Falcon: it answers nothing for 50 ms every so many seconds")))
-      ->check(CLI::PositiveNumber);
+      ->check(check_positive);
   verb->add_option("--db", o->db, help(CliText::tr("Database; made when it is not there. Without it: cusp.db in DIR")))
       ->type_name("DB");
   verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR")->required();

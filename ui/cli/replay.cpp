@@ -106,7 +106,7 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   json["engine"] = kEngineVersion;
   json["ticks"] = state.last().tick;
   json["ticks_run"] = replayed->ticks_computed();
-  json["duration_s"] = static_cast<double>(state.last().elapsed_us) * 1e-6;
+  json["duration_s"] = static_cast<double>(state.last().elapsed_us) / 1e6;
   json["volume_hash"] = hex16(state.volume().hash());
   if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) print_line(hex16(state.volume().hash()));
@@ -137,7 +137,7 @@ void add_replay(CLI::App& program, Job& job) {
                                 help(CliText::tr("Prove it: the record's chain, then tooth and grade bit for bit")));
   verb->add_option("--at", o->at_s, help(CliText::tr("Only up to this moment of the session, in seconds")))
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber)
+      ->check(check_not_negative)
       ->excludes(verify);
   verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
   verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();

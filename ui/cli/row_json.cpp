@@ -25,7 +25,7 @@ nlohmann::ordered_json row_json(const HistoryRow& row) {
   json["device"] = row.device;
   json["device_class"] = row.device_class;
   json["started"] = iso_utc(row.started_utc_us);
-  json["duration_s"] = static_cast<double>(row.elapsed_us) * 1e-6;
+  json["duration_s"] = static_cast<double>(row.elapsed_us) / 1e6;
   json["state"] = std::string(key_of(row.state));
   json["go"] = row.attempt;
   json["score"] = row.score ? nlohmann::ordered_json(*row.score) : nullptr;

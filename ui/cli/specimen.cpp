@@ -82,9 +82,9 @@ void add_specimen(CLI::App& program, Job& job) {
       ->required()
       ->check(CLI::IsMember({"tooth", "block", "layered-block", "paper-block"}));
   verb->add_option("--fdi", o->source.fdi, help(CliText::tr("Tooth number, 11 to 48")))->capture_default_str();
-  verb->add_option("--seed", o->source.seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
+  verb->add_option("--seed", o->source.seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->check(check_whole)->capture_default_str();
   verb->add_option("--voxel-mm", o->source.voxel_mm, help(CliText::tr("Edge of a voxel in millimetres")))
-      ->check(CLI::PositiveNumber)
+      ->check(check_positive)
       ->capture_default_str();
   verb->add_flag("--typodont", o->source.typodont, help(CliText::tr("A tooth of plastic, as in a training model")));
   verb->add_flag("--neighbours", o->neighbours, help(CliText::tr("With the teeth that touch it")));

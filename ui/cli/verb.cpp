@@ -1,13 +1,51 @@
 #include "ui/cli/verb.h"
 
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/ids.h"
+#include "storage/base/files.h"
 #include "ui/cli/text.h"
+#include "ui/modules.h"
 
 namespace cusp::ui {
+
+namespace {
+
+/// errno of the first write to stdout that failed; 0: none has.
+int g_output_error = 0;
+
+void note_output_error() {
+  if (g_output_error == 0) g_output_error = errno != 0 ? errno : EIO;
+}
+
+bool write_and_close(std::ofstream& out, const std::string& bytes) {
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  return !out.fail();
+}
+
+/// The number that all of the text is; nullopt: it is none, or the type does not hold it.
+template <class Number>
+std::optional<Number> number_typed(const std::string& typed) {
+  Number value{};
+  const char* const past = typed.data() + typed.size();
+  const auto [end, error] = std::from_chars(typed.data(), past, value);
+  return error == std::errc{} && end == past ? std::optional<Number>(value) : std::nullopt;
+}
+
+QString shown_typed(const std::string& typed) { return QString::fromStdString(typed); }
+QString no_number_from_0(const QString& typed) { return CliText::tr("%1 is no number from 0 on").arg(typed); }
+QString no_number_above_0(const QString& typed) { return CliText::tr("%1 is no number above 0").arg(typed); }
+QString no_whole_number_from_0(const QString& typed) { return CliText::tr("%1 is no whole number from 0 on").arg(typed); }
+QString no_whole_number_from_1(const QString& typed) { return CliText::tr("%1 is no whole number from 1 on").arg(typed); }
+
+}  // namespace
 
 void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
 int failed(const QString& what) {
@@ -21,10 +59,44 @@ int wrong_usage(const QString& what) {
   return kWrongUsage;
 }
 
-void print_line(const std::string& line) {
-  std::fprintf(stdout, "%s\n", line.c_str());
-  std::fflush(stdout);
+bool write_out(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return true;
+  note_output_error();
+  return false;
 }
+
+int after_output(int status) {
+  errno = 0;
+  // CLI11 writes --help without write_out().
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
+  if (g_output_error == 0 || g_output_error == EPIPE) return status;
+  return failed(CliText::tr("The standard output cannot be written."));
+}
+
+std::string check_not_negative(const std::string& typed) {
+  const auto value = number_typed<double>(typed);
+  if (value && std::isfinite(*value) && *value >= 0) return {};
+  return help(no_number_from_0(shown_typed(typed)));
+}
+
+std::string check_positive(const std::string& typed) {
+  const auto value = number_typed<double>(typed);
+  if (value && std::isfinite(*value) && *value > 0) return {};
+  return help(no_number_above_0(shown_typed(typed)));
+}
+
+std::string check_whole(const std::string& typed) {
+  if (number_typed<std::uint64_t>(typed)) return {};
+  return help(no_whole_number_from_0(shown_typed(typed)));
+}
+
+std::string check_counting(const std::string& typed) {
+  if (number_typed<std::uint64_t>(typed).value_or(0) > 0) return {};
+  return help(no_whole_number_from_1(shown_typed(typed)));
+}
+
+void print_line(const std::string& line) { write_out(line + '\n'); }
 
 void JsonOption::add_to(CLI::App& verb) {
   verb.add_option("--json", file, help(CliText::tr("Write the result as JSON to FILE, or to stdout for -")))->type_name("FILE");
@@ -33,29 +105,29 @@ void JsonOption::add_to(CLI::App& verb) {
 bool JsonOption::write(const nlohmann::ordered_json& value) const {
   if (!wanted()) return true;
   const std::string text = value.dump(2) + '\n';
-  if (on_stdout()) {
-    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  }
+  if (on_stdout()) return write_out(text);
   if (write_whole(file, text)) return true;
   failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file)));
   return false;
 }
 
 bool write_whole(const std::filesystem::path& file, const std::string& bytes) {
-  std::filesystem::path beside = file;
-  beside += '.' + Uuid::v7().text();
   std::error_code error;
-  {
-    std::ofstream out(beside, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-      std::filesystem::remove(beside, error);
-      return false;
-    }
+  const std::filesystem::file_status there = std::filesystem::status(file, error);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+    std::ofstream out(file, std::ios::binary);
+    return write_and_close(out, bytes);
   }
-  std::filesystem::rename(beside, file, error);
-  if (!error) return true;
+  const std::filesystem::path real = behind_links(file);
+  std::filesystem::path beside = real;
+  beside += '.' + Uuid::v7().text();
+  std::ofstream out(beside, std::ios::binary);
+  // Before the content: others may not have leave to read it.
+  if (std::filesystem::exists(there)) std::filesystem::permissions(beside, there.permissions(), error);
+  if (write_and_close(out, bytes)) {
+    std::filesystem::rename(beside, real, error);
+    if (!error) return true;
+  }
   std::filesystem::remove(beside, error);
   return false;
 }

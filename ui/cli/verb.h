@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ui/text/failure_text.h"
 #include "ui/text/plain.h"
@@ -46,6 +47,11 @@ int failed(const QString& what);
 void warn(const QString& what);
 /// One line on stderr and kWrongUsage.
 int wrong_usage(const QString& what);
+/// Writes to stdout at once. False: could not be written; after_output() prints the message.
+bool write_out(std::string_view text);
+/// The exit status of a verb that ends with `status`: kFailed, and one line on stderr, if stdout has lost something. A pipe that
+/// its reader has closed changes nothing.
+int after_output(int status);
 /// One line on stdout.
 void print_line(const std::string& line);
 
@@ -55,13 +61,21 @@ struct JsonOption {
   void add_to(CLI::App& verb);
   bool wanted() const { return !file.empty(); }
   bool on_stdout() const { return file == "-"; }
-  /// The old file or the whole new one; nothing when it was not asked for. False: could not be written; stderr has the message.
+  /// The old file or the whole new one; nothing when it was not asked for. False: could not be written; stderr has the message,
+  /// or gets that of after_output().
   bool write(const nlohmann::ordered_json& value) const;
 };
 
-/// Writes beside the name and renames over it. False: nothing is left.
+/// Writes beside the file that the name leads to, and renames over it; a file that is there keeps its permissions. Writes straight
+/// to a pipe or a device. False: nothing is left.
 bool write_whole(const std::filesystem::path& file, const std::string& bytes);
 /// Makes the folder at need; false when nothing can be written there.
 bool writable_folder(const std::filesystem::path& folder);
+
+// Validators of CLI11: empty, or what is wrong with the typed value.
+std::string check_not_negative(const std::string& typed);  // a finite number from 0 on
+std::string check_positive(const std::string& typed);      // a finite number above 0
+std::string check_whole(const std::string& typed);         // a whole number from 0 to 2^64 - 1
+std::string check_counting(const std::string& typed);      // a whole number from 1 to 2^64 - 1
 
 }  // namespace cusp::ui

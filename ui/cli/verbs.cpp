@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include "scenarios/import/worker.h"
 #include "scenarios/library/exercise_file.h"
@@ -42,15 +43,18 @@ int run(int argc, char** argv) {
   add_retain(program, job);
   add_appeal(program, job);
   add_exchange(program, job);
+  // CLI11 says that a verb is missing.
+  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(kVerbs, std::string_view(argv[1])) == kVerbs.end())
+    return wrong_usage(CliText::tr("There is no verb %1 (see cusp --help)").arg(QString::fromUtf8(argv[1])));
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
-    return program.exit(asked);
+    return after_output(program.exit(asked));
   } catch (const CLI::ParseError& wrong) {
     return wrong_usage(CliText::tr("%1 (see cusp VERB --help)").arg(QString::fromUtf8(wrong.what())));
   }
   try {
-    return job();
+    return after_output(job());
   } catch (const std::bad_alloc&) {
     return failed(CliText::tr("There is not enough memory."));
   } catch (const std::exception& unexpected) {

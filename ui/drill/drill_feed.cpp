@@ -76,11 +76,12 @@ void DrillFeed::on_state(const StepState& state, const StateNews& news) {
     if (std::exchange(wishes_changed_, false)) section_stale_ = true;
   }
   const Clock::time_point now = Clock::now();
-  const bool moved = glm::length(state.last().proxy_mm - section_bur_) > 0.02;
+  const bool moved = glm::length(state.last().proxy_mm - section_bur_) > 0.02 || state.last().bur != section_bur_number_;
   // Running behind, the section waits: the ticks come first.
   if ((panel || lid) && (section_stale_ || moved) && now - section_at_ >= kSectionEvery && news.behind_ticks < 100) {
     section_at_ = now;
     section_bur_ = state.last().proxy_mm;
+    section_bur_number_ = state.last().bur;
     const Vec3 through_mm = lid_place_.follow(section_bur_);
     section_stale_ = false;
     std::optional<SectionImage> panel_image, lid_image;

@@ -65,6 +65,7 @@ class DrillFeed : public Observer {
   Clock::time_point lead_since_{};
   Clock::time_point section_at_{};
   Vec3 section_bur_{1e9};
+  std::uint16_t section_bur_number_ = 0;
   bool section_stale_ = true;
 
   std::mutex mutex_;  // guards what follows; held for a copy or a move

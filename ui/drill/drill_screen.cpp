@@ -195,6 +195,7 @@ void DrillScreen::begin(SessionPlan plan, const DrillText& text, std::unique_ptr
   Inner& in = *inner_;
   in.bar->set_exercise(text.title, text.aside);
   in.guidance = plan.guidance;
+  in.leave_code = QString::fromStdString(plan.start_code);
   fold(is_small());
   in.tray->set_burs(plan.scenario.instruments);
   in.working = true;

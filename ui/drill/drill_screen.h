@@ -45,7 +45,7 @@ class DrillScreen : public QWidget {
   void toggle_pause();
   /// Asks, then ends the attempt and grades it.
   void ask_finish();
-  /// Asks when something was cut; the attempt stays in the history as interrupted.
+  /// Asks when something was cut, in an assessment for its start code; the attempt stays in the history as interrupted.
   void ask_leave();
 
  Q_SIGNALS:

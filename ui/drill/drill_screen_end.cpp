@@ -104,9 +104,16 @@ void DrillScreen::ask_leave() {
   if (in.input) in.input->release_all();
   double removed = 0;
   for (const double mm3 : in.attempt->session->view().removed_mm3) removed += mm3;
-  if (removed <= 0) return leave(true);
+  if (removed <= 0 && in.leave_code.isEmpty()) return leave(true);
   in.stage->set_asking(true);
   in.attempt->session->pause();
+  if (!in.leave_code.isEmpty()) {
+    in.ports.ask(this,
+                 {tr("Leave this assessment?"), tr("It counts as interrupted. To leave, the invigilator types the start code."), tr("Leave"), true,
+                  {}, in.leave_code},
+                 leave);
+    return;
+  }
   in.ports.ask(this,
                {tr("Leave this attempt?"),
                 in.live.recording == RecordingState::off ? tr("Nothing of it is kept.")

@@ -37,6 +37,7 @@ struct DrillScreen::Inner {
   DeviceChoice choice;
   std::shared_ptr<ToothCache> teeth;
   Guidance guidance = Guidance::full;
+  QString leave_code;  // an assessment's start code, which leaves it as well; else empty
   std::unique_ptr<AttemptOpening> opening;  // until the attempt has started
   QTimer opening_timer;
   std::shared_ptr<OpenedAttempt> attempt;

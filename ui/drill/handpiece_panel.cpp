@@ -57,7 +57,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   heat_bar_ = new Bar(Bar::Role::good, this);
   heat_bar_->setAccessibleName(tr("Tooth warmer by"));
   column->addWidget(heat_bar_);
-  heat_note_ = make_label(tr("The pulp is at risk from %1 (not verified)").arg(degrees(kPulpCriterionK)), TextRole::caption,
+  heat_note_ = make_label(tr("The pulp is at risk from a rise of %1").arg(degrees(kPulpCriterionK)), TextRole::caption,
                           Weight::regular, "text2");
   heat_note_->setWordWrap(true);
   column->addWidget(heat_note_);
@@ -160,8 +160,8 @@ void HandpiecePanel::show_values(const LiveView& live) {
   const bool over = rise >= kPulpCriterionK;
   if (over == over_) return;
   over_ = over;
-  const QString note = over ? tr("Too warm for the pulp (%1, not verified): run the coolant")
-                            : tr("The pulp is at risk from %1 (not verified)");
+  const QString note = over ? tr("Too warm for the pulp (a rise of %1): run the coolant")
+                            : tr("The pulp is at risk from a rise of %1");
   set_text(heat_note_, note.arg(degrees(kPulpCriterionK)));
   set_ink(heat_note_, over ? "bad" : "text2");
   if (over) announce(this, heat_note_->text());

@@ -7,6 +7,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/format/ranges.h"
+#include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
@@ -119,6 +120,16 @@ QString bands_message(const std::string& metric, const Scenario& before, const S
   return ChangeText::tr("%1: %2, was %3").arg(full, isolate(is), isolate(was));
 }
 
+/// settle_on_floor() moves the points with depth and height, which have lines of their own.
+bool moved_with_floor_alone(const Region& before, const Region& after) {
+  Outline moved = before.outline;
+  if (moved.depth_mm == after.outline.depth_mm && moved.top_mm == after.outline.top_mm) return false;
+  moved.depth_mm = after.outline.depth_mm;
+  moved.top_mm = after.outline.top_mm;
+  settle_on_floor(moved);
+  return moved.paths == after.outline.paths;
+}
+
 }  // namespace
 
 QString change_message(const Change& c, const Region* whole) {
@@ -139,6 +150,7 @@ QString change_message(const Change& c, const Region* whole) {
 QStringList change_messages(const Scenario& before, const Scenario& after) {
   QStringList out;
   for (const Change& change : compare(before, after)) {
+    if (change.path == "/target/paths" && moved_with_floor_alone(before.target, after.target)) continue;
     const QString bands = change.path == "/rubric/criteria/*/bands" ? bands_message(change.part, before, after) : QString();
     const Scenario& has_it = change.kind == ChangeKind::removed ? before : after;
     out << (bands.isEmpty() ? change_message(change, &has_it.target) : bands);

@@ -106,6 +106,8 @@ class EditorPage : public QWidget {
   void show_title();
   void show_version();
   void show_undo();
+  /// Undo or redo, after which the field that had the focus has it again.
+  void step_history(QToolButton* button, void (QUndoStack::*step)());
   void show_first_check();
   void put_target_on_top();
   void show_tooth_form(bool on);

@@ -3,6 +3,7 @@
 #include <QButtonGroup>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -31,6 +32,14 @@ namespace {
 
 constexpr int kLeft = 248, kRight = 368, kChecks = 80, kChecksNarrow = 124;  // px at 100 %
 constexpr int kNarrow = 1100;  // px at 100 %, of the window
+
+/// The shown field of this class and name: a form may have made its rows anew. nullptr if there is none.
+QWidget* field_like(const QWidget& page, const QMetaObject* kind, const QString& name) {
+  if (name.isEmpty()) return nullptr;
+  for (QWidget* one : page.findChildren<QWidget*>())
+    if (one->metaObject() == kind && one->accessibleName() == name && one->isVisible() && one->isEnabled()) return one;
+  return nullptr;
+}
 
 }  // namespace
 
@@ -98,14 +107,8 @@ QWidget* EditorPage::make_top_bar() {
   row->addWidget(undo_);
   row->addWidget(redo_);
   row->addSpacing(px(8));
-  connect(undo_, &QToolButton::clicked, this, [this] {
-    undo_->setFocus();  // a field with the focus would keep its typed text
-    model_->stack().undo();
-  });
-  connect(redo_, &QToolButton::clicked, this, [this] {
-    redo_->setFocus();
-    model_->stack().redo();
-  });
+  connect(undo_, &QToolButton::clicked, this, [this] { step_history(undo_, &QUndoStack::undo); });
+  connect(redo_, &QToolButton::clicked, this, [this] { step_history(redo_, &QUndoStack::redo); });
   add_try_outs(*row);
   stop_proof_ = make_button(tr("Stop checking"));
   stop_proof_->hide();
@@ -116,6 +119,17 @@ QWidget* EditorPage::make_top_bar() {
   publish_wait_ = std::make_unique<ButtonWait>(publish_);
   connect(publish_, &QPushButton::clicked, this, &EditorPage::publish_version);
   return bar;
+}
+
+void EditorPage::step_history(QToolButton* button, void (QUndoStack::*step)()) {
+  const QPointer<QWidget> field = window()->focusWidget();
+  const QMetaObject* kind = field ? field->metaObject() : nullptr;
+  const QString name = field ? field->accessibleName() : QString();
+  button->setFocus();  // a field with the focus would keep its typed text
+  (model_->stack().*step)();
+  QWidget* again = field && field->isVisible() && field->isEnabled() ? field.data() : field_like(*this, kind, name);
+  if (again != nullptr) return again->setFocus();
+  if (!button->isEnabled()) setFocus();  // a disabled button hands the focus on to Try out
 }
 
 QWidget* EditorPage::make_left() {

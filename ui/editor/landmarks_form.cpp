@@ -118,7 +118,7 @@ void LandmarksForm::make_numbers(QVBoxLayout& column) {
   column.addWidget(point_);
   connect(point_, &QComboBox::activated, this,
           [this](int index) { model_.choose_landmark({model_.landmark().mark, static_cast<std::size_t>(index)}); });
-  const std::array names = {tr("Along the arch"), tr("Towards the cheek"), tr("Height")};
+  const std::array names = {tr("Along the arch"), tr("Towards buccal"), tr("Height")};
   const NumberRange& mm = *range_of("/specimen/landmarks/marks/0/points_mm/0/0");
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(axis);

@@ -59,7 +59,7 @@ bool has_place(const Region& part) { return !is_node(part.kind) && !is_of_voxels
 bool has_leaves_to_move(const Region& part) { return is_node(part.kind) && middle_of_leaves(part).has_value(); }
 
 QString axis_name(int axis) {
-  return axis == 0 ? PartsForm::tr("Along the arch") : axis == 1 ? PartsForm::tr("Towards the cheek") : PartsForm::tr("Height");
+  return axis == 0 ? PartsForm::tr("Along the arch") : axis == 1 ? PartsForm::tr("Towards buccal") : PartsForm::tr("Height");
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ QString side_name(const Region& part, std::size_t side) {
   switch (side) {
     case 0: return ShapeForm::tr("Lean, back along the arch");
     case 1: return ShapeForm::tr("Lean, on along the arch");
-    case 2: return ShapeForm::tr("Lean, towards the tongue");
-    default: return ShapeForm::tr("Lean, towards the cheek");
+    case 2: return ShapeForm::tr("Lean, towards lingual");
+    default: return ShapeForm::tr("Lean, towards buccal");
   }
 }
 
@@ -123,11 +123,11 @@ void ShapeForm::make_points(QVBoxLayout* column) {
   x_ = length(tr("Along the arch"), {-kReachMm, kReachMm}, [=, this](double v) {
     return point_->count() > 0 && model_.set_point_mm(path(), at(), v, y_->value());
   });
-  y_ = length(tr("Towards the cheek"), {-kReachMm, kReachMm}, [=, this](double v) {
+  y_ = length(tr("Towards buccal"), {-kReachMm, kReachMm}, [=, this](double v) {
     return point_->count() > 0 && model_.set_point_mm(path(), at(), x_->value(), v);
   });
   add_row(column, tr("Along the arch"), x_);
-  add_row(column, tr("Towards the cheek"), y_);
+  add_row(column, tr("Towards buccal"), y_);
   point_buttons_ = new QWidget;
   auto* buttons = new QHBoxLayout(point_buttons_);
   buttons->setContentsMargins(0, 0, 0, 0);

@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QSpinBox>
@@ -66,12 +67,34 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   act_ = make_button(tr("Assign"), ButtonKind::primary);
   body()->addWidget(act_);
   connect(act_, &QPushButton::clicked, this, &AssignmentForm::assign_wanted);
+  watch_fields();
+}
+
+void AssignmentForm::watch_fields() {
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &AssignmentForm::enable_act);
+  connect(kind_, &Segments::changed, this, &AssignmentForm::enable_act);
+  for (const Moment& moment : {opens_, due_}) {
+    connect(moment.on, &QCheckBox::toggled, this, &AssignmentForm::enable_act);
+    connect(moment.when, &QDateTimeEdit::dateTimeChanged, this, &AssignmentForm::enable_act);
+  }
+  for (QSpinBox* number : {attempts_, self_test_days_}) connect(number, &QSpinBox::valueChanged, this, &AssignmentForm::enable_act);
+  for (QCheckBox* check : {self_test_, drawn_tooth_}) connect(check, &QCheckBox::toggled, this, &AssignmentForm::enable_act);
+  for (const auto& one : devices_) connect(one.second, &QCheckBox::toggled, this, &AssignmentForm::enable_act);
+  connect(code_, &QLineEdit::textChanged, this, &AssignmentForm::enable_act);
+}
+
+void AssignmentForm::enable_act() { act_->setEnabled(true); }
+
+void AssignmentForm::disable_act() {
+  if (act_->hasFocus()) exercise_->setFocus();  // a disabled button hands the focus on
+  act_->setEnabled(false);
 }
 
 AssignmentForm::Moment AssignmentForm::add_moment(QFormLayout& form, const QString& label, const QDateTime& usual) {
   Moment out;
   out.on = new QCheckBox(label);
   out.when = new QDateTimeEdit(usual);
+  out.when->setLocale(QLocale());  // the language may be another than when the window was made
   out.when->setCalendarPopup(true);
   out.when->setDisplayFormat(QStringLiteral("d MMM yyyy, HH:mm"));
   out.when->setAccessibleName(label);

@@ -50,6 +50,9 @@ class AssignmentForm : public Card {
   void draw_start_code();
   Wish wish() const;
   QPushButton* act() const { return act_; }
+  void enable_act();
+  /// Until a field changes.
+  void disable_act();
 
  Q_SIGNALS:
   void assign_wanted();
@@ -64,6 +67,8 @@ class AssignmentForm : public Card {
   QWidget* make_teeth();
   /// Offers other teeth where the exercise can be fitted to them; says why where not.
   void offer_teeth();
+  /// Each change of a field enables the button.
+  void watch_fields();
   Moment add_moment(class QFormLayout& form, const QString& label, const QDateTime& usual);
 
   std::vector<Exercise> exercises_;

@@ -38,6 +38,7 @@ QVariant CohortsModel::data(const QModelIndex& index, int role) const {
   const Cohort& c = cohort(index.row());
   if (role == BoldRole) return index.column() == kName;
   if (role == Qt::TextAlignmentRole && index.column() == kStudents) return at_right();
+  if (role == Qt::ToolTipRole && index.column() == kName) return tool_tip_text(QString::fromStdString(c.name));
   if (role != Qt::DisplayRole) return {};
   return index.column() == kName ? QVariant(QString::fromStdString(c.name)) : QVariant(QLocale().toString(c.students));
 }

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <algorithm>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "ui/instructor/number_list.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/widgets/empty_state.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
 
@@ -24,6 +26,19 @@ constexpr int kNamedUnknown = 5;  // unknown numbers that the message names
 
 std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
   return when ? std::optional(when->toMSecsSinceEpoch() * 1000) : std::nullopt;
+}
+
+bool is_over(const Assignment& assignment, std::int64_t now_utc_us) {
+  return assignment.due_utc_us && *assignment.due_utc_us <= now_utc_us;
+}
+
+/// Equal in all that the form has but the start code, which is drawn anew each time.
+bool is_same_task(const Assignment& stored, Assignment fresh) {
+  std::ranges::sort(fresh.device_classes);  // as Assignments::create() stores them
+  return stored.version == fresh.version && stored.kind == fresh.kind && stored.opens_utc_us == fresh.opens_utc_us &&
+         stored.due_utc_us == fresh.due_utc_us && stored.attempts_allowed == fresh.attempts_allowed &&
+         stored.device_classes == fresh.device_classes && stored.self_test_days == fresh.self_test_days &&
+         stored.drawn_tooth == fresh.drawn_tooth;
 }
 
 }  // namespace
@@ -71,6 +86,7 @@ CohortsPage::CohortsPage(Store& store, const Actor& actor, const Ports& ports, Q
   connect(name_, &QLineEdit::returnPressed, this, make_named);
   read();
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &CohortsPage::show_chosen);
+  if (form_ != nullptr) connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, form_, &AssignmentForm::enable_act);
   list_->choose_row(0);
   show_chosen();
   setFocusProxy(cohorts_->rowCount() > 0 ? static_cast<QWidget*>(list_) : name_);
@@ -98,12 +114,16 @@ QWidget* CohortsPage::make_list() {
   list_->setAccessibleName(tr("Cohorts"));
   list_->setModel(cohorts_);
   list_->set_stretch_column(CohortsModel::kName);
-  card->body()->addWidget(list_);
+  below_ = new QStackedWidget;
+  below_->addWidget(list_);
+  below_->addWidget(new EmptyState(u"people"_qs, tr("No cohort yet"), tr("Make one with a name, for a year or a group.")));
+  card->body()->addWidget(below_);
   return card;
 }
 
 QWidget* CohortsPage::make_students() {
   students_card_ = new Card(tr("Students"));
+  students_card_->elide_aside();
   table_ = new Table;
   table_->setAccessibleName(tr("Students of the cohort"));
   table_->setModel(students_);
@@ -189,6 +209,7 @@ void CohortsPage::read() {
   const int row = list_->chosen_row();
   const std::optional<CohortId> kept = row >= 0 ? std::optional(cohorts_->cohort(row).id) : std::nullopt;
   cohorts_->set_cohorts(std::move(*list));
+  below_->setCurrentIndex(cohorts_->rowCount() == 0 ? 1 : 0);
   if (kept) list_->choose_row(cohorts_->row_of(*kept));
 }
 
@@ -294,6 +315,29 @@ void CohortsPage::remove_chosen_student() {
              });
 }
 
+std::optional<Assignment> CohortsPage::assignment_for(const AssignmentForm::Wish& wish, CohortId cohort) {
+  Assignment fresh;
+  fresh.cohort = cohort;
+  fresh.version = wish.exercise.version;
+  if (fresh.version.is_nil()) {
+    const Scenario& scenario = wish.exercise.scenario;
+    const auto version = store_.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+    if (!version) {
+      show_failure(version.error());
+      return std::nullopt;
+    }
+    fresh.version = version->id;
+  }
+  fresh.opens_utc_us = utc_us(wish.opens);
+  fresh.due_utc_us = utc_us(wish.due);
+  fresh.attempts_allowed = wish.attempts;
+  fresh.device_classes = wish.device_classes;
+  fresh.self_test_days = wish.self_test_days;
+  fresh.drawn_tooth = wish.drawn_tooth;
+  fresh.kind = wish.kind;
+  return fresh;
+}
+
 void CohortsPage::assign() {
   const auto cohort = chosen();
   if (!cohort || form_ == nullptr) return;
@@ -306,32 +350,24 @@ void CohortsPage::assign() {
     band_->show_message(Band::Kind::bad, tr("No device is admitted."), tr("Check one device at least."));
     return;
   }
-  Assignment fresh;
-  fresh.cohort = cohort->id;
-  fresh.version = wish.exercise.version;
-  if (fresh.version.is_nil()) {
-    const Scenario& scenario = wish.exercise.scenario;
-    const auto version = store_.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
-    if (!version) return show_failure(version.error());
-    fresh.version = version->id;
-  }
-  fresh.opens_utc_us = utc_us(wish.opens);
-  fresh.due_utc_us = utc_us(wish.due);
-  fresh.attempts_allowed = wish.attempts;
-  fresh.device_classes = wish.device_classes;
-  fresh.self_test_days = wish.self_test_days;
-  fresh.drawn_tooth = wish.drawn_tooth;
-  fresh.kind = wish.kind;
-  if (const auto made = store_.assignments.create(actor_, fresh, wish.start_code.toStdString()); !made) return show_failure(made.error());
-  show_assignments();
-  if (wish.kind == SessionKind::assessment) {
-    form_->draw_start_code();
-    band_->show_message(Band::Kind::good, tr("%1 is assigned to %2.").arg(local(wish.exercise.scenario.title), QString::fromStdString(cohort->name)),
-                        tr("The start code is %1.").arg(wish.start_code));
+  const auto fresh = assignment_for(wish, cohort->id);
+  if (!fresh) return;
+  const auto there = store_.assignments.for_cohort(cohort->id);
+  if (!there) return show_failure(there.error());
+  const QString title = local(wish.exercise.scenario.title), name = QString::fromStdString(cohort->name);
+  const std::int64_t now_utc_us = ports_.now().toMSecsSinceEpoch() * 1000;
+  if (std::ranges::any_of(*there, [&](const Assignment& one) { return !is_over(one, now_utc_us) && is_same_task(one, *fresh); })) {
+    band_->show_message(Band::Kind::look, tr("%1 is assigned to %2 already.").arg(title, name),
+                        tr("An open assignment has the same kind, days, attempts and devices. Change one of them to assign it again."));
     return;
   }
-  band_->show_message(Band::Kind::good, tr("%1 is assigned to %2.").arg(local(wish.exercise.scenario.title), QString::fromStdString(cohort->name)),
-                      tr("It stands on the start page of its students."));
+  if (const auto made = store_.assignments.create(actor_, *fresh, wish.start_code.toStdString()); !made) return show_failure(made.error());
+  show_assignments();
+  const bool assessment = wish.kind == SessionKind::assessment;
+  if (assessment) form_->draw_start_code();
+  form_->disable_act();
+  band_->show_message(Band::Kind::good, tr("%1 is assigned to %2.").arg(title, name),
+                      assessment ? tr("The start code is %1.").arg(wish.start_code) : tr("It stands on the start page of its students."));
 }
 
 }  // namespace cusp::ui

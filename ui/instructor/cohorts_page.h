@@ -14,6 +14,7 @@ class QGridLayout;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QStackedWidget;
 
 namespace cusp::ui {
 
@@ -52,6 +53,8 @@ class CohortsPage : public QWidget {
   void show_chosen();
   void show_assignments();
   void fit_assignment();
+  /// The form's assignment for a cohort. Nullopt, and a message, if the records fail.
+  std::optional<Assignment> assignment_for(const AssignmentForm::Wish& wish, CohortId cohort);
   /// Nullopt, and a message, where nothing is chosen.
   std::optional<Cohort> chosen();
   void show_failure(const StorageFailure& failure);
@@ -63,6 +66,7 @@ class CohortsPage : public QWidget {
   CohortStudentsModel* students_;
   AssignmentsModel* assignments_;
   Band* band_ = nullptr;
+  QStackedWidget* below_ = nullptr;  // the list, or that there is no cohort
   Table *list_ = nullptr, *table_ = nullptr, *assigned_ = nullptr;
   QLineEdit* name_ = nullptr;
   QPlainTextEdit* numbers_ = nullptr;

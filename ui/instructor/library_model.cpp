@@ -53,7 +53,8 @@ LibraryState state_of(const LibraryRow& r) {
   if (!r.exercise) return r.withdrawn ? LibraryState::withdrawn : LibraryState::draft;
   if (r.draft) return LibraryState::draft;
   if (r.withdrawn) return LibraryState::withdrawn;
-  const bool as_delivered = r.exercise->version_number == 1 && !r.exercise->scenario.key.empty();
+  // A delivered version has any number. withdrawable is set if a person published the version shown.
+  const bool as_delivered = !r.withdrawable && !r.exercise->scenario.key.empty();
   return as_delivered ? LibraryState::delivered : LibraryState::published;
 }
 

@@ -36,6 +36,7 @@ Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, Sessio
 struct OpenedPack {
   CheckedPack checked;
   PackSigner signer = PackSigner::other_station;
+  bool readable = true;                    // false: the records differ from what was signed, and are no records any more
   std::vector<std::string> differing{};    // files that are missing, not signed, or not as they were signed
   std::vector<ChainFinding> findings{};    // of the record's chain and statements
   std::uint64_t links = 0;                 // of the chain

@@ -195,7 +195,7 @@ void MarkingCard::finish(const Stored<SignedStatement>& result, const QString& d
 
 void MarkingCard::comment() {
   if (reason().isEmpty()) {
-    band_->show_message(Band::Kind::look, tr("The comment is empty."), tr("Write it above."));
+    band_->show_message(Band::Kind::look, tr("The comment is empty."), tr("Write it below."));
     return text_->setFocus();
   }
   CommentPlace at;
@@ -206,7 +206,7 @@ void MarkingCard::comment() {
 void MarkingCard::change_points() {
   points_->interpretText();  // a button that a screen reader presses leaves the focus in the field
   if (reason().isEmpty()) {
-    band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it above; the student reads it."));
+    band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it below; the student reads it."));
     return text_->setFocus();
   }
   finish(store_.statements.override_points(actor_, session_, criterion_, points_->value(), reason().toStdString()),
@@ -215,7 +215,7 @@ void MarkingCard::change_points() {
 
 void MarkingCard::strike() {
   if (reason().isEmpty()) {
-    band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it above; the student reads it."));
+    band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it below; the student reads it."));
     return text_->setFocus();
   }
   finish(store_.statements.override_critical(actor_, session_, events_->currentData().toString().toStdString(),
@@ -227,7 +227,7 @@ void MarkingCard::take_back() {
   const auto statement = Uuid::parse(remarks_->currentData().toString().toStdString());
   if (!statement) return;
   if (reason().isEmpty()) {
-    band_->show_message(Band::Kind::look, tr("Taking back needs a reason."), tr("Write it above."));
+    band_->show_message(Band::Kind::look, tr("Taking back needs a reason."), tr("Write it below."));
     return text_->setFocus();
   }
   finish(store_.statements.withdraw(actor_, session_, *statement, reason().toStdString()),

@@ -14,9 +14,14 @@ struct CloseupsText {
 // Pixels of the screen at 100 %.
 constexpr std::size_t kFewAcross = 3, kManyAcross = 4;  // of up to kFewAcross * kFewAcross pictures, and of more
 constexpr double kGap = 14;
-constexpr double kTextHigh = 62, kNarrowTextHigh = 76;  // of head and reason below a picture, and where more pictures stand in a row
+constexpr double kTextGap = 4;  // from a picture to its text
 constexpr double kFootHigh = 16;  // of the sheet's foot, below the last row
 constexpr double kPlaceRing = 9;  // about the place
+
+Paper::Type head_of(const Advice& advice) {
+  return {10.5, Weight::bold, advice.grave ? Tokens::light().bad : Tokens::light().text};
+}
+Paper::Type why_type() { return {9.5, Weight::regular, Tokens::light().text2}; }
 
 void draw_closeup(Paper& paper, const QRectF& where, const CloseUp& closeup) {
   QPainter& p = paper.painter();
@@ -43,11 +48,14 @@ void write_closeups(Paper& paper, const ReportData& data, const std::vector<Clos
   paper.skip(8);
   const double top = paper.y(), gap = paper.u(kGap);
   const bool few = closeups.size() <= kFewAcross * kFewAcross;
-  const double text_high = paper.u(few ? kTextHigh : kNarrowTextHigh);
   const std::size_t across = few ? kFewAcross : kManyAcross;
   const std::size_t down = few ? kFewAcross : (closeups.size() + across - 1) / across;
   const auto columns = static_cast<double>(across), rows = static_cast<double>(down);
   const double text_wide = (page.width() - (columns - 1) * gap) / columns;
+  double text_high = 0.0;
+  for (const Advice& advice : next_time(data))
+    if (advice.place_mm) text_high = std::max(text_high, paper.height_of(advice.head, text_wide, head_of(advice)) + paper.height_of(advice.why, text_wide, why_type()));
+  text_high += paper.u(kTextGap + 1);
   const double side = std::min(text_wide, (page.bottom() - paper.u(kFootHigh) - top - rows * (text_high + gap)) / rows);
   std::size_t i = 0;
   for (const Advice& advice : next_time(data)) {
@@ -58,9 +66,9 @@ void write_closeups(Paper& paper, const ReportData& data, const std::vector<Clos
     draw_closeup(paper, QRectF(x, y, side, side), closeups[i]);
     if (i < numbers.size() && numbers[i] > 0) paper.number({x + paper.u(kNumberRing + 5), y + paper.u(kNumberRing + 5)}, numbers[i]);
     ++i;
-    Paper below(paper.painter(), QRectF(x, y + side + paper.u(4), text_wide, text_high), paper.u(1));
-    below.write(advice.head, {x, text_wide}, {10.5, Weight::bold, advice.grave ? t.bad : t.text});
-    below.write(advice.why, {x, text_wide}, {9.5, Weight::regular, t.text2});
+    Paper below(paper.painter(), QRectF(x, y + side + paper.u(kTextGap), text_wide, text_high), paper.u(1));
+    below.write(advice.head, {x, text_wide}, head_of(advice));
+    below.write(advice.why, {x, text_wide}, why_type());
   }
 }
 

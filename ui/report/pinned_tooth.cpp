@@ -318,7 +318,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setLayoutDirection(Qt::LeftToRight);
   const double w = std::min<double>(width() - px(56), px(400)), x0 = (width() - w) / 2;
   const QFont bold = font_of(TextRole::caption, Weight::bold), plain = font_of(TextRole::caption);
-  const QString low = tr("Uncut remainder"), middle = tr("on target"), high = tr("Over-cut");
+  const QString low = tr("Not removed"), middle = tr("on target"), high = tr("Over-cut");
   p.setFont(bold);
   p.setPen(t.text);
   p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, low);

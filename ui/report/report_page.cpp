@@ -44,6 +44,8 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
   body->setSpacing(px(kGap));
   band_ = new Band;
   body->addWidget(band_);
+  news_ = new Band;
+  body->addWidget(news_);
   fill();
   body->addStretch();
   column->addLayout(halves_, 1);
@@ -91,7 +93,7 @@ void ReportPage::offer_pack(const QString& why_not) {
   if (!why_not.isEmpty()) pack_->setToolTip(why_not);
   pack_->setAccessibleDescription(why_not);
 }
-void ReportPage::show_message(Band::Kind kind, const QString& what, const QString& more) { band_->show_message(kind, what, more); }
+void ReportPage::show_message(Band::Kind kind, const QString& what, const QString& more) { news_->show_message(kind, what, more); }
 
 void ReportPage::show_data(ReportData data) {
   const int row = table_->chosen_row();
@@ -163,7 +165,10 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
 
 QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   const auto [bar, row] = make_bar_top();
-  connect(add_way_back({bar, row}, back_name), &QPushButton::clicked, this, &ReportPage::back_wanted);
+  QPushButton* back = add_way_back({bar, row}, back_name);
+  connect(back, &QPushButton::clicked, this, &ReportPage::back_wanted);
+  // Staff may be writing a mark, which Escape would lose.
+  if (again == TryAgain::offered) let_escape_go_back(back);
   row->addWidget(make_label(data_.title, TextRole::section, Weight::bold));
   QString aside = occasion_text(data_);
   if (!data_.student.isEmpty() && again == TryAgain::hidden) aside = data_.student + u" · "_qs + aside;

@@ -86,7 +86,8 @@ class ReportPage : public QWidget {
   QBoxLayout* tools_ = nullptr;  // lines of buttons
   std::vector<QWidget*> shown_;  // the tools, in the order of reading
   AgainstBefore* against_ = nullptr;  // if an attempt came before
-  Band* band_ = nullptr;
+  Band* band_ = nullptr;         // of the attempt: what fails it
+  Band* news_ = nullptr;         // of what was saved or printed
   std::optional<DrawnTooth> drawing_;
   std::vector<std::pair<QPushButton*, QString>> saves_;  // print, PDF and pack, with their texts
   QPushButton* pack_ = nullptr;

@@ -29,13 +29,13 @@ void ReportPage::save_pdf() {
     const DrawnTooth& tooth = drawing();
     const auto done = write_report_pdf(path.toStdString(), data_, tooth);
     if (!done) {
-      band_->show_message(Band::Kind::bad, tr("The report was not saved."),
+      news_->show_message(Band::Kind::bad, tr("The report was not saved."),
                           tr("%1 cannot be written. The attempt and its grade are kept.").arg(path));
     } else if (!tooth) {
-      band_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
+      news_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
                           picture_failure_text(tooth.error()) + u' ' + path);
     } else {
-      band_->show_message(Band::Kind::good, tr("The report is saved."), path);
+      news_->show_message(Band::Kind::good, tr("The report is saved."), path);
     }
   });
 }
@@ -50,7 +50,7 @@ void ReportPage::print() {
     const DrawnTooth& tooth = drawing();
     paint_report(painter, page, printer->resolution() / 84.0, data_, tooth, [printer] { printer->newPage(); });
     if (!tooth) {
-      band_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
+      news_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
                           picture_failure_text(tooth.error()));
     }
   });

@@ -118,7 +118,9 @@ void Briefing::watch_reference() {
 
 QWidget* Briefing::make_bar() {
   const auto [bar, row] = make_bar_top();
-  connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &Briefing::back_wanted);
+  QPushButton* back = add_way_back({bar, row}, tr("Back"));
+  connect(back, &QPushButton::clicked, this, &Briefing::back_wanted);
+  let_escape_go_back(back);
   row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, Weight::bold));
   row->addStretch();
   return bar;

@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
+#include <algorithm>
 
 #include "ui/student/history_charts.h"
 #include "ui/text/failure_text.h"
@@ -36,6 +37,8 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   }
   make_choice(*scenarios);
   head->buttons()->addWidget(exercise_);
+  charted_ = make_label({}, TextRole::body, Weight::bold);
+  outer->addWidget(charted_);
   outer->addLayout(make_charts());
   make_table();
   auto* card = new Card;
@@ -101,13 +104,16 @@ void OwnHistory::show_attempts() {
   };
   auto first = page_after(std::nullopt);
   if (!first || first->rows.empty()) return;
-  draw(first->rows.front());
+  const auto graded = std::ranges::find_if(first->rows, [](const HistoryRow& row) { return row.score.has_value(); });
+  draw(graded != first->rows.end() ? *graded : first->rows.front());
   model_->set_pages(std::move(*first), page_after);
   table_->choose_row(0);
 }
 
-/// A chart shows one exercise and one device class: those of the newest row.
+/// A chart shows one exercise and one device class: those of the newest row with points.
 void OwnHistory::draw(const HistoryRow& newest) {
+  charted_->setText(local(newest.title));
+  charted_->setVisible(exercise_->currentData().toString().isEmpty());
   HistoryFilter same = filter();
   same.scenario = newest.scenario;
   same.device_class = newest.device_class;

@@ -7,6 +7,7 @@
 
 class QBoxLayout;
 class QComboBox;
+class QLabel;
 
 namespace cusp::ui {
 
@@ -37,6 +38,7 @@ class OwnHistory : public QWidget {
   AttemptsModel* model_ = nullptr;
   Table* table_ = nullptr;
   QComboBox* exercise_ = nullptr;
+  QLabel* charted_ = nullptr;  // the exercise of the charts, while the table lists all
   Chart *by_attempt_ = nullptr, *by_time_ = nullptr;
   Chart* by_rating_ = nullptr;  // its card shows with an attempt that was rated
 };

@@ -71,11 +71,12 @@ Message describe_exchange_failure(const StorageFailure& f, const QString& file) 
       return {Text::tr("After this file nobody could administer this station."),
               Text::tr("It switches off the last administrator here. Make another one first; nothing was changed.")};
     case StorageError::duplicate:
-      if (f.where.find('/') != std::string::npos) {
-        return {Text::tr("A file of this name is there already."), Text::tr("%1 stayed as it was. Choose another name.").arg(shown_file)};
+      if (f.detail == "number") {
+        return {Text::tr("%1 belongs to somebody else here.").arg(isolate(text(f.where))),
+                Text::tr("Change it here or in the office, and ask the office for a new file. Nothing was changed.")};
       }
-      return {Text::tr("%1 belongs to somebody else here.").arg(isolate(text(f.where))),
-              Text::tr("Change it here or in the office, and ask the office for a new file. Nothing was changed.")};
+      if (!f.detail.empty()) return describe(f);
+      return {Text::tr("A file of this name is there already."), Text::tr("%1 stayed as it was. Choose another name.").arg(shown_file)};
     default: return describe(f);
   }
 }

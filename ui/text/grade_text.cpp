@@ -52,7 +52,7 @@ QString metric_name(const std::string& m, const Region* whole) {
   if (m == "force_mean") return Text::tr("Mean push");
   if (m == "pulp_exposure") return Text::tr("Pulp opened");
   if (m == "dry_cutting_time") return Text::tr("Cut without coolant");
-  if (m == "temperature_rise_peak") return Text::tr("Tooth warmer by (not verified)");
+  if (m == "temperature_rise_peak") return Text::tr("Tooth warmer by");
   if (m == "dry_cutting") return Text::tr("Tooth overheated");
   if (const QString name = group_metric_name(m); !name.isEmpty()) return name;
   if (m.starts_with("removed_")) {
@@ -73,7 +73,7 @@ QString metric_unit(const std::string& m) {
 QString critical_name(const std::string& critical) {
   if (critical == "pulp_exposure") return Text::tr("The pulp was opened");
   if (critical == "protected_damage") return Text::tr("Something protected was damaged");
-  if (critical == "dry_cutting") return Text::tr("The tooth was overheated by cutting dry (criterion not verified)");
+  if (critical == "dry_cutting") return Text::tr("The tooth was overheated by cutting dry");
   return metric_name(critical);
 }
 

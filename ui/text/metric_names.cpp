@@ -25,7 +25,7 @@ constexpr std::array kNames = {
     Named{"axial_past_junction_mean", QT_TRANSLATE_NOOP("cusp::ui::Text", "Axial wall in dentine, mean")},
     Named{"axial_past_junction_most", QT_TRANSLATE_NOOP("cusp::ui::Text", "Axial wall in dentine, greatest")},
     Named{"cavosurface_angle", QT_TRANSLATE_NOOP("cusp::ui::Text", "Cavosurface angle, mean")},
-    Named{"cavosurface_off", QT_TRANSLATE_NOOP("cusp::ui::Text", "Margin below 80° or above 110° (band not verified)")},
+    Named{"cavosurface_off", QT_TRANSLATE_NOOP("cusp::ui::Text", "Margin below 80° or above 110°")},
     Named{"unsupported_enamel", QT_TRANSLATE_NOOP("cusp::ui::Text", "Unsupported enamel")},
     Named{"contact_broken", QT_TRANSLATE_NOOP("cusp::ui::Text", "Contact open (1 yes, 0 no)")},
     Named{"clearance_buccal_gingival", QT_TRANSLATE_NOOP("cusp::ui::Text", "Clearance, buccal, gingival third")},

@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QFrame>
 #include <QPushButton>
+#include <QShortcut>
 
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -31,6 +32,10 @@ QPushButton* add_way_back(const BarTop& top, const QString& name) {
   rule->setFixedHeight(px(kBarRule));
   top.row->addWidget(rule);
   return back;
+}
+
+void let_escape_go_back(QPushButton* back) {
+  QObject::connect(new QShortcut(QKeySequence(Qt::Key_Escape), back), &QShortcut::activated, back, &QPushButton::click);
 }
 
 }  // namespace cusp::ui

@@ -17,5 +17,7 @@ struct BarTop {
 BarTop make_bar_top();
 /// The way back (Alt+Left) with a rule after it, which begins the row.
 QPushButton* add_way_back(const BarTop& top, const QString& name);
+/// Escape goes back, too: of a page where nothing typed is lost by it.
+void let_escape_go_back(QPushButton* back);
 
 }  // namespace cusp::ui

@@ -24,6 +24,8 @@ int decimals_of(const Measured& m) {
 
 QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
 
+QString tool_tip_text(const QString& text) { return QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped()); }
+
 QString unit_text(const QString& unit) {
   if (unit == u"mm3") return QStringLiteral("mm³");
   if (unit == u"mm2") return QStringLiteral("mm²");

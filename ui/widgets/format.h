@@ -34,6 +34,8 @@ QDateTime local_time(std::int64_t utc_us);
 /// "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order.
 QString format_day(const QDateTime& when, const QLocale& locale = {});
 QString format_day_time(const QDateTime& when, const QLocale& locale = {});
+/// A tool tip that shows `text` as it stands: Qt would read HTML in it.
+QString tool_tip_text(const QString& text);
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);
 

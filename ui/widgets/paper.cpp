@@ -24,6 +24,11 @@ double Paper::write(const QString& text, const Column& column, const Type& type,
   return used.height();
 }
 
+double Paper::height_of(const QString& text, double width, const Type& type) {
+  p_.setFont(font(type.size, type.weight));
+  return p_.boundingRect(QRectF(0.0, 0.0, width, page_.height()), static_cast<int>(Qt::AlignLeading | Qt::AlignTop) | Qt::TextWordWrap, text).height();
+}
+
 void Paper::rule(const QColor& ink) { p_.fillRect(QRectF(page_.left(), y_, page_.width(), std::max(1.0, u(0.7))), ink); }
 
 void Paper::number(QPointF middle, int number) {

@@ -40,6 +40,8 @@ class Paper {
   /// Writes one paragraph into a column, from y() on; returns its height.
   double write(const QString& text, const Column& column, const Type& type, Qt::Alignment align = Qt::AlignLeading,
                Then then = Then::advance);
+  /// Height that write() takes.
+  double height_of(const QString& text, double width, const Type& type);
   void rule(const QColor& ink);
   /// A number in a ring: on a picture, and before its sentence.
   void number(QPointF middle, int number);

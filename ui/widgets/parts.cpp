@@ -13,12 +13,16 @@
 #include <QShortcut>
 #include <QTabBar>
 #include <QToolButton>
+#include <algorithm>
 
+#include "ui/widgets/format.h"
 #include "ui/widgets/head_row.h"
 #include "ui/widgets/number_field.h"
 
 namespace cusp::ui {
 namespace {
+
+constexpr int kBesidePlaceholder = 96;  // px at 100 %: the sign, the cross, padding and borders of a search field
 
 QString with_key(const QString& text, const QKeySequence& key) {
   return key.isEmpty() ? text : text + u" ("_qs + key.toString(QKeySequence::NativeText) + u')';
@@ -75,6 +79,7 @@ Card::Card(QWidget* parent) : QFrame(parent) {
 }
 
 Card::Card(const QString& title, const QString& aside, QWidget* parent) : Card(parent) {
+  aside_text_ = aside;
   head_ = new QHBoxLayout;
   title_ = make_label(title, TextRole::section, Weight::bold);
   aside_ = make_label(aside, TextRole::caption, Weight::regular, "text3");
@@ -90,7 +95,31 @@ void Card::set_title(const QString& title) {
   setAccessibleName(title);
 }
 void Card::set_aside(const QString& aside) {
-  if (aside_) aside_->setText(aside);
+  aside_text_ = aside;
+  if (aside_) show_aside();
+}
+
+void Card::show_aside() {
+  if (aside_kind_ == Aside::whole) return aside_->setText(aside_text_);
+  const QString shown = aside_->fontMetrics().elidedText(aside_text_, Qt::ElideRight, aside_->contentsRect().width());
+  aside_->setText(shown);
+  aside_->setAccessibleName(aside_text_);
+  aside_->setToolTip(shown == aside_text_ ? QString() : tool_tip_text(aside_text_));
+}
+
+void Card::elide_aside() {
+  aside_kind_ = Aside::elided;
+  aside_->setTextFormat(Qt::PlainText);
+  aside_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its text asks for no width
+  aside_->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
+  head_->setStretchFactor(aside_, 1);
+  aside_->installEventFilter(this);
+  show_aside();
+}
+
+bool Card::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == aside_ && event->type() == QEvent::Resize) show_aside();
+  return QFrame::eventFilter(watched, event);
 }
 
 void Card::wrap_aside() {
@@ -271,7 +300,8 @@ QLineEdit* make_search_field(const QString& name, int width_px) {
   field->setClearButtonEnabled(true);
   // The style's own sign is of another family.
   if (auto* clear = field->findChild<QAction*>(u"_q_qlineeditclearaction"_qs)) clear->setIcon(icon(u"cross"_qs, Ink::text2));
-  field->setFixedWidth(width_px);
+  const int whole = QFontMetrics(font_of(TextRole::body)).horizontalAdvance(name) + px(kBesidePlaceholder);
+  field->setFixedWidth(std::max(width_px, whole));
   return field;
 }
 

@@ -46,12 +46,22 @@ class Card : public QFrame {
   void set_aside(const QString& aside);
   /// Lets a long one take lines beside the title. The card's height then depends on its width.
   void wrap_aside();
+  /// Elides one that is longer than its place beside the title; the tool tip has the whole then.
+  void elide_aside();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  enum class Aside : std::uint8_t { whole, elided };
+  void show_aside();
+
   QVBoxLayout* body_;
   QHBoxLayout* head_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* aside_ = nullptr;
+  QString aside_text_;  // as it was set
+  Aside aside_kind_ = Aside::whole;
 };
 
 /// Choice of one among a few, side by side. Arrow keys move. Pages of a form have make_tabs() instead.
@@ -122,7 +132,7 @@ class PageHead : public QWidget {
   QLayout* buttons() { return layout(); }
 };
 
-/// A field to search by, with its sign; `name` is placeholder and accessible name.
+/// A field to search by, with its sign; `name` is placeholder and accessible name. Wider than `width_px` if the name needs it.
 QLineEdit* make_search_field(const QString& name, int width_px);
 
 /// A page that one widget fills.

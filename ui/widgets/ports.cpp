@@ -1,6 +1,9 @@
 #include "ui/widgets/ports.h"
 
+#include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QGridLayout>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -8,6 +11,25 @@
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
+
+namespace {
+
+/// Adds a field to a box whose act waits for the right code.
+void ask_code(QMessageBox& box, QPushButton& act, const QString& code) {
+  auto* grid = qobject_cast<QGridLayout*>(box.layout());
+  auto* buttons = box.findChild<QDialogButtonBox*>();
+  if (grid == nullptr || buttons == nullptr) return;
+  auto* typed = new QLineEdit;
+  typed->setAccessibleName(box.informativeText());
+  const int row = grid->rowCount();
+  grid->addWidget(typed, row, 0, 1, -1);
+  grid->addWidget(buttons, row + 1, 0, 1, -1);  // below the field
+  act.setEnabled(false);
+  QObject::connect(typed, &QLineEdit::textChanged, &act, [&act, code](const QString& text) { act.setEnabled(text.trimmed() == code); });
+  typed->setFocus();
+}
+
+}  // namespace
 
 Ports Ports::of_the_system() {
   Ports ports;
@@ -26,6 +48,7 @@ Ports Ports::of_the_system() {
     if (stays) set_kind(stay, "primary");
     box->setDefaultButton(question.erases || stays ? stay : act);
     box->setEscapeButton(stay);
+    if (!question.code.isEmpty()) ask_code(*box, *act, question.code);
     QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
     box->open();
   };

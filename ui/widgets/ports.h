@@ -17,6 +17,7 @@ struct Question {
   QString act;             // the verb on the button
   bool erases = false;     // red outline
   QString stay{};          // on the other button, which is then the default; empty: Cancel
+  QString code{};          // that must be typed before the act; empty: none
 };
 
 struct FileWish {

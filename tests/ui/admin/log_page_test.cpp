@@ -157,6 +157,20 @@ TEST_F(LogPages, ExportsWhatTheFiltersLeaveAndLogsThat) {
   EXPECT_TRUE(cell(*shown, 0, LogModel::kWhat).startsWith(QStringLiteral("Audit log exported"))) << cell(*shown, 0, LogModel::kWhat).toStdString();
 }
 
+TEST_F(LogPages, KeepsWhatWasDoneOnTheScreenBesideLongNames) {
+  const std::string name(60, 'W');
+  const Account berg = *records.store().accounts.create(admin.actor(), {"berg", name, Role::administrator, "correct horse", ""});
+  ASSERT_TRUE(records.store().audit.add({.actor = berg.id, .action = "backed_up", .subject = berg.id.uuid, .detail = "1"}));
+  const auto shown = page();
+  shown->resize(1080, 752);
+  shown->show();
+  QApplication::processEvents();
+  const Table& table = *shown->table();
+  EXPECT_LE(table.columnViewportPosition(LogModel::kProof), table.viewport()->width());
+  EXPECT_GE(table.columnWidth(LogModel::kWhat), 140);
+  EXPECT_TRUE(shown->model().index(0, LogModel::kWho).data(Qt::ToolTipRole).toString().contains(QString::fromStdString(name)));
+}
+
 TEST_F(LogPages, ShowsNothingToAnInstructor) {
   LogPage shown(records.store(), {lena.id, Role::instructor}, ports);
   EXPECT_EQ(shown.model().rowCount(), 0);

@@ -109,6 +109,21 @@ TEST_F(Station, VerifiesAndNamesWhatWasChanged) {
   EXPECT_TRUE(shown->message().contains(QStringLiteral("grades"))) << shown->message().toStdString();
 }
 
+TEST_F(Station, LeavesTheFocusToTheButtonThatVerifies) {
+  const auto shown = page();
+  shown->show();
+  QPushButton* verify = nullptr;
+  for (QPushButton* one : shown->findChildren<QPushButton*>())
+    if (one->accessibleName() == QStringLiteral("Verify now")) verify = one;
+  ASSERT_NE(verify, nullptr);
+  verify->setFocus();
+  verify->click();
+  EXPECT_TRUE(shown->working());
+  EXPECT_EQ(shown->focusWidget(), verify);
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_EQ(shown->focusWidget(), verify);
+}
+
 TEST_F(Station, CountsOldRecordingsAndThinsThemAfterAQuestion) {
   old_attempt();
   const auto shown = page();

@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <optional>
 #include <thread>
 
 #include "scenarios/library/library.h"
@@ -31,6 +34,7 @@ class Screen : public testing::Test {
   Screen() {
     ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
       asked << question.act;
+      code = question.code;
       then(answer);
     };
     screen = std::make_unique<DrillScreen>(ports);
@@ -64,6 +68,7 @@ class Screen : public testing::Test {
 
   Ports ports = Ports::of_the_system();
   QStringList asked;
+  QString code;
   bool answer = true;
   std::unique_ptr<DrillScreen> screen;
 };
@@ -148,7 +153,7 @@ TEST_F(Screen, speed_coolant_and_warmth_are_shown_where_the_exercise_reckons_the
       if (label->isVisible() && label->text().contains(part)) return true;
     return false;
   };
-  EXPECT_TRUE(shows(QStringLiteral("not verified"))) << "a criterion of general knowledge is marked";
+  EXPECT_FALSE(shows(QStringLiteral("not verified"))) << "authors see that mark, students do not";
   ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("0 rpm")); }, kPatienceMs));
   QTest::keyPress(screen.get(), Qt::Key_Space);
   ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("000 rpm")); }, kPatienceMs));
@@ -286,6 +291,43 @@ TEST_F(Screen, leaving_before_anything_is_cut_asks_nothing) {
   EXPECT_EQ(left.count(), 1);
   EXPECT_TRUE(asked.isEmpty());
   EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, an_assessment_is_left_with_its_start_code_alone_even_before_anything_is_cut) {
+  SessionPlan plan;
+  plan.scenario = load_builtin("channel-1").value();
+  plan.guidance = Guidance::silent;
+  plan.kind = SessionKind::try_it;
+  plan.start_code = "K7P2";
+  screen->begin(std::move(plan), {});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kPatienceMs));
+  answer = false;
+  QTest::keyClick(screen.get(), Qt::Key_Escape);
+  EXPECT_EQ(code, QStringLiteral("K7P2"));
+  EXPECT_TRUE(screen->running());
+  answer = true;
+  screen->ask_leave();
+  EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, a_question_with_a_code_is_answered_once_the_code_is_typed) {
+  std::optional<bool> left;
+  Ports::of_the_system().ask(screen.get(), {QStringLiteral("Leave?"), QStringLiteral("The code."), QStringLiteral("Leave"), true, {}, QStringLiteral("K7P2")},
+                             [&](bool yes) { left = yes; });
+  auto* box = screen->findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  auto* field = box->findChild<QLineEdit*>();
+  ASSERT_NE(field, nullptr);
+  QAbstractButton* act = box->buttons().front();
+  for (QAbstractButton* one : box->buttons())
+    if (one->text() == QStringLiteral("Leave")) act = one;
+  EXPECT_FALSE(act->isEnabled());
+  QTest::keyClicks(field, QStringLiteral("K7P1"));
+  EXPECT_FALSE(act->isEnabled());
+  field->setText(QStringLiteral(" K7P2 "));
+  ASSERT_TRUE(act->isEnabled());
+  act->click();
+  EXPECT_EQ(left, true);
 }
 
 TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {

@@ -38,7 +38,7 @@ TEST_F(ComposedTarget, begins_at_its_first_outline_with_its_handles_and_numbers)
   EXPECT_FALSE(knobs_of(*page->findChild<TargetView*>()).empty());
   named<NumberField>(*page, "Depth")->setValue(1.35);
   EXPECT_DOUBLE_EQ(page->model().scenario().target.parts[0].outline.depth_mm, 1.35);
-  named<NumberField>(*page, "Lean, towards the cheek")->setValue(6);
+  named<NumberField>(*page, "Lean, towards buccal")->setValue(6);
   EXPECT_DOUBLE_EQ(page->model().scenario().target.parts[0].outline.taper_deg[3], 6);
   leave_pictures(start);
 }

@@ -8,6 +8,7 @@
 #include "tests/modules.h"
 #include "ui/editor/change_messages.h"
 #include "ui/editor/check_messages.h"
+#include "ui/editor/editor_model.h"
 #include "ui/editor/tissues_form.h"
 #include "ui/text/grade_text.h"
 
@@ -35,6 +36,30 @@ TEST(check_messages, every_code_of_the_checks_has_a_message) {
     EXPECT_FALSE(shown.startsWith(QStringLiteral("Something is wrong"))) << code;
     EXPECT_FALSE(shown.contains(u'%')) << shown.toStdString();
   }
+}
+
+TEST(check_messages, a_copy_keeps_the_text_of_its_template_and_a_new_version_its_own) {
+  const auto keeps_text_of_template = [](ScenarioId id) {
+    EditorStart start;
+    start.draft = *load_builtin("channel-1");
+    start.draft.id = id;
+    EditorModel model(start);
+    EXPECT_TRUE(model.set_depth_mm(2.2));
+    return std::ranges::find(model.findings(), "text_of_template", &Finding::code) != model.findings().end();
+  };
+  EXPECT_FALSE(keeps_text_of_template(load_builtin("channel-1")->id));
+  EXPECT_TRUE(keeps_text_of_template(ScenarioId::make()));
+}
+
+TEST(change_messages, name_the_points_of_an_outline_if_one_moved_along_the_floor) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  EditorModel model(start);
+  ASSERT_TRUE(model.set_depth_mm(2.2));
+  const auto points = [&] { return change_messages(start.draft, model.scenario()).contains(QStringLiteral("Points of the outline: changed")); };
+  EXPECT_FALSE(points());
+  ASSERT_TRUE(model.set_point_mm(0, 0, -2.5, 0.5));
+  EXPECT_TRUE(points());
 }
 
 TEST(check_messages, and_changes_name_one_of_several_targets_by_its_title) {

@@ -52,6 +52,7 @@ TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !page->model().stack().canUndo(); }));
   EXPECT_DOUBLE_EQ(page->model().scenario().target.outline.depth_mm, 2.0);
   EXPECT_DOUBLE_EQ(depth->value(), 2.0);
+  EXPECT_EQ(page->focusWidget(), depth);
   EXPECT_FALSE(publish->isEnabled());
 }
 

@@ -56,6 +56,7 @@ TEST_F(PublishSheets, ListWhatChangedWithValuesOfNowAndBefore) {
   const QString text = text_of(*sheet_of(*page));
   EXPECT_TRUE(text.contains(QStringLiteral("Changed since version 3"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Depth: 1.50 mm, was 2.00 mm"))) << text.toStdString();
+  EXPECT_FALSE(text.contains(QStringLiteral("Points of the outline"))) << "they moved with the floor alone: " << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Pass mark, of 100: 60, was 70"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Full points for Floor depth, mean: 1.35 to 1.65"))) << "the bands move with the depth: " << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("None."))) << "no cohort uses it";

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QDateTimeEdit>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTest>
 
@@ -130,6 +132,51 @@ TEST_F(Cohorts, AnAssignmentAdmitsTheDevicesThatTheFormChecks) {
   page.assign();
   EXPECT_EQ(page.assignments().rowCount(), 2);
   EXPECT_TRUE(page.message().contains(QStringLiteral("No device is admitted")));
+}
+
+TEST_F(Cohorts, AreAssignedTheSameOnlyOnceWhileItIsOpen) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.form()->choose_kind(SessionKind::assessment);
+  page.assign();
+  EXPECT_FALSE(page.form()->act()->isEnabled());
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 1);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("already"))) << page.message().toStdString();
+  page.form()->choose_due(QDateTime(QDate(2026, 12, 5), QTime(18, 0)));
+  EXPECT_TRUE(page.form()->act()->isEnabled());
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 2);
+  page.form()->choose_due(QDateTime(QDate(2026, 11, 19), QTime(18, 0)));  // a day ago
+  page.assign();
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 4);
+}
+
+TEST_F(Cohorts, WidenThePageByNoLongName) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.resize(1080, 740);
+  page.show();
+  QApplication::processEvents();
+  const int usual = page.minimumSizeHint().width();
+  const QString name(63, u'W');
+  page.make_cohort(name);
+  page.add_numbers(QStringLiteral("4711"));  // another message, without the name
+  QApplication::processEvents();
+  EXPECT_LE(page.minimumSizeHint().width(), usual);
+  const auto labels = page.findChildren<QLabel*>();
+  const auto aside = std::ranges::find_if(labels, [&](const QLabel* label) { return label->accessibleName() == name; });
+  ASSERT_TRUE(aside != labels.end());
+  EXPECT_TRUE((*aside)->text().endsWith(u'…')) << (*aside)->text().toStdString();
+  EXPECT_TRUE((*aside)->toolTip().contains(name));
+}
+
+TEST_F(Cohorts, ShowTheMonthsOfTheLanguage) {
+  install_language(*qApp, QStringLiteral("de"));
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  for (const QDateTimeEdit* when : page.form()->findChildren<QDateTimeEdit*>()) EXPECT_EQ(when->locale().language(), QLocale::German);
+  install_language(*qApp, QStringLiteral("en"));
 }
 
 TEST_F(Cohorts, AnAssessmentMayAskForASelfTestAndAPracticeMayNot) {

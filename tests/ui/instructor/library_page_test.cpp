@@ -23,10 +23,11 @@ struct LibraryOf : ::testing::Test {
   DeskRecords records;
   TempFolder cache;
   Ports ports = Ports::of_the_system();
+  Account berg;
   std::unique_ptr<LibraryPage> page;
 
   void SetUp() override {
-    const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+    berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     page = std::make_unique<LibraryPage>(records.store(), berg.actor(), ports, records.file(), cache.path());
     page->resize(1080, 752);
     page->show();
@@ -67,6 +68,14 @@ TEST_F(LibraryOf, what_comes_with_the_program_has_no_sign_and_no_draft_no_column
   const QModelIndex state = page->model().index(0, LibraryModel::kState);
   EXPECT_EQ(state.data(ChipRole).toInt(), static_cast<int>(Chip::Kind::plain));
   EXPECT_TRUE(page->table()->isColumnHidden(LibraryModel::kSaved));
+}
+
+TEST_F(LibraryOf, what_was_drilled_here_still_comes_with_the_program) {
+  ASSERT_GT(load_builtin("class-1-36")->version, 1);
+  records.attempt(records.student("4711", "Lena Brandt"), "class-1-36", 81, 60);
+  const auto library = load_library(records.store(), berg.actor());
+  ASSERT_TRUE(library);
+  for (const LibraryRow& row : library->rows) EXPECT_EQ(state_of(row), LibraryState::delivered) << row.shown().key;
 }
 
 TEST_F(LibraryOf, the_chosen_exercise_says_what_it_is_and_who_uses_it) {
