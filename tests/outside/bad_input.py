@@ -125,6 +125,9 @@ def databases(desk):
         check(f.read() == before, "a newer database was touched")
     refused(desk, "unknown account", "history", desk.path("good.db"), "list", "--as", "nobody", CUSP_PASSWORD="wrong-password")
     refused(desk, "broken rubric", "grade", desk.path("good.db"), session, "--rubric", desk.path("text.db"), names=("text.db",))
+    with open(desk.path("free.json"), "w", encoding="utf-8") as f:
+        f.write('{"pass": 0, "criteria": [], "critical": []}')
+    refused(desk, "rubric that validate refuses", "grade", desk.path("good.db"), session, "--rubric", desk.path("free.json"), names=("/rubric",))
     check(desk.run("specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("coarse.nrrd"))[0] == 0, "a coarse block is grown")
     refused(desk, "volume of other voxels", "grade", scenario, "--volume", desk.path("coarse.nrrd"), names=("0.500", "0.250"))
     check(desk.run("specimen", "paper-block", "-o", desk.path("paper.nrrd"))[0] == 0, "the paper's block is made")

@@ -1,5 +1,6 @@
 #include "ui/cli/load_scenario.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -15,15 +16,29 @@
 
 namespace cusp::ui {
 
+namespace {
+
+Message cannot_be_used(const std::string& what, const Finding& why) {
+  return {CliText::tr("%1 cannot be used: %2").arg(QString::fromStdString(what), finding_text(why)), {}};
+}
+
+/// The scenario's rubric, unless validate() has an error of it.
+Result<Rubric, Message> checked_rubric(const std::string& file, const Scenario& with) {
+  const auto findings = validate(with);
+  const auto wrong = std::ranges::find_if(
+      findings, [](const Finding& f) { return f.severity == Severity::error && f.path.starts_with("/rubric"); });
+  if (wrong != findings.end()) return std::unexpected(cannot_be_used(file, *wrong));
+  return with.rubric;
+}
+
+}  // namespace
+
 Result<LoadedScenario, Message> load_scenario(const std::string& what) {
   const bool built_in = !builtin_scenario_text(what).empty();
   auto scenario = built_in ? load_builtin(what) : read_scenario_file(what);
   if (!scenario) return std::unexpected(describe(scenario.error()));
   // Errors come first.
-  if (const auto findings = validate(*scenario); has_error(findings)) {
-    return std::unexpected(Message{
-        CliText::tr("%1 cannot be used: %2").arg(QString::fromStdString(what), finding_text(findings.front())), {}});
-  }
+  if (const auto findings = validate(*scenario); has_error(findings)) return std::unexpected(cannot_be_used(what, findings.front()));
   LoadedScenario out{std::move(*scenario), {}};
   if (!built_in) {
     const std::filesystem::path path(what);
@@ -33,7 +48,11 @@ Result<LoadedScenario, Message> load_scenario(const std::string& what) {
 }
 
 Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& scenario) {
-  if (auto whole = read_scenario_file(file)) return whole->rubric;
+  if (auto whole = read_scenario_file(file)) {
+    Scenario with = scenario;
+    with.rubric = std::move(whole->rubric);
+    return checked_rubric(file, with);
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::unexpected(describe(FormatFailure{FormatError::unreadable, file, {}}));
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -56,7 +75,7 @@ Result<Rubric, Message> read_rubric(const std::string& file, const Scenario& sce
     failure.where = file + '#' + failure.where;
     return std::unexpected(describe(failure));
   }
-  return read->rubric;
+  return checked_rubric(file, *read);
 }
 
 }  // namespace cusp::ui
