@@ -48,9 +48,9 @@ class CavityWalls {
   /// Makes the feature that a constraint of the last build() is a place of, for a ball at `at`. The next build() has it.
   /// How far the ball is off it; negative: it enters. steps: most of its descent; kMostSteps reach its end.
   static constexpr int kMostSteps = 10;
+  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump, int steps) noexcept;
   /// A ball that cuts may lie this far from the end of its sweep: its cut pose is tied to the proxy.
   static constexpr double kTieMm = 5e-3;
-  double refine(const Volume& volume, const Ball& ball, const Cutting& cutting, std::size_t constraint, Jump jump, int steps) noexcept;
   /// Where one sweep alone holds a ball: it stands within what a ball as wide or wider has swept.
   struct Held {
     bool held = false;    // else that sweep alone does not answer

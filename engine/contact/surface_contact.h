@@ -62,19 +62,17 @@ class SurfaceContact {
     cut_.changed_unresolved(volume, low, high);
     walls_.changed(volume, low, high);
     fields_.forget_cut();
-    gathered_.valid = free_.valid = false;
-    unresolved_far_.valid = false;
+    gathered_.valid = free_.valid = unresolved_far_.valid = false;
     shank_free_ = {};
   }
 
   /// Budget of a tick: candidates of all searches after reset_budget(), at 25 to 50 ns, and so many passes at least; more while
   /// the bur cuts, for a tick with `deferred` set cuts nothing. Where it runs out, a search that has moved stops with it set.
-  /// How many candidates are looked at depends on what is at hand, so constraints are charged: each as kCandidatesOfConstraint.
-  static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48;
+  /// Caches decide how many candidates are looked at, so constraints are charged: for each, 1.2 to 2.1 were looked at.
+  static constexpr int kMostCandidates = 10000, kLeastPasses = 8, kLeastCutting = 48, kCandidatesOfConstraint = 2;
   static constexpr int kCandidatesOfPass = 20, kHeadCandidate = 3;  // cost of a pass; of a candidate of another head, some 90 ns
-  static constexpr int kCandidatesOfConstraint = 2;
   void reset_budget() noexcept {
-    candidates_before_ = charged();
+    candidates_before_ = candidates_visited();
     candidates_left_ = kMostCandidates;
     passes_ = 0;
   }
@@ -115,7 +113,7 @@ class SurfaceContact {
   /// Ticks that FreeSpace answered; for benches.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
   /// Candidates looked at since construction; for tests and benches.
-  std::int64_t candidates_visited() const noexcept { return charged() + uncharged_; }
+  std::int64_t candidates_visited() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
   /// Most candidates of one pass; for benches.
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
@@ -353,9 +351,8 @@ class SurfaceContact {
   Built built_;
   std::vector<std::int32_t> near_;     // candidates of built_
   std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
-  std::size_t count_ = 0, ball_count_ = 0;
+  std::size_t count_ = 0, ball_count_ = 0, shank_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
-  std::size_t shank_count_ = 0;
   /// Nothing stands within margin_mm of neck and shank; cutting only removes tissue.
   struct ShankFree {
     Vec3 centre{0.0}, axis{0.0};
@@ -370,8 +367,6 @@ class SurfaceContact {
   bool overflow_ = false;
   int candidates_left_ = kMostCandidates, passes_ = 0;
   std::int64_t candidates_before_ = 0;
-  std::int64_t uncharged_ = 0;         // candidates looked at beyond those that the budget was charged for
-  std::int64_t charged() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
   bool all_resolved_ = true;           // no part near the bur is unresolved
   /// If valid, no part within kUnresolvedMarginMm of `at` is unresolved.
   struct UnresolvedFar {

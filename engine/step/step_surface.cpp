@@ -12,7 +12,6 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr double kTieMm = CavityWalls::kTieMm;  // largest distance of the cut pose from the proxy
 /// A stroke is carved in sweeps; meanwhile contact knows its poses. A sweep ends where the stroke turns, after half
 /// a voxel, and at kLongestSweepMm. If the stroke is not straight to 0.1 um, it ends after kLeastSweepMm.
 constexpr double kLongestSweepMm = 0.04;
@@ -208,7 +207,7 @@ Advance advance_of(const StepState::Inner& state, const Tick& tick, const Contac
   // Tied to the proxy, so that errors do not add up.
   const Vec3 off = out.pose - state.proxy;
   const double apart = length_of(off);
-  if (apart > kTieMm) out.pose = state.proxy + off * (kTieMm / apart);
+  if (apart > CavityWalls::kTieMm) out.pose = state.proxy + off * (CavityWalls::kTieMm / apart);
   out.aim_at(tick.device, contact);
   const double alpha = wear_coefficient(push_mm * out.head.share, touched.stiffness_n_per_mm, scene.full_force_n);
   const double own = scene.tissues[index_of(touched.tissue)].speed_mm_s;
