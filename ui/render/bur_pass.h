@@ -18,7 +18,7 @@ class BurPass {
   bool create(std::string& why);
   /// Neck and shank only where they are not seen along the axis.
   void draw(const FrameView& view, const BurPose& pose);
-  /// The rest, half transparent, over all that is drawn.
+  /// The rest, half transparent, over tooth and target.
   void draw_faded_shank(const FrameView& view, const BurPose& pose);
 
  private:

@@ -202,11 +202,9 @@ Result<OpenedPack, Message> open_appeal_pack(const fs::path& file, Store* here) 
   pack.folder = folder;
   const bool signed_so = std::ranges::find(pack.differing, std::string(kRecords)) == pack.differing.end();
   // SQLite may refuse what nobody has signed: its message would hide that the file differs.
-  if (auto read = read_records(pack); !read && signed_so) {
-    return std::unexpected(read.error());
-  } else {
-    pack.readable = read.has_value();
-  }
+  const auto read = read_records(pack);
+  if (!read && signed_so) return std::unexpected(read.error());
+  pack.readable = read.has_value();
   return pack;
 }
 

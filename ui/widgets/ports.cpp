@@ -16,6 +16,7 @@ namespace {
 
 /// Adds a field to a box whose act waits for the right code.
 void ask_code(QMessageBox& box, QPushButton& act, const QString& code) {
+  act.setEnabled(false);
   auto* grid = qobject_cast<QGridLayout*>(box.layout());
   auto* buttons = box.findChild<QDialogButtonBox*>();
   if (grid == nullptr || buttons == nullptr) return;
@@ -24,7 +25,6 @@ void ask_code(QMessageBox& box, QPushButton& act, const QString& code) {
   const int row = grid->rowCount();
   grid->addWidget(typed, row, 0, 1, -1);
   grid->addWidget(buttons, row + 1, 0, 1, -1);  // below the field
-  act.setEnabled(false);
   QObject::connect(typed, &QLineEdit::textChanged, &act, [&act, code](const QString& text) { act.setEnabled(text.trimmed() == code); });
   typed->setFocus();
 }
