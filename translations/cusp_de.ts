@@ -1736,6 +1736,10 @@
         <source>The name of a target is missing in %1.</source>
         <translation>Der Name eines Ziels fehlt auf %1.</translation>
     </message>
+    <message>
+        <source>The target holds %1, which cannot be cut.</source>
+        <translation>Das Ziel enthält %1; das lässt sich nicht abtragen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -2616,10 +2620,6 @@
         <translation>Speichert einen Versuch als Einspruchsakte, eine Datei, die eine andere Station prüft; für Mitarbeitende</translation>
     </message>
     <message>
-        <source>Where the pack is written, NAME.cusppack</source>
-        <translation>Wohin die Akte geschrieben wird, NAME.cusppack</translation>
-    </message>
-    <message>
         <source>Verifies an appeal pack: its signature, its files, and its records</source>
         <translation>Prüft eine Einspruchsakte: Signatur, Dateien und Aufzeichnungen</translation>
     </message>
@@ -2931,6 +2931,58 @@
     <message>
         <source>%1 is no whole number from 1 on</source>
         <translation>%1 ist keine ganze Zahl ab 1</translation>
+    </message>
+    <message>
+        <source>A new file, NAME.cusppack</source>
+        <translation>Eine neue Datei, NAME.cusppack</translation>
+    </message>
+    <message>
+        <source>%1 has to be 0 or 1.</source>
+        <translation>%1 muss 0 oder 1 sein.</translation>
+    </message>
+    <message>
+        <source>With these values nothing is left of the fissures that the preparation follows. A narrower marginal ridge leaves more.</source>
+        <translation>Mit diesen Werten bleibt nichts von den Fissuren, denen die Präparation folgt. Eine schmalere Randleiste lässt mehr davon.</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 oder 1</translation>
+    </message>
+    <message>
+        <source>the target holds a tissue that cannot be cut (%1)</source>
+        <translation>das Ziel enthält ein Gewebe, das sich nicht abtragen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>an attempt that cuts a twentieth of the target earns points</source>
+        <translation>ein Versuch, der ein Zwanzigstel des Ziels abträgt, bringt Punkte</translation>
+    </message>
+    <message>
+        <source>a bur’s head is shorter than 6 voxels</source>
+        <translation>der Kopf eines Bohrers ist kürzer als 6 Voxel</translation>
+    </message>
+    <message>
+        <source>only one handpiece can be used at a time</source>
+        <translation>nur ein Handstück kann zugleich benutzt werden</translation>
+    </message>
+    <message>
+        <source>vibration and sound need a handpiece (%1)</source>
+        <translation>Vibration und Geräusch brauchen ein Handstück (%1)</translation>
+    </message>
+    <message>
+        <source>%1 is graded, and the exercise does not reckon coolant and heat</source>
+        <translation>%1 wird bewertet, und die Übung berechnet Kühlung und Wärme nicht</translation>
+    </message>
+    <message>
+        <source>the target is made of a tissue that the tooth does not have (%1)</source>
+        <translation>das Ziel besteht aus einem Gewebe, das der Zahn nicht hat (%1)</translation>
+    </message>
+    <message>
+        <source>the target follows a carious lesion, and the tooth has none</source>
+        <translation>das Ziel folgt einer kariösen Läsion, und der Zahn hat keine</translation>
+    </message>
+    <message>
+        <source>%1 is of a target that the exercise does not have</source>
+        <translation>%1 gehört zu einem Ziel, das die Übung nicht hat</translation>
     </message>
 </context>
 <context>
@@ -12624,6 +12676,14 @@ Ihr bester davor</translation>
     <message>
         <source>Margin below 80° or above 110°</source>
         <translation>Rand unter 80° oder über 110°</translation>
+    </message>
+    <message>
+        <source>The backup is damaged.</source>
+        <translation>Die Sicherung ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 holds another number of attempts than its description. Nothing was changed; restore another backup.</source>
+        <translation>%1 enthält eine andere Anzahl Versuche als in der Beschreibung angegeben. Nichts wurde geändert; stellen Sie eine andere Sicherung wieder her.</translation>
     </message>
 </context>
 <context>

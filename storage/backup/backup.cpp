@@ -108,6 +108,7 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file) {
   if (auto done = copy_private(backup.folder / kBackupKey, key); !done) return done;
   const auto sessions = check_copy(file);
   if (!sessions) return std::unexpected(sessions.error());
+  if (*sessions != backup.sessions) return fail(StorageError::corrupt, backup.folder.string(), "sessions");
   return {};
 }
 

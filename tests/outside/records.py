@@ -88,14 +88,17 @@ def backups(desk, database):
     check(status == 0, f"restore: {out}{err}")
     status, out, err = desk.run("history", desk.path("restored.db"), "verify", "--as", STUDENT, CUSP_PASSWORD=PIN)
     check(status == 0, f"the restored school is not whole: {out}{err}")
-    damaged = desk.path("damaged backup")
-    shutil.copytree(folder, damaged)
-    with open(os.path.join(damaged, "station.db.key"), "wb") as f:
-        f.write(b"short")
-    status, out, err = desk.run("restore", damaged, desk.path("again.db"))
-    one_sentence(err, "a backup with a damaged key")
-    left = [name for name in os.listdir(desk.folder) if name.startswith(("again.db", ".cusp-restore"))]
-    check(status == 1 and out == "" and left == [], f"a backup with a damaged key left {left}: {err}")
+    with open(os.path.join(folder, "backup.json"), encoding="utf-8") as f:
+        description = json.load(f)
+    for part, content, names in (("station.db.key", "short", "damaged"), ("backup.json", json.dumps({**description, "sessions": 7}), "attempts")):
+        damaged = desk.path("damaged " + part)
+        shutil.copytree(folder, damaged)
+        with open(os.path.join(damaged, part), "w", encoding="utf-8") as f:
+            f.write(content)
+        status, out, err = desk.run("restore", damaged, desk.path("again.db"))
+        one_sentence(err, f"a backup with a damaged {part}")
+        left = [name for name in os.listdir(desk.folder) if name.startswith(("again.db", ".cusp-restore"))]
+        check(status == 1 and out == "" and left == [] and names in err, f"a backup with a damaged {part} left {left}: {err}")
     os.remove(os.path.join(folder, "backup.json"))
     status, _, err = desk.run("restore", folder, desk.path("again.db"))
     check(status == 1 and "no whole backup" in err and not os.path.exists(desk.path("again.db")), err)

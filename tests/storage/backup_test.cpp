@@ -212,6 +212,19 @@ TEST_F(BackupTest, with_a_damaged_key_is_not_restored) {
   }
 }
 
+TEST_F(BackupTest, that_holds_another_number_of_sessions_than_its_description_is_not_restored) {
+  complete_session(*store, lena, version);
+  Backup backup = make();
+  for (const std::uint64_t sessions : {0u, 2u}) {
+    backup.sessions = sessions;
+    const auto done = restore_backup(backup, folder / "new.db");
+    ASSERT_EQ(code_of(done), StorageError::corrupt) << sessions;
+    EXPECT_EQ(done.error().detail, "sessions");
+    EXPECT_EQ(done.error().where, backup.folder.string());
+    EXPECT_TRUE(left().empty()) << left().front();
+  }
+}
+
 TEST_F(BackupTest, leaves_no_file_where_the_work_after_restoring_fails) {
   const Backup backup = make();
   const auto done = restore_backup(backup, folder / "new.db", [](const fs::path& database) -> Stored<void> {

@@ -61,6 +61,11 @@ std::optional<Message> describe_file(const StorageFailure& f) {
       return Message{Text::tr("Another program holds the database."),
                   Text::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
     case StorageError::corrupt:
+      if (f.detail == "sessions") {
+        return Message{Text::tr("The backup is damaged."),
+                    Text::tr("%1 holds another number of attempts than its description. Nothing was changed; restore another backup.").arg(where)};
+      }
+      [[fallthrough]];
     case StorageError::bad_statement:
       return Message{Text::tr("The database is damaged."),
                   Text::tr("%1 cannot be read whole. Nothing was changed; restore it from a backup.").arg(with_reason(f))};

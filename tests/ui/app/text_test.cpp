@@ -228,6 +228,13 @@ TEST(Sentences, a_place_for_a_database_that_admits_no_file_is_not_called_missing
             "--db.");
 }
 
+TEST(Sentences, a_backup_with_another_number_of_attempts_is_called_damaged) {
+  const Message message = describe(StorageFailure{StorageError::corrupt, "/backups/monday", "sessions"});
+  EXPECT_EQ(message.what.toStdString(), "The backup is damaged.");
+  EXPECT_TRUE(message.more.contains(QStringLiteral("/backups/monday"))) << message.more.toStdString();
+  EXPECT_TRUE(message.more.contains(QStringLiteral("number of attempts"))) << message.more.toStdString();
+}
+
 TEST(Sentences, every_metric_and_tissue_has_a_name) {
   for (const char* metric : {"target_removed", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor",
                              "overcut_beyond_side", "uncut_remainder", "depth_least", "depth_mean", "depth_most",
