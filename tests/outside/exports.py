@@ -131,7 +131,8 @@ def refusals(desk, database):
         refused(2, arguments, name)
     for arguments, name in ((("--cohort", "Year 9"), "Year 9"), (("--cohort", ""), "“”"), (("--exercise", "channel-9"), "channel-9"),
                             (("--device", "spoon"), "spoon"), (("-o", desk.path("none", "a.csv")), "a.csv"),
-                            (("-o", database), "belongs to the database"), (("--json", database + ".key"), "belongs to the database")):
+                            (("-o", database), "belongs to the database"), (("-o", database + ".states"), "belongs to the database"),
+                            (("-o", os.path.join(database + ".states", "a.csv")), "belongs to the database"), (("--json", database + ".key"), "belongs to the database")):
         refused(1, arguments, name)
     status, out, err = desk.run("export", database, "--as", STUDENT, "--cohort", "Year 9", CUSP_PASSWORD=PIN)
     one_sentence(err, "a student exports")

@@ -225,8 +225,12 @@ def outputs(desk, database):
     shutil.copy(database, os.path.join(out_dir, "report.json"))
     session = session_of(database)
     reading = ("history", database, "list", "--as", STUDENT)
-    cases = [reading + ("--json", database + end) for end in ("", "-wal", "-shm", ".key", ".key-counter")]
+    cases = [reading + ("--json", database + end) for end in ("", "-wal", "-shm", ".key", ".key-counter", ".states")]
+    state = os.path.join(database + ".states", session + "-000000005000.rebuilt")
     cases += [
+        reading + ("--json", state),
+        ("specimen", "block", "--voxel-mm", "0.4", "-o", state),
+        ("validate", "channel-1", "--form-only", "--json", database + ".states"),
         reading + ("--json", desk.path("link.db")),
         reading + ("--json", desk.path("second-name.db")),
         reading + ("--json", os.path.join(desk.folder, "named", "..", "school.db")),
@@ -245,6 +249,7 @@ def outputs(desk, database):
         with open(database + end, "rb") as f:
             check(f.read() == content, f"{end or 'the database'} was written over")
     check(not os.path.exists(desk.path("new.db")), "what was refused left a database")
+    check(not os.path.exists(database + ".states"), "what was refused left a file in the place of the key states")
     status, _, err = desk.run(*reading, "--json", desk.path("list.json"), CUSP_PASSWORD=PIN)
     check(status == 0, f"another name is written: {err}")
     for name in ("link.db", "second-name.db"):

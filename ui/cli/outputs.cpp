@@ -1,6 +1,7 @@
 #include "ui/cli/outputs.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kKey = ".key";
+/// Folder of the key states (storage/cache): a file of that name stops the cache, and a file in it may take a state's place.
+constexpr std::string_view kStates = ".states";
 /// What stands behind the database's name in those of its files.
-constexpr std::array<std::string_view, 7> kEndings = {"", "-wal", "-shm", "-journal", kKey, ".key-counter", ".running"};
+constexpr std::array<std::string_view, 8> kEndings = {"", "-wal", "-shm", "-journal", kKey, ".key-counter", ".running", kStates};
 
 fs::path with(const fs::path& database, std::string_view ending) {
   fs::path out = database;
@@ -31,24 +34,31 @@ bool same(const fs::path& a, const fs::path& b) {
   return !error && one == other;
 }
 
-}  // namespace
-
-std::optional<fs::path> records_of(const fs::path& file, const fs::path& database) {
+/// `database`, or one that is there, whose name and one of `endings` make up `path`.
+std::optional<fs::path> database_of(const fs::path& path, const fs::path& database, std::span<const std::string_view> endings) {
   if (!database.empty()) {
-    for (const std::string_view ending : kEndings) {
-      if (same(file, with(database, ending))) return database;
+    for (const std::string_view ending : endings) {
+      if (same(path, with(database, ending))) return database;
     }
   }
-  std::error_code error;
-  const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
-  if (error) return std::nullopt;
-  const std::string name = whole.string();
-  for (const std::string_view ending : kEndings) {
+  const std::string name = path.string();
+  for (const std::string_view ending : endings) {
     if (!name.ends_with(ending)) continue;
+    std::error_code error;
     const fs::path base = name.substr(0, name.size() - ending.size());
     if (fs::is_regular_file(base, error) && fs::is_regular_file(with(base, kKey), error)) return base;
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<fs::path> records_of(const fs::path& file, const fs::path& database) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
+  const fs::path& path = error ? file : whole;
+  if (auto found = database_of(path, database, kEndings)) return found;
+  return database_of(path.parent_path(), database, std::span(&kStates, 1));
 }
 
 std::optional<Message> refuse_outputs(const std::vector<fs::path>& outputs, const fs::path& database) {

@@ -9,8 +9,8 @@
 
 namespace cusp::ui {
 
-/// The database whose file `file` is, or whose log, key, counter or lock file. Message by its key's file beside it; `database`
-/// is the one that the verb itself opens, and need not be there yet. Opens nothing.
+/// The database whose file `file` is, or whose log, key, counter, lock file, folder of key states or file in that folder.
+/// Known by its key's file beside it; `database` is the one that the verb itself opens, and need not be there yet. Opens nothing.
 std::optional<std::filesystem::path> records_of(const std::filesystem::path& file,
                                                 const std::filesystem::path& database = {});
 
