@@ -4,6 +4,7 @@
 
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/audit_log.h"
+#include "storage/repositories/scenarios.h"
 
 namespace cusp::storage {
 namespace {
@@ -56,11 +57,14 @@ std::string for_canvas(const Results& results, const std::string& title) {
 Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
                                        const CsvOptions& options) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
-  if (const auto found = Assignments(context).find(assignment); !found) return std::unexpected(found.error());
+  const auto assigned = Assignments(context).find(assignment);
+  if (!assigned) return std::unexpected(assigned.error());
+  const auto version = Scenarios(context).version(assigned->version);
+  if (!version) return std::unexpected(version.error());
   const auto rows = History(context).of_assignment(actor, assignment);
   if (!rows) return std::unexpected(rows.error());
   const Results results = results_of(*rows);
-  const std::string title = rows->empty() ? std::string() : title_in(rows->front().title, options.language);
+  const std::string title = title_in(version->title, options.language);
   GradebookFile out{options.byte_order_mark ? "\xEF\xBB\xBF" : "", results.best.size(), results.withheld};
   out.text += system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title);
   if (context.db.read_only()) return out;

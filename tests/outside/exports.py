@@ -113,7 +113,10 @@ def gradebooks(desk, database):
     with contextlib.closing(sqlite3.connect(database)) as db:
         db.execute("DELETE FROM session_summaries")
         db.commit()
-    check(exported(desk, database, "--gradebook", "moodle", *of, "--due", "2026-11-20") == [], "an exercise that nobody has attempted")
+    for system, head in (("moodle", "ID number,Straight channel"), ("canvas", "Student,ID,SIS User ID,SIS Login ID,Section,Straight channel")):
+        status, out, err = export(desk, database, "--gradebook", system, *of, "--due", "2026-11-20")
+        check(status == 0 and out.splitlines()[0] == head, f"an exercise that nobody has attempted: {out}{err}")
+        check(STUDENT not in out, f"{system}: who has no result: {out}")
 
 
 def refusals(desk, database):

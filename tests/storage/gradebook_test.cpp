@@ -64,6 +64,14 @@ TEST_F(GradebookTest, has_the_columns_that_canvas_asks_for_and_quotes_names) {
   EXPECT_NE(text.find("\r\n\"Haddad, Omar\",,20260002,20260002,,75\r\n"), std::string::npos) << text;
 }
 
+TEST_F(GradebookTest, has_its_title_before_anybody_has_a_result) {
+  EXPECT_EQ(file(Gradebook::moodle).text, "ID number,Straight channel\r\n");
+  EXPECT_EQ(file(Gradebook::canvas).text,
+            "Student,ID,SIS User ID,SIS Login ID,Section,Straight channel\r\nPoints Possible,,,,,100\r\n");
+  sit(lena, 70);
+  EXPECT_EQ(file(Gradebook::moodle).text, "ID number,Straight channel\r\n20267314,70\r\n") << "the same title with results";
+}
+
 TEST_F(GradebookTest, needs_the_right_and_stands_in_the_log) {
   EXPECT_EQ(code_of(export_gradebook(store->context(), lena.actor(), exam.id, Gradebook::moodle)), StorageError::not_allowed);
   EXPECT_EQ(code_of(export_gradebook(store->context(), administrator, AssignmentId::make(), Gradebook::moodle)), StorageError::not_found);
