@@ -49,7 +49,8 @@ bool own(Transaction& transaction, const Hash256& key) {
 
 std::string_view key_of(KeyRole role) noexcept { return kRoles[static_cast<std::size_t>(role)]; }
 
-Stored<SignedText> own_key(StorageContext& context) {
+Stored<SignedText> own_key(StorageContext& context, const Actor& actor) {
+  if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
   nlohmann::ordered_json out;
   out["cusp_station_key"] = kKeyFormat;

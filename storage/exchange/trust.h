@@ -33,8 +33,9 @@ struct OtherKey {
   std::array<std::uint8_t, 32> public_key{};
 };
 
-/// This station's id and public key, signed by it: what `exchange key` writes. read_only without the station's key.
-Stored<SignedText> own_key(StorageContext& context);
+/// This station's id and public key, signed by it: what `exchange key` writes. Needs manage_station. read_only without the
+/// station's key.
+Stored<SignedText> own_key(StorageContext& context, const Actor& actor);
 /// The station and key of such a text. bad_value if it is none, or its signature does not hold.
 struct PublicKey {
   Uuid station{};

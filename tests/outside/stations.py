@@ -118,9 +118,11 @@ def main():
         file, _ = office.out("--office")
         check("key" in b.refused("in", file), "an unknown key is not named")
         trust_each_other(desk, (office, b, c))
-        status, _, err = desk.run("exchange", "in", file, "--db", office.database, "--as", STUDENT, CUSP_PASSWORD=PIN)
-        one_sentence(err, "a student reads a file")
-        check(status == 1, "a student reads a file")
+        new = desk.path("of-a-student")
+        for arguments in (("in", file), ("key", new), ("keys",), ("trust", desk.path("b.key-text")), ("out", "--results", new)):
+            status, _, err = desk.run("exchange", *arguments, "--db", office.database, "--as", STUDENT, CUSP_PASSWORD=PIN)
+            one_sentence(err, f"a student: exchange {arguments}")
+            check(status == 1 and not os.path.exists(new), f"a student: exchange {arguments}: exit {status}")
         check(b.done("in", file)["accounts"] >= 2 and c.done("in", file)["accounts"] >= 2, "accounts")
 
         session = drill(desk, b)

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using LookTest = TwoStations;
 
 TEST_F(LookTest, a_look_says_whose_a_file_is_and_what_it_carries_and_changes_nothing) {
-  must(trust(office->context(), chief, must(public_key_from(must(own_key(station->context())))), KeyRole::station));
+  must(trust(office->context(), chief, must(public_key_from(must(own_key(station->context(), keeper)))), KeyRole::station));
   complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
   const fs::path early = results(), file = results();
   const auto before = shared_records(*office);
@@ -35,7 +35,7 @@ TEST_F(LookTest, a_look_says_whose_a_file_is_and_what_it_carries_and_changes_not
 }
 
 TEST_F(LookTest, a_key_file_holds_the_key_whole_or_is_refused) {
-  const SignedText key = must(own_key(station->context()));
+  const SignedText key = must(own_key(station->context(), keeper));
   const auto written = [&](const std::string& text) {
     const fs::path file = next_file();
     std::ofstream(file) << text;

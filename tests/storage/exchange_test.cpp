@@ -226,6 +226,7 @@ TEST_F(ExchangeTest, only_an_administrator_gives_out_reads_in_and_trusts) {
     EXPECT_EQ(code_of(trust(office->context(), other, key_of_station(*station), KeyRole::office)), StorageError::not_allowed);
     EXPECT_EQ(code_of(revoke(office->context(), other, station->context().key->id())), StorageError::not_allowed);
     EXPECT_EQ(code_of(other_keys(office->context(), other)), StorageError::not_allowed);
+    EXPECT_EQ(code_of(own_key(office->context(), other)), StorageError::not_allowed);
     EXPECT_EQ(code_of(look_into(office->context(), other, file)), StorageError::not_allowed);
     EXPECT_EQ(code_of(files_read_in(office->context(), other)), StorageError::not_allowed);
   }

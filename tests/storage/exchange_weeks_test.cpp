@@ -40,7 +40,7 @@ class Weeks {
     for (Station& here : stations_)
       for (Station& there : stations_)
         if (here.name != there.name) {
-          const auto key = must(public_key_from(must(own_key(there.store->context()))));
+          const auto key = must(public_key_from(must(own_key(there.store->context(), there.admin))));
           must(trust(here.store->context(), here.admin, key, there.name == "a" ? KeyRole::office : KeyRole::station));
         }
     instructor_ = make_instructor(*office().store).actor();
@@ -251,7 +251,7 @@ TEST(ExchangeWeeks, a_station_that_was_put_back_to_an_old_copy_is_named) {
   b.store.reset();
   fs::remove(b.file.string() + ".key");
   b.store = open(b.file);
-  must(trust(weeks.office().store->context(), weeks.office().admin, must(public_key_from(must(own_key(b.store->context())))), KeyRole::station));
+  must(trust(weeks.office().store->context(), weeks.office().admin, must(public_key_from(must(own_key(b.store->context(), b.admin)))), KeyRole::station));
   must(read_in(weeks.office().store->context(), weeks.office().admin, give()));
   EXPECT_EQ(findings_of(*weeks.office().store), "");
 }

@@ -81,7 +81,7 @@ void School::read_other_station(Store& store) {
   const Actor keeper = make_administrator(*other).actor();
   complete_session(*other, make_student(*other, "4", "Nour"), keep(*other));
   must(give_out(other->context(), keeper, ExchangeKind::results, folder_ / "results"));
-  must(trust(store.context(), admin.actor(), must(public_key_from(must(own_key(other->context())))), KeyRole::station));
+  must(trust(store.context(), admin.actor(), must(public_key_from(must(own_key(other->context(), keeper)))), KeyRole::station));
   must(read_in(store.context(), admin.actor(), folder_ / "results"));
 }
 

@@ -19,7 +19,9 @@ struct TwoStations : ::testing::Test {
     return must(store.accounts.create_first_administrator(
         {.number = number, .name = "Maya Okafor", .role = Role::administrator, .password = "correct horse"}));
   }
-  static PublicKey key_of_station(Store& store) { return must(public_key_from(must(own_key(store.context())))); }
+  static PublicKey key_of_station(Store& store) {
+    return must(public_key_from(must(own_key(store.context(), {UserId::make(), Role::administrator}))));
+  }
   std::filesystem::path next_file() { return folder / ("file-" + std::to_string(++files)); }
   std::filesystem::path results() {
     const std::filesystem::path file = next_file();

@@ -211,7 +211,7 @@ void ExchangePage::resizeEvent(QResizeEvent* event) {
 }
 
 void ExchangePage::save_key() {
-  const auto key = own_key(store_.context());
+  const auto key = own_key(store_.context(), actor_);
   if (!key) return show_failure({}, describe(key.error()));
   FileWish wish;
   wish.title = tr("Save this station’s key");

@@ -46,7 +46,7 @@ int write_key(const ExchangeOptions& o) {
   if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
-  const auto key = own_key(in->store->context());
+  const auto key = own_key(in->store->context(), in->actor);
   if (!key) return failed(describe(key.error()));
   if (!write_whole(o.file, key_file_of(*key))) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
   const Hash256 id = in->store->context().key->id();

@@ -36,7 +36,7 @@ struct OneStation {
     return *store->accounts.create(admin.actor(), {.number = number, .name = name, .role = Role::student, .password = {}, .pin = "314159"});
   }
   Hash256 key() { return store->context().key->id(); }
-  PublicKey public_key() { return *public_key_from(*own_key(store->context())); }
+  PublicKey public_key() { return *public_key_from(*own_key(store->context(), admin.actor())); }
   std::vector<OtherKey> known() { return *other_keys(store->context(), admin.actor()); }
   std::size_t people() { return store->accounts.list(admin.actor())->size(); }
 
