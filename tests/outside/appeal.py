@@ -34,6 +34,13 @@ def pack(desk, database, session):
     check(status == 1, f"a pack over the records: {out}{err}")
     status, out, err = desk.run("appeal", database, session, file, "--as", "admin", **ADMIN)
     check(status == 0, f"appeal: {out}{err}")
+    with open(file, "rb") as f:
+        whole = f.read()
+    status, out, err = desk.run("appeal", database, session, file, "--as", "admin", **ADMIN)
+    one_sentence(err, "a pack over another")
+    check(status == 1 and "there already" in err, f"a pack over another: {out}{err}")
+    with open(file, "rb") as f:
+        check(f.read() == whole, "a pack that was there is written over")
     return file
 
 
