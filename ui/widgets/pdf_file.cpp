@@ -1,26 +1,21 @@
 #include "ui/widgets/pdf_file.h"
 
-#include <QFile>
+#include <QBuffer>
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QSaveFile>
 
 namespace cusp::ui {
 namespace {
 
 constexpr int kDotsPerInch = 300;
 
-/// QPdfWriter reports no full disk; a whole PDF ends in %%EOF.
-bool is_whole(const QString& name) {
-  QFile written(name);
-  if (!written.open(QIODevice::ReadOnly) || written.size() < 16) return false;
-  written.seek(written.size() - 16);
-  return written.readAll().contains("%%EOF");
-}
-
-bool write_part(const QString& name, const PdfSheet& sheet, const std::function<void(QPainter&, QPdfWriter&)>& draw) {
-  QPdfWriter writer(name);
+bool draw_pdf(QByteArray& bytes, const PdfSheet& sheet, const std::function<void(QPainter&, QPdfWriter&)>& draw) {
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly)) return false;
+  QPdfWriter writer(&buffer);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins(sheet.margins_mm, QPageLayout::Millimeter);
   writer.setResolution(kDotsPerInch);
@@ -34,18 +29,15 @@ bool write_part(const QString& name, const PdfSheet& sheet, const std::function<
 
 }  // namespace
 
+/// QSaveFile writes the bytes: QPdfWriter prints a warning for a file that it cannot open, and reports no full disk.
 Result<void, PdfFailure> write_pdf(const std::filesystem::path& file, const PdfSheet& sheet,
                                    const std::function<void(QPainter& painter, QPdfWriter& writer)>& draw) {
-  const QString part = QString::fromStdString(file.string()) + QStringLiteral(".part");
-  if (!write_part(part, sheet, draw) || !is_whole(part)) {
-    QFile::remove(part);
-    return fail(PdfError::cannot_write, file.string());
+  QSaveFile out(QString::fromStdString(file.string()));
+  QByteArray bytes;
+  if (!out.open(QIODevice::WriteOnly) || !draw_pdf(bytes, sheet, draw) || out.write(bytes) != bytes.size() || !out.commit()) {
+    return fail(PdfError::cannot_write, file.string(), out.errorString().toStdString());
   }
-  std::error_code failed;
-  std::filesystem::rename(part.toStdString(), file, failed);
-  if (!failed) return {};
-  QFile::remove(part);
-  return fail(PdfError::cannot_write, file.string(), failed.message());
+  return {};
 }
 
 }  // namespace cusp::ui

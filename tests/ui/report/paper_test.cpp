@@ -32,6 +32,33 @@ TEST(ReportPdf, is_one_whole_page_and_leaves_no_half_file) {
   EXPECT_EQ(failed.error().code, PdfError::cannot_write);
 }
 
+/// Collects what Qt would print on stderr.
+class QtMessages {
+ public:
+  QtMessages() : before_{qInstallMessageHandler(keep)} { lines.clear(); }
+  ~QtMessages() { qInstallMessageHandler(before_); }
+  QtMessages(const QtMessages&) = delete;
+  QtMessages& operator=(const QtMessages&) = delete;
+  static inline QStringList lines{};
+
+ private:
+  static void keep(QtMsgType, const QMessageLogContext&, const QString& line) { lines += line; }
+  QtMessageHandler before_;
+};
+
+TEST(ReportPdf, that_cannot_be_written_leaves_no_message_of_qt_and_no_file) {
+  const QTemporaryDir folder;
+  const std::filesystem::path in = folder.path().toStdString();
+  const ReportData data = sample();
+  {
+    const QtMessages messages;
+    EXPECT_FALSE(write_report_pdf(in / "no" / "r.pdf", data, no_picture()));
+    EXPECT_FALSE(write_report_pdf(in, data, no_picture())) << "a folder";
+  }
+  EXPECT_TRUE(QtMessages::lines.isEmpty()) << QtMessages::lines.join(u'\n').toStdString();
+  EXPECT_TRUE(std::filesystem::is_empty(in));
+}
+
 /// What pdfimages lists of a file: one line each, without its two lines of heads.
 QStringList images_in(const std::filesystem::path& file) {
   QProcess list;
