@@ -262,7 +262,7 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
     if (progress) progress(0.4 + 0.6 * static_cast<double>(k) / static_cast<double>(slices->size()));
     if (auto r = pixels_of((*slices)[k], *layout, static_cast<int>(k), out.image.value); !r) return std::unexpected(r.error());
   }
-  tidy_values(out.image.value);
+  if (const auto r = tidy_values(out.image); !r) return fail(r.error(), name);
   return out;
 }
 

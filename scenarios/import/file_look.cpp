@@ -85,9 +85,9 @@ ImageInfo info_of(const Opened& opened) {
   out.turned_degrees = image.layout.turned_degrees;
   out.series = opened.series;
   out.slices = opened.slices;
-  const auto [low, high] = std::ranges::minmax(image.value);
-  out.low = static_cast<double>(low);
-  out.high = static_cast<double>(high);
+  out.low = out.high = static_cast<double>(std::ranges::max(image.value));
+  for (const float v : image.value)
+    if (static_cast<double>(v) >= image.measured_from) out.low = std::min(out.low, static_cast<double>(v));
   if (image.kind == ImageKind::grey) return out;
   std::map<std::uint32_t, std::size_t> count;
   for (const float v : image.value) {

@@ -12,6 +12,8 @@ constexpr double kMaxStepMm = 1e4;     // ten metres between voxels is no specim
 constexpr double kRightAngle = 1e-3;   // cosine: headers print six digits, scanners know less
 constexpr float kMostValue = 1e9f;
 
+bool is_measured(float value) noexcept { return std::abs(value) <= kMostValue; }
+
 /// Which axis of the specimen each file axis runs along, and which way: the nearest turn that mirrors nothing.
 struct Turn {
   std::array<int, 3> axis{0, 1, 2};
@@ -84,22 +86,30 @@ Result<ImageLayout, ImportError> lay_out(IVec3 file_size, const std::array<Vec3,
   return out;
 }
 
-void tidy_values(std::vector<float>& values) {
-  bool odd = false;
-  float least = kMostValue;
-  for (const float v : values) {
-    if (std::abs(v) <= kMostValue) least = std::min(least, v);
-    else odd = true;
+Result<void, ImportError> tidy_values(Image& image) {
+  float least = kMostValue, most = -kMostValue;
+  std::size_t measured = 0;
+  for (const float v : image.value) {
+    if (!is_measured(v)) continue;
+    ++measured;
+    least = std::min(least, v);
+    most = std::max(most, v);
   }
-  if (!odd) return;
-  for (float& v : values)
-    if (!(std::abs(v) <= kMostValue)) v = least;
+  if (measured == image.value.size()) return {};
+  if (measured == 0) return std::unexpected(ImportError::nothing_solid);
+  const bool labels = kind_of_values(image.value) == ImageKind::labels;
+  const float nothing = labels ? 0.0f : least - std::max({most - least, std::abs(least), 1.0f});
+  image.measured_from = 0.5 * (static_cast<double>(nothing) + static_cast<double>(least));
+  for (float& v : image.value)
+    if (!is_measured(v)) v = nothing;
+  return {};
 }
 
 ImageKind kind_of_values(const std::vector<float>& values) {
   std::vector<bool> seen(65536);
   std::size_t different = 0;
   for (const float v : values) {
+    if (!is_measured(v)) continue;
     if (!(v >= 0.0f && v <= 65535.0f) || v != std::floor(v)) return ImageKind::grey;
     const auto i = static_cast<std::size_t>(v);
     if (seen[i]) continue;

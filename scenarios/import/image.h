@@ -53,11 +53,13 @@ struct Image {
   ImageKind kind = ImageKind::grey;
   bool spacing_known = true;  // false: the file has none; 1 mm until the user answers
   std::vector<float> value;   // [z][y][x], finite
+  double measured_from = -1e300;  // grey: nothing was measured where the value is below, so that no threshold takes it
 };
 
-/// Numbers that are none, or beyond a thousand million, become the least that is there: nothing was measured.
-void tidy_values(std::vector<float>& values);
-/// Labels when there are at most kMaxLabels different numbers, whole and from 0 to 65535; else grey.
+/// Numbers that are none, or beyond a thousand million, become 0 among labels, else a value below all that are measured.
+/// nothing_solid: no voxel has a number.
+[[nodiscard]] Result<void, ImportError> tidy_values(Image& image);
+/// Labels when there are at most kMaxLabels different numbers, whole and from 0 to 65535; else grey. Leaves out what tidy_values() replaces.
 inline constexpr std::size_t kMaxLabels = 64;
 ImageKind kind_of_values(const std::vector<float>& values);
 

@@ -34,6 +34,13 @@ Result<void, ImportFailure> check(const ImageTissues& what, const std::string& n
   return {};
 }
 
+/// No measured value lies between the new first threshold and a lower one that it replaces.
+std::vector<std::pair<double, Tissue>> above_unmeasured(std::vector<std::pair<double, Tissue>> thresholds, double measured_from) {
+  while (thresholds.size() > 1 && thresholds[1].first <= measured_from) thresholds.erase(thresholds.begin());
+  if (!thresholds.empty()) thresholds.front().first = std::max(thresholds.front().first, measured_from);
+  return thresholds;
+}
+
 /// The same voxels with another axis up.
 Image with_up(const Image& image, UpAxis up, const VolumeLimits& limits) {
   const ImageLayout& l = image.layout;
@@ -220,8 +227,10 @@ Result<VoxelVolume, ImportFailure> volume_of_image(const Image& image, const Ima
                                                    const ImportProgress& progress) {
   if (auto r = check(what, name); !r) return std::unexpected(r.error());
   try {
-    if (what.up == UpAxis::z) return make(image, what, name, limits, remarks, progress);
-    return make(with_up(image, what.up, limits), what, name, limits, remarks, progress);
+    ImageTissues used = what;
+    used.thresholds = above_unmeasured(std::move(used.thresholds), image.measured_from);
+    if (what.up == UpAxis::z) return make(image, used, name, limits, remarks, progress);
+    return make(with_up(image, what.up, limits), used, name, limits, remarks, progress);
   } catch (const std::bad_alloc&) {
     return fail(ImportError::out_of_memory, name);
   }

@@ -250,7 +250,7 @@ class Reader {
       }
       if (const auto r = source.expect_end(); !r) return fail(r.error(), file);
     }
-    tidy_values(out_.value);
+    if (const auto r = tidy_values(out_); !r) return fail(r.error(), name_);
     out_.kind = channels_ > 1 ? ImageKind::colours : kind_of_values(out_.value);
     return {};
   }

@@ -128,7 +128,7 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
             stored->channels > 1 ? colour_value(p, stored->channels)
                                  : static_cast<float>(sample_value(p, format) * slope + intercept);
   }
-  tidy_values(out.value);
+  if (const auto r = tidy_values(out); !r) return fail(r.error(), name);
   out.kind = stored->channels > 1 ? ImageKind::colours : kind_of_values(out.value);
   return out;
 }

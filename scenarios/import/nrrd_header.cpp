@@ -268,6 +268,7 @@ class Parser {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto n = number(list[first_ + i]);
         if (!n) return refuse(ImportError::bad_header, key, *spacings);
+        if (*n <= 0.0) return refuse(ImportError::bad_header, key, *spacings);
         direction[i][static_cast<int>(i)] = *n * (*signs)[static_cast<int>(i)];
       }
     }

@@ -43,7 +43,7 @@ Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t by
     }
   }
   if (const auto r = source.expect_end(); !r) return fail(r.error(), name);
-  tidy_values(out.value);
+  if (const auto r = tidy_values(out); !r) return fail(r.error(), name);
   out.kind = colours ? ImageKind::colours : kind_of_values(out.value);
   return out;
 }

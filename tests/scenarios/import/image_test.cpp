@@ -1,7 +1,9 @@
 // NRRD and MetaImage as images: axes, spacings, colours and kinds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <sstream>
 
@@ -80,6 +82,16 @@ TEST(NrrdImage, SpacingsThatAreNoNumberAreAskedForAndTheColourAxisIsNoSpace) {
   EXPECT_EQ(unknown->layout.spacing_mm, Vec3(1.0));
 }
 
+TEST(NrrdImage, SpacingsOfNoLengthAreRefused) {
+  const std::string data(8, '\1');
+  for (const char* spacings : {"0 0.5 0.5", "0.5 -0.5 0.5", "nan 0.5 0"}) {
+    const auto image = nrrd("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\nspacings: " + std::string(spacings) + "\n\n" + data);
+    ASSERT_FALSE(image) << spacings;
+    EXPECT_EQ(image.error().code, ImportError::bad_header) << spacings;
+    EXPECT_NE(image.error().where.find("spacings"), std::string::npos) << image.error().where;
+  }
+}
+
 TEST(NrrdImage, GreyFloatsAnisotropicAndLpsAreRead) {
   std::string data;
   for (int i = 0; i < 8; ++i) {
@@ -93,7 +105,49 @@ TEST(NrrdImage, GreyFloatsAnisotropicAndLpsAreRead) {
   EXPECT_EQ(image->layout.spacing_mm, Vec3(0.2, 0.2, 1.5));
   EXPECT_LT(glm::length(image->layout.origin_mm - Vec3(-1.2, -2.2, 3.0)), 1e-12);
   EXPECT_EQ(at(*image, 1, 1, 0), 0.5f);  // the file's first voxel lies to the right and in front
-  EXPECT_EQ(at(*image, 1, 0, 1), 0.5f);  // no number: the least there is
+  EXPECT_LT(at(*image, 1, 0, 1), 0.5f) << "no number: below the least there is";
+}
+
+/// A cube of 5 voxels a side, of which the inner 27 have a number.
+std::string masked(const std::function<float(IVec3)>& inner) {
+  std::string data;
+  IVec3 v;
+  for (v.z = 0; v.z < 5; ++v.z)
+    for (v.y = 0; v.y < 5; ++v.y)
+      for (v.x = 0; v.x < 5; ++v.x) {
+        const bool within = glm::all(glm::greaterThan(v, IVec3(0))) && glm::all(glm::lessThan(v, IVec3(4)));
+        const float value = within ? inner(v) : v.x % 2 == 0 ? NAN : -INFINITY;
+        data.append(reinterpret_cast<const char*>(&value), 4);
+      }
+  return "NRRD0005\ntype: float\ndimension: 3\nsizes: 5 5 5\nspacings: 0.5 0.5 0.5\nendian: little\nencoding: raw\n\n" + data;
+}
+
+TEST(NrrdImage, NoThresholdMakesTissueOfVoxelsWithoutANumber) {
+  const auto image = nrrd(masked([](IVec3 v) { return 1000.5f + static_cast<float>(v.x); }));
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(image->kind, ImageKind::grey);
+  using Thresholds = std::vector<std::pair<double, Tissue>>;
+  for (const Thresholds& thresholds : {Thresholds{{900.0, Tissue::dentine}}, Thresholds{{-1e6, Tissue::dentine}},
+                                       Thresholds{{-1e6, Tissue::empty}, {-9e5, Tissue::dentine}}}) {
+    ImageTissues what;
+    what.thresholds = thresholds;
+    std::vector<ImportRemark> remarks;
+    const auto volume = volume_of_image(*image, what, "v.nrrd", {}, remarks);
+    ASSERT_TRUE(volume) << key_of(volume.error().code);
+    EXPECT_EQ(std::ranges::count_if(volume->s, [](std::uint16_t s) { return s >= kHalf; }), 27) << thresholds.front().first;
+  }
+}
+
+TEST(NrrdImage, LabelsWithoutANumberAreNothingAndAFileWithoutAnyNumberIsRefused) {
+  const auto labels = nrrd(masked([](IVec3 v) { return static_cast<float>(v.x); }));
+  ASSERT_TRUE(labels);
+  EXPECT_EQ(labels->kind, ImageKind::labels);
+  EXPECT_EQ(at(*labels, 0, 0, 0), 0.0f);
+  EXPECT_EQ(at(*labels, 1, 1, 1), 1.0f);
+  const auto none = nrrd(masked([](IVec3) { return NAN; }));
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ImportError::nothing_solid);
+  EXPECT_EQ(none.error().where, "v.nrrd");
 }
 
 const std::string kMha = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
