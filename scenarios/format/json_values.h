@@ -13,6 +13,7 @@
 
 #include "scenarios/format/format_error.h"
 #include "scenarios/format/json_text.h"
+#include "scenarios/format/ranges.h"
 #include "scenarios/format/scenario.h"
 
 namespace cusp::scenarios::format_reader {
@@ -88,14 +89,14 @@ class Value {
   double number(const Range& range) const {
     if (!node_.is_number()) return wrong<double>("number");
     const double v = node_.get<double>();
-    if (!range.holds(v)) problems_.add(FormatError::out_of_range, where_, range.text());
+    if (!range.holds(v)) problems_.add(FormatError::out_of_range, where_, quoted(range));
     return v;
   }
   int integer(const Range& range) const {
     if (!node_.is_number_integer()) return wrong<int>("integer");
     const double v = node_.get<double>();
     if (!range.holds(v)) {
-      problems_.add(FormatError::out_of_range, where_, range.text());
+      problems_.add(FormatError::out_of_range, where_, quoted(range));
       return 0;
     }
     return node_.get<int>();
@@ -173,6 +174,11 @@ class Value {
   void refuse(FormatError code, std::string detail = {}) const { problems_.add(code, where_, std::move(detail)); }
 
  private:
+  /// The range that validate() holds, which is narrower than the reader's; the reader's where the table has none.
+  std::string quoted(const Range& range) const {
+    const NumberRange* const held = range_of(where_);
+    return held != nullptr ? held->text() : range.text();
+  }
   template <class T>
   T wrong(const char* wanted, T nothing = T{}) const {
     problems_.add(FormatError::wrong_type, where_, wanted);

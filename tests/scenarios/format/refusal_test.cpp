@@ -86,6 +86,13 @@ TEST(RefusedScenarioFile, NumbersThatAreNoneAreNamed) {
   EXPECT_EQ(failure_of(replaced("null")).code, FormatError::wrong_type);
 }
 
+TEST(RefusedScenarioFile, ANumberThatDoesNotReadNamesTheRangeThatHolds) {
+  EXPECT_EQ(with("/rubric/criteria/0/weight", -5).detail, "[0.1, 1000]");
+  EXPECT_EQ(with("/rubric/pass", -1).detail, "[1, 100]");
+  EXPECT_EQ(with("/tissues/0/speed_mm_s", -1).detail, "0 or [0.01, 100]");
+  EXPECT_EQ(with("/limits/time_s", -1).detail, "0 or [10, 86400]");
+}
+
 TEST(RefusedScenarioFile, ANewerFormatIsRefusedBeforeItsUnknownKeys) {
   json document = sound();
   document["format"] = 3;
