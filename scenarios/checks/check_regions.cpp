@@ -78,6 +78,17 @@ void check_pulp(const Scenario& scenario, const Reached& pulp, std::vector<Findi
     out.push_back({Severity::warning, "/leeway/floor_mm", "leeway_opens_pulp", {{"value", pulp.nearest_mm}}, {}});
 }
 
+/// A tissue of speed 0 within the target stays there whatever a student does.
+void check_speeds(const Scenario& scenario, const std::array<Reached, kTissueCodes>& reached, std::vector<Finding>& out) {
+  for (std::size_t i = 0; i < scenario.tissues.size(); ++i) {
+    const ScenarioTissue& one = scenario.tissues[i];
+    const double held = reached[index_of(one.tissue)].target_mm3;
+    if (one.speed_mm_s > 0.0 || !(held > 0.0)) continue;
+    out.push_back({Severity::error, "/tissues/" + std::to_string(i) + "/speed_mm_s", "target_uncuttable", {{"value", held}},
+                   std::string(key_of_scenario_tissue(one.tissue))});
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& specimen) {
@@ -87,6 +98,7 @@ std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& spe
   double all = 0;
   for (const Reached& r : reached) all += r.target_mm3;
   if (!(all > 0.0)) out.push_back({Severity::error, "/target/paths", "target_without_tissue", {}, {}});
+  check_speeds(scenario, reached, out);
   for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i) {
     const Tissue tissue = tissue_of(scenario.protected_parts[i]);
     if (tissue == Tissue::empty || tissue == Tissue::pulp) continue;

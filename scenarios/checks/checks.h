@@ -15,7 +15,8 @@ namespace cusp::scenarios {
 
 /// Target and tolerance zone against the tissues of the specimen; some 10 ms.
 /// Errors: target_opens_pulp (value mm deep; opening it fails the attempt, or it holds too little pulp to be an access),
-/// target_cuts_protected (detail: tissue), target_without_tissue. Warnings: target_holds_pulp (value mm3: an endodontic
+/// target_cuts_protected (detail: tissue), target_without_tissue, target_uncuttable (value mm3 of a
+/// tissue of speed 0; detail: tissue). Warnings: target_holds_pulp (value mm3: an endodontic
 /// access), pulp_rule_off (opening the pulp fails nobody), leeway_opens_pulp (value mm away), leeway_cuts_protected.
 [[nodiscard]] std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& specimen);
 

@@ -73,6 +73,7 @@ QString exercise_message(const Finding& f, const Region* whole, double value, do
   if (c == u"target_cuts_protected") return CheckText::tr("The target takes %1, which is protected.").arg(tissue_of(f));
   if (c == u"leeway_cuts_protected") return CheckText::tr("The tolerance zone reaches %1, which is protected.").arg(tissue_of(f));
   if (c == u"target_without_tissue") return CheckText::tr("The target holds nothing that could be cut.");
+  if (c == u"target_uncuttable") return CheckText::tr("The target holds %1, which cannot be cut.").arg(tissue_of(f));
   if (c == u"idle_earns") {
     return CheckText::tr("An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.").arg(format_points(value));
   }

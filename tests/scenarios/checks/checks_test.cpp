@@ -118,6 +118,21 @@ TEST(Target, InTheAirHoldsNothingToCut) {
   EXPECT_THAT(t.regions(), Contains("error /target/paths target_without_tissue"));
 }
 
+TEST(Target, WithATissueThatCannotBeCutIsAnError) {
+  Tooth t;
+  const auto enamel = std::ranges::find(t.scenario.tissues, Tissue::enamel, &ScenarioTissue::tissue);
+  ASSERT_NE(enamel, t.scenario.tissues.end());
+  enamel->speed_mm_s = 0;
+  const auto at = enamel - t.scenario.tissues.begin();
+  EXPECT_THAT(t.regions(), ElementsAre("error /tissues/" + std::to_string(at) + "/speed_mm_s target_uncuttable"));
+  // The target lies clear of the pulp.
+  Tooth u;
+  const auto pulp = std::ranges::find(u.scenario.tissues, Tissue::pulp, &ScenarioTissue::tissue);
+  ASSERT_NE(pulp, u.scenario.tissues.end());
+  pulp->speed_mm_s = 0;
+  EXPECT_THAT(u.regions(), IsEmpty());
+}
+
 TEST(Attempts, OfTheClassOneGiveNothingForNothing) { EXPECT_THAT(Tooth().attempts(), IsEmpty()); }
 
 TEST(Attempts, IdlenessThatEarnsIsAnError) {
