@@ -70,7 +70,10 @@ Json Filler::paths(const Json& node, double floor, const std::string& where) {
       if (item.contains("least_x")) asked.least_x = number(item.at("least_x"), at + "/least_x");
       if (item.contains("longest_mm")) asked.longest_mm = number(item.at("longest_mm"), at + "/longest_mm");
       lines = fissure_paths(landmarks_, asked);
-      if (lines.empty() && item.value("needed", false)) refuse({FitError::missing_landmark, asked.names.front(), {}});
+      if (lines.empty() && item.value("needed", false)) {
+        const bool there = !fissure_paths(landmarks_, {.names = asked.names}).empty();
+        refuse({FitError::missing_landmark, asked.names.front(), there ? "no_room" : ""});
+      }
     } else {
       auto& line = lines.emplace_back();
       for (const Json& point : item.at("points")) line.emplace_back(number(point.at(0), at), number(point.at(1), at), 0.0);
@@ -200,6 +203,16 @@ std::string joined(const Json& node, Filler& filler) {
   return out;
 }
 
+/// "1.2", "1.25": hundredths as the target has them, without a trailing zero.
+std::string figure_text(double value, std::string_view language) {
+  char digits[512];  // 309 before the decimal sign
+  std::snprintf(digits, sizeof digits, "%.2f", value);
+  std::string out = digits;
+  if (out.ends_with('0')) out.pop_back();
+  if (language == "de") std::ranges::replace(out, '.', ',');
+  return out;
+}
+
 /// Title or briefing in each language.
 Json texts(const Json& node, const FitRequest& request, const Scope& scope, Filler& filler) {
   Json out = Json::object();
@@ -208,13 +221,7 @@ Json texts(const Json& node, const FitRequest& request, const Scope& scope, Fill
   for (const auto& [language, text] : node.items()) {
     std::map<std::string, std::string> marks = {{"{tooth}", std::to_string(request.fdi)},
                                                 {"{boxes}", boxes == "OD" && language == "en" ? "DO" : boxes}};
-    for (const auto& [name, value] : scope) {
-      char digits[32];
-      std::snprintf(digits, sizeof digits, "%.1f", value);
-      std::string figure = digits;
-      if (language == "de") std::ranges::replace(figure, '.', ',');
-      marks["{" + name + "}"] = figure;
-    }
+    for (const auto& [name, value] : scope) marks["{" + name + "}"] = figure_text(rounded(value), language);
     out[language] = replaced(joined(text, filler), marks);
   }
   return out;

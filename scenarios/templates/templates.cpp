@@ -6,6 +6,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read.h"
+#include "scenarios/format/validate.h"
 #include "scenarios/landmarks/landmarks.h"
 #include "scenarios/templates/fill.h"
 #include "scenarios/templates/scope.h"
@@ -113,6 +114,11 @@ FitFailure failure_of(const Failure<ExpressionError>& why, std::string where) {
   return {FitError::bad_template, std::move(where), why.where};
 }
 
+bool takes(const TemplateParameter& parameter, double value) noexcept {
+  if (parameter.is_choice()) return value == 0.0 || value == 1.0;
+  return value >= parameter.least && value <= parameter.most;
+}
+
 /// Adds the parameters to the scope: as asked for, or by default.
 Result<void, FitFailure> add_parameters(const ExerciseTemplate& of, const std::map<std::string, double>& values, Scope& scope) {
   for (const auto& [key, value] : values)
@@ -123,8 +129,8 @@ Result<void, FitFailure> add_parameters(const ExerciseTemplate& of, const std::m
     double value = 0.0;
     if (asked != values.end()) {
       value = asked->second;
-      if (!(value >= one.least && value <= one.most))
-        return fail(FitError::out_of_range, one.key, Json(one.least).dump() + ".." + Json(one.most).dump());
+      if (!takes(one, value))
+        return fail(FitError::out_of_range, one.key, one.is_choice() ? "0, 1" : Json(one.least).dump() + ".." + Json(one.most).dump());
     } else {
       const auto computed = evaluate(one.value, scope);
       if (!computed) return std::unexpected(failure_of(computed.error(), "/parameters/" + one.key));
@@ -163,6 +169,8 @@ Result<Scenario, FitFailure> fit_template(const FitRequest& request) {
   if (!filled) return std::unexpected(filled.error());
   auto scenario = read_scenario(filled->dump());
   if (!scenario) return fail(FitError::does_not_fit, scenario.error().where, std::string(key_of(scenario.error().code)));
+  const auto findings = validate(*scenario);
+  if (has_error(findings)) return fail(FitError::does_not_fit, findings.front().path, findings.front().code);
   if (mesial_x(request.fdi) < 0) mirror_x(scenario->target);
   if (!request.imported) scenario->made_with = TemplateUse{request.key, request.values};
   if (request.imported) {

@@ -19,10 +19,12 @@ namespace cusp::scenarios {
 struct TemplateParameter {
   std::string key;    // "depth"
   LocalText name;
-  std::string unit;   // "mm", "deg"; empty: 0 or 1
+  std::string unit;   // "mm", "deg"; empty: a share or a choice
   double least = 0, most = 0;
   std::string value;  // default: an expression of the tooth and of the parameters before it
   std::string source; // "dental.md 2.2", or "[M]": general knowledge that nobody verified
+  /// 0 or 1 and nothing between: without a unit, from 0 to 1. A share has a narrower range.
+  bool is_choice() const noexcept { return unit.empty() && least == 0 && most == 1; }
 };
 
 struct ExerciseTemplate {
@@ -38,8 +40,8 @@ enum class FitError : std::uint8_t {
   unknown_template,   // where: the key
   unsuitable_tooth,   // where: the number; no premolar or molar
   unknown_parameter,  // where: its key
-  out_of_range,       // where: the parameter; detail: "0.8..2.5"
-  missing_landmark,   // where: what the tooth has none of: "cej.mesial.z", a fissure's name
+  out_of_range,       // where: the parameter; detail: "0.8..2.5", of a choice "0, 1"
+  missing_landmark,   // where: what the tooth has none of: "cej.mesial.z", a fissure's name; detail "no_room": the values leave nothing of it
   missing_tissue,     // a tooth from a file; where: tissue or surroundings that it lacks
   turned_tooth,       // a tooth from a file; where: degrees that it is turned or tilted from its frame
   does_not_fit,       // where: JSON pointer into the exercise; detail: code of the format's refusal

@@ -36,8 +36,13 @@ QString describe_fit(const FitFailure& failure) {
     case FitError::unknown_template: return CliText::tr("%1 is no template: cusp template list names them.").arg(where);
     case FitError::unsuitable_tooth: return CliText::tr("Tooth %1 is no premolar or molar.").arg(where);
     case FitError::unknown_parameter: return CliText::tr("The template has no parameter %1.").arg(where);
-    case FitError::out_of_range: return CliText::tr("%1 has to be within %2.").arg(where, detail);
-    case FitError::missing_landmark: return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
+    case FitError::out_of_range:
+      if (detail == u"0, 1"_qs) return CliText::tr("%1 has to be 0 or 1.").arg(where);
+      return CliText::tr("%1 has to be within %2.").arg(where, detail);
+    case FitError::missing_landmark:
+      if (detail == u"no_room"_qs)
+        return CliText::tr("With these values nothing is left of the fissures that the preparation follows. A narrower marginal ridge leaves more.");
+      return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
     case FitError::missing_tissue: return CliText::tr("The file does not hold what the template needs: %1.").arg(where);
     case FitError::turned_tooth: return CliText::tr("The tooth lies %1 degrees off: x has to be mesial or distal, y buccal, z occlusal.").arg(where);
     case FitError::does_not_fit: return CliText::tr("These values make no exercise: %1 (%2).").arg(where, detail);
@@ -68,6 +73,18 @@ nlohmann::ordered_json to_json(const ExerciseTemplate& one) {
   return out;
 }
 
+/// With a digit after the decimal sign, two where they are needed.
+QString bound_text(double value) {
+  const double tenths = value * 10;
+  return format_number(value, std::abs(tenths - std::round(tenths)) < 1e-6 ? 1 : 2);
+}
+
+/// "0.05 … 0.3 mm", "0 or 1".
+QString range_text_of(const TemplateParameter& p) {
+  if (p.is_choice()) return CliText::tr("0 or 1");
+  return u"%1 … %2 %3"_qs.arg(bound_text(p.least), bound_text(p.most), QString::fromStdString(p.unit)).trimmed();
+}
+
 int list(const JsonOption& json) {
   if (const auto no = refuse_outputs({json.file})) return failed(*no);
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
@@ -77,8 +94,7 @@ int list(const JsonOption& json) {
   for (const ExerciseTemplate& one : exercise_templates()) {
     print_line(one.key + "  " + plain(local(one.about)));
     for (const TemplateParameter& p : one.parameters)
-      print_line(plain(u"  %1  %2: %3 … %4 %5"_qs.arg(QString::fromStdString(p.key), -11)
-                           .arg(local(p.name), format_number(p.least, 1), format_number(p.most, 1), QString::fromStdString(p.unit))));
+      print_line(plain(u"  %1  %2: %3"_qs.arg(QString::fromStdString(p.key), -11).arg(local(p.name), range_text_of(p))));
   }
   return kDone;
 }

@@ -218,7 +218,7 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"class-1-25", "6e414ce88ec7142a41488e9e08cc1040d37d254f08800fcdba36fbccd37b75fb"},
       {"class-1-16", "b24a218f47dc383122d4c64bb47b6ddec05cff29c7cec29965f22fbcb1d3af5d"},
       {"class-2-46-mo", "b5ac45391136e9b4c6983f33272b982564edb2b86458112a92b42100373be669"},
-      {"class-2-25-mod", "6294e47e54b076b483e6c2e507e7fcda08cc787aac1276eeef0ce4185a8abfda"},
+      {"class-2-25-mod", "5b82587f17d4de78f200e62e3ac56f324dd4fe7ea96df505a3c7c74933482245"},
       {"class-2-36-do", "045967db24d6198fc655acb48c9e51a01052546466707a5b568c7eed71582e72"},
       {"class-2-26-do", "fd12181e3f82ee7828d097045d79b9d80ab554b4ade1cd906461da7d50f5bdae"},
       {"class-1-35", "f9eaac469f7495449f4927d49f29b1919d9d7b5ee48777c954deef7181943d18"},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "scenarios/format/validate.h"
 #include "scenarios/shapes/target.h"
@@ -209,6 +210,12 @@ TEST(Templates, PlaceALesionBelowTheContactThatIsAskedFor) {
   }
 }
 
+TEST(Templates, MakeAnExerciseOfTheSmallestLesionBelowAContact) {
+  const auto scenario = fitted("caries-proximal", 46, {{"radius", 0.6}, {"deep", 0.7}});
+  ASSERT_TRUE(scenario) << text_of(scenario.error());
+  EXPECT_FALSE(has_error(validate(*scenario)));
+}
+
 TEST(Templates, TakeTheValuesOfParameters) {
   const auto scenario = fitted("class-1-adhesive", 46, {{"depth", 2.1}, {"width", 1.3}});
   ASSERT_TRUE(scenario);
@@ -216,6 +223,35 @@ TEST(Templates, TakeTheValuesOfParameters) {
   EXPECT_DOUBLE_EQ(scenario->target.outline.width_mm, 1.3);
   EXPECT_NE(scenario->briefing.at("de").find("2,1 mm"), std::string::npos);
   EXPECT_NE(scenario->briefing.at("en").find("2.1 mm"), std::string::npos);
+}
+
+TEST(Templates, NameTheHundredthsOfALengthInTheBriefing) {
+  const auto scenario = fitted("class-1-adhesive", 46, {{"depth", 2.0}, {"width", 1.25}});
+  ASSERT_TRUE(scenario);
+  EXPECT_NE(scenario->briefing.at("en").find(" 1.25 mm wide"), std::string::npos) << scenario->briefing.at("en");
+  EXPECT_NE(scenario->briefing.at("de").find(" 1,25 mm breit"), std::string::npos) << scenario->briefing.at("de");
+  EXPECT_NE(scenario->briefing.at("en").find(" 2.0 mm below"), std::string::npos) << "one digit is enough";
+}
+
+TEST(Templates, SpeakOfTwoBoxesWhereTwoAreAskedFor) {
+  for (const char* key : {"class-2-adhesive", "class-2-classical"})
+    for (const double distal : {0.0, 1.0})
+      for (const double beyond : {0.0, -0.15}) {
+        const auto scenario = fitted(key, 14, {{"distal", distal}, {"beyond", beyond}});
+        ASSERT_TRUE(scenario) << key;
+        const bool two = distal != 0;
+        const auto says = [&](const char* language, const char* words) {
+          return scenario->briefing.at(language).find(words) != std::string::npos;
+        };
+        for (const char* words : {"two proximal boxes", "The boxes end", "axial walls", "their mesiodistal depth"})
+          EXPECT_EQ(says("en", words), two) << key << ": " << words;
+        for (const char* words : {"a proximal box", "The box ", "axial wall in", "its mesiodistal depth", "the contact is broken"})
+          EXPECT_EQ(says("en", words), !two && (beyond == 0.0 || std::string_view(words) != "the contact is broken")) << key << ": " << words;
+        for (const char* words : {"zwei approximale Kästen", "Die Kästen enden", "axialen Wände", "ihre mesiodistale Tiefe"})
+          EXPECT_EQ(says("de", words), two) << key << ": " << words;
+        for (const char* words : {"einen approximalen Kasten", "Der Kasten", "axialen Wand", "seine mesiodistale Tiefe"})
+          EXPECT_EQ(says("de", words), !two) << key << ": " << words;
+      }
 }
 
 TEST(Templates, NameTheDefaultsThatTheyTake) {
@@ -279,12 +315,20 @@ TEST(Templates, RefuseWhatTheyCannotFit) {
                                                {"class-1-adhesive", 36, {{"dept", 2}}, FitError::unknown_parameter, "dept"},
                                                {"class-1-adhesive", 36, {{"depth", 9}}, FitError::out_of_range, "depth"},
                                                {"class-1-adhesive", 36, {{"depth", NAN}}, FitError::out_of_range, "depth"},
+                                               {"class-2-adhesive", 36, {{"distal", 0.5}}, FitError::out_of_range, "distal"},
+                                               {"caries-proximal", 46, {{"distal", 0.5}}, FitError::out_of_range, "distal"},
                                                {"class-2-adhesive", 36, {{"mesial", 0}}, FitError::does_not_fit, "/target/paths"}}) {
     const auto scenario = fitted(r.key, r.fdi, r.values);
     ASSERT_FALSE(scenario) << r.key << " " << r.fdi;
     EXPECT_EQ(scenario.error().code, r.code) << r.key << " " << r.fdi << ": " << text_of(scenario.error());
     EXPECT_EQ(scenario.error().where, r.where);
   }
+}
+
+TEST(Templates, TellARidgeThatLeavesNoRoomFromAMissingFissure) {
+  const auto scenario = fitted("class-1-adhesive", 25, {{"ridge", 3.5}});
+  ASSERT_FALSE(scenario);
+  EXPECT_EQ(text_of(scenario.error()), "missing_landmark central* no_room");
 }
 
 TEST(Expression, Reckons) {
