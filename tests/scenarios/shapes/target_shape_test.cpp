@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 
+#include "scenarios/shapes/outline_size.h"
 #include "scenarios/shapes/place.h"
 #include "scenarios/shapes/target.h"
 #include "tests/modules.h"
@@ -43,6 +46,27 @@ bool inside_by_definition(const Outline& t, Vec3 p) {
   if (u > 0.0 || z < 0.0) return false;
   if (z >= r || u <= -r) return true;
   return (u + r) * (u + r) + (r - z) * (r - z) <= r * r;
+}
+
+/// Sizes that a formula gives, to the raster's 2 %.
+TEST(OutlineSize, IsFloorAndWallOfTheOutlineByItself) {
+  const double length = std::hypot(5.0, 1.0), width = 1.6, round = std::numbers::pi * width;
+  const OutlineSize slot = size_of(channel());
+  EXPECT_NEAR(slot.floor_mm2, length * width + 0.25 * round * width, 0.02 * slot.floor_mm2);
+  EXPECT_NEAR(slot.wall_mm2, 2.0 * (2.0 * length + round), 0.02 * slot.wall_mm2);
+  const OutlineSize rectangle = size_of(box());
+  EXPECT_NEAR(rectangle.floor_mm2, 10.0, 0.2);
+  EXPECT_NEAR(rectangle.wall_mm2, 26.0, 0.52);
+  Outline twice = channel();
+  twice.shape = "outline";
+  twice.paths.push_back(twice.paths.front());
+  EXPECT_NEAR(size_of(twice).floor_mm2, slot.floor_mm2, 1e-9) << "what two slots share counts once";
+  Outline leaning = channel();
+  leaning.taper_deg = {10, 10, 10, 10};
+  EXPECT_EQ(size_of(leaning).floor_mm2, slot.floor_mm2) << "where it is narrowest";
+  Outline none = channel();
+  none.paths.clear();
+  EXPECT_EQ(size_of(none).floor_mm2, 0.0);
 }
 
 TEST(OutlineShape, TheSignIsTheDefinitionOfTheShape) {
