@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/shapes/outline_size.h"
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/templates/outline_paths.h"
 #include "scenarios/templates/scope.h"
@@ -18,6 +19,25 @@ using Json = nlohmann::ordered_json;
 /// Hundredths of a millimetre: what a bur can keep, and a file can be read in.
 double rounded(double value) noexcept { return std::floor(100.0 * value + 0.5) / 100.0; }
 
+/// Adds floor and wall of each outline along lines within `region`.
+void add_outlines(const Json& region, Scope& scope) {
+  if (!region.is_object()) return;
+  if (region.value("shape", "") == "outline" && region.contains("paths")) {
+    Outline outline;
+    outline.shape = "outline";
+    outline.width_mm = region.at("width_mm").get<double>();
+    outline.depth_mm = region.at("depth_mm").get<double>();
+    for (const Json& path : region.at("paths")) {
+      auto& line = outline.paths.emplace_back();
+      for (const Json& p : path) line.emplace_back(p.at(0).get<double>(), p.at(1).get<double>(), 0.0);
+    }
+    const OutlineSize size = size_of(outline);
+    scope["outline.floor"] += size.floor_mm2;
+    scope["outline.wall"] += size.wall_mm2;
+  }
+  for (const Json& part : region.value("parts", Json::array())) add_outlines(part, scope);
+}
+
 /// A target with a name that follows a groove which the tooth has not.
 bool is_missing(const Json& region) { return region.is_object() && region.contains("name") && region.contains("paths") && region.at("paths").empty(); }
 
@@ -25,7 +45,8 @@ class Filler {
  public:
   Filler(const ToothLandmarks& landmarks, Scope scope) : landmarks_(landmarks), scope_(std::move(scope)) {}
 
-  /// The template's target on the tooth. Adds has.NAME to the scope for each part that has a name: whether the tooth has it.
+  /// The template's target on the tooth. Adds to the scope has.NAME for each part that has a name: whether the tooth has it; and
+  /// outline.floor and outline.wall (mm²) of all outlines along lines.
   Json target(const Json& node);
 
   /// Strings at `keys_kept` stay; every other one is an expression.
@@ -129,6 +150,7 @@ Json Filler::target(const Json& node) {
   Json out = filled(node, "/target");
   const std::set<std::string> found = named(out);
   for (const std::string& name : named(node)) scope_["has." + name] = found.contains(name) ? 1.0 : 0.0;
+  add_outlines(out, scope_);
   return out;
 }
 
