@@ -94,7 +94,7 @@ class EditorModel : public QObject {
   bool set_shape(const std::string& shape);                             // keeps place, size and depth
   /// If its floor is the pulpal floor, moves the bands of depth criteria too, so that an exact cut still earns full points.
   bool set_depth_mm(double mm);
-  bool set_width_mm(double mm);
+  bool set_width_mm(double mm);  // the bands of the isthmus likewise
   bool set_top_mm(double mm);
   bool set_corner_radius_mm(double mm);
   bool set_box_size_mm(double x, double y);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/target.h"
@@ -27,6 +28,23 @@ void bounds(const Outline& target, Vec3& low, Vec3& high) {
 bool has_pulpal_floor(const Region& outline) {
   const auto floor = outline.faces.find("floor");
   return floor == outline.faces.end() || floor->second == FaceName::pulpal_floor;
+}
+
+/// Moves the bands of each measurement that begins with `metric`: of the named target that `part` lies in, else of the whole.
+void move_bands(Scenario& s, const PartPath& part, std::string_view metric, double by_mm) {
+  const std::string own = part.empty() ? std::string() : part_at(s.target, {part.front()})->name;
+  for (Criterion& c : s.rubric.criteria) {
+    const auto [measured, target] = scenarios::split_metric(c.metric);
+    if (!measured.starts_with(metric) || target != own) continue;
+    Bands& b = c.bands;
+    // A side with three equal edges is open and has no bands to move.
+    if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
+      for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by_mm);
+    }
+    if (b.fail_hi != b.ideal_hi || b.acc_hi != b.ideal_hi) {
+      for (double* edge : {&b.ideal_hi, &b.acc_hi, &b.fail_hi}) *edge = tidy(*edge + by_mm);
+    }
+  }
 }
 
 }  // namespace
@@ -125,24 +143,16 @@ bool EditorModel::set_depth_mm(double mm) {
     t.depth_mm = mm;
     settle_on_floor(t);
     if (!std::isfinite(by) || !has_pulpal_floor(*part_at(s.target, part_))) return;
-    const Region* own = part_.empty() ? nullptr : part_at(s.target, {part_.front()});
-    for (Criterion& c : s.rubric.criteria) {
-      const auto [metric, target] = scenarios::split_metric(c.metric);
-      if (!metric.starts_with("depth_") || target != (own == nullptr ? std::string() : own->name)) continue;
-      Bands& b = c.bands;
-      // A side with three equal edges is open and has no bands to move.
-      if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
-        for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by);
-      }
-      if (b.fail_hi != b.ideal_hi || b.acc_hi != b.ideal_hi) {
-        for (double* edge : {&b.ideal_hi, &b.acc_hi, &b.fail_hi}) *edge = tidy(*edge + by);
-      }
-    }
+    move_bands(s, part_, "depth_", by);
   });
 }
 
 bool EditorModel::set_width_mm(double mm) {
-  return edit_outline(tr("Width"), u"width"_qs, [&](Scenario&, Outline& t) { t.width_mm = mm; });
+  return edit_outline(tr("Width"), u"width"_qs, [&](Scenario& s, Outline& t) {
+    const double by = mm - t.width_mm;
+    t.width_mm = mm;
+    if (std::isfinite(by) && has_pulpal_floor(*part_at(s.target, part_))) move_bands(s, part_, "isthmus_width", by);
+  });
 }
 
 bool EditorModel::set_top_mm(double mm) {

@@ -199,5 +199,36 @@ TEST_F(TwoShapes, The_criteria_to_add_name_the_target) {
   EXPECT_LT(metrics->findData(QStringLiteral("time@mesial_pit")), 0);
 }
 
+/// The template's own bands are expressions of the same floor and wall.
+TEST(FirstBands, Grow_with_the_outlines_floor_and_wall_and_move_with_its_width) {
+  const Scenario premolar = *load_builtin("class-1-25");
+  ASSERT_EQ(premolar.target.kind, RegionKind::outline);
+  for (const Criterion& c : premolar.rubric.criteria) {
+    if (!c.metric.starts_with("overcut_") && c.metric != "isthmus_width") continue;
+    const Bands first = first_bands(c.metric, premolar.target, 25);
+    EXPECT_NEAR(first.ideal_hi, c.bands.ideal_hi, 0.02 + 0.02 * c.bands.ideal_hi) << c.metric;
+    EXPECT_NEAR(first.fail_hi, c.bands.fail_hi, 0.02 + 0.02 * c.bands.fail_hi) << c.metric;
+    EXPECT_EQ(first.ideal_lo, c.bands.ideal_lo) << c.metric;
+  }
+  Region wide = premolar.target;
+  wide.outline.width_mm = 1.6;
+  EXPECT_NEAR(first_bands("isthmus_width", wide, 25).ideal_lo, 1.4, 1e-9);
+  wide.kind = RegionKind::box;
+  EXPECT_NEAR(first_bands("isthmus_width", wide, 25).ideal_lo, 0.8, 1e-9) << "a box has no width of its own";
+}
+
+TEST(Width, Of_an_outline_moves_the_bands_of_its_isthmus_in_one_step) {
+  EditorStart start;
+  start.draft = *load_builtin("class-1-25");
+  EditorModel model(start);
+  const Scenario before = model.scenario();
+  ASSERT_TRUE(model.set_width_mm(1.3));
+  const auto isthmus = std::ranges::find(model.scenario().rubric.criteria, "isthmus_width", &Criterion::metric);
+  ASSERT_NE(isthmus, model.scenario().rubric.criteria.end());
+  EXPECT_EQ(isthmus->bands, (Bands{0.8, 1.0, 1.1, 1.5, 1.8, 2.3}));
+  model.stack().undo();
+  EXPECT_EQ(model.scenario(), before);
+}
+
 }  // namespace
 }  // namespace cusp::test
