@@ -223,7 +223,7 @@ QStringList burs_used_text(const ReportData& data) {
     QStringList spans;
     int more = 0;
     for (const BurSpan& span : data.burs) {
-      if (span.bur != i) continue;
+      if (span.bur != i || span.cutting_us == 0) continue;
       if (spans.size() == kMostSpans) {
         ++more;
         continue;
