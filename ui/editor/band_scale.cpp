@@ -18,6 +18,16 @@ double to_kept(double value) { return std::round(value * kKeptDigits) / kKeptDig
 
 }  // namespace
 
+Bands with_edges(Bands bands, const std::function<double(double)>& change) {
+  const bool ends_low = bands.fail_lo == bands.ideal_lo && bands.acc_lo == bands.ideal_lo;
+  const bool ends_high = bands.fail_hi == bands.ideal_hi && bands.acc_hi == bands.ideal_hi;
+  for (std::size_t i = 0; i < kBandEdges.size(); ++i) {
+    double& edge = bands.*kBandEdges[i];
+    if (!(i < 3 ? ends_low : ends_high)) edge = to_kept(change(edge));
+  }
+  return bands;
+}
+
 double band_step(std::string_view unit) noexcept {
   if (unit == "mm" || unit == "mm3") return 0.05;
   if (unit == "N" || unit == "K") return 0.1;

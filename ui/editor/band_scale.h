@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -18,6 +19,9 @@ namespace cusp::ui {
 inline constexpr std::array kBandEdges = {&Bands::fail_lo,  &Bands::acc_lo, &Bands::ideal_lo,
                                           &Bands::ideal_hi, &Bands::acc_hi, &Bands::fail_hi};
 inline constexpr std::array kBandEdgeShares = {0.0, 0.5, 1.0, 1.0, 0.5, 0.0};
+
+/// Each edge changed, rounded to 0.0001. A side whose three edges coincide is a natural end and stays.
+[[nodiscard]] Bands with_edges(Bands bands, const std::function<double(double)>& change);
 
 /// What an edge is snapped to: 0.05 mm as the handles on the tooth [M].
 [[nodiscard]] double band_step(std::string_view unit) noexcept;

@@ -4,6 +4,7 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/target.h"
+#include "ui/editor/band_scale.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/target_handles.h"
 
@@ -36,14 +37,7 @@ void move_bands(Scenario& s, const PartPath& part, std::string_view metric, doub
   for (Criterion& c : s.rubric.criteria) {
     const auto [measured, target] = scenarios::split_metric(c.metric);
     if (!measured.starts_with(metric) || target != own) continue;
-    Bands& b = c.bands;
-    // A side with three equal edges is open and has no bands to move.
-    if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
-      for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by_mm);
-    }
-    if (b.fail_hi != b.ideal_hi || b.acc_hi != b.ideal_hi) {
-      for (double* edge : {&b.ideal_hi, &b.acc_hi, &b.fail_hi}) *edge = tidy(*edge + by_mm);
-    }
+    c.bands = with_edges(c.bands, [by_mm](double edge) { return edge + by_mm; });
   }
 }
 

@@ -14,6 +14,7 @@
 #include "scenarios/grading/default_bands.h"
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/outline_size.h"
+#include "ui/editor/band_scale.h"
 #include "ui/editor/bands_form.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/operator_job.h"
@@ -26,7 +27,6 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kUsualWidthMm = 1.0;  // of the isthmus that default_bands() is about
 constexpr double kOpenEnd = 1000;  // beyond what an attempt can reach in any unit
 
 bool has_tissue(const Scenario& s, Tissue tissue) {
@@ -40,25 +40,17 @@ const Region& target_of(const Region& whole, std::string_view name) {
   return whole;
 }
 
-/// Each edge that costs points, changed and rounded to `per_unit` parts of its unit.
-template <class Change>
-Bands changed(Bands bands, double per_unit, const Change& change) {
-  const bool open_low = bands.fail_lo == bands.ideal_lo && bands.acc_lo == bands.ideal_lo;
-  for (std::size_t i = open_low ? 3 : 0; i < kBandEdges.size(); ++i)
-    bands.*kBandEdges[i] = std::round(change(bands.*kBandEdges[i]) * per_unit) / per_unit;
-  return bands;
+Bands shifted(const Bands& bands, double by) {
+  return with_edges(bands, [by](double edge) { return edge + by; });
 }
 
 /// A pattern's bands for another outline. Depths move with its depth; over-cut is volume, and grows with the floor or wall it lies on.
 Bands moved(const Bands& bands, const std::string& metric, const Outline& target, const Outline& pattern) {
-  if (metric.starts_with("depth_")) {
-    const double by = target.depth_mm - pattern.depth_mm;
-    return changed(bands, 1e4, [by](double edge) { return edge + by; });
-  }
+  if (metric.starts_with("depth_")) return shifted(bands, target.depth_mm - pattern.depth_mm);
   if (!metric.starts_with("overcut_")) return bands;
   const OutlineSize here = size_of(target), there = size_of(pattern);
   const double by = metric.ends_with("_floor") ? here.floor_mm2 / there.floor_mm2 : here.wall_mm2 / there.wall_mm2;
-  return by > 0.0 ? changed(bands, 100, [by](double edge) { return edge * by; }) : bands;
+  return by > 0.0 ? with_edges(bands, [by](double edge) { return std::round(100.0 * edge * by) / 100.0; }) : bands;
 }
 
 }  // namespace
@@ -68,8 +60,7 @@ Bands first_bands(const std::string& of, const Region& whole, int fdi) {
   const Region& target = target_of(whole, split_metric(of).target);
   if (const auto offered = default_bands(metric, fdi)) {
     if (metric != "isthmus_width" || target.kind != RegionKind::outline) return *offered;
-    const double by = target.outline.width_mm - kUsualWidthMm;
-    return changed(*offered, 100, [by](double edge) { return edge + by; });
+    return shifted(*offered, target.outline.width_mm - 0.5 * (offered->ideal_lo + offered->ideal_hi));
   }
   for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
     const auto known = load_builtin(key);
