@@ -33,7 +33,11 @@ def keys():
 
 
 def text_of(key):
-    return subprocess.run([TEXT, key], check=True, capture_output=True, text=True).stdout
+    text = subprocess.run([TEXT, key], check=True, capture_output=True, text=True).stdout
+    source = HERE.parent / "library" / key / "scenario.json"
+    if source.exists() and json.loads(source.read_text()) != json.loads(text):
+        sys.exit(f"{TEXT} was built before {source} changed: build cusp-library-text")
+    return text
 
 
 def voxel_of(key):
