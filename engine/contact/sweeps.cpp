@@ -21,6 +21,8 @@ Sweeps::Sweeps(Vec3 middle, std::size_t room) : middle_(middle), room_(room) {
   // Four lanes read up to four places beyond a run.
   for (std::vector<float>* axis : {&x_, &y_, &z_}) axis->assign(room + 8, 0.0f);
   by_.assign(room + 8, 0);
+  marks_.assign(room / 64 + 1, 0);
+  before_.assign(room / 64 + 1, 0);
   radii_.reserve(kMostRadii);
 }
 
@@ -59,6 +61,61 @@ std::int32_t Sweeps::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
   sealed_ = false;
   settle();
   return count_ - 1;
+}
+
+bool Sweeps::wants_room() const noexcept {
+  const auto used = static_cast<std::size_t>(count_);
+  return room_ > 0 && used >= room_ / 4 * 3 && used - static_cast<std::size_t>(left_) >= room_ / 16;
+}
+
+/// Marks kBeside sweeps to each side of the marked ones, up to the ends of their ways.
+void Sweeps::widen_marks() noexcept {
+  int more = 0;
+  std::uint8_t way = kGap;
+  const auto visit = [&](std::int32_t id) {
+    const std::uint8_t by = by_[static_cast<std::size_t>(id)];
+    if (by != way) more = 0;
+    way = by;
+    if (marked(id)) {
+      more = kBeside;
+    } else if (by != kGap && more > 0) {
+      --more;
+      mark(id);
+    }
+  };
+  for (std::int32_t id = 0; id < count_; ++id) visit(id);
+  // What the first pass marked lies behind a marked sweep, so before it nothing more is marked than before that one.
+  more = 0;
+  way = kGap;
+  for (std::int32_t id = count_ - 1; id >= 0; --id) visit(id);
+}
+
+void Sweeps::drop_unmarked() noexcept {
+  widen_marks();
+  std::int32_t left = 0;  // never beyond id: a run of kept sweeps takes one place more than it has, and so it did before
+  for (std::int32_t id = 0; id < count_; ++id) {
+    const auto i = static_cast<std::size_t>(id);
+    if (id % 64 == 0) before_[i / 64] = left > 0 ? left + 1 : 0;
+    if (!marked(id)) continue;
+    const Vec3f from(x_[i], y_[i], z_[i]), to(x_[i + 1], y_[i + 1], z_[i + 1]);
+    const std::uint8_t by = by_[i];
+    if (left > 0 && !marked(id - 1)) by_[static_cast<std::size_t>(left++)] = kGap;
+    put(static_cast<std::size_t>(left++), from, by);
+    put(static_cast<std::size_t>(left), to, by);
+  }
+  count_ = left_ = left;
+  open_ = sealed_ = false;
+  settled_ = Hash64();
+  hashed_ = 0;
+  settle();
+}
+
+std::int32_t Sweeps::renumbered(std::int32_t id) const noexcept {
+  const auto word = static_cast<std::size_t>(id) / 64;
+  const std::uint64_t kept = marks_[word], bit = std::uint64_t{1} << (id % 64);
+  const std::uint64_t last = word > 0 ? marks_[word - 1] >> 63 : 0;
+  const std::uint64_t first_of_run = kept & ~(kept << 1 | last);
+  return before_[word] + std::popcount(kept & (bit - 1)) + std::popcount(first_of_run & (bit | (bit - 1))) - 1;
 }
 
 SweepRun Sweeps::about(std::int32_t id, int before, int after) const noexcept {
@@ -226,6 +283,7 @@ std::uint64_t Sweeps::hash() const noexcept {
   const std::size_t places = count_ == 0 ? 0 : static_cast<std::size_t>(count_) + 1;
   for (std::size_t i = hashed_; i < places; ++i) add_to(out, i);
   for (const double radius : radii_) out.add_double(radius);
+  out.add(static_cast<std::uint64_t>(left_));
   out.add((open_ ? 1 : 0) | (sealed_ ? 2 : 0));
   return out.value();
 }
@@ -236,10 +294,11 @@ std::vector<std::byte> Sweeps::save() const {
     for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::byte>(value >> (8 * i)));
   };
   const std::size_t places = count_ == 0 ? 0 : static_cast<std::size_t>(count_) + 1;
-  out.reserve(6 + 8 * radii_.size() + kEntryBytes * places);
+  out.reserve(10 + 8 * radii_.size() + kEntryBytes * places);
   put((open_ ? 1 : 0) | (sealed_ ? 2 : 0), 1);
   put(radii_.size(), 1);
   for (const double radius : radii_) put(std::bit_cast<std::uint64_t>(radius), 8);
+  put(static_cast<std::uint64_t>(left_), 4);
   put(places, 4);
   for (std::size_t i = 0; i < places; ++i) {
     for (const float value : {x_[i], y_[i], z_[i]}) put(std::bit_cast<std::uint32_t>(value), 4);
@@ -256,17 +315,17 @@ bool Sweeps::load(std::span<const std::byte> bytes) {
     for (int i = 0; i < n; ++i) value |= static_cast<std::uint64_t>(bytes[at++]) << (8 * i);
     return value;
   };
-  count_ = 0;
+  count_ = left_ = 0;
   open_ = sealed_ = false;
   radii_.clear();
   settled_ = Hash64();
   hashed_ = 0;
   if (left() < 2) return false;
   const std::uint64_t open = get(1), radii = get(1);
-  if (open > 3 || radii > kMostRadii || left() < 8 * radii + 4) return false;
+  if (open > 3 || radii > kMostRadii || left() < 8 * radii + 8) return false;
   for (std::uint64_t i = 0; i < radii; ++i) radii_.push_back(std::bit_cast<double>(get(8)));
-  const std::size_t places = get(4);
-  if (places == 1 || places > room_ || left() != kEntryBytes * places) return false;
+  const std::size_t kept = get(4), places = get(4);
+  if (places == 1 || kept > places || places > room_ || left() != kEntryBytes * places) return false;
   for (std::size_t i = 0; i < places; ++i) {
     Vec3f p(0.0f);
     for (int axis = 0; axis < 3; ++axis) p[axis] = std::bit_cast<float>(static_cast<std::uint32_t>(get(4)));
@@ -275,6 +334,7 @@ bool Sweeps::load(std::span<const std::byte> bytes) {
     put(i, p, by);
   }
   count_ = places == 0 ? 0 : static_cast<std::int32_t>(places) - 1;
+  left_ = std::min(static_cast<std::int32_t>(kept), count_);
   open_ = (open & 1) != 0;
   sealed_ = (open & 2) != 0;
   settle();

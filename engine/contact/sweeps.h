@@ -1,8 +1,10 @@
 /// The ways of all balls that have cut: one store of straight sweeps in the order of time. Each voxel near a cut keeps the id
-/// of its nearest sweep (Volume::sweeps_of). Nothing is forgotten; once the store is full, what is cut has no id.
+/// of its nearest sweep (Volume::sweeps_of). sweep_room.h makes room by forgetting what owns no wall. What is cut once the store
+/// is full has no id.
 /// Frame: specimen, mm. Thread: haptic. Wait-free; the constructor takes all memory.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,7 +38,7 @@ struct SweepRun {
 class Sweeps {
  public:
   static constexpr std::int32_t kNone = -1;
-  static constexpr std::size_t kMost = std::size_t{1} << 20;  // 17 minutes at 1,000 a second; a hand makes 250 to 800
+  static constexpr std::size_t kMost = std::size_t{1} << 20;  // a hand makes 150 to 660 a second of cutting
   static constexpr double kStraightMm = 5e-5;  // a way is lengthened while it stays straight to this
   static constexpr double kLongestMm = 0.1;
 
@@ -69,6 +71,17 @@ class Sweeps {
   /// An id of the gap between two ways is no sweep.
   bool gap(std::int32_t id) const noexcept { return by_[static_cast<std::size_t>(id)] == kGap; }
 
+  /// True if three quarters of the store are used, and a sixteenth of it since drop_unmarked().
+  bool wants_room() const noexcept;
+  void clear_marks() noexcept { std::ranges::fill(marks_, 0); }
+  /// drop_unmarked() keeps this sweep, and kBeside to each side of it along its way.
+  void mark(std::int32_t id) noexcept { marks_[static_cast<std::size_t>(id) / 64] |= std::uint64_t{1} << (id % 64); }
+  static constexpr int kBeside = 16;  // CavityWalls looks so far along a way
+  /// Forgets the others. The next add() begins another way.
+  void drop_unmarked() noexcept;
+  /// What the id of a kept sweep has become. Valid until clear_marks().
+  std::int32_t renumbered(std::int32_t id) const noexcept;
+
   /// The run of at most so many sweeps before and after one.
   SweepRun about(std::int32_t id, int before, int after) const noexcept;
 
@@ -99,7 +112,7 @@ class Sweeps {
 
   /// Of all that save() keeps, kept up with each add().
   std::uint64_t hash() const noexcept;
-  /// Little-endian: whether the way goes on, and in another sweep; radii, places.
+  /// Little-endian: whether the way goes on, and in another sweep; radii, how many drop_unmarked() left, places.
   std::vector<std::byte> save() const;
   /// False, and empty, if the bytes are no store or one with more than the room.
   bool load(std::span<const std::byte> bytes);
@@ -119,6 +132,8 @@ class Sweeps {
     z_[i] = p.z;
     by_[i] = by;
   }
+  bool marked(std::int32_t id) const noexcept { return (marks_[static_cast<std::size_t>(id) / 64] >> (id % 64) & 1) != 0; }
+  void widen_marks() noexcept;
   void settle() noexcept;
   void add_to(Hash64& hash, std::size_t i) const noexcept;
   std::uint8_t number_of(double radius_mm) noexcept;
@@ -129,6 +144,9 @@ class Sweeps {
   std::vector<double> radii_;
   std::size_t room_;
   std::int32_t count_ = 0;          // sweeps and gaps
+  std::int32_t left_ = 0;           // of them when drop_unmarked() ended
+  std::vector<std::uint64_t> marks_;     // [id / 64], a bit each
+  std::vector<std::int32_t> before_;     // [id / 64]: sweeps kept before these, and their runs
   Hash64 settled_;                  // of all entries that no add() changes any more
   std::size_t hashed_ = 0;          // how many those are
   bool open_ = false;               // the way goes on

@@ -22,6 +22,7 @@ class SurfaceMethod final : public ContactMethod {
     const Bur& head = state.scene->burs[bur];
     const Vec3 axis = state.scene->tool_axis;
     const bool room = engine::end_stroke(state);
+    make_room_between_strokes(state);
     Carved carved;
     if (head.head.ball()) {
       const std::int32_t id = state.sweeps.add_apart(from_mm, to_mm, head.radius_mm);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/contact/friction.h"
+#include "engine/contact/sweep_room.h"
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
@@ -245,6 +246,7 @@ bool store_way(StepState::Inner& state, const Tick& tick, Vec3 from, Vec3 to, St
     if (state.cut_pending && state.cut_last - state.cut_first + 1 >= kMostAtOnce)
       out.overflow = !queue_sweep(state, out.bur) || out.overflow;
     const std::int32_t id = state.sweeps.add(from, to, bur.radius_mm);
+    out.overflow = id == Sweeps::kNone || out.overflow;
     // Where the store of ways is full, what comes has no id: it is carved apart from what has.
     if (state.cut_pending && (id == Sweeps::kNone) != (state.cut_last == Sweeps::kNone))
       out.overflow = !queue_sweep(state, out.bur) || out.overflow;
@@ -326,6 +328,14 @@ bool end_stroke(StepState::Inner& state) noexcept {
   return room;
 }
 
+void make_room_between_strokes(StepState::Inner& state) noexcept {
+  if (!make_room(state.sweeps, state.volume)) return;
+  state.cut_first = 0;
+  state.cut_last = Sweeps::kNone;
+  state.surface->forget();
+  state.surface->set_cutting(cutting_of(state));
+}
+
 void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept {
   const Scene& scene = *state.scene;
   const Vec3 device = tick.device, before = state.proxy;
@@ -345,6 +355,7 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
     if (contact.active > 0) touched.stiffness_n_per_mm = blended(scene, contact, touched.tissue);
   } else if (state.cut_valid && (!tick.cut || contact.active == 0 || contact.deferred)) {
     out.overflow = !end_stroke(state) || out.overflow;
+    if (contact.active == 0) make_room_between_strokes(state);
   }
 
   out.deferred = contact.deferred;

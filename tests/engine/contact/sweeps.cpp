@@ -44,6 +44,42 @@ TEST(Sweeps, no_place_of_the_way_is_further_than_a_tenth_of_a_micrometre_from_th
   for (int k = 0; k <= kHandTicks; ++k) EXPECT_GT(depth(sweeps, hand(k)), kSweptMm - 1e-4) << k;
 }
 
+TEST(Sweeps, drop_unmarked_keeps_the_marked_ones_and_what_lies_beside_them_on_their_ways) {
+  Sweeps sweeps(Vec3(1.0, 0.3, 0.0), 10000);
+  std::mt19937 random(5);
+  for (int k = 0; k < kHandTicks; ++k) {
+    if (k % 97 == 0) sweeps.break_path();
+    sweeps.add(sweeps.rounded(hand(k)), sweeps.rounded(hand(k + 1)), k % 388 < 200 ? kSweptMm : 0.3);
+  }
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<std::byte> before = sweeps.save();
+    Sweeps fewer(Vec3(1.0, 0.3, 0.0), 10000);
+    ASSERT_TRUE(fewer.load(before));
+    fewer.clear_marks();
+    std::vector<std::int32_t> marked;
+    for (int k = 0; k < 1 + 3 * round; ++k) {
+      const auto id = static_cast<std::int32_t>(random() % static_cast<unsigned>(sweeps.size()));
+      if (sweeps.gap(id)) continue;
+      marked.push_back(id);
+      fewer.mark(id);
+    }
+    fewer.drop_unmarked();
+    EXPECT_LT(fewer.size(), sweeps.size());
+    for (const std::int32_t id : marked) {
+      const SweepRun was = sweeps.about(id, Sweeps::kBeside, Sweeps::kBeside);
+      for (std::int32_t near = was.from; near <= was.to; ++near) {
+        const Sweep a = sweeps[near], b = fewer[fewer.renumbered(near)];
+        EXPECT_TRUE(a.a == b.a && a.b == b.b && a.radius_mm == b.radius_mm) << id << " " << near;
+      }
+      const SweepRun is = fewer.about(fewer.renumbered(id), Sweeps::kBeside, Sweeps::kBeside);
+      EXPECT_EQ(is.to - is.from, was.to - was.from) << "one way without a gap";
+    }
+    Sweeps again(Vec3(1.0, 0.3, 0.0), 10000);
+    ASSERT_TRUE(again.load(fewer.save()));
+    EXPECT_EQ(again.hash(), fewer.hash());
+  }
+}
+
 TEST(Sweeps, of_several_runs_all_are_kept_that_are_nearly_as_deep_as_the_deepest) {
   const Sweeps sweeps = hand_sweeps();
   std::mt19937 random(11);

@@ -134,17 +134,53 @@ StepInput spiral(int k) {
                   CutButton::pressed);
 }
 
+/// Adds short ways of a tiny ball until so many are left. Nothing is carved: no voxel names them.
+void fill(Sweeps& sweeps, int left) {
+  for (int ways = 0; sweeps.size() + left < static_cast<int>(Sweeps::kMost); ++ways) {
+    const Vec3 low(1.7, 1.7, -1.7), high = low + Vec3(1e-4, 0.0, 0.0);
+    sweeps.add_apart(ways % 2 == 0 ? low : high, ways % 2 == 0 ? high : low, 1e-4);
+  }
+  sweeps.break_path();
+}
+
+TEST(SweepRoom, is_made_between_strokes_and_changes_no_answer) {
+  const auto scene = ball_scene();
+  StepState full(scene), empty(scene);
+  for (StepState* state : {&full, &empty}) approach(*state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
+  const auto both = [&](int from, int to) {
+    for (int k = from; k < to; ++k) {
+      // Every stroke ends in the air.
+      const StepInput input = k % 100 < 80 ? spiral(k) : input_at({0.0, 0.0, 2.6});
+      const StepOutput a = step(full, input), b = step(empty, input);
+      ASSERT_FALSE(a.overflow) << k;
+      ASSERT_EQ(a.proxy_mm, b.proxy_mm) << k;
+      ASSERT_EQ(a.force_n, b.force_n) << k;
+    }
+  };
+  both(0, 400);
+  fill(full.inner().sweeps, static_cast<int>(Sweeps::kMost / 4) + 40);
+  both(400, 1200);
+  EXPECT_LT(full.inner().sweeps.size(), 2000) << "what no voxel names is forgotten";
+  EXPECT_EQ(full.volume().hash(), empty.volume().hash());
+  const auto again = StepState::restore(scene, full.save());
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->hash(), full.hash());
+}
+
+TEST(SweepRoom, that_ran_out_in_a_stroke_is_told) {
+  const auto scene = ball_scene();
+  StepState state(scene);
+  approach(state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
+  fill(state.inner().sweeps, 40);
+  int told = 0;
+  for (int k = 0; k < 500; ++k) told += step(state, spiral(k)).overflow;
+  EXPECT_GT(told, 100);
+}
+
 TEST(KeyState, is_whole_where_the_store_of_ways_fills_up_in_a_stroke) {
   const auto scene = ball_scene();
   StepState state(scene);
   approach(state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
-  auto fill = [ways = 0](Sweeps& sweeps, int left) mutable {
-    for (; sweeps.size() + left < static_cast<int>(Sweeps::kMost); ++ways) {
-      const Vec3 low(1.7, 1.7, -1.7), high = low + Vec3(1e-4, 0.0, 0.0);
-      sweeps.add_apart(ways % 2 == 0 ? low : high, ways % 2 == 0 ? high : low, 1e-4);
-    }
-    sweeps.break_path();
-  };
   fill(state.inner().sweeps, 40);
   const std::vector<std::byte> bytes = state.save();
   int filled_amid_a_sweep = 0;
