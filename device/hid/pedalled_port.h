@@ -16,6 +16,7 @@ class PedalledPort final : public HapticPort {
 
   Result<void, PortFailure> open() override { return port_.open(); }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
+  bool over() const noexcept override { return port_.over(); }
   void write(const Feedback& feedback) noexcept override { port_.write(feedback); }
   DeviceLimits limits() const override { return port_.limits(); }
   void close() noexcept override { port_.close(); }

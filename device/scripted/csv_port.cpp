@@ -27,6 +27,7 @@ Result<void, PortFailure> CsvPort::open() {
   next_ = 0;
   open_ = true;
   started_ = false;
+  over_ = false;
   last_ = Sample{};
   return {};
 }
@@ -34,6 +35,7 @@ Result<void, PortFailure> CsvPort::open() {
 Sample CsvPort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
   if (!open_ || next_ >= rows_.size()) {
     if (pacing_ == Pacing::real_time) std::this_thread::sleep_until(deadline);
+    over_ = true;
     last_.status = Sample::Status::gone;
     return last_;
   }

@@ -1,4 +1,5 @@
-/// Plays a CSV trace as a HapticPort: one row per wait(), `gone` after the last.
+/// Plays a CSV trace as a HapticPort: one row per wait(), a loss of the device included. After the last row it is `gone`
+/// and over().
 #pragma once
 
 #include <chrono>
@@ -23,6 +24,8 @@ class CsvPort final : public HapticPort {
   /// not_found, no_permission, io, or bad_file with where "<file>:<line>:<column>" and the TraceError's key in detail.
   Result<void, PortFailure> open() override;
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
+  /// False after a row with the mark of a lost device: the rows after it follow.
+  bool over() const noexcept override { return over_; }
   void write(const Feedback&) noexcept override {}
   DeviceLimits limits() const override;
   void close() noexcept override { open_ = false; }
@@ -36,6 +39,7 @@ class CsvPort final : public HapticPort {
   std::size_t next_ = 0;
   bool open_ = false;
   bool started_ = false;
+  bool over_ = false;  // a wait() found no row
   std::chrono::steady_clock::time_point due_{};  // of row next_
   Sample last_;
 };

@@ -162,10 +162,14 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
 
 Sample sample_of(const TraceRow& row) noexcept {
   Sample sample;
-  sample.status = (row.buttons & kGoneBit) != 0   ? Sample::Status::gone
-                  : (row.buttons & kLateBit) != 0 ? Sample::Status::late
-                                                  : Sample::Status::fresh;
-  sample.position_mm = Vec3(row.x, row.y, row.z) / 1e4;
+  const bool gone = (row.buttons & kGoneBit) != 0, late = (row.buttons & kLateBit) != 0;
+  if (gone != late) {
+    sample.status = gone ? Sample::Status::gone : Sample::Status::late;
+  } else {
+    sample.status = Sample::Status::fresh;
+  }
+  // A position that is no number sets both bits again.
+  sample.position_mm = gone && late ? Vec3(std::numeric_limits<double>::quiet_NaN()) : Vec3(row.x, row.y, row.z) / 1e4;
   sample.orientation = Quat(row.qw / kUnit, row.qx / kUnit, row.qy / kUnit, row.qz / kUnit);
   sample.buttons = static_cast<std::uint16_t>(row.buttons & ~(kGoneBit | kLateBit));
   sample.pedal = row.pedal;

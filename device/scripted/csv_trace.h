@@ -16,7 +16,10 @@ struct TraceRow {
   std::uint32_t elapsed_us = 1000;  // since the row before
   std::int32_t x = 0, y = 0, z = 0;
   std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;
-  std::uint16_t buttons = 0;  // bit 0: cut; bit 15: the device was late; bit 14: it was gone
+  /// Bit 0: cut; bit 1: coolant; bit 13: the guard is re-armed; bit 14: the device was gone; bit 15: it was late.
+  /// Bits 14 and 15: the position was no number. A row with bit 14 repeats the last position, whatever its columns hold.
+  /// In virtual time the row after a fault re-arms without bit 13, too.
+  std::uint16_t buttons = 0;
   std::uint16_t pedal = 0;
   std::uint16_t bur = 0;
   friend bool operator==(const TraceRow&, const TraceRow&) = default;

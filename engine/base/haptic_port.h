@@ -37,7 +37,7 @@ struct Sample {
   Status status = Status::gone;
   Vec3 position_mm{0.0};
   Quat orientation{1.0, 0.0, 0.0, 0.0};
-  std::uint16_t buttons = 0;  // bit 0: cut; bit 1: coolant
+  std::uint16_t buttons = 0;  // bit 0: cut; bit 1: coolant; bit 13: re-arm the guard
   std::uint16_t pedal = 0;    // 0 released to 65535 fully down
   std::uint16_t bur = 0;      // requested bur: index into the scene's burs
 };
@@ -50,6 +50,7 @@ struct Feedback {
   Vec3 normal{0.0, 0.0, 1.0};         // unit direction of the contact force; the last one without contact
   bool in_contact = false;
   bool faulted = false;               // the guard has latched; force is zero until re-armed
+  std::uint16_t bur = 0;              // in use: index into the scene's burs; a device's buttons count from it
 };
 
 /// bad_file: a script or a firmware image; io: every other failure, with the device's key in Failure::detail.
@@ -64,6 +65,9 @@ class HapticPort {
   /// Newest complete sample; `late` repeats the last one, `gone`: the device is lost. Returns by `deadline`; a port
   /// without a clock of its own sleeps until then. Thread: haptic. No allocation. Pre: open() succeeded.
   virtual Sample wait(std::chrono::steady_clock::time_point deadline) noexcept = 0;
+  /// After a `gone` sample: true if no sample follows it. Virtual time then ends. False: a script continues after a loss.
+  /// Thread: of wait().
+  virtual bool over() const noexcept { return true; }
   /// Passes on the force of this tick. Thread: haptic. Never waits; no allocation.
   virtual void write(const Feedback& feedback) noexcept = 0;
   virtual DeviceLimits limits() const = 0;

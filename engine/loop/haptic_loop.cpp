@@ -103,7 +103,7 @@ std::uint64_t VirtualLoop::run(std::uint64_t ticks) noexcept {
     // Deadlines begin at the clock's epoch, long past, so a port that sleeps to its deadline does not sleep.
     now_ += settings_.period;
     const Sample sample = port_.wait(now_);
-    if (sample.status == Sample::Status::gone) {
+    if (sample.status == Sample::Status::gone && port_.over()) {
       ticker_.end(LoopEnd::port_over);
       break;
     }

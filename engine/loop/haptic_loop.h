@@ -65,7 +65,7 @@ class HapticLoop {
 };
 
 /// The same ticks without a thread and without a clock, for `play` and tests. Each tick is `period` long. A `gone`
-/// sample is the port's end. Thread: the caller's.
+/// sample ends it if the port is over(); otherwise it is a tick, and the next tick re-arms. Thread: the caller's.
 class VirtualLoop {
  public:
   VirtualLoop(HapticPort& port, StepState state, const LoopSettings& settings = {});

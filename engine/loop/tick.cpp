@@ -37,6 +37,7 @@ Feedback Ticker::zero_force() const noexcept {
   feedback.stiffness_n_per_mm = output_.stiffness_n_per_mm > 0 ? output_.stiffness_n_per_mm : softest_n_per_mm_;
   feedback.normal = normal_;
   feedback.faulted = output_.faulted;
+  feedback.bur = bur_;
   return feedback;
 }
 
@@ -99,7 +100,7 @@ StepInput Ticker::input_of(const Sample& sample, std::uint32_t elapsed_us) noexc
   StepInput input = quantise(sample, elapsed_us, last_input_);
   input.bur = bur_;
   input.fragment = fragment_name_half();
-  if (rearm_) input.buttons |= StepInput::kRearm;
+  if (rearm_ || (sample.buttons & StepInput::kRearm) != 0) input.buttons |= StepInput::kRearm;
   if (coolant_.load(std::memory_order_acquire)) input.buttons |= StepInput::kCoolant;
   rearm_ = false;
   return input;

@@ -59,7 +59,7 @@ class Ticker {
   Ticker(StepState state, HandOver& hand_over);
 
   /// Haptic thread. Runs the step on the sample and returns the port's feedback. While paused or held the force is zero
-  /// at the last proxy, and nothing is stored. After the end the force is zero.
+  /// at the last proxy, and nothing is stored. After the end the force is zero. Feedback::bur names the next input's bur.
   Feedback tick(const Sample& sample, std::uint32_t elapsed_us) noexcept;
   /// Haptic thread. Publishes the end. Later ticks return zero force.
   void end(LoopEnd why) noexcept;

@@ -1,9 +1,12 @@
 #include "device/scripted/csv_port.h"
+#include "engine/loop/haptic_loop.h"
+#include "tests/engine/loop/block_scene.h"
 #include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -207,6 +210,69 @@ TEST(CsvPort, MarksOfTheRecorderBecomeItsStatusAgain) {
   EXPECT_EQ(sample_of(row).buttons, 1);
   row.buttons = 1u << 14;
   EXPECT_EQ(sample_of(row).status, Sample::Status::gone);
+  row.buttons = 1u << 14 | 1u << 15;
+  EXPECT_TRUE(std::isnan(sample_of(row).position_mm.x));
+}
+
+TEST(CsvPort, IsOverAfterItsLastRowAndNotAfterALoss) {
+  std::vector<TraceRow> rows(3);
+  rows[0].buttons = rows[2].buttons = 1u << 14;
+  CsvPort port(rows, Pacing::at_once);
+  ASSERT_TRUE(port.open());
+  EXPECT_EQ(port.wait({}).status, Sample::Status::gone);
+  EXPECT_FALSE(port.over());
+  EXPECT_EQ(port.wait({}).status, Sample::Status::fresh);
+  EXPECT_EQ(port.wait({}).status, Sample::Status::gone);
+  EXPECT_FALSE(port.over()) << "the last row is a tick of its own";
+  EXPECT_EQ(port.wait({}).status, Sample::Status::gone);
+  EXPECT_TRUE(port.over());
+  ASSERT_TRUE(port.open());
+  EXPECT_FALSE(port.over());
+}
+
+/// The rows that the loop records when it plays the text as `play` does.
+std::vector<TraceRow> recorded_from(const std::string& text) {
+  const auto path = file_with(text);
+  CsvPort port(path, Pacing::at_once);
+  EXPECT_TRUE(port.open());
+  VirtualLoop loop(port, StepState(test::block_scene()));
+  loop.take_elapsed_from([&port, next = std::size_t{0}]() mutable { return port.rows()[next++].elapsed_us; });
+  loop.run(1'000'000);
+  EXPECT_EQ(loop.hand_over().end.load(), LoopEnd::port_over);
+  std::filesystem::remove(path);
+  std::vector<TraceRow> rows;
+  StepInput in;
+  while (loop.hand_over().inputs.pop(in)) {
+    rows.push_back({in.elapsed_us, in.x, in.y, in.z, in.qx, in.qy, in.qz, in.qw, in.buttons, in.pedal, in.bur});
+  }
+  return rows;
+}
+
+TEST(CsvPort, ATraceWithALossInItsMiddleIsPlayedToItsEndAndRecordedToTheSameBits) {
+  std::vector<TraceRow> rows;
+  StepInput in;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    in = quantise(test::drilling_sample(i), 900 + static_cast<std::uint32_t>(i % 3) * 100, in);
+    rows.push_back({in.elapsed_us, in.x, in.y, in.z, in.qx, in.qy, in.qz, in.qw, in.buttons, in.pedal, in.bur});
+  }
+  constexpr std::uint16_t kRearm = StepInput::kRearm, kGone = StepInput::kGone, kNotFinite = StepInput::kNotFinite;
+  const auto mark = [&rows](std::size_t row, std::uint16_t bits) { rows[row].buttons |= bits; };
+  // As a record has them: without a position the last one stands, and the row after a fault re-arms.
+  const auto repeats = [&rows](std::size_t row) { rows[row].x = rows[row - 1].x, rows[row].y = rows[row - 1].y, rows[row].z = rows[row - 1].z; };
+  for (const std::size_t row : {150u, 151u, 152u, 300u, 399u}) repeats(row);
+  mark(150, kGone);
+  mark(151, kGone | kRearm);
+  mark(152, kGone | kRearm);
+  mark(153, kRearm);
+  mark(200, StepInput::kLate);
+  mark(250, kRearm);  // after a pause, without a fault
+  mark(300, kNotFinite);
+  mark(301, kRearm);
+  mark(399, kGone);
+  const std::vector<TraceRow> recorded = recorded_from(text_of(rows));
+  ASSERT_EQ(recorded.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(recorded[i], rows[i]) << i << ": " << recorded[i].buttons << ", not " << rows[i].buttons;
+  EXPECT_EQ(text_of(recorded), text_of(rows));
 }
 
 }  // namespace

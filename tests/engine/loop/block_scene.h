@@ -57,6 +57,13 @@ inline std::shared_ptr<const Scene> block_scene(Method method = Method::surface)
   return scene;
 }
 
+/// The block with so many burs, all alike: for tests of who chooses one.
+inline std::shared_ptr<const Scene> block_scene_with_burs(std::size_t burs) {
+  auto scene = std::make_shared<Scene>(*block_scene());
+  scene->burs.resize(burs, scene->burs.back());
+  return scene;
+}
+
 /// The device after `tick` milliseconds: touches at 20 ms, cuts from 40 ms on, circles 0.5 mm deep until 1.2 mm.
 inline Sample drilling_sample(std::uint64_t tick) {
   const double t = static_cast<double>(tick) * 1e-3;

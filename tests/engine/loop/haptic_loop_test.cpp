@@ -36,6 +36,35 @@ TEST(VirtualLoop, RunsEachSampleOnceAndEndsWithThePort) {
   EXPECT_EQ(drain(loop.hand_over()).size(), 500u);
 }
 
+/// Loses its device from sample 100 to 104, and is over after `ticks` samples.
+class LosingPort final : public DrillingPort {
+ public:
+  explicit LosingPort(std::uint64_t ticks) : DrillingPort(ticks), end_(ticks) {}
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    const Sample sample = DrillingPort::wait(deadline);
+    const std::uint64_t at = at_++;
+    return at >= 100 && at < 105 ? Sample{} : sample;
+  }
+  bool over() const noexcept override { return at_ > end_; }
+
+ private:
+  std::uint64_t end_, at_ = 0;
+};
+
+TEST(VirtualLoop, StepsALossThatThePortOutlivesAndRearmsAfterIt) {
+  LosingPort port(300);
+  VirtualLoop loop(port, StepState(test::block_scene()));
+  EXPECT_EQ(loop.run(10'000), 300u);
+  EXPECT_EQ(loop.hand_over().end.load(), LoopEnd::port_over);
+  EXPECT_FALSE(loop.state().last().faulted);
+  const auto inputs = drain(loop.hand_over());
+  ASSERT_EQ(inputs.size(), 300u);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    EXPECT_EQ((inputs[i].buttons & StepInput::kGone) != 0, i >= 100 && i < 105) << i;
+    EXPECT_EQ((inputs[i].buttons & StepInput::kRearm) != 0, i > 100 && i <= 105) << i;
+  }
+}
+
 TEST(VirtualLoop, WhatItStoredRebuildsItsStateBitForBit) {
   const auto scene = test::block_scene();
   DrillingPort port(400);
@@ -178,6 +207,36 @@ TEST(Ticker, TheLaterChoiceOfABurWins) {
   EXPECT_EQ(bur_after(sample), 0) << "a port that changes its mind does";
   ticker.change_bur(9);
   EXPECT_EQ(bur_after(sample), 0) << "an instrument that the scene lacks is not taken";
+}
+
+TEST(Ticker, ItsFeedbackNamesTheBurInUseAlsoWithoutAForce) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  Sample sample = test::drilling_sample(0);
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 0);
+  ticker.change_bur(1);
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 1);
+  ticker.pause();
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 1);
+  ticker.change_bur(0);
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 0) << "chosen while paused";
+  sample.bur = 1;
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 1);
+  ticker.end(LoopEnd::asked);
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 1);
+}
+
+TEST(Ticker, ARearmOfARecordedMotionStandsInTheRecord) {
+  HandOver hand_over(64);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  Sample sample = test::drilling_sample(0);
+  StepInput input;
+  for (const std::uint16_t mark : {std::uint16_t{0}, StepInput::kRearm, std::uint16_t{0}}) {
+    sample.buttons = mark;
+    ticker.tick(sample, 1000);
+    ASSERT_TRUE(hand_over.inputs.pop(input));
+    EXPECT_EQ(input.buttons, mark);
+  }
 }
 
 TEST(HapticLoop, AtItsEndTheLastForceIsZeroAndItsRecordRebuildsIt) {

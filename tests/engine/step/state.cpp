@@ -167,14 +167,14 @@ TEST(SweepRoom, is_made_between_strokes_and_changes_no_answer) {
   EXPECT_EQ(again->hash(), full.hash());
 }
 
-TEST(SweepRoom, that_ran_out_in_a_stroke_is_told) {
+TEST(SweepRoom, that_ran_out_in_a_stroke_is_flagged) {
   const auto scene = ball_scene();
   StepState state(scene);
   approach(state, {0.0, 0.9, 2.6}, {0.0, 0.9, 1.81});
   fill(state.inner().sweeps, 40);
-  int told = 0;
-  for (int k = 0; k < 500; ++k) told += step(state, spiral(k)).overflow;
-  EXPECT_GT(told, 100);
+  int flagged = 0;
+  for (int k = 0; k < 500; ++k) flagged += step(state, spiral(k)).overflow;
+  EXPECT_GT(flagged, 100);
 }
 
 TEST(KeyState, is_whole_where_the_store_of_ways_fills_up_in_a_stroke) {
