@@ -91,6 +91,7 @@ Result<void, PortFailure> FalconPort::open() {
   pose_.reset();
   reach_.forget();
   last_ = Sample{};
+  pressed_ = false;
   open_ = true;
   for (;;) {
     const bool homing = session_.phase() == Phase::homing;
@@ -145,8 +146,10 @@ void FalconPort::take_buttons(std::uint8_t bits) noexcept {
     if (ticks > kPressTicks) return false;
     return ++ticks == kPressTicks;
   };
+  const std::uint16_t before = last_.bur;
   if (pressed(does.next_bur, next_ticks_) && last_.bur + 1 < settings_.burs) ++last_.bur;
   if (pressed(does.previous_bur, previous_ticks_) && last_.bur > 0) --last_.bur;
+  pressed_ = pressed_ || last_.bur != before;
 }
 
 Sample FalconPort::fresh() noexcept {
@@ -238,6 +241,8 @@ Sample FalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept
 }
 
 void FalconPort::write(const Feedback& feedback) noexcept {
+  // The first feedback after a press may answer an older sample: only the next one can overrule the press.
+  if (!std::exchange(pressed_, false)) last_.bur = feedback.bur;
   if (!open_ || session_.phase() != Phase::ready) return;
   if (feedback.faulted || !forcing()) {
     session_.command({});

@@ -35,7 +35,7 @@ struct FalconSettings {
   falcon::GravityCalibration gravity{};
   falcon::WorkspaceSettings workspace{};
   FalconButtons buttons{};
-  std::uint16_t burs = 1;  // number of burs in the scene; the buttons stop at the ends
+  std::uint16_t burs = 1;  // number of burs in the scene; the buttons count from Feedback::bur and stop at the ends
   std::string name = "Novint Falcon";
   std::string device_class = "falcon";
   double max_force_n = 4.4;             // in any direction, anywhere within 40 mm of the axis and z 0.080 to 0.170 m
@@ -113,6 +113,7 @@ class FalconPort final : public HapticPort {
   bool repeated_ = false;  // this period's packet left without a new force
   std::uint8_t next_ticks_ = 0, previous_ticks_ = 0;
   bool clutch_ = false;  // of the newest accepted position
+  bool pressed_ = false;  // a button changed last_.bur since the last write()
   Sample last_;
   bool open_ = false;
   std::atomic<bool> cancelled_{false};

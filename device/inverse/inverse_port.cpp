@@ -7,6 +7,7 @@
 #include <optional>
 #include <semaphore>
 #include <thread>
+#include <utility>
 
 #include "engine/base/triple_buffer.h"
 
@@ -36,6 +37,7 @@ struct NewestReading {
 struct Wanted {
   Vec3 force_n{0.0};
   LinkTime at{};
+  LinkTime ramp_from{};  // of the last write without a force
 };
 
 }  // namespace
@@ -68,6 +70,8 @@ struct InversePort::Inner {
   Vec3 origin_mm{0.0};
   bool held = false;
   std::uint8_t next_ticks = 0;
+  bool pressed = false;  // the button changed last.bur since the last write()
+  LinkTime ramp_from{};  // the last write without a force
   Sample last;
 
   Vec3 to_specimen(Vec3 device) const noexcept {
@@ -106,7 +110,7 @@ void InversePort::Inner::exchange() {
     }
     if (const Wanted& want = wanted.read(); want.at != commanded) {
       commanded = want.at;
-      session.command(want.force_n, want.at);
+      session.command(want.force_n, want.at, want.ramp_from);
     }
     if (auto message = session.take_message(now)) link->send(std::move(*message));
     const inverse::LinkEvent event = link->wait(std::min(session.due(), now + kLongestWait));
@@ -151,7 +155,7 @@ Result<void, PortFailure> InversePort::open() {
   in.centre_m.reset();
   in.rest.reset();
   in.origin_mm = in.settings.origin_mm;
-  in.held = false;
+  in.held = in.pressed = false;
   in.last = Sample{};
   in.view = {};
   in.open = true;
@@ -200,7 +204,10 @@ Sample InversePort::Inner::fresh(const inverse::Reading& reading) noexcept {
   last.buttons = reading.a ? 1 : 0;
   last.pedal = reading.a ? 65535 : 0;
   next_ticks = reading.c ? static_cast<std::uint8_t>(std::min(next_ticks + 1, kPressTicks + 1)) : std::uint8_t{0};
-  if (next_ticks == kPressTicks) last.bur = static_cast<std::uint16_t>((last.bur + 1) % std::max<int>(settings.burs, 1));
+  if (next_ticks == kPressTicks) {
+    last.bur = static_cast<std::uint16_t>((last.bur + 1) % std::max<int>(settings.burs, 1));
+    pressed = true;
+  }
   last.status = Sample::Status::fresh;
   return last;
 }
@@ -230,12 +237,19 @@ Sample InversePort::wait(std::chrono::steady_clock::time_point deadline) noexcep
 
 void InversePort::write(const Feedback& feedback) noexcept {
   Inner& in = *inner_;
+  // The first feedback after a press may answer an older sample: only the next one can overrule the press.
+  if (!std::exchange(in.pressed, false)) in.last.bur = feedback.bur;
   if (!in.open) return;
-  Vec3 force = feedback.faulted || in.held ? Vec3(0.0) : in.to_device(feedback.force_n);
+  const LinkTime now = std::chrono::steady_clock::now();
+  Vec3 force = in.to_device(feedback.force_n);
   const double length = glm::length(force);
-  if (!std::isfinite(length)) force = Vec3(0.0);
-  if (length > in.settings.max_force_n) force *= in.settings.max_force_n / length;
-  in.wanted.write({force, std::chrono::steady_clock::now()});
+  if (feedback.faulted || in.held || !std::isfinite(length)) {
+    force = Vec3(0.0);
+    in.ramp_from = now;
+  } else if (length > in.settings.max_force_n) {
+    force *= in.settings.max_force_n / length;
+  }
+  in.wanted.write({force, now, in.ramp_from});
 }
 
 DeviceLimits InversePort::limits() const {

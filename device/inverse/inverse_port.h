@@ -1,6 +1,6 @@
 /// Haply's Inverse3 through the maker's own service on this computer, as a device of the haptic loop. A thread of its
 /// own exchanges messages with the service; the loop reads the newest reading and writes a force. Buttons of a wireless
-/// handle: a cuts, b holds the bur while the hand moves, c selects the next bur [M].
+/// handle: a cuts, b holds the bur while the hand moves, c selects the bur after the one in use [M].
 /// [M]: from public clients, never tested on a real device.
 #pragma once
 

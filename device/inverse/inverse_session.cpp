@@ -23,7 +23,7 @@ Session::Session(const SessionSettings& settings, std::string device)
 
 void Session::enter(Phase phase, LinkTime now) noexcept {
   state_.phase = phase;
-  since_ = now;
+  since_ = ramp_from_ = now;
   if (phase != Phase::ready) force_n_ = Vec3(0.0);
 }
 
@@ -75,6 +75,7 @@ void Session::advance(const LinkEvent& event, LinkTime now) {
       if (awaits_answer_ && now - asked_ >= settings_.answer) {
         ++state_.silences;
         enter(Phase::silent, now);
+        ask_ = true;  // zero force leaves at once
       }
       break;
     case Phase::greeting:
@@ -133,8 +134,9 @@ void Session::take_text(std::string_view text, LinkTime now) {
   if (state_.phase != Phase::ready) enter(Phase::ready, now);
 }
 
-void Session::command(Vec3 force_n, LinkTime now) noexcept {
+void Session::command(Vec3 force_n, LinkTime now, LinkTime ramp_from) noexcept {
   if (state_.phase != Phase::ready) return;
+  ramp_from_ = std::max(ramp_from_, now - force_at_ > settings_.stale_force ? now : ramp_from);
   const bool finite = std::isfinite(force_n.x) && std::isfinite(force_n.y) && std::isfinite(force_n.z);
   force_n_ = finite ? force_n : Vec3(0.0);
   force_at_ = now;
@@ -149,7 +151,7 @@ Session::LinkRequest Session::take_request(LinkTime now) noexcept {
 
 Vec3 Session::ramped(LinkTime now) const noexcept {
   if (state_.phase != Phase::ready || now - force_at_ > settings_.stale_force) return Vec3(0.0);
-  const double share = std::chrono::duration<double>(now - since_) / std::chrono::duration<double>(settings_.ramp);
+  const double share = std::chrono::duration<double>(now - ramp_from_) / std::chrono::duration<double>(settings_.ramp);
   return force_n_ * std::clamp(share, 0.0, 1.0);
 }
 

@@ -6,7 +6,7 @@
 ///     └──── pause ◄────┴───────────────── closed, service gone ◄───────┘
 ///
 /// The service sends one message unasked, then one in answer to each message [M]. Force is zero in every phase but ready,
-/// and rises over `ramp` there.
+/// and rises over `ramp` there. A message of zero force leaves as soon as silence begins.
 #pragma once
 
 #include <chrono>
@@ -38,7 +38,7 @@ struct SessionSettings {
   std::chrono::milliseconds repeat{100};   // asks again after this
   std::chrono::milliseconds give_up{2000}; // silence: the link is closed and opened again
   std::chrono::milliseconds pause{500};    // before it is opened again
-  std::chrono::milliseconds ramp{500};     // of the force, whenever ready begins
+  std::chrono::milliseconds ramp{500};     // of the force: after ready begins, a stale force or ramp_from of command()
   std::chrono::milliseconds stale_force{20};  // a force that was not renewed for this long is zero
   int garbage = 50;                        // unparsable messages in a row: the link is closed and opened again
 };
@@ -61,8 +61,9 @@ class Session {
 
   /// Takes one event; `time` if nothing happened.
   void advance(const LinkEvent& event, LinkTime now);
-  /// Sets the force in the device's frame; ignored unless ready.
-  void command(Vec3 force_n, LinkTime now) noexcept;
+  /// Sets the force in the device's frame; ignored unless ready. The force rises from zero after `ramp_from`, the last
+  /// time without a force, and after commands that paused for longer than stale_force.
+  void command(Vec3 force_n, LinkTime now, LinkTime ramp_from = {}) noexcept;
 
   enum class LinkRequest : std::uint8_t { none, open, close };
   /// Returns each request once.
@@ -88,7 +89,7 @@ class Session {
   LinkRequest request_ = LinkRequest::open;
   bool others_ = false;  // the service has devices, but not the wanted one
   Vec3 force_n_{0.0};
-  LinkTime force_at_{}, since_{}, received_{}, asked_{};
+  LinkTime force_at_{}, ramp_from_{}, since_{}, received_{}, asked_{};
   bool awaits_answer_ = false, ask_ = false;
   int garbage_ = 0;
 };

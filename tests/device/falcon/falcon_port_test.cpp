@@ -1,6 +1,7 @@
 // The port as the loop sees it, closed over an emulated Falcon that a hand holds, at 1 kHz in a time of its own: place,
 // force, pace and buttons. What goes wrong is in falcon_port_doubt_test.cpp.
 #include "device/falcon/falcon_port.h"
+#include "engine/loop/tick.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include "tests/device/counted_new.h"
 #include "tests/device/falcon/port_bench.h"
 #include "tests/device/toy_tissue.h"
+#include "tests/engine/loop/block_scene.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -199,12 +201,13 @@ TEST(FalconPort, buttons_cut_and_change_the_bur_once_a_press) {
   Bench bench({.firmware_running = true}, settings);
   ASSERT_TRUE(bench.port->open());
   ASSERT_TRUE(bench.home());
-  const auto press = [&bench](std::uint8_t button, int ticks) {
+  Feedback felt;  // of an engine that takes every bur, a tick late
+  const auto press = [&bench, &felt](std::uint8_t button, int ticks) {
     bench.falcon.set_buttons(button);
-    for (int i = 0; i < ticks; ++i) bench.tick();
+    for (int i = 0; i < ticks; ++i) felt.bur = bench.tick(felt).bur;
     bench.falcon.set_buttons(0);
-    for (int i = 0; i < 4; ++i) bench.tick();
-    return bench.tick().bur;
+    for (int i = 0; i < 4; ++i) felt.bur = bench.tick(felt).bur;
+    return bench.tick(felt).bur;
   };
   EXPECT_EQ(press(falcon::status::kPlus, 5), 0);    // a bounce
   EXPECT_EQ(press(falcon::status::kPlus, 300), 1);  // held: one bur on
@@ -216,6 +219,92 @@ TEST(FalconPort, buttons_cut_and_change_the_bur_once_a_press) {
   const Sample sample = bench.tick();
   EXPECT_EQ(sample.buttons, 1);
   EXPECT_EQ(sample.pedal, 65535);
+}
+
+/// Whether a tick's feedback reaches the port in that tick, as in the loop, or a tick later.
+enum class Answer : std::uint8_t { same_tick, next_tick };
+
+/// A port whose buttons and an engine whose screen choose among five burs.
+struct BurBench {
+  explicit BurBench(Answer a) : answer(a), bench({.firmware_running = true}, with_burs()) {
+    EXPECT_TRUE(bench.port->open());
+    EXPECT_TRUE(bench.home());
+  }
+  static FalconSettings with_burs() {
+    FalconSettings settings;
+    settings.burs = 5;
+    return settings;
+  }
+  void begin(std::uint16_t bur) {
+    StepState state(test::block_scene_with_burs(5));
+    StepInput input = quantise(bench.tick(), 1000, {});
+    input.bur = bur;
+    step(state, input);
+    ticker.emplace(std::move(state), hand_over);
+  }
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      const Feedback felt = ticker->tick(bench.port->wait(bench.in(2ms)), 1000);
+      bench.port->write(answer == Answer::same_tick ? felt : before);
+      before = felt;
+    }
+  }
+  std::uint16_t bur() {
+    run(5);
+    EXPECT_EQ(hand_over.phase.load(), LoopPhase::running);
+    return hand_over.latest.read().output.bur;
+  }
+  std::uint16_t press(std::uint8_t button) {
+    bench.falcon.set_buttons(button);
+    run(60);
+    bench.falcon.set_buttons(0);
+    return bur();
+  }
+  std::uint16_t choose(std::uint16_t index) {
+    ticker->change_bur(index);
+    return bur();
+  }
+
+  Answer answer;
+  Bench bench;
+  HandOver hand_over{1 << 14};
+  std::optional<Ticker> ticker;
+  Feedback before;
+};
+
+TEST(FalconPort, its_buttons_count_from_the_bur_that_the_screen_or_the_session_chose) {
+  constexpr std::uint8_t kNext = falcon::status::kPlus, kPrevious = falcon::status::kMinus;
+  for (const Answer answer : {Answer::same_tick, Answer::next_tick}) {
+    SCOPED_TRACE(answer == Answer::same_tick ? "same tick" : "next tick");
+    BurBench bench(answer);
+    bench.begin(2);  // a resumed session
+    EXPECT_EQ(bench.bur(), 2);
+    EXPECT_EQ(bench.press(kPrevious), 1);
+    EXPECT_EQ(bench.choose(3), 3);
+    EXPECT_EQ(bench.press(kNext), 4);
+    EXPECT_EQ(bench.press(kNext), 4);
+    EXPECT_EQ(bench.press(kPrevious), 3);
+    EXPECT_EQ(bench.choose(0), 0);
+    EXPECT_EQ(bench.press(kPrevious), 0);
+    EXPECT_EQ(bench.press(kNext), 1);
+  }
+}
+
+TEST(FalconPort, a_press_in_the_tick_of_the_screens_choice_leaves_both_with_one_bur) {
+  // The press counts in one of these ticks; the screen chooses in each of them in turn.
+  for (int at = 15; at < 30; ++at) {
+    BurBench bench(Answer::same_tick);
+    bench.begin(2);
+    EXPECT_EQ(bench.bur(), 2);
+    bench.bench.falcon.set_buttons(falcon::status::kPlus);
+    bench.run(at);
+    bench.ticker->change_bur(1);
+    bench.run(40);
+    bench.bench.falcon.set_buttons(0);
+    const std::uint16_t bur = bench.bur();
+    EXPECT_TRUE(bur == 1 || bur == 2) << bur;  // the screen's, or the one after it
+    EXPECT_EQ(bench.press(falcon::status::kPlus), bur + 1) << at;
+  }
 }
 
 TEST(FalconPort, carries_the_weight_that_was_calibrated) {

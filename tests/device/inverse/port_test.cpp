@@ -7,7 +7,9 @@
 #include <thread>
 
 #include "device/inverse/service_probe.h"
+#include "engine/loop/tick.h"
 #include "tests/device/inverse/fake_service.h"
+#include "tests/engine/loop/block_scene.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -115,13 +117,58 @@ TEST(InversePort, the_handle_turns_the_bur_from_where_it_rested_and_its_buttons_
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.bur == 1; }));
 }
 
+TEST(InversePort, its_button_counts_from_the_bur_that_the_screen_or_the_session_chose) {
+  FakeService service;
+  service.set_handle(FakeHandle{});
+  InverseSettings settings = settings_for(service);
+  settings.burs = 5;
+  auto port = make_inverse_port(settings);
+  ASSERT_TRUE(port->open());
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh; }));
+  StepState state(test::block_scene_with_burs(5));
+  StepInput resumed = quantise(tick(*port), 1000, {});
+  resumed.bur = 2;
+  step(state, resumed);
+  HandOver hand_over(1 << 16);
+  Ticker ticker(std::move(state), hand_over);
+  // Both have the bur, for 30 samples on end: past what a press counts after.
+  const auto settles_at = [&](std::uint16_t bur) {
+    int same = 0;
+    for (int i = 0; i < 3000 && same < 30; ++i) {
+      const Sample sample = port->wait(std::chrono::steady_clock::now() + 20ms);
+      const Feedback felt = ticker.tick(sample, 1000);
+      port->write(felt);
+      same = sample.bur != bur || felt.bur != bur ? 0 : same + (sample.status == Sample::Status::fresh ? 1 : 0);
+    }
+    return same == 30;
+  };
+  const auto press_gives = [&](std::uint16_t bur) {
+    service.set_handle(FakeHandle{.c = true});
+    const bool right = settles_at(bur);
+    service.set_handle(FakeHandle{});
+    return right && settles_at(bur);
+  };
+  EXPECT_TRUE(settles_at(2));
+  EXPECT_TRUE(press_gives(3));
+  ticker.change_bur(1);
+  EXPECT_TRUE(settles_at(1));
+  EXPECT_TRUE(press_gives(2));
+  ticker.change_bur(4);
+  EXPECT_TRUE(settles_at(4));
+  EXPECT_TRUE(press_gives(0));  // after the last comes the first
+}
+
 TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
   FakeService service;
   service.set_handle(FakeHandle{});
   service.set_hand({0, 0, 0.1});
-  auto port = make_inverse_port(settings_for(service));
+  InverseSettings settings = settings_for(service);
+  settings.session.ramp = 10s;  // 0.1 N a second: a machine that stalls for less than a second cannot hide a step
+  auto port = make_inverse_port(settings);
   ASSERT_TRUE(port->open());
   ASSERT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {1, 2, 3}); }));
+  const auto pushes = [&service](const Sample&) { return service.force_n().x > 0.1; };
+  ASSERT_TRUE(eventually(*port, pushes, {1, 0, 0}));
   service.set_handle(FakeHandle{.b = true});
   ASSERT_TRUE(eventually(*port, [&](const Sample&) { return service.force_n() == Vec3(0.0) && service.messages() > 100; }, {1, 0, 0}));
   service.set_hand({0.03, 0, 0.1});
@@ -131,7 +178,10 @@ TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
     return port->view().session.readings > before + 100;
   }));
   service.set_handle(FakeHandle{});
-  ASSERT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {1, 0, 0}); }, {1, 0, 0}));
+  double first = 0;
+  ASSERT_TRUE(eventually(*port, [&](const Sample&) { return (first = service.force_n().x) > 0; }, {1, 0, 0}));
+  EXPECT_LT(first, 0.1) << "it rises anew";
+  EXPECT_TRUE(eventually(*port, pushes, {1, 0, 0}));
   service.set_hand({0.031, 0, 0.1});
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {2, 2, 3}); }));
 }

@@ -56,6 +56,16 @@ struct Rig {
   }
 };
 
+/// What the hand feels while one newton is wanted: near zero at first, all of it only after the ramp of 500 ms.
+void expect_it_rises_from_zero(Rig& rig) {
+  for (int i = 0; i < 500; ++i) {
+    const double force = rig.exchange().value();
+    ASSERT_LE(force, 0.002 * (i + 1) + 1e-9) << i;  // 1 N in 500 ms, from at most 1 ms before
+  }
+  rig.exchange();
+  EXPECT_DOUBLE_EQ(rig.exchange().value(), 1.0);
+}
+
 TEST(InverseSession, the_first_place_makes_it_ready_and_the_force_rises) {
   Rig rig;
   EXPECT_EQ(rig.phase(), Phase::closed);
@@ -112,8 +122,13 @@ TEST(InverseSession, silence_takes_the_force_away_and_an_answer_lets_it_rise_ane
   rig.pass(1ms);
   EXPECT_EQ(rig.phase(), Phase::silent);
   EXPECT_EQ(rig.session.state().silences, 1u);
-  rig.pass(80ms);  // it is asked again 100 ms after the last message, with no force
   rig.session.command({1, 0, 0}, rig.now);
+  EXPECT_EQ(rig.session.due(), rig.now - 20ms + 1ms);  // nothing waits: one message of no force leaves at once
+  EXPECT_EQ(rig.sent(), 0.0);
+  EXPECT_FALSE(rig.sent());
+  rig.pass(99ms);
+  EXPECT_FALSE(rig.sent());
+  rig.pass(1ms);  // and another 100 ms after it
   EXPECT_EQ(rig.sent(), 0.0);
   rig.event(LinkEvent::Kind::message, place(0.03));
   EXPECT_EQ(rig.phase(), Phase::ready);
@@ -135,6 +150,43 @@ TEST(InverseSession, a_force_that_nobody_renews_is_none) {
     rig.event(LinkEvent::Kind::message, place(0.01));
     rig.now += 1ms;
   }
+}
+
+TEST(InverseSession, after_a_stall_of_the_loop_the_force_rises_anew) {
+  Rig rig;
+  rig.make_ready();
+  for (int i = 0; i < 600; ++i) rig.exchange();
+  for (int i = 0; i < 30; ++i) {  // the service answers on, the loop writes nothing
+    rig.sent();
+    rig.event(LinkEvent::Kind::message, place(0.01));
+    rig.now += 1ms;
+  }
+  EXPECT_EQ(rig.phase(), Phase::ready);
+  expect_it_rises_from_zero(rig);
+}
+
+TEST(InverseSession, after_a_time_without_a_force_it_rises_anew) {
+  Rig rig;
+  rig.make_ready();
+  for (int i = 0; i < 600; ++i) rig.exchange();
+  LinkTime held{};
+  for (int i = 0; i < 100; ++i) {  // the clutch, or a latched guard
+    held = rig.now;
+    rig.session.command({0, 0, 0}, held, held);
+    EXPECT_EQ(rig.sent().value(), 0.0);
+    rig.event(LinkEvent::Kind::message, place(0.01));
+    rig.now += 1ms;
+  }
+  rig.session.command({1, 0, 0}, rig.now, held);
+  EXPECT_NEAR(rig.sent().value(), 0.002, 1e-9);  // 1 ms of 500
+  rig.event(LinkEvent::Kind::message, place(0.01));
+  rig.now += 1ms;
+  rig.session.command({1, 0, 0}, rig.now, held - 1h);  // an older time changes nothing
+  EXPECT_NEAR(rig.sent().value(), 0.004, 1e-9);
+  rig.event(LinkEvent::Kind::message, place(0.01));
+  rig.now += 1ms;
+  for (int ms = 3; ms < 500; ++ms) EXPECT_LT(rig.exchange().value(), 1.0) << ms;
+  EXPECT_DOUBLE_EQ(rig.exchange().value(), 1.0);
 }
 
 TEST(InverseSession, one_that_stays_silent_is_gone_and_opened_anew) {
