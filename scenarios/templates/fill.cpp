@@ -49,6 +49,12 @@ class Filler {
   /// outline.floor and outline.wall (mm²) of all outlines along lines.
   Json target(const Json& node);
 
+  /// Adds the names of a template to the scope, each by those before it.
+  void add_names(const Json& names) {
+    for (const auto& [name, value] : names.items())
+      for (const Json& one : value.is_array() ? value : Json::array({{{"value", value}}}))
+        if (wanted(one, "/names/" + name)) scope_[name] = number(one.at("value"), "/names/" + name);
+  }
   /// Strings at `keys_kept` stay; every other one is an expression.
   Json filled(const Json& node, const std::string& where);
   bool wanted(const Json& node, const std::string& where) {
@@ -254,6 +260,7 @@ Json texts(const Json& node, const FitRequest& request, const Scope& scope, Fill
 Result<Json, FitFailure> fill_template(const Json& body, const Json& common, const FitRequest& request, const ToothLandmarks& landmarks,
                                        const Scope& scope) {
   Filler filler(landmarks, scope);
+  filler.add_names(body.value("names", Json::object()));
   Json target = filler.target(body.at("target"));
   Json out = Json::object();
   out["format"] = 2;

@@ -12,7 +12,7 @@ namespace cusp::scenarios {
 
 /// `common`: tissues, device and the like of every template. A part or criterion with "when" is left out where that is 0; a
 /// node with one part left is that part, without its name. A part with a name is left out where nothing of its fissures remains;
-/// "when" may name has.NAME: 1 where that part is one of several targets, else 0. The rubric may name outline.floor and
+/// "names" are expressions, or several with "when", that others may name. "when" may name has.NAME: 1 where that part is one of several targets, else 0. The rubric may name outline.floor and
 /// outline.wall: mm² of all outlines along lines. A text may stand in parts, which have "when" likewise. In texts "{depth}" is the
 /// parameter with one or two digits after the decimal sign, "{tooth}" the number, "{boxes}" MO, MOD, and DO in English, OD elsewhere.
 [[nodiscard]] Result<nlohmann::ordered_json, FitFailure> fill_template(const nlohmann::ordered_json& body,

@@ -52,6 +52,22 @@ TEST(Templates, FitEveryPremolarAndMolarWithoutAFinding) {
     }
 }
 
+/// An occlusal part that leans by more than 31 degrees is wider buccolingually than across: no reference would earn its points.
+TEST(Templates, AskForAnIsthmusWhereTheOcclusalPartRunsAlongTheTooth) {
+  for (const int fdi : {14, 34, 15, 35, 16, 36})
+    for (const auto& [mesial, distal] : {std::pair(1.0, 0.0), {0.0, 1.0}, {1.0, 1.0}})
+      for (const double beyond : {-0.15, 0.1}) {
+        const auto scenario = fitted("class-2-adhesive", fdi, {{"mesial", mesial}, {"distal", distal}, {"beyond", beyond}});
+        ASSERT_TRUE(scenario) << fdi;
+        double weights = 0.0;
+        for (const Criterion& one : scenario->rubric.criteria) weights += one.weight;
+        EXPECT_NEAR(weights, 100.0, 1e-9) << fdi << " " << mesial << distal << " " << beyond;
+        const bool asked = std::ranges::any_of(scenario->rubric.criteria, [](const Criterion& c) { return c.metric == "isthmus_width"; });
+        EXPECT_EQ(asked, fdi % 10 != 4) << fdi;
+        EXPECT_EQ(scenario->briefing.at("en").find("isthmus") != std::string::npos, asked) << fdi;
+      }
+}
+
 TEST(Templates, StateLevelAndExpectedTimeByWhatIsAskedFor) {
   const auto states = [](const std::string& key, std::map<std::string, double> values, Level level, double minutes) {
     const auto scenario = fitted(key, 46, std::move(values));
