@@ -78,8 +78,37 @@ def filters(desk, database):
     check(len(exported(desk, database, "--exercise", scenario)) == 1, "an exercise by its id")
 
 
+def assign_again(database, names, values):
+    """A copy of the cohort's first assignment in which the values stand for the names."""
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        others = [row[1] for row in db.execute("PRAGMA table_info(assignments)") if row[1] not in names.split(", ")]
+        db.execute(f"INSERT INTO assignments ({names}, {', '.join(others)}) SELECT {values}, {', '.join(others)} FROM assignments "
+                   "WHERE due_at NOT NULL LIMIT 1")
+        db.commit()
+
+
+def beside_practice(desk, database, of):
+    """An assessment of the same exercise, cohort and due date as a practice: the kind says which."""
+    assign_again(database, "id, kind", "randomblob(16), 'assessment'")
+    due = ("--gradebook", "moodle", *of, "--due", "2026-11-20")
+    status, out, err = export(desk, database, *due)
+    one_sentence(err, "a practice and an assessment")
+    check(status == 1 and out == "", f"a practice and an assessment: {out}")
+    for kind, results in (("practice", 1), ("assessment", 0)):
+        check(f"--kind {kind} --due 2026-11-20T09:14:04Z" in err, f"the message names the {kind}: {err}")
+        check(len(exported(desk, database, *due, "--kind", kind)) == results, f"the {kind}")
+    for wanted, arguments, name in ((1, ("--gradebook", "moodle", *of, "--kind", "assessment", "--due", "none"), "--kind assessment --due none"),
+                                    (2, (*due, "--kind", "try_it"), "try_it"), (2, ("--kind", "practice"), "--gradebook")):
+        status, out, err = export(desk, database, *arguments)
+        one_sentence(err, str(arguments))
+        check(status == wanted and out == "" and name in err, f"{arguments}: exit {status}: {out}{err}")
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        db.execute("DELETE FROM assignments WHERE kind = 'assessment'")
+        db.commit()
+
+
 def gradebooks(desk, database):
-    """Of the cohort's one assignment; once there are two, the due date says which."""
+    """Of the cohort's one assignment; once there are two, kind and due date say which."""
     of = ("--cohort", COHORT, "--exercise", "channel-1")
     score = json.loads(export(desk, database, "--json", "-")[1])[0]["score"]
     (line,) = exported(desk, database, "--gradebook", "moodle", *of)
@@ -101,15 +130,13 @@ def gradebooks(desk, database):
         status, out, err = export(desk, database, *arguments)
         one_sentence(err, str(arguments))
         check(status == 2 and out == "" and name in err, f"{arguments}: exit {status}: {out}{err}")
-    with contextlib.closing(sqlite3.connect(database)) as db:  # a second time, without a date and without results
-        names = [row[1] for row in db.execute("PRAGMA table_info(assignments)")]
-        values = ["randomblob(16)" if n == "id" else "NULL" if n == "due_at" else n for n in names]
-        db.execute(f"INSERT INTO assignments ({', '.join(names)}) SELECT {', '.join(values)} FROM assignments")
-        db.commit()
+    assign_again(database, "id, kind, due_at", "randomblob(16), kind, NULL")  # without a date and without results
     status, out, err = export(desk, database, "--gradebook", "moodle", *of)
-    check(status == 1 and out == "" and "--due" in err and "2026-11-20T09:14:04Z, none" in err, f"two of them: {out}{err}")
+    both = "--kind practice --due 2026-11-20T09:14:04Z, --kind practice --due none"
+    check(status == 1 and out == "" and both in err, f"two of them: {out}{err}")
     check(len(exported(desk, database, "--gradebook", "moodle", *of, "--due", "2026-11-20")) == 1, "the one with a date")
     check(exported(desk, database, "--gradebook", "moodle", *of, "--due", "none") == [], "the one without")
+    beside_practice(desk, database, of)
     with contextlib.closing(sqlite3.connect(database)) as db:
         db.execute("DELETE FROM session_summaries")
         db.commit()

@@ -12,7 +12,7 @@ namespace cusp::ui {
 
 void AccountOption::add_to(CLI::App& verb) {
   verb.add_option("--as", number,
-                  help(CliText::tr("Number of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. "
+                  help(CliText::tr("Number or user name of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. "
                                     "Without it: the student demo")))
       ->type_name("NAME");
 }

@@ -22,6 +22,7 @@ struct ExportOptions {
   std::string db, out, student, drilled_by, result;
   std::optional<std::string> from, to, cohort, exercise, device, due;
   std::string gradebook;  // of which system; empty: attempts
+  std::string kind;       // of the assignment; empty: any
   std::optional<int> version;
   AccountOption account;
   JsonOption json;
@@ -115,12 +116,19 @@ bool write_csv(const ExportOptions& o, const std::string& text) {
   return write_out(text);
 }
 
+/// The value of --kind, as row_json() and the CSV name kinds.
+std::optional<SessionKind> assigned_kind(const std::string& typed) {
+  if (typed.empty()) return std::nullopt;
+  return typed == key_of(SessionKind::assessment) ? SessionKind::assessment : SessionKind::practice;
+}
+
 int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
   const auto file = gradebook_of(store, actor,
                                  {.system = o.gradebook == "canvas" ? Gradebook::canvas : Gradebook::moodle,
                                   .cohort = *filter.cohort,
                                   .exercise = *o.exercise,
                                   .version = o.version,
+                                  .kind = assigned_kind(o.kind),
                                   .due = o.due,
                                   .cohort_typed = *o.cohort});
   if (!file) return failed(file.error());
@@ -192,6 +200,9 @@ void add_filters(CLI::App& verb, ExportOptions& o) {
                       help(CliText::tr("The best released result of each student in what is assigned to a cohort, as this system reads it")));
   gradebook->check(CLI::IsMember({"moodle", "canvas"}))->needs(cohort)->needs(exercise);
   for (CLI::Option* other : of_attempts) gradebook->excludes(other);
+  verb.add_option("--kind", o.kind, help(CliText::tr("The assignment of this kind, where the exercise is assigned more than once")))
+      ->check(CLI::IsMember({"practice", "assessment"}))
+      ->needs(gradebook);
   add_named(verb, "--due", o.due, CliText::tr("The assignment that is due on this day, or none, where the exercise is assigned more than once"))
       ->type_name("DATE")
       ->needs(gradebook);

@@ -24,6 +24,32 @@ struct GradeOptions {
   JsonOption json;
 };
 
+/// What counts of the stored grade, if an examiner changed it; nullopt also for a session without a summary.
+Result<std::optional<EffectiveGrade>, Message> changed_grade(Store& store, const Actor& reader, SessionId id) {
+  const auto details = store.history.details(reader, id);
+  if (!details && details.error().code == StorageError::not_found) return std::optional<EffectiveGrade>{};
+  if (!details) return std::unexpected(describe(details.error()));
+  if (!details->grade || details->grade->overrides.empty()) return std::optional<EffectiveGrade>{};
+  return details->grade;
+}
+
+/// Report files, JSON and lines of one result.
+int give_out(const GradeOptions& o, const SessionResult& result, Store& store, const ReportOrder& order) {
+  if (!o.out.empty()) {
+    if (auto written = write_report_files(o.out, result, store, order); !written) return failed(written.error());
+  }
+  if (!o.json.write(nlohmann::ordered_json::parse(report_file_text(result, store, order)))) return kFailed;
+  if (o.json.on_stdout()) return kDone;
+  const Region& whole = result.scenario.target;
+  if (order.changed) {
+    print_changed_grade(*order.changed, result.grade, whole, store);
+  } else {
+    print_grade(result.grade, whole);
+  }
+  if (result.changes) print_line(plain(changes_text(*result.changes, &whole)));
+  return kDone;
+}
+
 int grade_verb(const GradeOptions& o) {
   const bool of_scenario = !o.volume.empty() || !o.cuts_of.empty();
   if (of_scenario && !o.account.number.empty()) return wrong_usage(CliText::tr("--as belongs to a database; --volume and --operator need no account."));
@@ -64,14 +90,13 @@ int grade_verb(const GradeOptions& o) {
   if (!before) return failed(describe(before.error()));
   auto result = grade_session(store, *id, rubric ? &*rubric : nullptr, !rubric && !*before ? Keep::grade : Keep::nothing);
   if (!result) return failed(describe(result.error()));
-  if (!o.out.empty()) {
-    if (auto written = write_report_files(o.out, *result, store, *student); !written) return failed(written.error());
+  ReportOrder order{.student = *student, .reader = account->actor()};
+  if (!rubric) {  // an examiner changes the stored grade: another rubric's result has no changes
+    auto changed = changed_grade(store, order.reader, *id);
+    if (!changed) return failed(changed.error());
+    order.changed = std::move(*changed);
   }
-  if (!o.json.write(nlohmann::ordered_json::parse(report_text(*result, store, *student)))) return kFailed;
-  if (o.json.on_stdout()) return kDone;
-  print_grade(result->grade, result->scenario.target);
-  if (result->changes) print_line(plain(changes_text(*result->changes, &result->scenario.target)));
-  return kDone;
+  return give_out(o, *result, store, order);
 }
 
 /// Names of operators whose cuts are made at once.

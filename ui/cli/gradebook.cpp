@@ -10,7 +10,14 @@
 namespace cusp::ui {
 namespace {
 
-QString due_text(const Assignment& a) { return QString::fromStdString(a.due_utc_us ? iso_utc(*a.due_utc_us) : kNoDueDate); }
+/// "--kind practice --due 2026-12-11T18:00:00Z", as it is typed; what is not named is left out.
+QString options_text(const std::optional<SessionKind>& kind, const std::optional<std::string>& due) {
+  QStringList parts;
+  if (kind) parts += QStringLiteral("--kind ") + QString::fromStdString(std::string(key_of(*kind)));
+  if (due) parts += QStringLiteral("--due ") + QString::fromStdString(*due);
+  return parts.join(u' ');
+}
+QString options_text(const Assignment& a) { return options_text(a.kind, a.due_utc_us ? iso_utc(*a.due_utc_us) : kNoDueDate); }
 
 bool is_due(const Assignment& a, const std::string& typed) {
   if (typed == kNoDueDate) return !a.due_utc_us;
@@ -39,6 +46,7 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
     const auto called = is_called(store, version->scenario, wish.exercise);
     if (!called) return std::unexpected(called.error());
     if (!*called || (wish.version && version->number != *wish.version)) continue;
+    if (wish.kind && a.kind != *wish.kind) continue;
     if (!wish.due || is_due(a, *wish.due)) out.push_back(a);
   }
   return out;
@@ -51,16 +59,18 @@ Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, co
   if (!found) return std::unexpected(describe(found.error()));
   const QString exercise = QString::fromStdString(wish.exercise), cohort = QString::fromStdString(wish.cohort_typed);
   if (found->empty()) {
-    const QString due = QString::fromStdString(wish.due.value_or(std::string()));
-    return std::unexpected(Message{wish.due ? CliText::tr("“%1” is not assigned to “%2”, due %3.").arg(exercise, cohort, due)
-                                            : CliText::tr("“%1” is not assigned to “%2”.").arg(exercise, cohort),
+    const QString options = options_text(wish.kind, wish.due);
+    //: %3: options as they are typed, such as "--kind practice --due none".
+    return std::unexpected(Message{options.isEmpty() ? CliText::tr("“%1” is not assigned to “%2”.").arg(exercise, cohort)
+                                                     : CliText::tr("“%1” is not assigned to “%2” with %3.").arg(exercise, cohort, options),
                                    {}});
   }
   if (found->size() > 1) {
-    QStringList dates;
-    for (const Assignment& a : *found) dates.append(due_text(a));
-    return std::unexpected(Message{CliText::tr("“%1” is assigned to “%2” more than once: say which with --due. Due: %3.")
-                                       .arg(exercise, cohort, dates.join(QStringLiteral(", "))),
+    QStringList each;
+    for (const Assignment& a : *found) each.append(options_text(a));
+    //: %3: options as they are typed, such as "--kind practice --due none".
+    return std::unexpected(Message{CliText::tr("“%1” is assigned to “%2” more than once: say which, by %3.")
+                                       .arg(exercise, cohort, each.join(QStringLiteral(", "))),
                                    {}});
   }
   auto file = export_gradebook(store.context(), actor, found->front().id, wish.system, {.language = current_language().toStdString()});

@@ -17,7 +17,9 @@ struct GradebookWish {
   CohortId cohort{};
   std::string exercise;                // its key or id, as typed
   std::optional<int> version{};        // of the exercise
-  std::optional<std::string> due{};    // the day or second, or kNoDueDate; asked for where the exercise is assigned more than once
+  // These tell assignments of the exercise apart.
+  std::optional<SessionKind> kind{};   // practice or assessment
+  std::optional<std::string> due{};    // the day or second, or kNoDueDate
   std::string cohort_typed;            // for messages
 };
 inline constexpr const char* kNoDueDate = "none";

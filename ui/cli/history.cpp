@@ -14,6 +14,7 @@
 #include "ui/cli/text.h"
 #include "ui/text/names.h"
 #include "ui/modules.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::ui {
 
@@ -26,14 +27,15 @@ struct HistoryOptions {
   JsonOption json;
 };
 
-/// "passed", "not passed", or the state of a session without a grade.
+/// "passed", "not passed", "not released", or the state of a session without a grade.
 QString result_text(const HistoryRow& row) {
+  if (!row.released && row.state == SessionState::finished) return CliText::tr("not released");  // as ui/student/course.cpp
   if (!row.passed) return state_name(row.state);
   return *row.passed ? CliText::tr("passed") : CliText::tr("not passed");
 }
 
 std::string row_line(const HistoryRow& row) {
-  const QString score = row.score ? QStringLiteral("%1").arg(*row.score, 5, 'f', 1) : QStringLiteral("    –");
+  const QString score = row.score ? format_number(*row.score, 1).rightJustified(5) : QStringLiteral("    –");
   return plain(QString::fromStdString(row.session.text()) + QStringLiteral("  ") +
                QString::fromStdString(iso_utc(row.started_utc_us)) + QStringLiteral("  ") +
                QString::fromStdString(row.student_number) + QStringLiteral("  ") + local(row.title) + QStringLiteral("  ") +
@@ -59,6 +61,51 @@ int list(const HistoryOptions& o) {
   return o.json.write(json) ? kDone : kFailed;
 }
 
+nlohmann::ordered_json details_json(const SessionDetails& details) {
+  nlohmann::ordered_json json = row_json(details.row);
+  json["engine"] = details.session.header.engine_version;
+  json["events"] = nlohmann::ordered_json::array();
+  for (const SessionEvent& e : details.events) {
+    json["events"].push_back({{"kind", std::string(key_of(e.kind))},
+                              {"at", iso_utc(e.at_utc_us)},
+                              {"tick", e.tick},
+                              {"reason", e.reason}});
+  }
+  json["removed"] = nlohmann::ordered_json::array();
+  for (const RemovedTissue& r : details.removed) {
+    const auto code = index_of(r.tissue);
+    json["removed"].push_back({{"tissue", code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code)},
+                               {"voxels", r.voxels},
+                               {"mm3", r.mm3}});
+  }
+  json["criteria"] = nlohmann::ordered_json::array();
+  if (!details.grade) return json;
+  const Grade& grade = details.grade->grade;
+  const std::vector<ScaledPoints> scaled = scaled_points(grade);
+  for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
+    const CriterionGrade& c = grade.criteria[i];
+    json["criteria"].push_back({{"id", c.id},
+                                {"value", c.measure.measured ? nlohmann::ordered_json(c.measure.value) : nullptr},
+                                {"unit", c.measure.unit},
+                                {"band", c.band},
+                                {"points", scaled[i].points},
+                                {"points_max", scaled[i].points_max},
+                                {"reason_code", c.reason_code}});
+  }
+  return json;
+}
+
+void print_details(const SessionDetails& details) {
+  print_line(row_line(details.row));
+  for (const SessionEvent& e : details.events) {
+    print_line("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + e.reason));
+  }
+  for (const RemovedTissue& r : details.removed) {
+    print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue), format_number(r.mm3, 2))));
+  }
+  if (details.grade) print_criteria(details.grade->grade, "  ");
+}
+
 int show(const HistoryOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   const auto id = SessionId::parse(o.session);
@@ -69,50 +116,10 @@ int show(const HistoryOptions& o) {
   if (!account) return failed(account.error());
   auto details = (*store)->history.details(account->actor(), *id);
   if (!details) return failed(describe(details.error()));
-
-  nlohmann::ordered_json json = row_json(details->row);
-  json["engine"] = details->session.header.engine_version;
-  json["events"] = nlohmann::ordered_json::array();
-  for (const SessionEvent& e : details->events) {
-    json["events"].push_back({{"kind", std::string(key_of(e.kind))},
-                              {"at", iso_utc(e.at_utc_us)},
-                              {"tick", e.tick},
-                              {"reason", e.reason}});
-  }
-  json["removed"] = nlohmann::ordered_json::array();
-  for (const RemovedTissue& r : details->removed) {
-    const auto code = index_of(r.tissue);
-    json["removed"].push_back({{"tissue", code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code)},
-                               {"voxels", r.voxels},
-                               {"mm3", r.mm3}});
-  }
-  json["criteria"] = nlohmann::ordered_json::array();
-  if (details->grade) {
-    const Grade& grade = details->grade->grade;
-    const std::vector<ScaledPoints> scaled = scaled_points(grade);
-    for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
-      const CriterionGrade& c = grade.criteria[i];
-      json["criteria"].push_back({{"id", c.id},
-                                  {"value", c.measure.measured ? nlohmann::ordered_json(c.measure.value) : nullptr},
-                                  {"unit", c.measure.unit},
-                                  {"band", c.band},
-                                  {"points", scaled[i].points},
-                                  {"points_max", scaled[i].points_max},
-                                  {"reason_code", c.reason_code}});
-    }
-  }
-  if (!o.json.write(json)) return kFailed;
-  if (o.json.on_stdout()) return kDone;
-  print_line(row_line(details->row));
-  for (const SessionEvent& e : details->events) {
-    print_line("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + e.reason));
-  }
-  for (const RemovedTissue& r : details->removed) {
-    print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue)).arg(r.mm3, 0, 'f', 2)));
-  }
-  if (details->grade) {
-    print_criteria(details->grade->grade, "  ");
-  }
+  // The removed tissue tells of a withheld result, too.
+  if (!details->row.released && !may(account->role, Action::see_all_results)) details->removed.clear();
+  if (!o.json.write(details_json(*details))) return kFailed;
+  if (!o.json.on_stdout()) print_details(*details);
   return kDone;
 }
 

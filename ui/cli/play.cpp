@@ -123,7 +123,8 @@ int play(const PlayOptions& o) {
                      : play_through(std::move(plan), *port, settings);
   if (!result) return failed(describe(result.error()));
 
-  if (auto written = write_report_files(folder, *result, **store, *account); !written) return failed(written.error());
+  const ReportOrder order{.student = *account, .reader = account->actor()};
+  if (auto written = write_report_files(folder, *result, **store, order); !written) return failed(written.error());
   auto json = nlohmann::ordered_json::parse(report_text(*result, **store, *account));
   if (live) json["live"] = to_json(figures);
   if (!o.json.write(json)) return kFailed;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,25 @@ void print_criteria(const Grade& grade, const std::string& indent, const Region*
 /// Points and result on one line of stdout, then critical events and criteria.
 void print_grade(const Grade& grade, const Region& whole);
 
+/// The result that counts and each change of an examiner, then the measured result, named so, with its criteria.
+void print_changed_grade(const EffectiveGrade& counts, const Grade& measured, const Region& whole, Store& store);
+
+/// What a report is made for. `changed`: what counts, if an examiner changed the stored result.
+struct ReportOrder {
+  Account student;
+  Actor reader;
+  std::optional<EffectiveGrade> changed{};
+};
+
 /// The names of those files.
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder);
 
-/// Each file whole or not at all. Needs a QGuiApplication for the page.
+/// The text of report.json: the measured result; with `changed` also an object "effective" with the result that counts.
+std::string report_file_text(const SessionResult& result, Store& store, const ReportOrder& order);
+
+/// Each file whole or not at all. The page shows the result that counts. Needs a QGuiApplication for it.
 Result<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
-                                         const Account& student);
+                                         const ReportOrder& order);
 
 /// report.pdf and tooth.png alone. Needs a QGuiApplication.
 Result<void, Message> write_paper(const std::filesystem::path& folder, const ReportData& data);

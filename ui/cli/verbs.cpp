@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 19> kVerbs = {"play",    "replay",   "gra
                                                      "specimen", "history", "export", "template", "backup", "restore", "erase", "thin", "retain", "appeal", "verify", "exchange", "import-child"};
 
 int run(int argc, char** argv) {
-  CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
+  CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb, cusp [--db FILE] [--safe] [NAME.cusp] opens the desktop.")), "cusp");
   program.set_version_flag("--version", build_info());
   program.require_subcommand(1);
   Job job;
