@@ -152,10 +152,11 @@ void PeopleImport::end(const PeopleImportEnd& end) {
   const bool stopped = stop_->stop_requested();
   stop_.reset();
   busy_->finish();
-  // A second start makes what is left: lines that were done are known now.
+  // A second start makes what is left: lines that were done are known now. A line that was left out may repeat the number of another.
   std::vector<ListedStudent> lines = model_->students();
   for (ListedStudent& line : lines)
-    if (std::ranges::any_of(slips_, [&](const PinSlip& slip) { return slip.number == line.number; })) line.state = State::known;
+    if (line.state == State::fresh && std::ranges::any_of(slips_, [&](const PinSlip& slip) { return slip.number == line.number; }))
+      line.state = State::known;
   model_->set_students(std::move(lines));
   fit_buttons();
   const QString what = !end.failure ? (stopped ? tr("Stopped.") : tr("The list is imported."))

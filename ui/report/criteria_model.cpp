@@ -62,7 +62,7 @@ QString CriteriaModel::own_against_measured(int row) const {
 
 bool CriteriaModel::neutral(int row) const {
   const CriterionGrade& c = criterion(row);
-  return c.reason_code == "little_drilled" || !(c.points_max > 0);
+  return (c.reason_code == "little_drilled" && change(row).isEmpty()) || !(c.points_max > 0);
 }
 
 Bar::Role CriteriaModel::bar_role(int row) const {

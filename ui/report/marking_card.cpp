@@ -147,6 +147,7 @@ QWidget* MarkingCard::make_taking_back() {
 void MarkingCard::set_criterion(const CriterionGrade* criterion) {
   criterion_ = criterion ? criterion->id : std::string();
   place_mm_ = criterion ? criterion->measure.where_mm : std::nullopt;
+  points_now_ = criterion ? criterion->points : 0;
   at_place_->setEnabled(place_mm_.has_value());
   if (!place_mm_) at_place_->setChecked(false);
   if (points_ == nullptr) return;
@@ -205,6 +206,10 @@ void MarkingCard::comment() {
 
 void MarkingCard::change_points() {
   points_->interpretText();  // a button that a screen reader presses leaves the focus in the field
+  if (format_points(points_->value()) == format_points(points_now_)) {
+    band_->show_message(Band::Kind::look, tr("These are the points that count already."), tr("Type other points."));
+    return points_->setFocus();
+  }
   if (reason().isEmpty()) {
     band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it below; the student reads it."));
     return text_->setFocus();

@@ -55,6 +55,7 @@ class MarkingCard : public Card {
   Region target_;  // of the exercise: titles of several targets
   std::string criterion_;
   std::optional<Vec3> place_mm_;
+  double points_now_ = 0;  // of the criterion, as they count
   Band* band_;
   QPlainTextEdit* text_;
   QCheckBox* at_place_;

@@ -57,6 +57,15 @@ QString remark_head(const SignedStatement& s, const Grade& stored, const Region*
   return {};
 }
 
+template <class Range, class Field, class Value>
+bool among(const Range& range, Field field, const Value& value) {
+  return std::ranges::find(range, value, field) != std::ranges::end(range);
+}
+
+bool changes_result(const SignedStatement& s) {
+  return s.kind == StatementKind::override_points || s.kind == StatementKind::override_critical;
+}
+
 /// Comments first come from older programs, then everything that is stated.
 std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionDetails& details, const Region& whole) {
   std::vector<Remark> out;
@@ -67,7 +76,7 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
   const auto statements = store.statements.of(reader, details.row.session);
   for (const Comment& c : details.comments) {
     const bool stated = statements && std::ranges::any_of(*statements, [&](const SignedStatement& s) { return s.id == c.id; });
-    if (!stated) out.push_back({{}, name_of(c.author), local_time(c.at_utc_us), {}, QString::fromStdString(c.text), c.place_mm});
+    if (!stated) out.push_back({{}, name_of(c.author), local_time(c.at_utc_us), {}, QString::fromStdString(c.text), c.place_mm, false});
   }
   if (!statements || !details.grade) return out;
   for (const SignedStatement& s : in_force(*statements)) {
@@ -75,8 +84,10 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
     if (s.grade && *s.grade != details.grade->stored.number) continue;
     const bool of_procedure = s.kind == StatementKind::confirmation || s.kind == StatementKind::release;
     if (of_procedure && !may(reader.role, Action::comment)) continue;
-    out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), remark_head(s, details.grade->stored.grade, &whole),
-                   QString::fromStdString(s.text), s.place_mm});
+    const QString head = remark_head(s, details.grade->stored.grade, &whole);
+    const bool superseded = changes_result(s) && !among(details.grade->overrides, &SignedStatement::id, s.id);
+    out.push_back({s.id, name_of(s.author), local_time(s.at_utc_us), superseded ? ReportText::tr("%1 (superseded)").arg(head) : head,
+                   QString::fromStdString(s.text), s.place_mm, superseded});
   }
   return out;
 }
@@ -97,6 +108,8 @@ std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts)
   return out;
 }
 
+bool changed_by_hand(const ReportData& data, const CriterionGrade& c) { return among(data.changes, &PointsChange::criterion, c.id); }
+
 }  // namespace
 
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
@@ -111,6 +124,8 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   }
   // The records do not hold this flag.
   mark_counted_with_target(data.result.grade, result.scenario.rubric);
+  for (CriterionGrade& c : data.result.grade.criteria)
+    if (changed_by_hand(data, c)) c.counts_with_target = false;
   data.critical = critical_events(data.result.grade, store, result.session);
   data.title = local(result.scenario.title);
   for (const Measure& m : result.measures) {
@@ -183,18 +198,28 @@ std::vector<Advice> next_time(const ReportData& data) {
   for (const LossReason& reason : loss_reasons(grade)) {
     if (!reason.critical.empty()) continue;
     const CriterionGrade& c = grade.criteria[reason.criterion];
-    if (c.reason_code == "little_drilled") continue;
+    if (c.reason_code == "little_drilled" || changed_by_hand(data, c)) continue;
     out.push_back({lost_text(c, reason.lost, &data.result.scenario.target), reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
                    c.points < c.points_max / 2, c.id});
   }
   return out;
 }
 
-QString occasion_text(const ReportData& data) {
+QString no_advice_text(const ReportData& data) {
+  const Grade& grade = data.result.grade;
+  const bool changed = std::ranges::any_of(loss_reasons(grade), [&](const LossReason& reason) {
+    return reason.critical.empty() && changed_by_hand(data, grade.criteria[reason.criterion]);
+  });
+  return changed ? ReportText::tr("Each criterion without its full points was changed by hand; the remarks give the reasons.")
+                 : ReportText::tr("Every criterion has its full points.");
+}
+
+QString occasion_text(const ReportData& data, Medium medium) {
   if (cut_at_once(data.result)) return operator_name(data.result.operator_name);
   if (of_a_file(data.result)) return ReportText::tr("A volume from a file");
   if (data.attempt == 0) return ReportText::tr("Nothing of this attempt is kept");
-  return ReportText::tr("%1 · %2, attempt %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.attempt);
+  const QString when = medium == Medium::paper ? format_date_time_zone(data.when) : format_day_time(data.when);
+  return ReportText::tr("%1 · %2, attempt %3").arg(when, kind_name(data.kind)).arg(data.attempt);
 }
 
 QString circumstances_text(const ReportData& data) {

@@ -28,6 +28,7 @@ struct Remark {
   QString what;         // "Floor depth, deepest: 4 to 6 points", "Result confirmed"; empty for a comment
   QString text;         // comment or reason
   std::optional<Vec3> place_mm{};
+  bool superseded = false;  // a later change of the same criterion or critical event counts
 };
 
 struct ReportData {
@@ -65,11 +66,14 @@ struct Advice {
   std::string metric{};          // of the criterion, or the key of the critical event: its patch is painted
 };
 /// Critical events first, then the largest losses. Leaves out criteria that count only with the target; counted_text() names them
-/// in one sentence.
+/// in one sentence. Leaves out criteria whose points an examiner changed: the remarks have their reasons.
 std::vector<Advice> next_time(const ReportData& data);
+/// What stands under "Next time" if next_time() and counted_text() are empty.
+QString no_advice_text(const ReportData& data);
 
-/// "Fri 20 Nov, 10:14 · Practice, attempt 7".
-QString occasion_text(const ReportData& data);
+enum class Medium { screen, paper };
+/// "Fri 20 Nov, 10:14 · Practice, attempt 7"; on paper with year and time zone.
+QString occasion_text(const ReportData& data, Medium medium);
 /// "7:38 min · peak push 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
 

@@ -20,6 +20,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kReasonsShown = 3;
+constexpr int kChangeShown = 160;    // characters, in the card on the tooth; the remarks have the whole reason
 constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
 constexpr int kLeastTextPercent = 55, kMostTextPercent = 64;  // of the page; the rest shows the tooth
 constexpr int kTableSide = 8, kCardSide = 16, kBorder = 1, kGap = 12;  // px at 100 %
@@ -170,7 +171,7 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   // Staff may be writing a mark, which Escape would lose.
   if (again == TryAgain::offered) let_escape_go_back(back);
   row->addWidget(make_label(data_.title, TextRole::section, Weight::bold));
-  QString aside = occasion_text(data_);
+  QString aside = occasion_text(data_, Medium::screen);
   if (!data_.student.isEmpty() && again == TryAgain::hidden) aside = data_.student + u" · "_qs + aside;
   row->addWidget(make_label(aside, TextRole::body, Weight::regular, "text2"), 1);
   QPushButton* paper = make_button(tr("Print"), ButtonKind::standard, u"print"_qs, QKeySequence::Print);
@@ -265,7 +266,10 @@ void ReportPage::choose(int row) {
   const CriterionGrade& c = model_->criterion(row);
   const Measure& m = c.measure;
   const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
-  tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, reason_text(c), c.id);
+  QString why = model_->change(row);
+  if (why.size() > kChangeShown) why = why.left(kChangeShown - 1) + u'…';
+  if (why.isEmpty()) why = reason_text(c);
+  tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, why, c.id);
   if (section_) section_->go_through(m.where_mm);
   Q_EMIT criterion_chosen();
 }
@@ -277,11 +281,11 @@ QWidget* ReportPage::make_remarks() {
   for (const Remark& remark : data_.remarks) {
     auto* line = new QHBoxLayout;
     line->setSpacing(px(8));
-    QString html = u"<b>%1</b>, %2"_qs.arg(remark.who.toHtmlEscaped(), format_day_time(remark.when));
+    QString html = u"<b>%1</b>, %2"_qs.arg(remark.who.toHtmlEscaped(), format_date_time(remark.when));
     for (const QString& part : {remark.what, remark.text}) {
       if (!part.isEmpty()) html += u"<br>"_qs + part.toHtmlEscaped();
     }
-    QLabel* label = make_label(html);
+    QLabel* label = make_label(html, TextRole::body, Weight::regular, remark.superseded ? "text3" : "");
     label->setTextFormat(Qt::RichText);
     label->setWordWrap(true);
     line->addWidget(label, 1);
@@ -300,7 +304,7 @@ QWidget* ReportPage::make_next_time() {
   std::vector<Advice> all = next_time(data_);
   const QString counted = counted_text(data_.result.grade, data_.result.scenario.rubric);
   if (all.empty() && counted.isEmpty()) {
-    QLabel* label = make_label(tr("Every criterion has its full points."), TextRole::body, Weight::regular, "text2");
+    QLabel* label = make_label(no_advice_text(data_), TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);
     card->body()->addWidget(label);
   }

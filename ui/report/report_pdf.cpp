@@ -41,7 +41,7 @@ void write_head(Paper& paper, const ReportData& d, const Tokens& t) {
   paper.write(u"Cusp"_qs, {x, w}, {12, Weight::bold, t.accent}, Qt::AlignTrailing, Paper::Then::stay);
   paper.write(d.title, {x, w * 0.8}, {22, Weight::bold, t.text});
   paper.skip(2);
-  QString line = occasion_text(d);
+  QString line = occasion_text(d, Medium::paper);
   if (!d.student.isEmpty()) line = d.student + u" · "_qs + line;
   paper.write(line, {x, w}, {11, Weight::regular, t.text2});
   paper.skip(10);
@@ -205,12 +205,12 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
   }
   const QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
   if (!counted.isEmpty()) paper.write(counted, {x, w}, {11, Weight::regular, t.text});
-  if (shown.empty() && counted.isEmpty()) paper.write(PdfText::tr("Every criterion has its full points."), {x, w}, {11, Weight::regular, t.text});
+  if (shown.empty() && counted.isEmpty()) paper.write(no_advice_text(d), {x, w}, {11, Weight::regular, t.text});
   if (d.before) {
     paper.skip(8);
     const double apart = d.result.grade.score - d.before->score;
     paper.write(PdfText::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
-                    .arg(format_points(d.before->score), format_day(d.before_when),
+                    .arg(format_points(d.before->score), format_date(d.before_when),
                          (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)), {x, w}, {11, Weight::regular, t.text2});
   }
 }
@@ -251,18 +251,19 @@ void write_remarks(QPainter& painter, const QRectF& page, double unit, const Rep
     paper.emplace(painter, page, unit);
     write_head(*paper, d, t);
   };
-  const auto write = [&](const QString& text, Weight weight) {
+  const auto write = [&](const QString& text, Weight weight, const QColor& ink) {
     if (paper->y() > page.bottom() - paper->u(kRemarkFoot)) begin_sheet();
-    paper->write(text, whole, {11, weight, t.text});
+    paper->write(text, whole, {11, weight, ink});
   };
   begin_sheet();
   paper->write(PdfText::tr("Remarks"), whole, {13, Weight::bold, t.text});
   paper->skip(4);
   for (const Remark& remark : d.remarks) {
-    write(remark.who + u", "_qs + format_day_time(remark.when), Weight::bold);
+    const QColor& ink = remark.superseded ? t.text3 : t.text;
+    write(remark.who + u", "_qs + format_date_time_zone(remark.when), Weight::bold, ink);
     QStringList lines = remark.text.split(u'\n', Qt::SkipEmptyParts);
     if (!remark.what.isEmpty()) lines.prepend(remark.what);
-    for (const QString& line : lines) write(line, Weight::regular);
+    for (const QString& line : lines) write(line, Weight::regular, ink);
     paper->skip(8);
   }
 }

@@ -123,7 +123,7 @@ QString reason_text(const CriterionGrade& g) {
   };
   const QString unit = text(g.measure.unit);
   if (g.reason_code == "little_drilled") {
-    return Text::tr("Counts only as far as the target was cut: %1").arg(share_text(arg("share")));
+    return Text::tr("Counts for %1, because target is left").arg(share_text(arg("share")));
   }
   const double value = arg("value"), limit = arg("limit");
   if (g.reason_code == "needs_dof") {
@@ -163,8 +163,8 @@ QString counted_text(const Grade& grade, const Rubric& rubric) {
     own = own || !scenarios::split_metric(c.id).target.empty();
   }
   if (!(share < 1.0)) return {};
-  if (own) return Text::tr("The rest counts only as far as its own target was cut, the least of it: %1.").arg(share_text(share));
-  return Text::tr("The rest counts only as far as the target was cut: %1.").arg(share_text(share));
+  if (own) return Text::tr("The rest counts for less where its own target is left, the least of it for %1.").arg(share_text(share));
+  return Text::tr("The rest counts for %1, because target is left.").arg(share_text(share));
 }
 
 QString changes_text(const GradeChanges& c, const Region* whole) {

@@ -28,8 +28,8 @@ QString reason_text(const CriterionGrade& grade);
 int point_forms(double points);
 /// "Floor depth, deepest: 1 point lost". `lost`: scaled points (scenarios/grading/maxima.h).
 QString lost_text(const CriterionGrade& grade, double lost, const Region* whole = nullptr);
-/// The one sentence about criteria that count only as far as their target was cut; empty where all of it was, or where no
-/// criterion counts so. The grade's criteria carry their mark (mark_counted_with_target).
+/// The one sentence about criteria that count for less because their target is left, with share_counted(), which is not the
+/// share that was removed. Empty where no target is left, or where no criterion has its mark (mark_counted_with_target).
 QString counted_text(const Grade& grade, const Rubric& rubric);
 /// "met", "partly met", "not met": a student's own rating of a criterion.
 QString own_rating_name(OwnRating rating);

@@ -20,6 +20,10 @@ int decimals_of(const Measured& m) {
   return std::min(decimals_from(*m.uncertainty), 2);
 }
 
+QString time_after_day(const QDateTime& when, const QLocale& locale) {
+  return QStringLiteral(", ") + locale.toString(when.toLocalTime(), QStringLiteral("HH:mm"));
+}
+
 }  // namespace
 
 QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
@@ -82,15 +86,28 @@ QString format_clock(double seconds) {
 
 QDateTime local_time(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000); }
 
-QString format_day(const QDateTime& when, const QLocale& locale) {
+QString format_day(const QDateTime& when, const QLocale& locale, const QDateTime& now) {
   const QDateTime local = when.toLocalTime();
-  if (locale.language() == QLocale::German) return locale.toString(local, QStringLiteral("ddd d. MMM"));
-  return locale.toString(local, QStringLiteral("ddd d MMM"));
+  if (local.date().year() != now.toLocalTime().date().year()) return format_date(when, locale);
+  return locale.toString(local, locale.language() == QLocale::German ? QStringLiteral("ddd d. MMM") : QStringLiteral("ddd d MMM"));
 }
 
-QString format_day_time(const QDateTime& when, const QLocale& locale) {
-  return format_day(when, locale) + QStringLiteral(", ") +
-         locale.toString(when.toLocalTime(), QStringLiteral("HH:mm"));
+QString format_day_time(const QDateTime& when, const QLocale& locale, const QDateTime& now) {
+  return format_day(when, locale, now) + time_after_day(when, locale);
+}
+
+QString format_date(const QDateTime& when, const QLocale& locale) {
+  return locale.toString(when.toLocalTime(), locale.language() == QLocale::German ? QStringLiteral("ddd d. MMM yyyy") : QStringLiteral("ddd d MMM yyyy"));
+}
+
+QString format_date_time(const QDateTime& when, const QLocale& locale) { return format_date(when, locale) + time_after_day(when, locale); }
+
+QString format_date_time_zone(const QDateTime& when, const QLocale& locale) {
+  const int minutes = when.toLocalTime().offsetFromUtc() / 60;
+  QString zone = QStringLiteral("UTC");
+  if (minutes != 0) zone += (minutes < 0 ? QChar(0x2212) : QChar(u'+')) + QString::number(std::abs(minutes) / 60);
+  if (minutes % 60 != 0) zone += QStringLiteral(":%1").arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+  return format_date_time(when, locale) + kNoBreak + zone;
 }
 
 }  // namespace cusp::ui

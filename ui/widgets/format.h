@@ -1,5 +1,5 @@
 /// Values as text: the locale's digits, a no-break space before the unit, ± with at most two digits. U+2066 … U+2069 keep the
-/// order of the parts in right-to-left text. Pure functions.
+/// order of the parts in right-to-left text. Pure functions, but for dates: those are in the local time zone.
 #pragma once
 
 #include <QDateTime>
@@ -31,9 +31,14 @@ QString format_points(double points, const QLocale& locale = {});
 QString format_clock(double seconds);
 /// A stored time, µs since 1970 UTC, as local time.
 QDateTime local_time(std::int64_t utc_us);
-/// "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order.
-QString format_day(const QDateTime& when, const QLocale& locale = {});
-QString format_day_time(const QDateTime& when, const QLocale& locale = {});
+/// For a screen: "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order. The year follows the month if it is not that of `now`.
+QString format_day(const QDateTime& when, const QLocale& locale = {}, const QDateTime& now = QDateTime::currentDateTime());
+QString format_day_time(const QDateTime& when, const QLocale& locale = {}, const QDateTime& now = QDateTime::currentDateTime());
+/// For what is kept: "Fri 20 Nov 2026" and "Fri 20 Nov 2026, 10:14".
+QString format_date(const QDateTime& when, const QLocale& locale = {});
+QString format_date_time(const QDateTime& when, const QLocale& locale = {});
+/// For paper: "Fri 20 Nov 2026, 10:14 UTC+1".
+QString format_date_time_zone(const QDateTime& when, const QLocale& locale = {});
 /// A tool tip that shows `text` as it stands: Qt would read HTML in it.
 QString tool_tip_text(const QString& text);
 /// Wraps in U+2066 … U+2069.

@@ -130,6 +130,20 @@ TEST_F(Import, a_second_import_of_the_same_list_makes_nothing_new) {
   EXPECT_EQ(page.model().count(State::known), 1);
 }
 
+TEST_F(Import, a_line_that_repeats_a_number_has_no_account_after_the_other_was_made) {
+  write("number,name,cohort\n0072,Lena Brandt,\n0072,Zo\xC3\xAB \xC3\x9Cnal,Year 4\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  page.choose_file();
+  for (int press = 0; press < 2; ++press) {
+    page.start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
+    EXPECT_EQ(page.model().students()[0].state, State::known);
+    EXPECT_EQ(page.model().students()[1].state, State::bad);
+  }
+  EXPECT_EQ(page.model().index(1, StudentListModel::kState).data().toString(), QStringLiteral("number stands above too"));
+  EXPECT_TRUE(records.store().cohorts.list()->empty()) << "the cohort of the line that was left out";
+}
+
 TEST_F(Import, makes_accounts_without_a_turn_of_the_windows_event_loop) {
   write("number,name\n2,New Two\n");
   PeopleImport page(records.store(), records.administrator().actor(), ports);

@@ -138,11 +138,11 @@ TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_ta
   g.id = "overcut_beyond_floor";
   g.reason_code = "little_drilled";
   g.reason_args = {{"share", 4.3 / 97}, {"lost", 14.335}};
-  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 4.4 %");
+  EXPECT_EQ(reason(g), "Counts for 4.4 %, because target is left");
   g.reason_args["share"] = 87.3 / 97;
-  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 90 %");
+  EXPECT_EQ(reason(g), "Counts for 90 %, because target is left");
   g.reason_args["share"] = 96.999 / 97;
-  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 99.9 %");  // points are missing
+  EXPECT_EQ(reason(g), "Counts for 99.9 %, because target is left");  // points are missing
   EXPECT_TRUE(advice_text(g).isEmpty());
 }
 
@@ -272,7 +272,7 @@ TEST(Text, TheShareThatCountsNamesTheLeastOfSeveralTargets) {
   s.rubric = rubric;
   const Grade g = scenarios::grade(s, {{"target_removed@a", true, 100, 0, "%", {}}, {"depth_mean@a", true, 2, 0, "mm", {}},
                                        {"target_removed@b", true, 24, 0, "%", {}}, {"depth_mean@b", true, 2, 0, "mm", {}}});
-  EXPECT_EQ(plain(counted_text(g, rubric)), "The rest counts only as far as its own target was cut, the least of it: 24\u00a0%.");
+  EXPECT_EQ(plain(counted_text(g, rubric)), "The rest counts for less where its own target is left, the least of it for 24\u00a0%.");
 }
 
 TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {

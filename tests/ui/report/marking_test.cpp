@@ -7,13 +7,19 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTest>
 #include <algorithm>
 
 #include "tests/modules.h"
+#include "tests/ui/looks.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/marking_card.h"
+#include "ui/report/pinned_tooth.h"
 #include "ui/report/report_page.h"
+#include "ui/report/report_pdf.h"
+#include "ui/session/scene_builder.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
@@ -85,6 +91,106 @@ TEST_F(Marking, ChangedPointsCountOnTheReportAndTheReasonIsRead) {
   EXPECT_EQ(of_student.remarks[0].who, QStringLiteral("Dr Berg"));
   EXPECT_EQ(of_student.remarks[0].text, QStringLiteral("The block was worn."));
   EXPECT_TRUE(of_student.remarks[0].what.contains(QStringLiteral("instead of"))) << of_student.remarks[0].what.toStdString();
+}
+
+/// The criterion as the report of `reader` has it.
+const CriterionGrade& criterion_in(const ReportData& data, std::string_view id) {
+  return *std::ranges::find(data.result.grade.criteria, id, &CriterionGrade::id);
+}
+
+TEST_F(Marking, NextTimeAndItsPicturesLeaveOutWhatWasChangedByHand) {
+  const ReportData measured = gathered(examiner);
+  ASSERT_EQ(next_time(measured).size(), 1u);
+  ASSERT_EQ(next_time(measured)[0].metric, "depth_most");
+  ASSERT_EQ(order_for_paper(measured, 100).places.size(), 1u);
+  ASSERT_TRUE(records.store().statements.override_points(examiner.actor(), session, "depth_most", 9.6, "The block was worn."));
+  const ReportData changed = gathered(lena);
+  EXPECT_DOUBLE_EQ(criterion_in(changed, "depth_most").points, 9.6);  // 0.4 of 10 are still lost
+  EXPECT_TRUE(next_time(changed).empty());
+  EXPECT_TRUE(order_for_paper(changed, 100).places.empty());
+  EXPECT_TRUE(no_advice_text(changed).contains(QStringLiteral("changed by hand"))) << no_advice_text(changed).toStdString();
+  EXPECT_EQ(no_advice_text({}), QStringLiteral("Every criterion has its full points."));
+}
+
+TEST_F(Marking, TheCardOfAChangedCriterionGivesTheChangeInPlaceOfTheMeasuredReason) {
+  const auto volume = build_specimen(*load_builtin("channel-1"), {});
+  ASSERT_TRUE(volume);
+  const auto card_text = [&] {
+    ReportData data = gathered(lena);
+    data.result.volume = std::make_shared<const Volume>(*volume);
+    ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+    page.resize(1280, 800);
+    const PinnedTooth* tooth = page.findChild<PinnedTooth*>();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tooth->tooth_shown(); }, 60'000));
+    page.table()->choose_row(0);
+    page.table()->choose_row(1);
+    leave_picture(page, QStringLiteral("changed-%1").arg(data.changes.size()));
+    QString out;
+    for (const QLabel* label : tooth->findChildren<QLabel*>()) out += label->text();
+    return out;
+  };
+  EXPECT_TRUE(card_text().contains(QStringLiteral("deeper than"))) << card_text().toStdString();
+  ASSERT_TRUE(records.store().statements.override_points(examiner.actor(), session, "depth_most", 9.6, "The block was worn."));
+  EXPECT_FALSE(card_text().contains(QStringLiteral("deeper than")));
+  EXPECT_TRUE(card_text().contains(QStringLiteral("The block was worn."))) << card_text().toStdString();
+}
+
+TEST_F(Marking, AChangedCriterionNoLongerCountsWithTheTarget) {
+  Grade grade = sample_grade(40);
+  grade.criteria[0].measure.value = 43.5;
+  grade.criteria[0].points = 5;
+  grade.criteria[0].reason_code = "too_little";
+  grade.criteria[1].reason_code = "little_drilled";
+  session = records.graded_attempt(lena, "channel-1", grade, 90);
+  const auto counted = [&] {
+    const ReportData data = gathered(lena);
+    return counted_text(data.result.grade, data.result.scenario.rubric);
+  };
+  EXPECT_FALSE(counted().isEmpty());
+  ASSERT_TRUE(records.store().statements.override_points(examiner.actor(), session, "depth_most", 9, "The block was worn."));
+  EXPECT_TRUE(counted().isEmpty()) << counted().toStdString();
+  const ReportData data = gathered(lena);
+  const CriteriaModel model(data.result.grade, data.result.scenario, data.changes);
+  EXPECT_EQ(model.index(1, CriteriaModel::kSign).data(IconRole).toString(), QStringLiteral("warning")) << "1 of 10 points is lost";
+}
+
+TEST_F(Marking, AChangeThatALaterOneReplacesIsShownAsSuperseded) {
+  for (const double points : {9.0, 8.0})
+    ASSERT_TRUE(records.store().statements.override_points(examiner.actor(), session, "depth_most", points, "Looked at again."));
+  ASSERT_TRUE(records.store().statements.override_points(examiner.actor(), session, "target_removed", 19, "Another criterion."));
+  const ReportData data = gathered(lena);
+  ASSERT_EQ(data.remarks.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(data.remarks[i].superseded, i == 0) << i;
+    EXPECT_EQ(data.remarks[i].what.contains(QStringLiteral("superseded")), i == 0) << data.remarks[i].what.toStdString();
+  }
+  ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  page.resize(1280, 800);
+  leave_picture(page, QStringLiteral("superseded"));
+  int dimmed = 0;
+  for (const QLabel* label : page.findChildren<QLabel*>()) {
+    if (!label->text().contains(QStringLiteral("<b>Dr Berg</b>"))) continue;
+    const bool old = label->text().contains(QStringLiteral("superseded"));
+    EXPECT_EQ(label->property("ink").toString() == QStringLiteral("text3"), old);
+    EXPECT_TRUE(label->text().contains(QStringLiteral(" 2026, "))) << label->text().toStdString();
+    dimmed += old;
+  }
+  EXPECT_EQ(dimmed, 1);
+}
+
+TEST_F(Marking, AChangeToTheFigureThatStandsAlreadyIsRefused) {
+  MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
+  QSignalSpy stated(&card, &MarkingCard::stated);
+  CriterionGrade criterion = criterion_in(gathered(examiner), "depth_most");
+  criterion.points = 4.04;  // the field shows 4.0
+  card.set_criterion(&criterion);
+  say(card, "The block was worn.");
+  button(card, "Change points")->click();
+  EXPECT_TRUE(message(card).contains(QStringLiteral("count already"))) << message(card).toStdString();
+  EXPECT_EQ(stated.count(), 0);
+  card.findChild<NumberField*>()->setValue(4.1);
+  button(card, "Change points")->click();
+  EXPECT_EQ(stated.count(), 1) << message(card).toStdString();
 }
 
 TEST_F(Marking, ACommentHasThePlaceOfTheChosenCriterionAndCanBeTakenBack) {

@@ -13,6 +13,7 @@
 #include "ui/report/report_pdf.h"
 #include "ui/session/scene_builder.h"
 #include "ui/text/grade_text.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::test {
 namespace {
@@ -106,13 +107,27 @@ TEST(ReportPdf, has_the_remarks_on_sheets_of_their_own) {
                           QStringLiteral("The block was worn."), std::nullopt});
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
   const std::string text = text_in(file);
-  for (const char* part : {"Remarks", "Dr Berg", "6 instead of 4 points", "The block was worn."}) {
+  for (const char* part : {"Remarks", "Dr Berg, Fri 20 Nov 2026, 10:14 UTC", "6 instead of 4 points", "The block was worn."}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   for (int i = 0; i < 60; ++i) data.remarks.push_back(data.remarks.front());
   data.remarks.back().text = QStringLiteral("The last one.");
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
   EXPECT_NE(text_in(file).find("The last one."), std::string::npos);
+}
+
+TEST(ReportPdf, gives_the_year_of_each_date_and_the_time_zone_of_the_attempt) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  data.when = QDateTime(QDate::currentDate(), QTime(10, 14));  // a screen leaves the year of now out
+  data.before = data.result.grade;
+  data.before_when = data.when;
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const std::string text = text_in(file), day = format_date(data.when).toStdString();
+  EXPECT_TRUE(day.ends_with(std::to_string(data.when.date().year())));
+  EXPECT_NE(text.find(day + ", 10:14 UTC"), std::string::npos) << text;
+  EXPECT_NE(text.find("points on " + day), std::string::npos) << text;
 }
 
 TEST(ReportPdf, marks_a_criterion_whose_points_an_examiner_changed_with_the_reason) {

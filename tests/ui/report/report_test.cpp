@@ -223,7 +223,7 @@ TEST(ReportData, what_counts_only_with_the_target_is_one_sentence_and_nothings_a
   EXPECT_TRUE(shown[1].head.startsWith(QStringLiteral("Floor depth, deepest")));
   data.result.scenario.rubric.criteria = {{"target_removed", 20, {50, 80, 87, 100, 100, 100}}};
   EXPECT_EQ(plain(counted_text(grade, data.result.scenario.rubric)),
-            "The rest counts only as far as the target was cut: 43.5 %.");
+            "The rest counts for 43.5 %, because target is left.");
   grade.criteria[0].measure.value = 88;
   EXPECT_TRUE(counted_text(grade, data.result.scenario.rubric).isEmpty());
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <time.h>
+
 #include <QLocale>
+#include <QTimeZone>
 #include <limits>
 
 #include "tests/modules.h"
@@ -55,8 +58,48 @@ TEST(Format, a_clock_counts_minutes_and_from_an_hour_on_hours) {
 
 TEST(Format, a_day_is_written_in_the_order_of_the_language) {
   const QDateTime when(QDate(2026, 11, 20), QTime(10, 14));
-  EXPECT_EQ(format_day_time(when, kEnglish).toStdString(), "Fri 20 Nov, 10:14");
-  EXPECT_EQ(format_day(when, kGerman).toStdString(), "Fr. 20. Nov.");
+  EXPECT_EQ(format_day_time(when, kEnglish, when).toStdString(), "Fri 20 Nov, 10:14");
+  EXPECT_EQ(format_day(when, kGerman, when).toStdString(), "Fr. 20. Nov.");
+}
+
+TEST(Format, a_day_of_another_year_than_now_has_its_year) {
+  const QDateTime last(QDate(2026, 12, 31), QTime(23, 59)), first = last.addSecs(60);
+  EXPECT_EQ(format_day(last, kEnglish, last).toStdString(), "Thu 31 Dec");
+  EXPECT_EQ(format_day(last, kEnglish, first).toStdString(), "Thu 31 Dec 2026");
+  EXPECT_EQ(format_day_time(last, kGerman, first).toStdString(), "Do. 31. Dez. 2026, 23:59");
+  EXPECT_EQ(format_day(first, kEnglish, last).toStdString(), "Fri 1 Jan 2027");
+}
+
+/// The local time zone while it lives.
+class LocalZone {
+ public:
+  explicit LocalZone(const char* name) : before_(qgetenv("TZ")) { set(name); }
+  ~LocalZone() {
+    if (before_.isNull()) qunsetenv("TZ");
+    else set(before_);
+    tzset();
+  }
+  LocalZone(const LocalZone&) = delete;
+  LocalZone& operator=(const LocalZone&) = delete;
+
+ private:
+  static void set(const QByteArray& name) {
+    qputenv("TZ", name);
+    tzset();
+  }
+  QByteArray before_;
+};
+
+TEST(Format, what_is_kept_has_its_year_and_on_paper_the_offset_from_utc) {
+  const QDateTime when(QDate(2026, 11, 27), QTime(8, 21), QTimeZone::utc());
+  // POSIX counts west of Greenwich as positive.
+  for (const auto& [zone, shown] : {std::pair{"UTC0", "08:21 UTC"}, {"CET-1", "09:21 UTC+1"}, {"IST-5:30", "13:51 UTC+5:30"}, {"NST3:30", "04:51 UTC\u22123:30"}}) {
+    const LocalZone local(zone);
+    EXPECT_EQ(format_date_time_zone(when, kEnglish).replace(QChar(0x00A0), u' ').toStdString(), std::string("Fri 27 Nov 2026, ") + shown);
+  }
+  const QDateTime here(QDate(2026, 11, 27), QTime(8, 21));
+  EXPECT_EQ(format_date_time(here, kEnglish).toStdString(), "Fri 27 Nov 2026, 08:21");
+  EXPECT_EQ(format_date(here, kGerman).toStdString(), "Fr. 27. Nov. 2026");
 }
 
 }  // namespace
