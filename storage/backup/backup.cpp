@@ -31,15 +31,16 @@ std::string name_at(const std::string& what, std::int64_t utc_us) {
   return what + '-' + time;
 }
 
-/// A new folder in `into`, named for `what` and the time.
+/// A new folder in `into`, named for `what` and the time. Only its owner can enter it.
 Stored<fs::path> new_folder(const fs::path& into, const std::string& what, std::int64_t utc_us) {
   std::error_code error;
   fs::create_directories(into, error);
   if (error) return std::unexpected(backup_failure(error, into));
   for (int n = 1; n < 1000; ++n) {
     const fs::path folder = into / (name_at(what, utc_us) + (n == 1 ? std::string() : "-" + std::to_string(n)));
-    if (fs::create_directory(folder, error)) return folder;
-    if (error) return std::unexpected(backup_failure(error, folder));
+    const auto made = make_private_folder(folder);
+    if (made) return folder;
+    if (made.error().code != StorageError::duplicate) return std::unexpected(made.error());
   }
   return fail(StorageError::duplicate, into.string());
 }
@@ -51,8 +52,19 @@ Stored<void> copy_private(const fs::path& from, const fs::path& to) {
   return *content ? write_private_file(to, **content) : Stored<void>{};
 }
 
-/// The whole of the connection's database as of one moment.
-Stored<void> copy_database(Database& from, const fs::path& to) { return from.run("VACUUM INTO ?1", to.string()); }
+bool concerns_disk(StorageError code) noexcept {
+  return out_of_space(code) || code == StorageError::file_too_large || code == StorageError::read_only ||
+         code == StorageError::io || code == StorageError::not_found;
+}
+
+/// The whole of the connection's database as of one moment, in a file that only its owner can read.
+Stored<void> copy_database(Database& from, const fs::path& to) {
+  static_cast<void>(make_private_file(to));  // if none can be made, SQLite reports why
+  auto done = from.run("VACUUM INTO ?1", to.string());
+  // SQLite names the source, which is only read.
+  if (!done && concerns_disk(done.error().code)) done.error().where = to.string();
+  return done;
+}
 
 /// Opening for writing syncs the file, for it changes its first page. Returns how many sessions it holds.
 Stored<std::uint64_t> check_copy(const fs::path& file) {
@@ -209,7 +221,7 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file, const Fi
   const fs::path parent = fs::absolute(file, error).parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
   const fs::path folder = parent / (".cusp-restore-" + Uuid::v7().text());
-  if (!fs::create_directory(folder, error)) return std::unexpected(backup_failure(error, file));
+  if (auto made = make_private_folder(folder); !made) return fail(made.error().code, file.string(), made.error().detail);
   const fs::path fresh = folder / file.filename();
   auto done = copy_back(backup, fresh);
   if (done && finish) done = finish(fresh);

@@ -23,6 +23,11 @@ std::filesystem::path behind_links(const std::filesystem::path& file);
 /// duplicate, else io.
 StorageError error_from_errno(int error) noexcept;
 
+/// Makes an empty file that only its owner can read, without opening it: a close() drops SQLite's locks. duplicate if it exists.
+Stored<void> make_private_file(const std::filesystem::path& file);
+/// Makes a folder that only its owner can enter. duplicate if the name is taken.
+Stored<void> make_private_folder(const std::filesystem::path& folder);
+
 /// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays.
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to);
 

@@ -155,6 +155,16 @@ bool on_network_drive(const std::filesystem::path& folder) {
 
 bool can_write(const std::filesystem::path& path) { return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0; }
 
+Stored<void> make_private_file(const std::filesystem::path& file) {
+  if (mknod(file.c_str(), S_IFREG | S_IRUSR | S_IWUSR, 0) != 0) return std::unexpected(failure_now(file));
+  return {};
+}
+
+Stored<void> make_private_folder(const std::filesystem::path& folder) {
+  if (mkdir(folder.c_str(), S_IRWXU) != 0) return std::unexpected(failure_now(folder));
+  return {};
+}
+
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (!take_name(from.c_str(), to.c_str())) return std::unexpected(failure_now(to));
   std::error_code ignored;

@@ -49,9 +49,6 @@ constexpr std::array kCopies = {
 Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
   auto to = Database::open(file);
   if (!to) return std::unexpected(to.error());
-  // Before it holds names and hashed secrets. What SQLite makes beside it has the same permissions.
-  std::error_code error;
-  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, error);
   if (auto done = to->attach_source(from); !done) return done;
   if (auto done = fill(*to); !done) return done;
   to->detach_source();

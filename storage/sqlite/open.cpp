@@ -194,6 +194,9 @@ Stored<Database> Database::copy_in_memory(const fs::path& file, const DatabaseOp
 Stored<Database> Database::open_for_writing(const fs::path& file, const DatabaseOptions& options) {
   std::error_code ignored;
   const bool existed = fs::exists(file, ignored);
+  // The umask decides the mode of a file that SQLite makes. Log and index get the mode of the main file. If no file can be
+  // made, SQLite reports why.
+  if (!existed) static_cast<void>(make_private_file(file));
   Stored<void> ready;
   {
     auto database = connect(file, SQLITE_OPEN_READWRITE | (existed ? 0 : SQLITE_OPEN_CREATE), options);

@@ -115,6 +115,21 @@ TEST_F(BackupTest, holds_one_moment_while_a_session_goes_on) {
   EXPECT_EQ(must(restored->traces.inputs(running)).size(), 12u);
 }
 
+TEST_F(BackupTest, and_what_is_restored_from_it_are_readable_by_their_owner_alone) {
+  const Umask usual(022);
+  const Backup backup = make();
+  EXPECT_EQ(mode_of(backup.folder), 0700u);
+  for (const auto& entry : fs::directory_iterator(backup.folder)) EXPECT_EQ(mode_of(entry.path()), 0600u) << entry.path();
+  must(restore_backup(backup, folder / "new.db", [](const fs::path& database) -> Stored<void> {
+    EXPECT_EQ(mode_of(database.parent_path()), 0700u);
+    return {};
+  }));
+  for (const std::string& name : left()) EXPECT_EQ(mode_of(folder / name), 0600u) << name;
+  EXPECT_EQ(left(), whole);
+  store.reset();
+  EXPECT_EQ(mode_of(must(put_aside(folder / "new.db", *now))), 0700u);
+}
+
 TEST_F(BackupTest, needs_the_right_and_leaves_nothing_where_it_fails) {
   EXPECT_EQ(code_of(make_backup(store->context(), lena.actor(), into())), StorageError::not_allowed);
   EXPECT_EQ(folders(), 0u);

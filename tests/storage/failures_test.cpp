@@ -7,6 +7,7 @@
 #include <csignal>
 #include <utility>
 
+#include "storage/backup/backup.h"
 #include "storage/base/files.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
@@ -133,19 +134,58 @@ TEST_F(FailuresTest, a_refused_write_names_its_cause) {
   }
 }
 
-/// By the system's own file system: the process may write no file beyond a size.
+/// By the system's own file system: during `work` the process writes no file beyond `bytes`.
+template <class Work>
+auto with_files_up_to(std::uintmax_t bytes, const Work& work) {
+  rlimit before{};
+  EXPECT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{bytes, before.rlim_max};
+  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  auto done = work();
+  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  return done;
+}
+
 TEST_F(FailuresTest, a_limit_on_the_size_of_files_is_no_full_disk) {
   const fs::path file = folder / "start.db";
   const auto store = open(file);
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit limit{fs::file_size(file.string() + "-wal") + 16384, before.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
-  const auto done = store->traces.append(session, large_second());
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto done = with_files_up_to(fs::file_size(file.string() + "-wal") + 16384,
+                                     [&] { return store->traces.append(session, large_second()); });
   EXPECT_EQ(code_of(done), StorageError::file_too_large);
   must(store->traces.append(session, large_second()));
+}
+
+TEST_F(FailuresTest, a_backup_that_cannot_be_written_names_its_own_file_and_leaves_nothing) {
+  const std::pair<Failing, StorageError> causes[] = {{Failing::disk_full, StorageError::disk_full},
+                                                     {Failing::over_quota, StorageError::quota_exceeded},
+                                                     {Failing::too_large, StorageError::file_too_large},
+                                                     {Failing::io_error, StorageError::io}};
+  StoreOptions options = quick();
+  options.database.vfs = failing_vfs();
+  fail_from(Failing::nothing, 0);
+  const auto store = open(folder / "start.db", options);
+  const fs::path into = folder / "backups";
+  for (const auto& [how, cause] : causes) {
+    fail_from(how, 1);  // the database itself is only read
+    const auto done = make_backup(store->context(), std::nullopt, into);
+    fail_from(Failing::nothing, 0);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, cause);
+    EXPECT_TRUE(done.error().where.starts_with(into.string())) << done.error().where;
+    EXPECT_TRUE(fs::is_empty(into));
+  }
+  must(make_backup(store->context(), std::nullopt, into));
+}
+
+TEST_F(FailuresTest, a_restore_that_cannot_be_written_names_the_new_file_and_leaves_nothing) {
+  const Backup backup = must(make_backup(open(folder / "start.db")->context(), std::nullopt, folder / "backups"));
+  ASSERT_GT(backup.bytes, 65536u);
+  const auto done = with_files_up_to(65536, [&] { return restore_backup(backup, folder / "new.db"); });
+  ASSERT_EQ(code_of(done), StorageError::file_too_large);
+  EXPECT_EQ(done.error().where, (folder / "new.db").string());
+  EXPECT_FALSE(fs::exists(folder / "new.db"));
+  must(restore_backup(backup, folder / "new.db"));
 }
 
 TEST(FailureCodes, an_errno_names_the_cause_and_not_always_a_full_disk) {

@@ -36,6 +36,22 @@ TEST(Opening, a_new_file_has_the_settings_that_keep_it_safe) {
   EXPECT_EQ(must(db.integrity_check()), "");
 }
 
+TEST(Opening, a_new_file_with_its_log_and_index_is_readable_by_its_owner_alone_and_a_file_that_is_there_keeps_its_mode) {
+  const Folder folder;
+  const Umask usual(022);
+  {
+    const auto store = open(folder / "a.db");
+    make_student(*store);
+    for (const char* part : {"", "-wal", "-shm", ".key", ".key-counter"}) EXPECT_EQ(mode_of((folder / "a.db").string() + part), 0600u) << part;
+  }
+  fs::permissions(folder / "a.db", fs::perms::group_read, fs::perm_options::add);
+  write(folder / "empty.db", "");
+  fs::permissions(folder / "empty.db", fs::perms{0644});
+  const auto again = open(folder / "a.db"), filled = open(folder / "empty.db");
+  EXPECT_EQ(mode_of(folder / "a.db"), 0640u);
+  EXPECT_EQ(mode_of(folder / "empty.db"), 0644u);
+}
+
 TEST(Opening, every_table_is_strict) {
   const Folder folder;
   auto db = must(Database::open(folder / "new.db"));

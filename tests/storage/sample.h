@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <memory>
@@ -24,6 +25,20 @@ class Folder {
  private:
   std::filesystem::path path_;
 };
+
+/// The process's umask until the destructor.
+class Umask {
+ public:
+  explicit Umask(mode_t mask) : before_{::umask(mask)} {}
+  ~Umask() { ::umask(before_); }
+  Umask(const Umask&) = delete;
+  Umask& operator=(const Umask&) = delete;
+
+ private:
+  mode_t before_;
+};
+/// Of a file or folder: 0600.
+inline unsigned mode_of(const std::filesystem::path& path) { return static_cast<unsigned>(std::filesystem::status(path).permissions()); }
 
 /// 20 November 2026, 09:14:03 UTC.
 inline constexpr std::int64_t kNow = 1'795'166'043'000'000;
