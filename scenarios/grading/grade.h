@@ -55,4 +55,11 @@ struct Grade {
                                           // 8: the margin counts by its length
 };
 
+/// In points. Rounding moves a sum of criteria by less than 1e-12; people read tenths of a point. Test:
+/// tests/scenarios/grading/pass_mark_test.cpp.
+inline constexpr double kScoreSlack = 1e-6;
+
+/// Whether the score is the pass mark or above it, but for the rounding of a sum. False if one of them is not a number.
+[[nodiscard]] constexpr bool reaches(double score, double mark) noexcept { return score >= mark - kScoreSlack; }
+
 }  // namespace cusp::scenarios

@@ -192,7 +192,7 @@ Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int 
     const Measure* m = find(measures, key);
     if (m != nullptr && m->measured && m->value > m->uncertainty) out.critical.push_back(key);
   }
-  out.passed = most > 0 && out.score >= out.pass_mark && out.critical.empty();
+  out.passed = most > 0 && reaches(out.score, out.pass_mark) && out.critical.empty();
   return out;
 }
 

@@ -12,7 +12,8 @@ namespace cusp::scenarios {
 inline constexpr int kAllAxes = 6;
 
 /// Score = 100 · sum of points / sum of their maxima, over what was measured; a criterion that was not measured has
-/// points_max 0 and is marked. The maxima of the others are their weights scaled to sum to 100. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
+/// points_max 0 and is marked. The maxima of the others are their weights scaled to sum to 100. Passed: at least one criterion measured, a score that
+/// reaches() the pass mark, and no critical event. A critical key
 /// happened when its measure is above its uncertainty. The order of `measures` does not matter.
 ///
 /// A preparation that was begun counts in proportion to what was drilled. Where the rubric asks for target_removed and that

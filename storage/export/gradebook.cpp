@@ -1,5 +1,6 @@
 #include "storage/export/gradebook.h"
 
+#include <cmath>
 #include <map>
 
 #include "storage/repositories/assignments.h"
@@ -37,17 +38,20 @@ Results results_of(const std::vector<HistoryRow>& rows) {
   return out;
 }
 
+/// Rounded to hundredths of a point.
+std::string points_text(double points) { return csv_number(std::round(points * 100) / 100); }
+
 std::string for_moodle(const Results& results, const std::string& title) {
   std::string out = "ID number," + csv_text(title) + "\r\n";
-  for (const auto& [number, r] : results.best) out += csv_text(number) + ',' + csv_number(r.score) + "\r\n";
+  for (const auto& [number, r] : results.best) out += csv_text(number) + ',' + points_text(r.score) + "\r\n";
   return out;
 }
 
 std::string for_canvas(const Results& results, const std::string& title) {
   std::string out = "Student,ID,SIS User ID,SIS Login ID,Section," + csv_text(title) + "\r\n";
-  out += "Points Possible,,,,," + csv_number(results.most) + "\r\n";
+  out += "Points Possible,,,,," + points_text(results.most) + "\r\n";
   for (const auto& [number, r] : results.best) {
-    out += csv_text(r.name) + ",," + csv_text(number) + ',' + csv_text(number) + ",," + csv_number(r.score) + "\r\n";
+    out += csv_text(r.name) + ",," + csv_text(number) + ',' + csv_text(number) + ",," + points_text(r.score) + "\r\n";
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "storage/records/effective_grade.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cusp::storage {
 namespace {
@@ -39,10 +40,22 @@ void apply(const SignedStatement& s, Grade& grade) {
   }
   const auto criterion = std::ranges::find(grade.criteria, s.criterion, &CriterionGrade::id);
   if (criterion == grade.criteria.end() || !s.points) return;
-  const double points = std::clamp(*s.points, 0.0, criterion->points_max);
-  grade.score += points - criterion->points;
-  criterion->points = points;
-  if (points >= criterion->points_max) criterion->reason_code = "full";
+  criterion->points = std::clamp(*s.points, 0.0, criterion->points_max);
+  if (criterion->points >= criterion->points_max) criterion->reason_code = "full";
+}
+
+double points_of(const Grade& grade) {
+  double sum = 0;
+  for (const CriterionGrade& c : grade.criteria) sum += c.points;
+  return sum;
+}
+
+/// The criteria's sum, which no order of the overrides changes. Criteria of evaluator 2 have points of their weights and
+/// another sum than the score: there the change of the sum counts.
+double score_of(const Grade& stored, const Grade& changed) {
+  const double before = points_of(stored), now = points_of(changed);
+  const bool is_sum = std::abs(stored.score - before) <= scenarios::kScoreSlack;
+  return std::clamp(is_sum ? now : stored.score + (now - before), 0.0, stored.score_max);
 }
 
 }  // namespace
@@ -55,13 +68,14 @@ std::optional<EffectiveGrade> effective_grade(const std::vector<StoredGrade>& gr
   out.overrides = newest_overrides(standing, out.stored.number);
   for (const SignedStatement& s : out.overrides) apply(s, out.grade);
   if (!out.overrides.empty()) {
-    out.grade.score = std::clamp(out.grade.score, 0.0, out.grade.score_max);
-    out.grade.passed = out.grade.score >= out.grade.pass_mark && out.grade.critical.empty();
+    out.grade.score = score_of(out.stored.grade, out.grade);
+    out.grade.passed = scenarios::reaches(out.grade.score, out.grade.pass_mark) && out.grade.critical.empty();
   }
   const std::int64_t changed = last_change(statements);
   for (const SignedStatement& s : standing) {
     if (s.kind == StatementKind::confirmation && s.grade == out.stored.number && s.sequence > changed) out.confirmation = s;
   }
+  out.release = release_of(statements);
   return out;
 }
 

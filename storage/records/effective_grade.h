@@ -15,15 +15,18 @@ struct EffectiveGrade {
   Grade grade;                               // points, score, critical events and pass as they count
   std::vector<SignedStatement> overrides{};  // in force, of this grade; the newest one of each criterion
   std::optional<SignedStatement> confirmation{};  // made after the last change of the result
-  /// A failed result that nobody has confirmed is not released.
+  std::optional<SignedStatement> release{};       // that nobody has withdrawn
+  /// A failed result that nobody has confirmed.
   bool needs_confirmation() const noexcept { return !grade.passed && !confirmation; }
+  /// A release is out of force while the result needs a confirmation, also if an override lowered it after the release.
+  bool release_waits() const noexcept { return release && needs_confirmation(); }
 };
 
 /// nullopt without a grade. Overrides of older grades do not count. `statements`: all of the session, oldest first.
 std::optional<EffectiveGrade> effective_grade(const std::vector<StoredGrade>& grades,
                                               const std::vector<SignedStatement>& statements);
 
-/// A release in force.
+/// The release that nobody has withdrawn. It may wait: EffectiveGrade::release_waits().
 std::optional<SignedStatement> release_of(const std::vector<SignedStatement>& statements);
 
 }  // namespace cusp::storage

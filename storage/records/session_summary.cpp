@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -34,7 +35,7 @@ constexpr std::string_view kResultFrom = R"(
 LEFT JOIN session_events e ON e.session = s.id AND e.row = (SELECT max(row) FROM session_events WHERE session = s.id)
 LEFT JOIN grades g ON g.session = s.id AND g.row = (SELECT max(row) FROM grades WHERE session = s.id))";
 
-/// Of an assessment a release, and no withdrawal of it.
+/// Of an assessment a release, and no withdrawal of it; without what an unconfirmed fail withholds (StatedResult).
 constexpr std::string_view kReleased = R"((s.kind <> 'assessment' OR EXISTS (
   SELECT 1 FROM statements t INDEXED BY statements_of_session WHERE t.session = s.id AND t.kind = 'release' AND NOT EXISTS (
     SELECT 1 FROM statements w INDEXED BY statements_of_session
@@ -43,7 +44,7 @@ constexpr std::string_view kReleased = R"((s.kind <> 'assessment' OR EXISTS (
 /// A list omits guests and try-outs.
 constexpr std::string_view kListed = "(s.kind IN ('practice', 'assessment') AND coalesce(p.guest, 0) = 0)";
 
-/// Every summary as the records give it, by session; without what statements change of a score.
+/// Every summary as the records give it, by session; without StatedResult.
 std::string from_records() {
   const std::string listed(kListed);
   return "SELECT s.id, s.student, v.scenario, s.version, v.number, s.kind, s.hand, s.device, s.device_class, "
@@ -65,39 +66,50 @@ struct Place {
   std::int64_t started_utc_us = 0, sequence = 0;
 };
 
-/// A result in the columns of kChangedByStatements.
-struct CountedResult {
+/// Columns of kChangedByStatements.
+struct OverriddenResult {
   double score = 0;
   bool passed = false;
   std::string critical;  // JSON
 };
 
-/// nullopt unless an override is in force.
-Stored<std::optional<CountedResult>> counted_result(Database& db, SessionId session) {
+/// What statements change of a summary.
+struct StatedResult {
+  std::optional<OverriddenResult> overridden{};  // nullopt: no override is in force
+  bool release_waits = false;                    // then `released` is 0
+};
+
+Stored<StatedResult> stated_result(Database& db, SessionId session) {
   const auto statements = statements_of(db, session);
   if (!statements) return std::unexpected(statements.error());
-  std::optional<CountedResult> out;
+  StatedResult out;
   if (statements->empty()) return out;
   const auto grades = grades_of(db, session);
   if (!grades) return std::unexpected(grades.error());
   const auto counts = effective_grade(*grades, *statements);
-  if (!counts || counts->overrides.empty()) return out;
-  out.emplace(counts->grade.score, counts->grade.passed, nlohmann::json(counts->grade.critical).dump());
+  if (!counts) return out;
+  const Grade& grade = counts->grade;
+  if (!counts->overrides.empty()) out.overridden.emplace(grade.score, grade.passed, nlohmann::json(grade.critical).dump());
+  out.release_waits = counts->release_waits();
   return out;
 }
 
-/// Sessions whose result a statement may change.
-Stored<std::vector<SessionId>> overridden_sessions(Database& db) {
-  return db.all("SELECT DISTINCT session FROM statements WHERE kind IN ('override_points', 'override_critical')",
+/// Sessions whose summary a statement may change.
+Stored<std::vector<SessionId>> stated_sessions(Database& db) {
+  return db.all("SELECT DISTINCT session FROM statements WHERE kind IN ('override_points', 'override_critical', 'release')",
                 [](Row row) { return row.id<SessionId>(0); });
 }
 
-Stored<void> write_counted_result(Database& db, SessionId session) {
-  const auto counted = counted_result(db, session);
-  if (!counted) return std::unexpected(counted.error());
-  if (!*counted) return {};
-  return db.run("UPDATE session_summaries SET score = ?2, passed = ?3, critical = ?4 WHERE session = ?1", session,
-                (*counted)->score, (*counted)->passed, (*counted)->critical);
+Stored<void> write_stated_result(Database& db, SessionId session) {
+  const auto stated = stated_result(db, session);
+  if (!stated) return std::unexpected(stated.error());
+  if (const auto& overridden = stated->overridden) {
+    auto done = db.run("UPDATE session_summaries SET score = ?2, passed = ?3, critical = ?4 WHERE session = ?1", session,
+                       overridden->score, overridden->passed, overridden->critical);
+    if (!done) return done;
+  }
+  if (!stated->release_waits) return {};
+  return db.run("UPDATE session_summaries SET released = 0 WHERE session = ?1", session);
 }
 
 /// By session; both streams have the columns of kColumns.
@@ -111,22 +123,25 @@ int column_of(std::string_view name) {
   return static_cast<int>(std::ranges::find(kColumns, name) - kColumns.begin());
 }
 
-/// `counted`: what statements make of the result; nullopt: nothing.
-void compare_columns(const Rows& records, const Rows& stored, const std::optional<CountedResult>& counted,
+void compare_columns(const Rows& records, const Rows& stored, const StatedResult& stated,
                      const std::function<void(const SummaryDifference&)>& each) {
   const auto differs = [&](std::string_view column) {
     each({SummaryDifference::Kind::column, records.session(), column});
   };
   for (std::size_t i = 1; i < kColumns.size(); ++i) {
-    if (counted && std::ranges::find(kChangedByStatements, kColumns[i]) != kChangedByStatements.end()) continue;
+    if (stated.overridden && std::ranges::find(kChangedByStatements, kColumns[i]) != kChangedByStatements.end()) continue;
+    if (stated.release_waits && kColumns[i] == "released") continue;
     const int column = static_cast<int>(i);
     if (!records.row().same_value(column, stored.row())) differs(kColumns[i]);
   }
-  if (!counted) return;
   const Row row = stored.row();
-  if (row.maybe_real(column_of("score")) != counted->score) differs("score");
-  if (row.maybe_integer(column_of("passed")) != (counted->passed ? 1 : 0)) differs("passed");
-  if (row.text(column_of("critical")) != counted->critical) differs("critical");
+  if (stated.release_waits && row.maybe_integer(column_of("released")) != 0) differs("released");
+  if (!stated.overridden) return;
+  // A summary of an older program may hold the sum with another rounding.
+  const auto score = row.maybe_real(column_of("score"));
+  if (!score || !(std::abs(*score - stated.overridden->score) <= scenarios::kScoreSlack)) differs("score");
+  if (row.maybe_integer(column_of("passed")) != (stated.overridden->passed ? 1 : 0)) differs("passed");
+  if (row.text(column_of("critical")) != stated.overridden->critical) differs("critical");
 }
 
 Stored<void> report_added(Database& db, SessionId session, const std::function<void(const SummaryDifference&)>& each) {
@@ -186,14 +201,14 @@ void follow_event(Transaction& transaction, SessionId session) {
                       " FROM sessions s" + std::string(kResultFrom) + " WHERE s.id = ?1) WHERE session = ?1",
                   session);
   if (!transaction.ok()) return;
-  if (auto done = write_counted_result(transaction.database(), session); !done) transaction.refuse(std::move(done.error()));
+  if (auto done = write_stated_result(transaction.database(), session); !done) transaction.refuse(std::move(done.error()));
   follow_graded(transaction, session);
 }
 
 Stored<void> compare_summaries(Database& db, const std::function<void(const SummaryDifference&)>& each) {
-  const auto overridden = overridden_sessions(db);
-  if (!overridden) return std::unexpected(overridden.error());
-  const std::set<SessionId> changed(overridden->begin(), overridden->end());
+  const auto with_statements = stated_sessions(db);
+  if (!with_statements) return std::unexpected(with_statements.error());
+  const std::set<SessionId> changed(with_statements->begin(), with_statements->end());
   Rows records(db, from_records()), stored(db, "SELECT * FROM session_summaries ORDER BY session");
   auto done = records.next();
   if (done) done = stored.next();
@@ -205,10 +220,10 @@ Stored<void> compare_summaries(Database& db, const std::function<void(const Summ
     } else if (only_stored) {
       done = report_added(db, stored.session(), each);
     } else {
-      Stored<std::optional<CountedResult>> counted;
-      if (changed.contains(records.session())) counted = counted_result(db, records.session());
-      if (!counted) return std::unexpected(counted.error());
-      compare_columns(records, stored, *counted, each);
+      Stored<StatedResult> stated;
+      if (changed.contains(records.session())) stated = stated_result(db, records.session());
+      if (!stated) return std::unexpected(stated.error());
+      compare_columns(records, stored, *stated, each);
     }
     if (done && !only_stored) done = records.next();
     if (done && !only_records) done = stored.next();
@@ -227,10 +242,10 @@ Stored<std::uint64_t> rebuild_summaries(StorageContext& context, const Actor& ac
   transaction.run("DELETE FROM session_summaries");
   transaction.run("INSERT INTO session_summaries " + from_records());
   if (transaction.ok()) {
-    const auto overridden = overridden_sessions(context.db);
-    if (!overridden) transaction.refuse(overridden.error());
-    for (const SessionId session : overridden ? *overridden : std::vector<SessionId>{}) {
-      if (auto done = write_counted_result(context.db, session); !done) transaction.refuse(std::move(done.error()));
+    const auto stated = stated_sessions(context.db);
+    if (!stated) transaction.refuse(stated.error());
+    for (const SessionId session : stated ? *stated : std::vector<SessionId>{}) {
+      if (auto done = write_stated_result(context.db, session); !done) transaction.refuse(std::move(done.error()));
     }
   }
   if (transaction.ok()) {

@@ -37,13 +37,14 @@ class Statements {
   /// The critical event no longer fails the attempt.
   Stored<SignedStatement> override_critical(const Actor& actor, SessionId session, const std::string& event,
                                             const std::string& reason);
-  /// Needs grade_again. The result as it stands now; a later override asks for another one.
+  /// Needs grade_again. The result as it stands now; a later override asks for another one. A release that waits for it holds
+  /// again.
   Stored<SignedStatement> confirm(const Actor& actor, SessionId session);
   /// Needs assign. wrong_state (where = released) if it is, (where = confirmation) while the result is failed and unconfirmed,
   /// (where = grade) without a grade.
   Stored<SignedStatement> release(const Actor& actor, SessionId session);
   /// By the session's student, once. not_allowed (where = own_session) for another actor; wrong_state (where = self_assessment) if
-  /// there is one, (where = released) once the student may read the result of an assessment; bad_value (where = criterion) for one
+  /// there is one, (where = released) once an assessment has a release, also one that waits; bad_value (where = criterion) for one
   /// that the grade does not have. An empty one says that the student skipped it.
   Stored<SignedStatement> assess_own(const Actor& actor, SessionId session, const SelfAssessment& own);
   /// Needs the right of what it takes back. not_found unless that statement is in force in this session. Needs a reason. An own

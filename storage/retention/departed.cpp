@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::int64_t kYear_us = 31'557'600'000'000;
 
-/// ?1: gone since. An assessment that no release speaks of is withheld (session_summaries.released).
+/// ?1: gone since. session_summaries.released is 0 while the result of an assessment is withheld.
 constexpr std::string_view kSelectDeparted =
     "SELECT p.id, max(p.created_at, coalesce((SELECT max(started_at) FROM sessions s WHERE s.student = p.id), 0)) last, "
     "EXISTS (SELECT 1 FROM session_summaries m WHERE m.student = p.id AND (m.released = 0 OR m.state = 'running')) "

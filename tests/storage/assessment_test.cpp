@@ -1,6 +1,7 @@
 /// Assigned attempts: who may begin one, when and how often; and that the result of an assessment is withheld until release.
 #include <gtest/gtest.h>
 
+#include "storage/records/session_summary.h"
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -47,6 +48,20 @@ struct AssessmentTest : ::testing::Test {
     wanted.start_code = code;
     const auto done = store->sessions.admit(student.actor(), wanted);
     return done ? "admitted" : done.error().where;
+  }
+  /// "withheld" if the student reads nothing of the result in any way, else its score.
+  std::string seen(SessionId id) {
+    const Actor student = lena.actor();
+    const HistoryRow row = must(store->history.details(student, id)).row;
+    const HistoryRow listed = must(store->history.details(instructor, id)).row;
+    const bool readable = store->history.may_read_result(student, id).has_value();
+    EXPECT_EQ(row.score.has_value(), readable);
+    EXPECT_EQ(row.released, readable);
+    EXPECT_EQ(listed.released, readable) << "an instructor's list says what the student sees";
+    EXPECT_EQ(must(store->history.figures(student)).attempts, readable ? 1 : 0);
+    EXPECT_EQ(must(store->statements.of(student, id)).empty(), !readable);
+    EXPECT_TRUE(must(verify_store(store->context())).intact());
+    return readable ? std::to_string(static_cast<int>(*row.score)) : "withheld";
   }
   static std::string refusal(const Stored<Session>& result) {
     return result ? "begun" : result.error().where;
@@ -279,6 +294,49 @@ TEST_F(AssessmentTest, a_failed_result_is_released_only_when_a_person_has_confir
   must(store->statements.confirm(instructor, id));
   must(store->statements.release(instructor, id));
   EXPECT_EQ(code_of(store->statements.release(instructor, id)), StorageError::wrong_state);
+}
+
+TEST_F(AssessmentTest, a_release_is_out_of_force_while_a_result_that_was_lowered_afterwards_awaits_its_confirmation) {
+  const SessionId id = sit(assign(SessionKind::assessment), 37, false);
+  must(store->statements.confirm(instructor, id));
+  must(store->statements.release(instructor, id));
+  EXPECT_EQ(seen(id), "37");
+  const SignedStatement lowered = must(store->statements.override_points(instructor, id, "target_removed", 0, "Not cut."));
+  EXPECT_EQ(seen(id), "withheld");
+  EXPECT_EQ(store->statements.release(instructor, id).error().where, "confirmation");
+  must(store->statements.confirm(instructor, id));
+  EXPECT_EQ(seen(id), "19");
+  EXPECT_EQ(store->statements.release(instructor, id).error().where, "released");
+  must(store->statements.withdraw(instructor, id, lowered.id, "It was cut."));
+  EXPECT_EQ(seen(id), "withheld") << "the result changed again";
+}
+
+TEST_F(AssessmentTest, a_pass_that_becomes_a_fail_after_its_release_is_withheld_until_it_passes_or_is_confirmed) {
+  const SessionId id = sit(assign(SessionKind::assessment), 72, true);
+  must(store->statements.release(instructor, id));
+  const SignedStatement lowered = must(store->statements.override_points(instructor, id, "target_removed", 0, "Not cut."));
+  EXPECT_EQ(seen(id), "withheld");
+  must(store->statements.withdraw(instructor, id, lowered.id, "It was cut."));
+  EXPECT_EQ(seen(id), "72");
+  must(store->grades.save(id, small_grade(40, false), {}, instructor));
+  EXPECT_EQ(seen(id), "withheld") << "graded again";
+  must(store->statements.confirm(instructor, id));
+  EXPECT_EQ(seen(id), "40");
+}
+
+TEST_F(AssessmentTest, a_rebuild_withholds_what_awaits_its_confirmation_and_verification_names_a_summary_that_does_not) {
+  const Actor administrator = make_administrator(*store).actor();
+  const SessionId id = sit(assign(SessionKind::assessment), 72, true);
+  must(store->statements.release(instructor, id));
+  must(store->statements.override_points(instructor, id, "target_removed", 0, "Not cut."));
+  EXPECT_EQ(must(rebuild_summaries(store->context(), administrator)), 0u);
+  EXPECT_EQ(seen(id), "withheld");
+  must(store->database().run("UPDATE session_summaries SET released = 1"));
+  const auto findings = must(verify_store(store->context())).findings;
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings[0].what, "released");
+  EXPECT_GT(must(rebuild_summaries(store->context(), administrator)), 0u);
+  EXPECT_EQ(seen(id), "withheld");
 }
 
 TEST_F(AssessmentTest, a_withdrawn_release_withholds_the_result_again) {

@@ -56,6 +56,25 @@ TEST_F(GradebookTest, counts_what_examiners_changed) {
   EXPECT_NE(file(Gradebook::moodle).text.find("20267314,70\r\n"), std::string::npos) << file(Gradebook::moodle).text;
 }
 
+TEST_F(GradebookTest, has_points_in_hundredths) {
+  sit(lena, 36.998821908701814);
+  sit(omar, 200.0 / 3);
+  for (const Gradebook system : {Gradebook::moodle, Gradebook::canvas}) {
+    const std::string text = file(system).text;
+    EXPECT_NE(text.find(",37\r\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(",66.67\r\n"), std::string::npos) << text;
+  }
+}
+
+TEST_F(GradebookTest, leaves_out_what_was_lowered_to_an_unconfirmed_fail_after_its_release) {
+  const SessionId id = sit(lena, 72);
+  must(store->statements.override_points(instructor, id, "target_removed", 0, "Not cut."));
+  EXPECT_EQ(file(Gradebook::moodle).students, 0u);
+  EXPECT_EQ(file(Gradebook::moodle).withheld, 1u);
+  must(store->statements.confirm(instructor, id));
+  EXPECT_NE(file(Gradebook::moodle).text.find("20267314,54\r\n"), std::string::npos) << file(Gradebook::moodle).text;
+}
+
 TEST_F(GradebookTest, has_the_columns_that_canvas_asks_for_and_quotes_names) {
   sit(omar, 75);
   const std::string text = file(Gradebook::canvas).text;

@@ -1,8 +1,12 @@
 /// Statements about a session: what each changes of the result that counts, who may make it, and that all stay.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
+#include <numeric>
+#include <random>
 
 #include "storage/records/session_summary.h"
 #include "tests/storage/sample.h"
@@ -66,6 +70,77 @@ TEST_F(StatementsTest, an_override_counts_in_grade_list_and_figures_and_the_stor
   EXPECT_EQ(row_of(id).score, 70);
   EXPECT_EQ(row_of(id).passed, true);
   EXPECT_EQ(must(store->history.figures(instructor)).median_score, 70);
+  expect_whole();
+}
+
+/// Greatest points of seven criteria, of 100, and the points of each in tenths, drawn so that they sum to `sum`.
+constexpr std::array<int, 7> kMost = {14, 14, 14, 14, 14, 15, 15};
+std::vector<int> tenths_that_sum_to(int sum, std::mt19937& random) {
+  while (true) {
+    std::vector<int> out;
+    for (const int most : kMost) out.push_back(std::uniform_int_distribution<int>(0, 10 * most)(random));
+    const int missing = sum - std::accumulate(out.begin(), out.end() - 1, 0);
+    if (missing < 0 || missing > 10 * kMost.back()) continue;
+    out.back() = missing;
+    return out;
+  }
+}
+
+/// As the grader leaves it: the criteria sum to the score.
+Grade seven_criteria(std::mt19937& random) {
+  Grade grade;
+  for (std::size_t i = 0; i < kMost.size(); ++i) {
+    CriterionGrade c;
+    c.id = c.measure.metric = "width_" + std::to_string(i);
+    c.points_max = kMost[i];
+    c.points = c.points_max * std::uniform_real_distribution<double>(0.0, 1.0)(random);
+    c.reason_code = "too_little";
+    grade.score += c.points;
+    grade.criteria.push_back(c);
+  }
+  return grade;
+}
+
+TEST(EffectiveGrades, overrides_that_sum_to_the_mark_pass_in_every_order_and_a_tenth_less_fails) {
+  std::mt19937 random(20261120);
+  for (int round = 0; round < 2000; ++round) {
+    const int sum = round % 2 == 0 ? 700 : 699;
+    const std::vector<int> tenths = tenths_that_sum_to(sum, random);
+    StoredGrade stored;
+    stored.grade = seven_criteria(random);
+    std::vector<std::size_t> order(kMost.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::shuffle(order, random);
+    std::vector<SignedStatement> statements;
+    for (const std::size_t i : order) {
+      SignedStatement s{.sequence = static_cast<std::int64_t>(statements.size()), .kind = StatementKind::override_points};
+      s.grade = stored.number;
+      s.criterion = stored.grade.criteria[i].id;
+      s.points = tenths[i] / 10.0;
+      statements.push_back(s);
+    }
+    const auto counts = effective_grade({stored}, statements);
+    ASSERT_TRUE(counts);
+    EXPECT_EQ(counts->grade.passed, sum == 700) << "round " << round << ", score " << counts->grade.score;
+    EXPECT_NEAR(counts->grade.score, sum / 10.0, 1e-12) << "measured: 1.5e-14";
+  }
+}
+
+TEST_F(StatementsTest, seven_overrides_that_sum_to_the_mark_pass_in_grade_and_list) {
+  std::mt19937 random(7);
+  const SessionId id = complete_session(*store, lena, version, 68);
+  Grade stored = seven_criteria(random);
+  // Adding the seven changes one by one gives 69.99999999999999.
+  constexpr std::array kBefore = {10.3, 11.2, 8.3, 6.6, 12.9, 2.7, 12.2};
+  for (std::size_t i = 0; i < kBefore.size(); ++i) stored.criteria[i].points = kBefore[i];
+  stored.score = std::accumulate(kBefore.begin(), kBefore.end(), 0.0);
+  must(store->grades.save(id, stored, {}, instructor));
+  for (const auto& [criterion, points] : std::vector<std::pair<int, double>>{{3, 9.7}, {0, 10.1}, {6, 11.3}, {1, 8.9}, {5, 12.6}, {2, 7.3}, {4, 10.1}}) {
+    must(statements().override_points(instructor, id, "width_" + std::to_string(criterion), points, "Seen on the tooth."));
+  }
+  EXPECT_TRUE(counts(id).grade.passed) << counts(id).grade.score;
+  EXPECT_NEAR(*row_of(id).score, 70, 1e-12);
+  EXPECT_EQ(row_of(id).passed, true);
   expect_whole();
 }
 
