@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/drill/drill_feed.h"
+#include "ui/drill/idle_port.h"
 #include "ui/session/exercise_session.h"
 #include "ui/session/session_device.h"
 #include "ui/view/start_view.h"
@@ -21,6 +22,7 @@ namespace cusp::ui {
 /// What the window gets.
 struct OpenedAttempt {
   SessionDevice device;
+  std::unique_ptr<IdlePort> idle;  // what the session reads: the device with its pedal
   std::shared_ptr<PatchFeed> patches;
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;

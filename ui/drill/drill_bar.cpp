@@ -168,9 +168,16 @@ void DrillBar::show_grant(const RealtimeGrant& grant) {
   announce(this, message.line());
 }
 
+void DrillBar::offer_pause(bool on) {
+  offers_pause_ = on;
+  pause_->setVisible(offers_pause_ || stopped_);
+  fit();
+}
+
 void DrillBar::set_stopped(bool stopped) {
   if (stopped == stopped_) return;
   stopped_ = stopped;
+  pause_->setVisible(offers_pause_ || stopped_);
   const QString act = stopped ? tr("Resume") : tr("Pause");
   pause_->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
   pause_->setAccessibleName(act);

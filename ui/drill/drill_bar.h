@@ -27,7 +27,8 @@ class DrillBar : public QFrame {
   /// Only a device that pushes a hand suffers from late ticks; shown, and read out, as soon as the loop knows what it was
   /// granted.
   void show_grant(const RealtimeGrant& grant);
-  /// Pause, or Resume once it stands.
+  /// Pause, or Resume once it stands. If `on` is false (an assessment), the button shows with Resume alone.
+  void offer_pause(bool on);
   void set_stopped(bool stopped);
   void enable_pause(bool on);
   void enable_leave(bool on);
@@ -55,7 +56,7 @@ class DrillBar : public QFrame {
   DeviceLimits device_;
   double limit_s_ = 0;
   int warned_ = 0;  // how many of the two warnings were given
-  bool shown_grant_ = false, delayed_ = false, stopped_ = false;
+  bool shown_grant_ = false, delayed_ = false, stopped_ = false, offers_pause_ = true;
 };
 
 }  // namespace cusp::ui

@@ -81,6 +81,7 @@ void DrillScreen::make_main(QVBoxLayout& column) {
   left->setSpacing(0);
   in.stage = new DrillStage(this);
   connect(in.stage, &DrillStage::go_on, this, &DrillScreen::toggle_pause);
+  connect(in.stage, &DrillStage::finish_again, this, &DrillScreen::finish_now);
   connect(in.stage, &DrillStage::leave, this, &DrillScreen::ask_leave);
   connect(in.stage, &DrillStage::sections_wanted, this,
           [this](const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid) {
@@ -195,6 +196,7 @@ void DrillScreen::begin(SessionPlan plan, const DrillText& text, std::unique_ptr
   Inner& in = *inner_;
   in.bar->set_exercise(text.title, text.aside);
   in.guidance = plan.guidance;
+  in.bar->offer_pause(in.guidance == Guidance::full);
   in.leave_code = QString::fromStdString(plan.start_code);
   fold(is_small());
   in.tray->set_burs(plan.scenario.instruments);
@@ -300,6 +302,7 @@ void DrillScreen::look() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
   in.live = in.attempt->session->view();
+  if (in.asked && in.live.device == Sample::Status::gone) in.stood = true;
   in.sound->follow(in.live, *in.attempt->session->scene());
   in.stage->view()->follow_bur(kFollow);
   const Vec3 bur_mm = in.live.output.proxy_mm;
@@ -315,12 +318,10 @@ void DrillScreen::look() {
   in.bar->show_grant(in.live.grant);
   in.stage->show_values(in.live, in.attempt->device.falcon != nullptr ? &in.attempt->device.falcon->view() : nullptr);
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
-  if (in.input) in.input->set_enabled(!stopped);
+  if (in.input) in.input->set_enabled(!stopped && !in.asked);
   in.bar->set_stopped(stopped);
   // Inputs could not be kept: the attempt is graded as it stands.
-  if (in.live.end != LoopEnd::ring_full) return;
-  in.stage->show_stopped(DrillStage::Stop::behind);
-  finish_now();
+  if (in.live.end == LoopEnd::ring_full) finish_now();
 }
 
 void DrillScreen::toggle_pause() {
@@ -329,7 +330,7 @@ void DrillScreen::toggle_pause() {
   if (in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held) {
     in.attempt->session->resume();
     setFocus();
-  } else {
+  } else if (in.guidance == Guidance::full) {
     if (in.input) in.input->release_all();
     in.attempt->session->pause();
   }

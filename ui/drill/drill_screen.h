@@ -41,7 +41,7 @@ class DrillScreen : public QWidget {
   void keep_settings_in(class Settings* settings);
 
  public Q_SLOTS:
-  /// Stops the clock and the force; the same again resumes.
+  /// Stops the clock and the force; the same again resumes. An assessment's clock is not stopped, only resumed after a fault.
   void toggle_pause();
   /// Asks, then ends the attempt and grades it.
   void ask_finish();
@@ -72,6 +72,9 @@ class DrillScreen : public QWidget {
   void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
   void follow_pointer();
   void tooth_shown();
+  void hold_for_question();
+  void answered_no();
+  void leave_now();
   void finish_now();
   void graded(const std::shared_ptr<Outcome<SessionResult>>& result);
   void enable_controls(bool on);

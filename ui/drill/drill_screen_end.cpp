@@ -8,27 +8,44 @@
 
 namespace cusp::ui {
 
+/// Takes cut and force off the bur while the question is open. A pause would stop an assessment's clock.
+void DrillScreen::hold_for_question() {
+  Inner& in = *inner_;
+  if (in.input) in.input->release_all();
+  in.stage->set_asking(true);
+  in.asked = true;
+  in.stood = stands_still(in.attempt->session->view());
+  if (in.guidance == Guidance::silent) {
+    in.attempt->idle->set_idle(true);
+  } else {
+    in.attempt->session->pause();
+  }
+}
+
+/// An attempt that stood before the question stands again: the force comes back by Resume alone.
+void DrillScreen::answered_no() {
+  Inner& in = *inner_;
+  in.attempt->idle->set_idle(false);
+  if (in.guidance == Guidance::full && !in.stood) in.attempt->session->resume();
+  setFocus();
+}
+
 void DrillScreen::ask_finish() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
-  if (in.input) in.input->release_all();
-  in.stage->set_asking(true);
-  in.attempt->session->pause();
+  hold_for_question();
   const Question question =
       in.guidance == Guidance::silent
           ? Question{tr("Hand in?"), tr("The tooth is kept as it is now; nothing can be changed afterwards."), tr("Hand in")}
           : Question{tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")};
-  in.ports.ask(this, question,
-               [self = QPointer(this)](bool yes) {
-                 if (!self || !self->running()) return;
-                 self->inner_->stage->set_asking(false);
-                 if (yes) {
-                   self->finish_now();
-                 } else {
-                   self->inner_->attempt->session->resume();
-                   self->setFocus();
-                 }
-               });
+  in.ports.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (!self || !self->running()) return;
+    Inner& inner = *self->inner_;
+    inner.stage->set_asking(false);
+    inner.asked = false;
+    if (inner.working) return;  // the time limit has finished it meanwhile
+    yes ? self->finish_now() : self->answered_no();
+  });
 }
 
 void DrillScreen::finish_now() {
@@ -41,7 +58,12 @@ void DrillScreen::finish_now() {
   enable_controls(false);
   in.bar->enable_leave(false);
   in.stats.write_where_asked();
-  in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
+  if (in.live.end == LoopEnd::ring_full) {
+    in.stage->show_stopped(DrillStage::Stop::behind);  // this card itself says that the tooth is measured
+  } else {
+    in.stage->show_stopped(DrillStage::Stop::none);
+    in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
+  }
   in.worker = std::thread([this, session = in.attempt->session.get()] {
     const auto progress = [this, shown = 0](double share) mutable {
       const int percent = static_cast<int>(100 * share);
@@ -61,7 +83,7 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   in.bar->enable_leave(true);
   if (!*result && result->error().code == SessionError::recording_failed) {
     // The record may become writable again: nothing is lost while this screen stands.
-    in.stage->show_stopped(DrillStage::Stop::record, describe(result->error()));
+    in.stage->show_stopped(DrillStage::Stop::record_at_end, describe(result->error()));
     in.bar->enable_finish(true);
     return;
   }
@@ -73,6 +95,18 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   } else {
     Q_EMIT failed(result->error());
   }
+}
+
+void DrillScreen::leave_now() {
+  Inner& in = *inner_;
+  in.look_timer.stop();
+  in.sound->stop();
+  in.stats.write_where_asked();
+  in.over = true;
+  in.stage->view()->set_bur_source({});
+  in.attempt->session->abandon();
+  in.attempt->session.reset();
+  Q_EMIT left();
 }
 
 void DrillScreen::ask_leave() {
@@ -87,26 +121,14 @@ void DrillScreen::ask_leave() {
     if (!self || !self->running()) return;
     Inner& inner = *self->inner_;
     inner.stage->set_asking(false);
-    if (!yes) {
-      inner.attempt->session->resume();
-      self->setFocus();
-      return;
-    }
-    inner.look_timer.stop();
-    inner.sound->stop();
-    inner.stats.write_where_asked();
-    inner.over = true;
-    inner.stage->view()->set_bur_source({});
-    inner.attempt->session->abandon();
-    inner.attempt->session.reset();
-    Q_EMIT self->left();
+    inner.asked = false;
+    if (inner.working && !inner.unseen) return;  // the time limit has finished it meanwhile
+    yes ? self->leave_now() : self->answered_no();
   };
-  if (in.input) in.input->release_all();
   double removed = 0;
   for (const double mm3 : in.attempt->session->view().removed_mm3) removed += mm3;
   if (removed <= 0 && in.leave_code.isEmpty()) return leave(true);
-  in.stage->set_asking(true);
-  in.attempt->session->pause();
+  hold_for_question();
   if (!in.leave_code.isEmpty()) {
     in.ports.ask(this,
                  {tr("Leave this assessment?"), tr("It counts as interrupted. To leave, the invigilator types the start code."), tr("Leave"), true,

@@ -47,6 +47,8 @@ struct DrillScreen::Inner {
   LiveView live;
   int looks = 0;
   bool working = false, over = false;
+  bool asked = false;   // Finish's or Leave's question is open
+  bool stood = false;   // before that question, or its device was lost meanwhile: nothing but Resume starts it
   bool unseen = false;  // the attempt runs, its tooth stands in no frame yet
 };
 

@@ -66,6 +66,7 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   stop_card_ = new StopCard(this);
   connect(stop_card_, &StopCard::leave, this, &DrillStage::leave);
   connect(stop_card_, &StopCard::go_on, this, &DrillStage::go_on);
+  connect(stop_card_, &StopCard::finish_again, this, &DrillStage::finish_again);
   connect(view_, &ToothView::camera_changed, this, [this] {
     if (cutaway_->isChecked()) want_sections();
   });
@@ -273,7 +274,7 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
 }
 
 void DrillStage::show_depth(const LiveView& live, double bur_radius_mm) {
-  // Beside the tooth a bur is below the plane too, and in nothing.
+  // Beside the tooth a bur is below the plane too, and in nothing. Before the first step it has no place.
   const Vec3 at = live.output.proxy_mm;
   const bool over_target = !look_ || look_->empty() ||
                            wall_mm(look_->shape(), {at.x, at.y}) < bur_radius_mm + leeway_.side_mm;
@@ -281,7 +282,7 @@ void DrillStage::show_depth(const LiveView& live, double bur_radius_mm) {
     const TargetShape& shape = look_->shape();
     show_required(shape.top_mm() - floor_under_mm(shape, {at.x, at.y}).value_or(shape.floor_mm()));
   }
-  const bool known = live.device != Sample::Status::gone && (live.output.contact || over_target) && live.bur_depth_mm >= 0;
+  const bool known = live.output.tick > 0 && live.device != Sample::Status::gone && (live.output.contact || over_target) && live.bur_depth_mm >= 0;
   if (known && live.bur_depth_mm > depth_->most()) scale_depth(live.bur_depth_mm);
   depth_->set_value(known ? std::optional(live.bur_depth_mm) : std::nullopt);
 }

@@ -77,6 +77,7 @@ class DrillStage : public QWidget {
   /// Shown or put away by somebody.
   void handpiece_switched(bool shown);
   void go_on();
+  void finish_again();
   void leave();
   void sections_wanted(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid);
 

@@ -28,24 +28,28 @@ StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   homing_->hide();
   column->addWidget(homing_);
   auto* ways = new QHBoxLayout;
-  QPushButton* leave = make_button(tr("Leave"), ButtonKind::standard);
-  QPushButton* go_on = make_button(tr("Resume"), ButtonKind::standard, QStringLiteral("play"));
-  connect(leave, &QPushButton::clicked, this, &StopCard::leave);
-  connect(go_on, &QPushButton::clicked, this, &StopCard::go_on);
+  leave_ = make_button(tr("Leave"), ButtonKind::standard);
+  go_on_ = make_button(tr("Resume"), ButtonKind::standard, QStringLiteral("play"));
+  finish_again_ = make_button(tr("Try again"), ButtonKind::standard);
+  connect(leave_, &QPushButton::clicked, this, &StopCard::leave);
+  connect(go_on_, &QPushButton::clicked, this, &StopCard::go_on);
+  connect(finish_again_, &QPushButton::clicked, this, &StopCard::finish_again);
   ways->addStretch();
-  ways->addWidget(leave);
-  ways->addWidget(go_on);
+  ways->addWidget(leave_);
+  ways->addWidget(go_on_);
+  ways->addWidget(finish_again_);
   column->addLayout(ways);
   hide();
 }
 
 bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
-  const QString cause = stop == Stop::record ? record.line() : QString();
+  const QString cause = stop == Stop::record || stop == Stop::record_at_end ? record.line() : QString();
   if (stop == stop_ && cause == cause_) return false;
   stop_ = stop;
   cause_ = cause;
   setVisible(stop != Stop::none);
   if (stop == Stop::none) return true;
+  show_ways();
   QString title, more;
   switch (stop) {
     case Stop::none: break;
@@ -71,6 +75,10 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
       title = tr("The record cannot be written");
       more = tr("%1 What you drilled so far is safe while this window stays open. Remove the cause, then resume.").arg(cause);
       break;
+    case Stop::record_at_end:
+      title = tr("The record cannot be written");
+      more = tr("%1 What you drilled is safe while this window stays open. Remove the cause, then finish again.").arg(cause);
+      break;
     case Stop::behind:
       title = tr("This computer is too slow for the exercise");
       more = tr("The attempt ends here and is measured as it stands.");
@@ -81,6 +89,14 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
   raise();
   announce(this, title);
   return true;
+}
+
+/// A session that is stopped can neither be resumed nor, while it is measured, be left.
+void StopCard::show_ways() {
+  const bool at_end = stop_ == Stop::record_at_end || stop_ == Stop::behind;
+  leave_->setHidden(at_end);
+  go_on_->setHidden(at_end);
+  finish_again_->setVisible(stop_ == Stop::record_at_end);
 }
 
 bool StopCard::show_falcon(const FalconView* view) {

@@ -9,6 +9,7 @@
 #include "ui/text/failure_text.h"
 
 class QLabel;
+class QPushButton;
 
 namespace cusp::ui {
 
@@ -18,10 +19,11 @@ class StopCard : public QFrame {
   Q_OBJECT
 
  public:
-  enum class Stop { none, paused, fault, device_gone, device_back, record, behind };
+  /// record: while drilling; record_at_end: after Finish, when the session is stopped; behind: the tooth is being measured.
+  enum class Stop { none, paused, fault, device_gone, device_back, record, record_at_end, behind };
 
   explicit StopCard(QWidget* parent = nullptr);
-  /// `record`: why Stop::record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause
+  /// `record`: why the record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause
   /// stands there. True if it did.
   bool show_stop(Stop stop, const Message& record, Fault fault);
   /// While a Falcon is gone, its state, with the picture of homing. True if the card grew or shrank.
@@ -31,14 +33,18 @@ class StopCard : public QFrame {
 
  Q_SIGNALS:
   void go_on();
+  void finish_again();
   void leave();
 
  private:
+  void show_ways();
+
   QLabel *title_, *more_;
+  QPushButton *leave_, *go_on_, *finish_again_;
   HomingView* homing_;
   QString homing_text_;  // by the homing, as it was laid out
   QString more_text_;    // without it
-  QString cause_;  // of Stop::record, as it is shown
+  QString cause_;  // of Stop::record and Stop::record_at_end, as it is shown
   Stop stop_ = Stop::none;
 };
 

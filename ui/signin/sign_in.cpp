@@ -114,6 +114,7 @@ void SignIn::submit() {
   const QString pin = as_staff ? QString() : pin_->text();
   if (!as_staff && !pin.isEmpty() && pin.size() < PinField::kDigits) {
     pin_->show_refused();
+    ask_pin_again();
     refuse({tr("The PIN has six digits."), {}});
     return;
   }
@@ -139,15 +140,18 @@ void SignIn::refuse_sign_in(const StorageFailure& failure, const QString& number
   } else {
     refuse(describe_account(failure, number, given == Given::password ? Secret::password : Secret::pin));
   }
-  if (refused && given != Given::password) {
-    pin_->clear();
-    pin_->show_refused();
-    pin_->setFocus();
-  }
   if (given == Given::password) {
     password_->selectAll();
     password_->setFocus();
+    return;
   }
+  if (refused) pin_->show_refused();
+  ask_pin_again();
+}
+
+void SignIn::ask_pin_again() {
+  pin_->clear();
+  pin_->setFocus();
 }
 
 void SignIn::ask_records(Question question, Answer answer) {

@@ -83,6 +83,8 @@ class SignIn : public QWidget {
   void ask_records(Question question, Answer answer);
   enum class Given { password, pin, number };  // number: a student's number alone
   void refuse_sign_in(const StorageFailure& failure, const QString& number, Given given);
+  /// A full PIN takes no further digit: each refusal empties it.
+  void ask_pin_again();
   void refuse(const Message& message);
   void show_fields(int tab);
 

@@ -82,6 +82,16 @@ TEST_F(DrillBarWidth, ShowsAllOfItInAWholeWindow) {
   EXPECT_EQ(label(QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"))->toolTip(), QString());
 }
 
+TEST_F(DrillBarWidth, ShowsResumeAloneWherePauseIsNotOffered) {
+  bar.offer_pause(false);
+  show(1600);
+  EXPECT_FALSE(button("Pause")->isVisible());
+  bar.set_stopped(true);
+  EXPECT_TRUE(button("Resume")->isVisible());
+  bar.set_stopped(false);
+  EXPECT_FALSE(button("Pause")->isVisible());
+}
+
 TEST_F(DrillBarWidth, HoldsClockTagAndEveryButtonInHalfOfFullHd) {
   show(960);
   EXPECT_LE(bar.layout()->sizeHint().width(), 960);

@@ -158,6 +158,8 @@ TEST_F(LargeText, leaves_cards_over_the_view_whole) {
     live.recording_failure = StorageFailure{StorageError::disk_full, "/home/student/records/cusp.db", {}};
     stage.show_values(live);
     expect_whole_with("record");
+    stage.show_stopped(StopCard::Stop::record_at_end, describe(*live.recording_failure));
+    expect_whole_with("record-at-end");
     stage.show_stopped(StopCard::Stop::none);
     homing.show_falcon(falcon);
     expect_whole_with("homing");

@@ -100,6 +100,7 @@ struct DrillGauges : testing::Test {
     stage.show();
     stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway, nullptr), {.bounds = {{-10, -10, -10}, {10, 10, 0}}, .by_mouse = true, .is_tooth = true, .pulp_depth_mm = 3.1});
     live.phase = LoopPhase::running;
+    live.output.tick = 1;
     live.output.contact = true;
     live.push_n = 0.8;
     live.removed_mm3[index_of(Tissue::enamel)] = 1.0;
@@ -131,6 +132,14 @@ TEST_F(DrillGauges, the_depth_scale_shows_what_is_too_deep_and_the_pulp) {
   at({0, 0, -4.2}, 4.7);
   EXPECT_GE(gauge("Depth").most(), 4.7);
   EXPECT_DOUBLE_EQ(gauge("Depth").value().value(), 4.7);
+}
+
+TEST_F(DrillGauges, before_the_first_step_the_bur_has_no_depth_and_the_scale_stays) {
+  live.output.tick = 0;
+  live.output.contact = false;
+  at({0, 0, 0}, 4.7);  // deeper than the scale
+  EXPECT_FALSE(gauge("Depth").value().has_value());
+  EXPECT_DOUBLE_EQ(gauge("Depth").most(), 4.0);
 }
 
 TEST_F(DrillGauges, a_bur_beside_the_tooth_has_no_depth_and_one_over_the_cavity_has) {

@@ -132,6 +132,9 @@ TEST_F(SignInTest, a_student_who_is_locked_out_reads_the_number_and_the_time) {
   for (const char16_t c : {u'\x2066', u'\x2069'}) shown.remove(QChar(c));
   EXPECT_TRUE(shown.startsWith(QStringLiteral("Too many wrong tries for 20267314. Signing in is open again at "))) << shown.toStdString();
   EXPECT_FALSE(shown.contains(QStringLiteral("cusp.db")));
+  EXPECT_EQ(page->focusWidget(), pin);
+  QTest::keyClicks(pin, QStringLiteral("271828"));
+  EXPECT_EQ(pin->text().toStdString(), "271828") << "the right PIN is typed into empty boxes";
 }
 
 TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_reported_before_the_records_are_asked) {
@@ -143,6 +146,8 @@ TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_reported_before_the_records_
   page->findChild<PinField*>()->setText(QStringLiteral("2"));
   answer_press("Sign in");
   EXPECT_EQ(page->message().toStdString(), "The PIN has six digits.");
+  EXPECT_TRUE(page->findChild<PinField*>()->text().isEmpty());
+  EXPECT_EQ(page->focusWidget(), page->findChild<PinField*>());
 }
 
 TEST_F(SignInTest, the_first_start_makes_the_administrator) {

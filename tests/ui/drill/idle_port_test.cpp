@@ -1,0 +1,68 @@
+// What a device gives and gets while a question of an assessment is open.
+#include "ui/drill/idle_port.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/step/input.h"
+#include "tests/modules.h"
+
+namespace cusp::test {
+namespace {
+
+/// A hand that presses the button and wants the coolant, and what its device last got.
+class PressedPort final : public HapticPort {
+ public:
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point) noexcept override {
+    return {.status = Sample::Status::fresh, .buttons = StepInput::kCut | StepInput::kCoolant, .pedal = 40'000};
+  }
+  void write(const Feedback& feedback) noexcept override { got = feedback; }
+  DeviceLimits limits() const override { return {}; }
+  void close() noexcept override {}
+  Feedback got;
+};
+
+/// A pedal that is pressed down.
+class PressedPedal final : public PedalSource {
+ public:
+  PedalReading latest(std::chrono::steady_clock::time_point) const noexcept override { return {.pressed = 65535}; }
+};
+
+TEST(IdlePort, TakesCutAndForceOffTheDeviceAndKeepsTheRest) {
+  PressedPort device;
+  IdlePort port(device, nullptr);
+  EXPECT_EQ(port.wait({}).buttons, StepInput::kCut | StepInput::kCoolant);
+  port.write({.force_n = {0, 0, 2}, .in_contact = true});
+  EXPECT_EQ(device.got.force_n, Vec3(0, 0, 2));
+  port.set_idle(true);
+  const Sample idle = port.wait({});
+  EXPECT_EQ(idle.status, Sample::Status::fresh);
+  EXPECT_EQ(idle.buttons, StepInput::kCoolant);
+  EXPECT_EQ(idle.pedal, 0);
+  port.write({.force_n = {0, 0, 2}, .in_contact = true});
+  EXPECT_EQ(device.got.force_n, Vec3(0.0));
+  EXPECT_TRUE(device.got.in_contact) << "the mouse's hand reads what it touches";
+}
+
+TEST(IdlePort, RearmsWithTheFirstSampleAfterwardsAlone) {
+  PressedPort device;
+  IdlePort port(device, nullptr);
+  EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
+  port.set_idle(true);
+  EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
+  port.set_idle(false);
+  EXPECT_NE(port.wait({}).buttons & StepInput::kRearm, 0) << "the force ramps in, as after a pause";
+  EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
+}
+
+TEST(IdlePort, TakesTheCutOffThePedalToo) {
+  PressedPort device;
+  IdlePort port(device, std::make_shared<PressedPedal>());
+  EXPECT_EQ(port.wait({}).pedal, 65535);
+  port.set_idle(true);
+  EXPECT_EQ(port.wait({}).buttons & StepInput::kCut, 0);
+  EXPECT_EQ(port.wait({}).pedal, 0);
+}
+
+}  // namespace
+}  // namespace cusp::test

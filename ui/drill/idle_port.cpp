@@ -1,0 +1,27 @@
+#include "ui/drill/idle_port.h"
+
+#include "engine/step/input.h"
+
+namespace cusp::ui {
+
+Sample IdlePort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
+  Sample sample = port_.wait(deadline);
+  const bool idle = idle_.load(std::memory_order_acquire);
+  if (idle) {
+    sample.buttons &= static_cast<std::uint16_t>(~StepInput::kCut);
+    sample.pedal = 0;
+  } else if (was_idle_) {
+    sample.buttons |= StepInput::kRearm;
+  }
+  was_idle_ = idle;
+  return sample;
+}
+
+void IdlePort::write(const Feedback& feedback) noexcept {
+  if (!idle_.load(std::memory_order_acquire)) return port_.write(feedback);
+  Feedback quiet = feedback;
+  quiet.force_n = Vec3(0.0);
+  port_.write(quiet);
+}
+
+}  // namespace cusp::ui

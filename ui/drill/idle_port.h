@@ -1,0 +1,34 @@
+/// A HapticPort that takes cut and force off a device on request, while the loop and its clock run. It adds the foot pedal
+/// itself, because a pedal that is added later would still cut.
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "device/hid/pedalled_port.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+
+class IdlePort final : public HapticPort {
+ public:
+  /// `pedal` may be null. Pre: `port` outlives this.
+  IdlePort(HapticPort& port, std::shared_ptr<const PedalSource> pedal) : port_(port, std::move(pedal)) {}
+
+  /// Any thread. The first sample after `false` re-arms: the force ramps in, as after a pause.
+  void set_idle(bool on) noexcept { idle_.store(on, std::memory_order_release); }
+
+  Result<void, PortFailure> open() override { return port_.open(); }
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
+  bool over() const noexcept override { return port_.over(); }
+  void write(const Feedback& feedback) noexcept override;
+  DeviceLimits limits() const override { return port_.limits(); }
+  void close() noexcept override { port_.close(); }
+
+ private:
+  PedalledPort port_;
+  std::atomic<bool> idle_{false};
+  bool was_idle_ = false;  // in the sample before; haptic thread
+};
+
+}  // namespace cusp::ui
