@@ -18,6 +18,7 @@
 #include "ui/app/quick_open.h"
 #include "ui/app/help_page.h"
 #include "ui/app/password_dialog.h"
+#include "ui/app/run_marker.h"
 #include "ui/app/shell.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_text.h"
@@ -326,7 +327,8 @@ void Desktop::show_briefing(const Exercise& exercise) {
     show_failure(describe(folder.error()));
     return;
   }
-  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_);
+  const auto refusal = why_no_practice(*store_, account_->actor(), exercise.scenario.id);
+  auto* briefing = new Briefing(exercise, *pictures_, *folder, teeth_, refusal ? refusal->line() : QString());
   connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
   connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
   push(briefing);
@@ -372,6 +374,12 @@ void Desktop::quick_open() {
 }
 
 void Desktop::closeEvent(QCloseEvent* event) {
+  // A shutdown of the computer does not wait for an answer.
+  for (DrillScreen* screen : ended_by_signal() ? QList<DrillScreen*>() : findChildren<DrillScreen*>()) {
+    if (!screen->running()) continue;
+    screen->ask_leave();
+    if (screen->running()) return event->ignore();
+  }
   for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
   settings_.set_window(saveGeometry());
   QMainWindow::closeEvent(event);

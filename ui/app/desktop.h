@@ -94,12 +94,13 @@ class Desktop : public QMainWindow {
   std::string device_class();
   /// Asks for the start code, then begins the assessment.
   void sit(const AssignedAssessment& assessment);
-  /// Resumes an attempt that broke off, from where it stood.
+  /// Resumes an attempt that broke off, from where it stood; an assessment once its start code is typed.
   void resume_attempt(const SessionId& session);
   /// After an attempt: its report, or that it is handed in. Where the exercise says so, who drilled it rates it first.
   void end_attempt(const std::shared_ptr<const SessionResult>& result, const std::optional<Exercise>& exercise);
+  /// Of an own assessment that is interrupted: the start page, which continues it.
   void open_report(const SessionId& session);
-  /// Grades an attempt that broke off as it stands, keeps that grade and shows it.
+  /// Grades an attempt that broke off as it stands, keeps that grade and shows it. Of an assessment: asks, then hands it in.
   void grade_interrupted(const SessionId& session);
   void edit(const EditorStart& start);
   /// Shows an appeal pack of any origin as a report, with what its verification found.
@@ -169,6 +170,11 @@ class Desktop : public QMainWindow {
   void show_failure(const Message& message);
   /// True, with a page that gives the reason, where nothing can be drilled because no picture can be drawn.
   bool refuse_drilling();
+  /// True, with a page that gives the reason (why_no_practice()).
+  bool refuse_practice(ScenarioId exercise);
+  void ask_start_code(const AssignedAssessment& assessment, AssessmentStart::Purpose purpose, std::function<void(const QString& code)> then);
+  /// `plan` lacks the start code, which is asked for.
+  void resume_assessment(const SessionDetails& attempt, const Exercise& exercise, SessionPlan plan);
   void quick_open();
 
   void lead_views(QWidget* page);

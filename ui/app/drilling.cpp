@@ -69,8 +69,15 @@ bool Desktop::refuse_drilling() {
   return true;
 }
 
+bool Desktop::refuse_practice(ScenarioId exercise) {
+  if (!account_) return false;
+  const auto why = why_no_practice(*store_, account_->actor(), exercise);
+  if (why) show_failure(*why);
+  return why.has_value();
+}
+
 void Desktop::drill(const Exercise& exercise) {
-  if (refuse_drilling()) return;
+  if (refuse_drilling() || refuse_practice(exercise.scenario.id)) return;
   SessionPlan plan;
   QString aside = tr("Try it: nothing is kept");
   if (account_) {
@@ -85,10 +92,15 @@ void Desktop::drill(const Exercise& exercise) {
   show_drilling(exercise, std::move(plan), aside);
 }
 
+void Desktop::ask_start_code(const AssignedAssessment& assessment, AssessmentStart::Purpose purpose, std::function<void(const QString& code)> then) {
+  auto* question = new AssessmentStart(*store_, account_->actor(), assessment, device_class(), purpose, page());  // goes with who is signed in
+  connect(question, &AssessmentStart::admitted, this, std::move(then));
+  question->open();
+}
+
 void Desktop::sit(const AssignedAssessment& assessment) {
   if (refuse_drilling()) return;
-  auto* question = new AssessmentStart(*store_, account_->actor(), assessment, device_class(), this);
-  connect(question, &AssessmentStart::admitted, this, [this, assessment](const QString& code) {
+  ask_start_code(assessment, AssessmentStart::Purpose::start, [this, assessment](const QString& code) {
     SessionPlan plan;
     plan.database = database_;
     plan.student = account_->actor();
@@ -101,7 +113,6 @@ void Desktop::sit(const AssignedAssessment& assessment) {
     use_text(assessment.adjustment.large_text ? TextSize::large : TextSize::usual);
     show_drilling(assessment.exercise, std::move(plan), tr("Assessment, candidate %1").arg(candidate));
   });
-  question->open();
 }
 
 void Desktop::resume_attempt(const SessionId& session) {
@@ -118,14 +129,27 @@ void Desktop::resume_attempt(const SessionId& session) {
   plan.student = account_->actor();
   plan.resumes = session;
   plan.kind = details->session.kind;
-  if (plan.kind == SessionKind::assessment) plan.guidance = Guidance::silent;
   const Exercise exercise{std::move(*scenario), version->id, version->number, version->files};
-  const QString aside = details->session.assignment && plan.kind == SessionKind::assessment
-                            ? tr("Assessment, candidate %1, continued")
-                                  .arg(QString::fromStdString(candidate_number(*details->session.assignment, account_->id)))
-                            : tr("Practice, attempt %1, continued").arg(details->row.attempt);
+  if (plan.kind == SessionKind::assessment) return resume_assessment(*details, exercise, std::move(plan));
+  if (refuse_practice(exercise.scenario.id)) return;
   use_text(details->session.header.large_text ? TextSize::large : TextSize::usual);
-  show_drilling(exercise, std::move(plan), aside);
+  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.attempt));
+}
+
+void Desktop::resume_assessment(const SessionDetails& attempt, const Exercise& exercise, SessionPlan plan) {
+  const SessionHeader& header = attempt.session.header;
+  const auto assignment = store_->assignments.find(attempt.session.assignment.value_or(AssignmentId{}));
+  if (!assignment) return show_failure(describe(assignment.error()));
+  AssignedAssessment assessment{*assignment, exercise};
+  assessment.adjustment = {header.extra_time_percent, header.large_text};
+  plan.guidance = Guidance::silent;
+  ask_start_code(assessment, AssessmentStart::Purpose::resume, [this, assessment, plan](const QString& code) {
+    SessionPlan with_code = plan;
+    with_code.start_code = code.toStdString();
+    const QString candidate = QString::fromStdString(candidate_number(assessment.assignment.id, account_->id));
+    use_text(assessment.adjustment.large_text ? TextSize::large : TextSize::usual);
+    show_drilling(assessment.exercise, std::move(with_code), tr("Assessment, candidate %1, continued").arg(candidate));
+  });
 }
 
 void Desktop::show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside) {

@@ -7,6 +7,7 @@
 
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
+#include "ui/drill/drill_screen.h"
 #include "ui/instructor/assessment_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
@@ -36,11 +37,24 @@ Opened open_in_background(const OwnStore& store, const SessionId& session, const
 
 }  // namespace
 
-void Desktop::open_report(const SessionId& session) { open_result_page(session, Keep::nothing); }
-void Desktop::grade_interrupted(const SessionId& session) { open_result_page(session, Keep::grade); }
+void Desktop::open_report(const SessionId& session) {
+  const auto state = store_->sessions.state(session);
+  if (state && *state == SessionState::running) return show_failure(describe(StorageFailure{StorageError::wrong_state, "session", session.text()}));
+  if (store_->history.may_read_result(account_->actor(), session)) return open_result_page(session, Keep::nothing);
+  if (state && *state == SessionState::interrupted && !reading_only_) return shell_->show_page(u"start"_qs);
+  show_handed_in(session);
+}
+
+void Desktop::grade_interrupted(const SessionId& session) {
+  const auto kept = store_->sessions.find(session);
+  if (!kept || kept->kind != SessionKind::assessment) return open_result_page(session, Keep::grade);
+  const Question question{DrillScreen::tr("Hand in?"), DrillScreen::tr("The tooth is kept as it is now; nothing can be changed afterwards."), DrillScreen::tr("Hand in")};
+  ports_.ask(page(), question, [this, session](bool yes) {
+    if (yes) open_result_page(session, Keep::grade);
+  });
+}
 
 void Desktop::open_result_page(const SessionId& session, Keep keep) {
-  if (keep == Keep::nothing && !store_->history.may_read_result(account_->actor(), session)) return show_handed_in(session);
   auto* busy = new Busy;
   QWidget* waiting = make_page(busy);
   push(waiting);

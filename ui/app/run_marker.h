@@ -25,6 +25,9 @@ class RunMarker {
   bool found_crash_ = false;
 };
 
+/// Whether SIGTERM, SIGHUP or SIGINT has asked the application to end. Any thread.
+bool ended_by_signal() noexcept;
+
 /// From now on SIGTERM, SIGHUP and SIGINT end the application as its window's closing does, and these and exit() remove the file
 /// first. After the QApplication; once a program. nullptr: no file.
 void remove_at_any_end(const char* file);

@@ -16,18 +16,22 @@ namespace {
 // Read in a signal handler, where nothing may be allocated.
 std::array<char, 4096> g_file{};
 std::array<int, 2> g_wire{-1, -1};
+volatile std::sig_atomic_t g_signalled = 0;
 
 void remove_file() {
   if (g_file[0] != 0) unlink(g_file.data());
 }
 
 void on_signal(int) {
+  g_signalled = 1;
   remove_file();
   const char byte = 1;
   [[maybe_unused]] const ssize_t wrote = write(g_wire[0], &byte, 1);
 }
 
 }  // namespace
+
+bool ended_by_signal() noexcept { return g_signalled != 0; }
 
 void remove_at_any_end(const char* file) {
   if (file != nullptr && std::strlen(file) < g_file.size()) std::strcpy(g_file.data(), file);

@@ -25,11 +25,17 @@ struct Device {
   std::optional<DeviceTest> test;
 };
 
-State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, std::int64_t now_us, const Device& device) {
-  const auto broken_off = [](const HistoryRow& row) {
-    return row.state == SessionState::interrupted || row.state == SessionState::running;
-  };
-  if (std::ranges::any_of(attempts, broken_off)) return State::running;
+bool holds(const std::vector<HistoryRow>& rows, const SessionId& session) {
+  return std::ranges::find(rows, session, &HistoryRow::session) != rows.end();
+}
+
+/// `here`: the student's interrupted attempts that this station can continue or hand in.
+State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, const std::vector<HistoryRow>& here, std::int64_t now_us,
+               const Device& device) {
+  if (std::ranges::any_of(attempts, [&](const HistoryRow& row) { return holds(here, row.session); })) return State::interrupted;
+  const auto in_state = [&](SessionState state) { return std::ranges::find(attempts, state, &HistoryRow::state) != attempts.end(); };
+  if (in_state(SessionState::running)) return State::running;
+  if (in_state(SessionState::interrupted)) return State::broken_off;
   if (a.due_utc_us && now_us >= *a.due_utc_us) return attempts.empty() ? State::missed : State::handed_in;
   if (a.attempts_allowed && static_cast<int>(attempts.size()) >= *a.attempts_allowed) return State::handed_in;
   if (a.opens_utc_us && now_us < *a.opens_utc_us) return State::later;
@@ -46,7 +52,9 @@ QString state_text(const AssignedAssessment& a) {
                                      : AssessmentCard::tr("Open");
     case State::other_device: return AssessmentCard::tr("Needs another device");
     case State::self_test_due: return AssessmentCard::tr("Needs a newer self-test");
-    case State::running: return AssessmentCard::tr("Interrupted: continue it below");
+    case State::running: return AssessmentCard::tr("Runs in another window");
+    case State::interrupted: return AssessmentCard::tr("Interrupted: continue it below");
+    case State::broken_off: return AssessmentCard::tr("Interrupted: ask the invigilator");
     case State::handed_in: return AssessmentCard::tr("Handed in: the result is not released yet");
     case State::missed: return AssessmentCard::tr("The time is over");
   }
@@ -56,7 +64,9 @@ QString state_text(const AssignedAssessment& a) {
 Chip::Kind state_kind(State state) {
   switch (state) {
     case State::open:
-    case State::running: return Chip::Kind::look;
+    case State::running:
+    case State::interrupted:
+    case State::broken_off: return Chip::Kind::look;
     case State::other_device:
     case State::self_test_due: return Chip::Kind::bad;
     case State::handed_in: return Chip::Kind::good;
@@ -68,6 +78,11 @@ QString attempts_text(const AssignedAssessment& a) {
   return a.assignment.attempts_allowed
              ? AssessmentCard::tr("%1 of %2 attempts used").arg(a.attempts).arg(*a.assignment.attempts_allowed)
              : AssessmentCard::tr("%n attempt(s) so far", nullptr, a.attempts);
+}
+
+/// Sessions::admit() compares the start code before it refuses for one of these.
+bool knows_code(const StorageFailure& f) {
+  return f.code == StorageError::wrong_state || f.code == StorageError::other_device || f.code == StorageError::self_test_due;
 }
 
 }  // namespace
@@ -88,6 +103,8 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
   auto newest = store.device_tests.newest(device_class);
   if (!newest) return std::unexpected(newest.error());
   const Device device{device_class, std::move(*newest)};
+  const auto here = store.history.interrupted(student, student.id);
+  if (!here) return std::unexpected(here.error());
   std::vector<AssignedAssessment> out;
   for (const Assignment& a : *assigned) {
     if (a.kind != SessionKind::assessment) continue;
@@ -97,12 +114,29 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};
     one.adjustment = store.assignments.adjustment(a.id, student.id).value_or(Adjustment{});
-    one.state = state_of(a, *attempts, now.toMSecsSinceEpoch() * 1000, device);
+    one.state = state_of(a, *attempts, *here, now.toMSecsSinceEpoch() * 1000, device);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
     out.push_back(std::move(one));
   }
   return out;
+}
+
+std::optional<Message> why_no_practice(Store& store, const Actor& student, ScenarioId exercise) {
+  const auto here = store.history.interrupted(student, student.id);
+  if (!here) return describe(here.error());
+  HistoryFilter same;
+  same.student = student.id;
+  same.scenario = exercise;
+  const auto attempts = store.history.list(student, same);
+  if (!attempts) return describe(attempts.error());
+  const bool open = std::ranges::any_of(*attempts, [&](const HistoryRow& row) {
+    if (row.kind != SessionKind::assessment) return false;
+    return row.state == SessionState::running || holds(*here, row.session);
+  });
+  if (!open) return std::nullopt;
+  return Message{AssessmentCard::tr("Your assessment of this exercise is not handed in yet."),
+                 AssessmentCard::tr("Until then the exercise cannot be practised. Continue the assessment or hand it in on the start page.")};
 }
 
 AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, const std::string& device_class, QWidget* parent)
@@ -137,10 +171,11 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, cons
   body()->addLayout(row);
 }
 
-AssessmentStart::AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& a, const std::string& device_class, QWidget* parent)
-    : QDialog(parent), store_(store), student_(student), assessment_(a), device_class_(device_class) {
+AssessmentStart::AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& a, const std::string& device_class,
+                                 Purpose purpose, QWidget* parent)
+    : QDialog(parent), store_(store), student_(student), assessment_(a), device_class_(device_class), purpose_(purpose) {
   setAttribute(Qt::WA_DeleteOnClose);
-  setWindowTitle(tr("Start assessment"));
+  setWindowTitle(purpose == Purpose::start ? tr("Start assessment") : tr("Continue assessment"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(24), px(24), px(24), px(24));
   column->setSpacing(px(12));
@@ -149,17 +184,17 @@ AssessmentStart::AssessmentStart(Store& store, const Actor& student, const Assig
   column->addWidget(make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold));
   const QString candidate = QString::fromStdString(candidate_number(a.assignment.id, student.id));
   column->addWidget(make_paragraph(tr("You are candidate %1. Your name is not shown to who marks.").arg(candidate)));
-  const QString limit = time_limit_text(a);
-  column->addWidget(make_paragraph(limit.isEmpty() ? tr("There is no time limit.")
-                                          : tr("You have %1. The clock starts with the tooth; a device fault stops it.").arg(limit)));
-  column->addWidget(make_paragraph(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));
-  if (a.assignment.drawn_tooth) column->addWidget(make_paragraph(tr("Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.")));
+  if (purpose == Purpose::start) {
+    add_rules(*column);
+  } else {
+    column->addWidget(make_paragraph(tr("Tooth and clock are as you left them.")));
+  }
   code_ = new QLineEdit;
   column->addWidget(labelled(tr("Start code, from the invigilator"), code_));
   auto* row = new QHBoxLayout;
   row->addStretch();
   QPushButton* cancel = make_button(tr("Cancel"));
-  QPushButton* begin = make_button(tr("Begin"), ButtonKind::primary);
+  QPushButton* begin = make_button(purpose == Purpose::start ? tr("Begin") : tr("Continue"), ButtonKind::primary);
   begin->setDefault(true);
   row->addWidget(cancel);
   row->addWidget(begin);
@@ -170,6 +205,15 @@ AssessmentStart::AssessmentStart(Store& store, const Actor& student, const Assig
   code_->setFocus();
 }
 
+void AssessmentStart::add_rules(QVBoxLayout& column) {
+  const QString limit = time_limit_text(assessment_);
+  column.addWidget(make_paragraph(limit.isEmpty() ? tr("There is no time limit.")
+                                                  : tr("You have %1. The clock starts with the tooth; a device fault stops it.").arg(limit)));
+  column.addWidget(make_paragraph(tr("Depth, points and advice are not shown, nor is the target on a tooth. The result comes when your examiner releases it.")));
+  if (!assessment_.assignment.drawn_tooth) return;
+  column.addWidget(make_paragraph(tr("Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.")));
+}
+
 void AssessmentStart::submit() {
   NewSession wanted;
   wanted.student = student_.id;
@@ -178,7 +222,7 @@ void AssessmentStart::submit() {
   wanted.start_code = code_->text().trimmed().toStdString();
   wanted.header.device.device_class = device_class_;
   const auto allowed = store_.sessions.admit(student_, wanted);
-  if (!allowed) {
+  if (!allowed && !(purpose_ == Purpose::resume && knows_code(allowed.error()))) {
     const Message message = describe(allowed.error());
     band_->show_message(Band::Kind::bad, message.what, message.more);
     resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/student/exercises.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/parts.h"
 
 class QLineEdit;
@@ -18,7 +19,9 @@ struct AssignedAssessment {
     open,       // may begin now
     other_device,  // may begin now, but not with this station's device
     self_test_due,  // may begin now, when this station's device has passed a newer self-test
-    running,    // an attempt was interrupted and may be continued
+    running,    // an attempt runs in another window
+    interrupted,  // an attempt was interrupted, and this station can continue it or hand it in
+    broken_off,   // an attempt was interrupted, and this station can do neither
     handed_in,  // no attempt is left, or the time is over after one; its result is withheld
     missed,     // the time is over without an attempt
   };
@@ -32,6 +35,10 @@ struct AssignedAssessment {
 /// Assessments of the student's cohorts, by due date, without those whose every result is released. One whose version cannot
 /// be read is left out. `device_class`: of this station's device.
 Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Actor& student, const QDateTime& now, const std::string& device_class);
+
+/// Why the student may not practise an exercise: the own assessment of it runs, or is interrupted and not handed in on this station.
+/// nullopt: practice may start.
+std::optional<Message> why_no_practice(Store& store, const Actor& student, ScenarioId exercise);
 
 /// One assessment on the start page.
 class AssessmentCard : public Card {
@@ -55,18 +62,23 @@ class AssessmentStart : public QDialog {
   Q_OBJECT
 
  public:
+  /// Dates, attempts and devices of the assignment bind a start alone.
+  enum class Purpose : std::uint8_t { start, resume };
   /// `device_class`: of this station's device.
-  AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& assessment, const std::string& device_class, QWidget* parent);
+  AssessmentStart(Store& store, const Actor& student, const AssignedAssessment& assessment, const std::string& device_class, Purpose purpose,
+                  QWidget* parent);
 
  Q_SIGNALS:
   void admitted(const QString& start_code);
 
  private:
+  void add_rules(class QVBoxLayout& column);
   void submit();
   Store& store_;
   Actor student_;
   AssignedAssessment assessment_;
   std::string device_class_;
+  Purpose purpose_;
   class Band* band_;
   QLineEdit* code_;
 };

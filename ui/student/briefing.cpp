@@ -34,6 +34,12 @@ QString burs_text(const Scenario& scenario) {
   return parts.join(Briefing::tr("; "));
 }
 
+QLabel* make_limit_note(const QString& text) {
+  QLabel* note = make_label(text, TextRole::body, Weight::bold, "look");
+  note->setWordWrap(true);
+  return note;
+}
+
 void show_covering(QLabel* label, const QImage& image, double radius) {
   const qreal ratio = label->devicePixelRatioF();
   const QSize size = label->size() * ratio;
@@ -60,11 +66,12 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
 }
 
 Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-                   std::shared_ptr<ToothCache> teeth, QWidget* parent)
+                   std::shared_ptr<ToothCache> teeth, const QString& refusal, QWidget* parent)
     : QWidget(parent),
       exercise_(exercise),
       pictures_(pictures),
       folder_(folder),
+      refusal_(refusal),
       teeth_(opengl_allowed() ? std::move(teeth) : nullptr),
       stack_(new QStackedWidget) {
   if (teeth_) ahead_.emplace(teeth_, ToothWish{exercise.scenario, folder, Guidance::full, nullptr});
@@ -135,14 +142,16 @@ void Briefing::fill_text(QVBoxLayout& text) {
   text.addSpacing(px(8));
   add_facts(text);
   text.addSpacing(px(16));
+  if (!refusal_.isEmpty()) text.addWidget(make_limit_note(refusal_));
   auto* acts = new QHBoxLayout;
   start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
   start_->setDefault(true);
   acts->addWidget(start_);
-  start_->setEnabled(opengl_allowed());
-  QLabel* hint = make_label(opengl_allowed() ? tr("Enter starts") : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
+  start_->setEnabled(opengl_allowed() && refusal_.isEmpty());
+  const QString enter = refusal_.isEmpty() ? tr("Enter starts") : QString();
+  QLabel* hint = make_label(opengl_allowed() ? enter : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
   hint->setWordWrap(true);
-  if (teeth_ && ReferencePage::offered(s)) {
+  if (teeth_ && refusal_.isEmpty() && ReferencePage::offered(s)) {
     watch_ = make_large_button(tr("Watch the reference"), ButtonKind::standard, u"eye"_qs);
     watch_->setToolTip(tr("The reference operator cuts this exercise in half a minute"));
     connect(watch_, &QPushButton::clicked, this, &Briefing::watch_reference);

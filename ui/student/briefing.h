@@ -18,11 +18,12 @@ class Briefing : public QWidget {
   Q_OBJECT
 
  public:
-  /// While it stands, the tooth is made ahead for Start. `teeth` null: it is not.
+  /// While it stands, the tooth is made ahead for Start. `teeth` null: it is not. `refusal`: why neither Start nor the reference is offered;
+  /// empty: they are.
   Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
-           std::shared_ptr<ToothCache> teeth, QWidget* parent = nullptr);
+           std::shared_ptr<ToothCache> teeth, const QString& refusal = {}, QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
-  /// nullptr where the reference cannot be shown: no path, no pictures, or no teeth made ahead.
+  /// nullptr where the reference cannot be shown: no path, no pictures, no teeth made ahead, or a refusal.
   QPushButton* watch_button() const { return watch_; }
 
  Q_SIGNALS:
@@ -41,6 +42,7 @@ class Briefing : public QWidget {
   Exercise exercise_;
   ThumbnailCache& pictures_;
   std::filesystem::path folder_;
+  QString refusal_;
   std::shared_ptr<ToothCache> teeth_;
   std::optional<ToothAhead> ahead_;
   QStackedWidget* stack_;  // the briefing, and the reference over it
@@ -51,6 +53,9 @@ class Briefing : public QWidget {
 
 /// "2 (1.0 mm), 330 (0.8 mm)": the burs of an exercise.
 QString burs_text(const Scenario& scenario);
+
+/// What limits an attempt: bold, in `look`, wrapped.
+QLabel* make_limit_note(const QString& text);
 
 /// Fills the label with the picture, with round corners; without a picture, with the colour behind the tooth.
 void show_covering(QLabel* label, const QImage& image, double radius);

@@ -63,9 +63,11 @@ Stored<void> load_newest(Course& course, Store& store, const Actor& student, con
     const auto moment = [](const HistoryRow& row) { return std::pair(row.started_utc_us, row.sequence); };
     if (s.last && (!course.last_graded || moment(*s.last) > moment(*course.last_graded))) course.last_graded = s.last;
   }
-  const auto interrupted = store.history.interrupted(student, student.id);
+  auto interrupted = store.history.interrupted(student, student.id);
   if (!interrupted) return std::unexpected(interrupted.error());
-  if (!interrupted->empty()) course.interrupted = interrupted->front();
+  course.interrupted = std::move(*interrupted);
+  const auto practices = std::ranges::stable_partition(course.interrupted, [](const HistoryRow& row) { return row.kind == SessionKind::assessment; });
+  if (practices.size() > 1) course.interrupted.erase(practices.begin() + 1, practices.end());
   if (!course.last_graded) return {};
   HistoryFilter same;
   same.student = student.id;
@@ -212,14 +214,24 @@ void AttemptsModel::fetchMore(const QModelIndex& parent) {
 int AttemptsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
 int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
+namespace {
+
+/// Sign and name of the way into an attempt. One that runs has none; an interrupted assessment has no report for its student.
+QVariant opening_of(const HistoryRow& row, int role) {
+  if (row.state == SessionState::running) return {};
+  if (role == IconRole) return u"chevron_right"_qs;
+  return row.state == SessionState::interrupted && !row.released ? AttemptsModel::tr("Open") : AttemptsModel::tr("Report");
+}
+
+}  // namespace
+
 QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   const HistoryRow& r = row(index.row());
   const int column = index.column();
   if (role == Qt::TextAlignmentRole && (column == kAttempt || column == kScore || column == kTime)) return right();
   if (role == ChipRole && column == kResult) return result_chip(r);
   if (role == BoldRole && (column == kStudent || column == kScore)) return true;
-  if (role == IconRole && column == kOpen) return u"chevron_right"_qs;
-  if (role == Qt::AccessibleTextRole && column == kOpen) return tr("Report");
+  if (column == kOpen && (role == IconRole || role == Qt::AccessibleTextRole)) return opening_of(r, role);
   if (role == QuietRole && column == kScore) return !r.score;
   if (role == SortRole) {
     switch (column) {

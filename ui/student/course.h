@@ -25,7 +25,8 @@ struct Course {
   std::vector<CourseRow> rows;
   std::vector<StorageFailure> unreadable;
   std::optional<HistoryRow> last_graded;    // the newest graded attempt
-  std::optional<HistoryRow> interrupted;    // the newest interrupted attempt that can be resumed or graded
+  /// Interrupted attempts that can be resumed or graded here: every assessment, newest first, then the newest practice.
+  std::vector<HistoryRow> interrupted;
   std::vector<HistoryRow> charted;          // graded attempts at the exercise and with the device class of last_graded, newest first
 
   /// Index of the next exercise: not passed before passed, then by due date, then by the lowest best score; -1 without exercises.

@@ -12,9 +12,10 @@
 namespace cusp::ui {
 namespace {
 
-/// "It broke off after 1:12 min, with 8.4 mm³ cut. All of that is kept."
+/// "It broke off after 1:12 min, with 8.4 mm³ cut. All of that is kept." An assessment shows no volumes.
 QString how_far(Store& store, const HistoryRow& row) {
   const QString clock = format_clock(static_cast<double>(row.elapsed_us) * 1e-6);
+  if (row.kind == SessionKind::assessment) return InterruptedCard::tr("It broke off after %1 min. All of it is kept.").arg(clock);
   double mm3 = 0;
   if (const auto removed = store.metrics.removed(row.session)) {
     for (const RemovedTissue& tissue : *removed) mm3 += tissue.mm3;
@@ -43,10 +44,10 @@ Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::st
 }
 
 InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
-                                 QWidget* parent)
-    : Card(tr("Interrupted attempt"),
+                                 ButtonKind kind, QWidget* parent)
+    : Card(row.kind == SessionKind::assessment ? tr("Interrupted assessment") : tr("Interrupted attempt"),
            format_day_time(local_time(row.started_utc_us)), parent) {
-  setAccessibleName(tr("Interrupted attempt"));
+  setAccessibleName(row.kind == SessionKind::assessment ? tr("Interrupted assessment") : tr("Interrupted attempt"));
   auto* line = new QHBoxLayout;
   line->setSpacing(px(12));
   body()->addLayout(line);
@@ -66,16 +67,16 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   acts->setSpacing(px(12));
   acts->setContentsMargins(0, px(8), 0, 0);
   text->addLayout(acts);
-  const QString grade = tr("Grade as it stands");
+  const QString grade = row.kind == SessionKind::assessment ? tr("Hand in") : tr("Grade as it stands");
   if (way == InterruptedWay::resume) {
-    primary_ = make_large_button(tr("Continue"), ButtonKind::primary, u"play"_qs);
+    primary_ = make_large_button(tr("Continue"), kind, u"play"_qs);
     connect(primary_, &QPushButton::clicked, this, &InterruptedCard::resume_wanted);
     acts->addWidget(primary_);
     QPushButton* second = make_large_button(grade, ButtonKind::standard);
     connect(second, &QPushButton::clicked, this, &InterruptedCard::grade_wanted);
     acts->addWidget(second);
   } else {
-    primary_ = make_large_button(grade, ButtonKind::primary);
+    primary_ = make_large_button(grade, kind);
     connect(primary_, &QPushButton::clicked, this, &InterruptedCard::grade_wanted);
     acts->addWidget(primary_);
   }

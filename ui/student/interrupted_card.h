@@ -20,13 +20,14 @@ class InterruptedCard : public Card {
   Q_OBJECT
 
  public:
-  /// Pre: `way` is not other_engine.
+  /// Pre: `way` is not other_engine. `kind`: of primary(), as a page has one button of ButtonKind::primary.
   InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
-                  QWidget* parent = nullptr);
+                  ButtonKind kind = ButtonKind::primary, QWidget* parent = nullptr);
   QPushButton* primary() const { return primary_; }
 
  Q_SIGNALS:
   void resume_wanted();
+  /// Of an assessment: it is to be handed in as it stands.
   void grade_wanted();
 
  private:

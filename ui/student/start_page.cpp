@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
@@ -48,6 +49,9 @@ QWidget* fact(const QString& name, const QString& value, Value length = Value::o
   return box;
 }
 
+/// What format_points() rounds to, as a whole number, so that equal texts compare equal.
+double tenths(double points) { return std::round(points * 10); }
+
 /// The briefing has the whole text.
 QString first_sentence(QString text) {
   if (const auto end = text.indexOf(u". "_qs); end > 0 && text.size() > kShortText) text.truncate(end + 1);
@@ -72,7 +76,10 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   course_ = std::move(*course);
   if (auto assessments = load_assessments(store, account.actor(), now, device_class_)) assessments_ = std::move(*assessments);
   const int next = course_.next();
-  if (next >= 0) next_ = course_.rows[static_cast<std::size_t>(next)];
+  if (next >= 0) {
+    next_ = course_.rows[static_cast<std::size_t>(next)];
+    if (const auto why = why_no_practice(store, account.actor(), next_->exercise.scenario.id)) refusal_ = why->line();
+  }
 
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
@@ -145,14 +152,15 @@ void StartPage::make_assessments(QBoxLayout& column, const Account& account) {
 }
 
 void StartPage::make_interrupted(QBoxLayout& column) {
-  const auto& row = course_.interrupted;
-  if (!row) return;
-  const auto way = way_of(store_, *row, device_class_);
-  if (!way || *way == InterruptedWay::other_engine) return;
-  interrupted_ = new InterruptedCard(store_, *row, *way, device_class_);
-  connect(interrupted_, &InterruptedCard::resume_wanted, this, [this, id = row->session] { Q_EMIT resume_wanted(id); });
-  connect(interrupted_, &InterruptedCard::grade_wanted, this, [this, id = row->session] { Q_EMIT grade_wanted(id); });
-  column.addWidget(interrupted_);
+  for (const HistoryRow& row : course_.interrupted) {
+    const auto way = way_of(store_, row, device_class_);
+    if (!way || *way == InterruptedWay::other_engine) continue;
+    auto* card = new InterruptedCard(store_, row, *way, device_class_, interrupted_ == nullptr ? ButtonKind::primary : ButtonKind::standard);
+    connect(card, &InterruptedCard::resume_wanted, this, [this, id = row.session] { Q_EMIT resume_wanted(id); });
+    connect(card, &InterruptedCard::grade_wanted, this, [this, id = row.session] { Q_EMIT grade_wanted(id); });
+    column.addWidget(card);
+    if (interrupted_ == nullptr) interrupted_ = card;
+  }
 }
 
 QWidget* StartPage::make_next(const CourseRow& row) {
@@ -177,7 +185,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   QLabel* what = make_label(first_sentence(local(s.briefing)), TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
-  add_device_note(*text, row);
+  add_notes(*text, row);
   text->addStretch();
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));
@@ -199,8 +207,8 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   acts->addWidget(start_);
   acts->addWidget(briefing);
   // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
-  start_->setEnabled(opengl_allowed());
-  const QString enter = interrupted_ == nullptr && !assessed ? tr("Enter starts") : QString();
+  start_->setEnabled(opengl_allowed() && refusal_.isEmpty());
+  const QString enter = interrupted_ == nullptr && !assessed && refusal_.isEmpty() ? tr("Enter starts") : QString();
   QLabel* hint = make_label(opengl_allowed() ? enter : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
   hint->setWordWrap(true);
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -214,12 +222,10 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   return card;
 }
 
-void StartPage::add_device_note(QVBoxLayout& text, const CourseRow& row) {
+void StartPage::add_notes(QVBoxLayout& text, const CourseRow& row) {
+  if (!refusal_.isEmpty()) text.addWidget(make_limit_note(refusal_));
   if (storage::admits(row.device_classes, device_class_)) return;
-  QLabel* note = make_label(tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes)), TextRole::body,
-                            Weight::bold, "look");
-  note->setWordWrap(true);
-  text.addWidget(note);
+  text.addWidget(make_limit_note(tr("Counts only with %1: choose it on the page Device.").arg(device_names(row.device_classes))));
 }
 
 QWidget* StartPage::make_list() {
@@ -269,8 +275,9 @@ QWidget* StartPage::make_last(const Account& account) {
   row->addStretch();
   const auto best = store_.history.best_before(account.actor(), last->session);
   if (best && *best && (*best)->score) {
-    const double apart = *last->score - *(*best)->score;
-    const QString points = format_points(std::abs(apart));
+    // Of the points as they are shown.
+    const double apart = tenths(*last->score) - tenths(*(*best)->score);
+    const QString points = format_points(std::abs(apart) / 10);
     QLabel* against = make_label(apart > 0    ? tr("%1 more than\nyour best before").arg(points)
                                  : apart == 0 ? tr("the same as\nyour best before")
                                               : tr("%1 less than\nyour best before").arg(points),

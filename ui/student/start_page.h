@@ -27,7 +27,7 @@ class StartPage : public QWidget {
   StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
             std::string device_class = "pointer", QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
-  /// nullptr without an interrupted attempt.
+  /// The first card of an interrupted attempt; nullptr without one.
   InterruptedCard* interrupted() const { return interrupted_; }
   Table* table() const { return table_; }
 
@@ -49,8 +49,8 @@ class StartPage : public QWidget {
   QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);
-  /// If the assignment does not admit this station's device.
-  void add_device_note(class QVBoxLayout& text, const CourseRow& row);
+  /// Why it cannot be practised now, and that its assignment does not admit this station's device.
+  void add_notes(class QVBoxLayout& text, const CourseRow& row);
   QWidget* make_list();
   QWidget* make_last(const Account& account);
   /// False if no criterion lost points.
@@ -67,6 +67,7 @@ class StartPage : public QWidget {
   std::vector<AssignedAssessment> assessments_;
   InterruptedCard* interrupted_ = nullptr;
   std::optional<CourseRow> next_;
+  QString refusal_;  // why next_ cannot be practised now; empty: it can
   QBoxLayout* columns_ = nullptr;
   QWidget* side_ = nullptr;
   QLabel* picture_ = nullptr;

@@ -91,8 +91,11 @@ QString with_unit(double value, const QString& unit) {
   return isolate(unit.isEmpty() ? number_of(value) : number_of(value) + QChar(0x00A0) + unit_text(unit));
 }
 
-/// Down to the tenth of a percent: "100 %" never appears where points are missing.
-QString share_text(double share) { return with_unit(std::floor(share * 1000 + 1e-6) / 10, u"%"_qs); }
+/// To the tenth of a percent, but "100 %" never appears where points are missing.
+QString share_text(double share) {
+  const double tenths = std::round(share * 1000);
+  return with_unit((share < 1.0 ? std::min(tenths, 999.0) : tenths) / 10, u"%"_qs);
+}
 
 /// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.
 int decimals_apart(double value, double limit, int least) {
@@ -196,7 +199,10 @@ QString advice_text(const CriterionGrade& g) {
   if (m.starts_with("wall_angle_") || m.starts_with("convergence_"))
     return Text::tr("Hold the bur along the axis of the preparation and draw it along the wall without leaning.");
   if (m == "floor_flatness" || m == "floor_tilt") return Text::tr("Go over the whole floor once more at one depth.");
-  if (m == "isthmus_width") return Text::tr("Compare the width with the bur before you widen the outline.");
+  if (m == "isthmus_width") {
+    if (g.reason_code == "too_little") return Text::tr("Widen the outline until the bur passes freely.");
+    return Text::tr("Compare the width with the bur before you widen the outline.");
+  }
   if (m.starts_with("ridge_")) return Text::tr("Stop short of the marginal ridge; read its thickness from above.");
   if (const QString advice = group_advice(m, g.reason_code == "too_little" ? OffBy::too_little : OffBy::too_much); !advice.isEmpty()) return advice;
   if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");

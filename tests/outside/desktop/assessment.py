@@ -1,5 +1,5 @@
 """An assessment: assigned with a start code and for certain devices, adjusted for one of two students, sat by both (the device
-of one falls silent, the other is killed half-way and continues), marked without names, released, and read.
+of one falls silent, the other is killed half-way and continues with the code), marked without names, released, and read.
 
     /usr/bin/python3 tests/outside/desktop/assessment.py build/release/cusp
 """
@@ -127,10 +127,17 @@ def continue_after_kill(own, program):
     school.after_crash(program, "Start as usual")
     school.sign_in_student(program, *OTHER[1:])
     program.find(None, "Interrupted: continue it below")
-    begun = time.monotonic()
     program.press("Continue")
+    question = program.find("dialog", "Continue assessment")
+    program.find("text", "Start code, from the invigilator", within=question).type("wrong 1")
+    program.press("Continue", within=question)
+    program.find("label", re.compile("This is not the start code"), within=question)
+    program.find("text", "Start code, from the invigilator", within=question).type(CODE)
+    begun = time.monotonic()
+    program.press("Continue", within=question)
     ready(program)
     back_s = time.monotonic() - begun
+    closing_asks(program)
     program.find("label", re.compile("Assessment, candidate .*, continued"))
     hand_in(program)
     program.press("To the start page")
@@ -139,6 +146,15 @@ def continue_after_kill(own, program):
     school.row_of(program, "My results", EXERCISE, "Not released")
     school.sign_out(program)
     return program, back_s
+
+
+def closing_asks(program):
+    """Closing the window asks for the start code, and ends neither program nor attempt."""
+    program.screen.x("key", "--clearmodifiers", "alt+F4")
+    question = program.find("alert")
+    desk.check(not program.find("push button", "Leave", within=question).has("ENABLED"), "an assessment can be left without its start code")
+    program.press("Cancel", within=question)
+    desk.until("the question to go", lambda: program.here("alert") is None)
 
 
 def mark(program, take):

@@ -96,6 +96,19 @@ TEST_F(RunMarkerTest, takes_sigterm_sighup_and_sigint_for_no_crash_even_if_the_p
   }
 }
 
+TEST_F(RunMarkerTest, knows_that_a_signal_ends_the_program_and_not_its_window) {
+  EXPECT_FALSE(ended_by_signal());
+  const pid_t child = fork();
+  if (child == 0) {
+    const RunMarker marker(folder.path());
+    raise(SIGTERM);
+    _exit(ended_by_signal() ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
 TEST_F(RunMarkerTest, takes_a_window_of_another_station_for_no_crash) {
   // A home that two stations share; the format is QLockFile's: process, program, host, machine, boot.
   QFile file(folder.filePath(QStringLiteral("999999999.running")));

@@ -139,6 +139,8 @@ TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_ta
   g.reason_code = "little_drilled";
   g.reason_args = {{"share", 4.3 / 97}, {"lost", 14.335}};
   EXPECT_EQ(reason(g), "Counts for 4.4 %, because target is left");
+  g.reason_args["share"] = 0.0679;
+  EXPECT_EQ(reason(g), "Counts for 6.8 %, because target is left");
   g.reason_args["share"] = 87.3 / 97;
   EXPECT_EQ(reason(g), "Counts for 90 %, because target is left");
   g.reason_args["share"] = 96.999 / 97;
@@ -233,6 +235,15 @@ TEST(Sentences, a_backup_with_another_number_of_attempts_is_called_damaged) {
   EXPECT_EQ(message.what.toStdString(), "The backup is damaged.");
   EXPECT_TRUE(message.more.contains(QStringLiteral("/backups/monday"))) << message.more.toStdString();
   EXPECT_TRUE(message.more.contains(QStringLiteral("number of attempts"))) << message.more.toStdString();
+}
+
+TEST(Sentences, a_narrow_isthmus_is_to_be_widened_and_a_wide_one_to_be_compared_first) {
+  CriterionGrade g;
+  g.id = "isthmus_width";
+  g.reason_code = "too_little";
+  EXPECT_TRUE(advice_text(g).startsWith(QStringLiteral("Widen"))) << advice_text(g).toStdString();
+  g.reason_code = "too_much";
+  EXPECT_TRUE(advice_text(g).contains(QStringLiteral("before you widen"))) << advice_text(g).toStdString();
 }
 
 TEST(Sentences, every_metric_and_tissue_has_a_name) {

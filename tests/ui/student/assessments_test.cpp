@@ -63,8 +63,9 @@ TEST_F(Assessments, AreLaterThenOpenThenMissed) {
 
 TEST_F(Assessments, AreInterruptedThenHandedInAndLeaveTheStartPageWithTheirRelease) {
   const SessionId session = sit();
-  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
   EXPECT_EQ(at(kMorning + 1000).at(0).state, State::running);
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  EXPECT_EQ(at(kMorning + 1000).at(0).state, State::interrupted);
   ASSERT_TRUE(records.store().grades.save(session, sample_grade(80), Hash256{}));
   EXPECT_EQ(at(kMorning + 1000).at(0).state, State::handed_in);
   EXPECT_EQ(at(kMorning + 2 * kHour).at(0).state, State::handed_in);
@@ -98,7 +99,7 @@ TEST_F(Assessments, NameTheDevicesThatTheyAdmitAndStartWithNoOther) {
   EXPECT_TRUE(texts.join(u'|').contains(QStringLiteral("only with Falcon, Inverse3"))) << texts.join(u'|').toStdString();
   // Whoever changes the device after the page was drawn reads why.
   QWidget window;
-  auto* question = new AssessmentStart(records.store(), lena.actor(), with("falcon"), "pointer", &window);
+  auto* question = new AssessmentStart(records.store(), lena.actor(), with("falcon"), "pointer", AssessmentStart::Purpose::start, &window);
   question->findChild<QLineEdit*>()->setText(QStringLiteral("4711"));
   for (QPushButton* b : question->findChildren<QPushButton*>())
     if (b->text() == QStringLiteral("Begin")) b->click();
@@ -129,7 +130,7 @@ TEST_F(Assessments, AskForASelfTestOfTheDeviceInOneSentence) {
   EXPECT_EQ(with("falcon").state, State::open);
   EXPECT_FALSE(card_text("falcon").contains(QStringLiteral("Ask the staff")));
   QWidget window;
-  auto* question = new AssessmentStart(records.store(), lena.actor(), with("falcon"), "pointer", &window);
+  auto* question = new AssessmentStart(records.store(), lena.actor(), with("falcon"), "pointer", AssessmentStart::Purpose::start, &window);
   question->findChild<QLineEdit*>()->setText(QStringLiteral("4711"));
   for (QPushButton* b : question->findChildren<QPushButton*>())
     if (b->text() == QStringLiteral("Begin")) b->click();
@@ -146,10 +147,10 @@ TEST_F(Assessments, SayThatEachCandidateHasAnotherTooth) {
   const QString words = QStringLiteral("another tooth for each candidate"), drawn = QStringLiteral("Your tooth is drawn for you");
   QWidget window;
   EXPECT_FALSE(texts(AssessmentCard(one, lena.id, "pointer")).contains(words));
-  EXPECT_FALSE(texts(*new AssessmentStart(records.store(), lena.actor(), one, "pointer", &window)).contains(drawn));
+  EXPECT_FALSE(texts(*new AssessmentStart(records.store(), lena.actor(), one, "pointer", AssessmentStart::Purpose::start, &window)).contains(drawn));
   one.assignment.drawn_tooth = true;
   EXPECT_TRUE(texts(AssessmentCard(one, lena.id, "pointer")).contains(words));
-  EXPECT_TRUE(texts(*new AssessmentStart(records.store(), lena.actor(), one, "pointer", &window)).contains(drawn));
+  EXPECT_TRUE(texts(*new AssessmentStart(records.store(), lena.actor(), one, "pointer", AssessmentStart::Purpose::start, &window)).contains(drawn));
 }
 
 TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
@@ -165,7 +166,7 @@ TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
 
 TEST_F(Assessments, BeginWithTheStartCodeAlone) {
   QWidget window;
-  auto* question = new AssessmentStart(records.store(), lena.actor(), at(kMorning + 1000)[0], "pointer", &window);
+  auto* question = new AssessmentStart(records.store(), lena.actor(), at(kMorning + 1000)[0], "pointer", AssessmentStart::Purpose::start, &window);
   QSignalSpy admitted(question, &AssessmentStart::admitted);
   QPushButton* begin = nullptr;
   for (QPushButton* b : question->findChildren<QPushButton*>())
@@ -178,6 +179,33 @@ TEST_F(Assessments, BeginWithTheStartCodeAlone) {
   begin->click();
   ASSERT_EQ(admitted.count(), 1);
   EXPECT_EQ(admitted[0][0].toString(), QStringLiteral("4711"));
+}
+
+TEST_F(Assessments, ContinueWithTheStartCodeThoughTimeAttemptsAndDeviceAdmitNoNewOne) {
+  Assignment a = assignment;
+  a.device_classes = {"pointer"};
+  a = assignment = *records.store().assignments.create(examiner, a, "4711");
+  ASSERT_TRUE(records.store().sessions.interrupt(sit(), "left"));
+  AssignedAssessment one = at(kMorning + 1000)[0];
+  one.assignment = a;
+  using Purpose = AssessmentStart::Purpose;
+  const auto shown = [&](Purpose purpose, const QString& code, const std::string& device_class) {
+    QWidget window;
+    auto* question = new AssessmentStart(records.store(), lena.actor(), one, device_class, purpose, &window);
+    QSignalSpy admitted(question, &AssessmentStart::admitted);
+    question->findChild<QLineEdit*>()->setText(code);
+    for (QPushButton* b : question->findChildren<QPushButton*>())
+      if (b->text() == (purpose == Purpose::start ? QStringLiteral("Begin") : QStringLiteral("Continue"))) b->click();
+    return admitted.count() == 1 ? QStringLiteral("admitted") : question->findChild<Band*>()->text();
+  };
+  const QString right = QStringLiteral("4711"), wrong = QStringLiteral("4712"), admitted = QStringLiteral("admitted");
+  EXPECT_TRUE(shown(Purpose::start, right, "pointer").contains(QStringLiteral("Every attempt")));
+  for (const std::int64_t later_us : {std::int64_t{0}, 2 * kHour}) {
+    records.now_us = kMorning + later_us;
+    EXPECT_TRUE(shown(Purpose::resume, wrong, "pointer").contains(QStringLiteral("not the start code")));
+    EXPECT_EQ(shown(Purpose::resume, right, "pointer"), admitted);
+    EXPECT_EQ(shown(Purpose::resume, right, "falcon"), admitted);
+  }
 }
 
 TEST_F(Assessments, AnAssignedPracticeStaysDueInItsVersionWhenANewerOneIsPublished) {

@@ -1,0 +1,162 @@
+// An assessment is left by its start code alone, is continued by it, and keeps its exercise from practice until it is handed in.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/drill/drill_screen.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr int kDrillingMs = 60'000;  // waits for progress, never decides
+
+struct LeftAssessment : ::testing::Test {
+  LeftAssessment() {
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked.push_back(question);
+      answer = std::move(then);
+    };
+    Store& store = records.store();
+    lena = records.student("1", "Lena Brandt");
+    const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
+    EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
+    exercise.scenario = *load_builtin("channel-1");
+    exercise.scenario.version += 1;
+    exercise.scenario.specimen.voxel_mm = 0.4;  // so that it grows at once
+    exercise.version = store.scenarios.ensure(exercise.scenario, canonical_json(exercise.scenario), content_hash(exercise.scenario).bytes)->id;
+    const Assignment wanted{.version = exercise.version, .cohort = cohort, .kind = SessionKind::assessment, .attempts_allowed = 1};
+    exam = *store.assignments.create(examiner, wanted, "4711");
+    desktop = std::make_unique<Desktop>(settings, ports, records.file());
+    desktop->start();
+    desktop->show();
+    desktop->sign_in(lena);
+  }
+  DrillScreen* screen() { return qobject_cast<DrillScreen*>(desktop->page()); }
+  bool drills() {
+    return QTest::qWaitFor([&] { return screen() != nullptr && screen()->running(); }, kDrillingMs);
+  }
+  bool shows(const QString& part) const {
+    for (const QLabel* label : desktop->page()->findChildren<QLabel*>())
+      if (label->text().contains(part)) return true;
+    return false;
+  }
+  /// Types into the dialog that asks for the start code; returns what it then shows.
+  QString type_code(const QString& code, const QString& button) {
+    auto* question = desktop->findChild<AssessmentStart*>();
+    if (question == nullptr) return QStringLiteral("no question");
+    question->findChild<QLineEdit*>()->setText(code);
+    for (QPushButton* b : question->findChildren<QPushButton*>())
+      if (b->text() == button) b->click();
+    return question->isVisible() ? question->findChild<Band*>()->text() : QString();
+  }
+  void sit() {
+    desktop->sit(load_assessments(records.store(), lena.actor(), QDateTime::currentDateTime(), "pointer")->at(0));
+    EXPECT_EQ(type_code(QStringLiteral("4711"), QStringLiteral("Begin")), QString());
+    ASSERT_TRUE(drills());
+  }
+  SessionId sit_and_leave() {
+    sit();
+    screen()->ask_leave();
+    answer(true);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return records.store().history.list(lena.actor())->front().session;
+  }
+  SessionState state_of(const SessionId& session) { return *records.store().sessions.state(session); }
+
+  DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
+  std::vector<Question> asked;
+  std::function<void(bool)> answer;
+  Account lena;
+  Exercise exercise;
+  Assignment exam;
+  std::unique_ptr<Desktop> desktop;
+};
+
+TEST_F(LeftAssessment, is_not_ended_by_closing_the_window_which_asks_for_the_code) {
+  sit();
+  EXPECT_FALSE(desktop->close());
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked[0].code, QStringLiteral("4711"));
+  EXPECT_TRUE(screen()->running());
+  answer(true);
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  EXPECT_TRUE(desktop->close());
+}
+
+TEST_F(LeftAssessment, is_unlike_a_practice_with_nothing_cut_which_ends_with_its_window) {
+  desktop->drill(exercise);
+  ASSERT_TRUE(drills());
+  EXPECT_TRUE(desktop->close());
+  EXPECT_TRUE(asked.empty());
+}
+
+TEST_F(LeftAssessment, is_continued_by_its_start_code_alone_and_left_by_it_again) {
+  const SessionId session = sit_and_leave();
+  EXPECT_EQ(state_of(session), SessionState::interrupted);
+  desktop->resume_attempt(session);
+  EXPECT_TRUE(type_code(QStringLiteral("4712"), QStringLiteral("Continue")).contains(QStringLiteral("not the start code")));
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  EXPECT_EQ(type_code(QStringLiteral("4711"), QStringLiteral("Continue")), QString()) << "though its one attempt is used";
+  ASSERT_TRUE(drills());
+  EXPECT_TRUE(shows(QStringLiteral("continued")));
+  screen()->ask_leave();
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_EQ(asked[1].code, QStringLiteral("4711"));
+}
+
+TEST_F(LeftAssessment, keeps_its_exercise_from_practice_until_it_is_handed_in) {
+  const SessionId practice = records.broken_attempt(lena, "channel-1");
+  const SessionId session = sit_and_leave();
+  const QString sentence = QStringLiteral("Your assessment of this exercise is not handed in yet.");
+  desktop->drill(exercise);
+  EXPECT_EQ(screen(), nullptr);
+  EXPECT_TRUE(shows(sentence));
+  desktop->back();
+  desktop->resume_attempt(practice);
+  EXPECT_EQ(screen(), nullptr);
+  EXPECT_TRUE(shows(sentence));
+  desktop->back();
+  desktop->grade_interrupted(session);
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_EQ(asked[1].act, QStringLiteral("Hand in"));
+  EXPECT_EQ(state_of(session), SessionState::interrupted);
+  answer(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<HandedIn*>(desktop->page()) != nullptr; }, kDrillingMs));
+  desktop->back();
+  desktop->drill(exercise);
+  EXPECT_NE(screen(), nullptr);
+}
+
+TEST_F(LeftAssessment, leads_from_the_results_to_the_start_page_and_one_that_runs_is_named_so) {
+  NewSession wanted{.student = lena.id, .version = exam.version, .assignment = exam.id, .start_code = "4711"};
+  wanted.header.scene = "{}";
+  const SessionId session = records.store().sessions.start(lena.actor(), wanted)->id;
+  desktop->shell()->show_page(QStringLiteral("results"));
+  desktop->open_report(session);
+  EXPECT_TRUE(shows(QStringLiteral("This attempt is being drilled in another window.")));
+  desktop->back();
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  desktop->open_report(session);
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  EXPECT_EQ(desktop->shell()->page_key(), QStringLiteral("start"));
+}
+
+}  // namespace
+}  // namespace cusp::test

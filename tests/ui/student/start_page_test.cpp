@@ -1,0 +1,163 @@
+// The start page's cards of interrupted attempts, what they keep from practice, and the last result against the best.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/student/briefing.h"
+#include "ui/student/interrupted_card.h"
+#include "ui/student/start_page.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+QString texts_of(const QWidget& page) {
+  QString all;
+  for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
+  for (const Chip* chip : page.findChildren<Chip*>()) all += chip->text() + u'\n';
+  return all;
+}
+
+QPushButton* button(const QWidget& page, const QString& text) {
+  for (QPushButton* b : page.findChildren<QPushButton*>())
+    if (b->text() == text) return b;
+  return nullptr;
+}
+
+struct StartPageCards : ::testing::Test {
+  StartPageCards() {
+    Store& store = records.store();
+    examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
+    EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
+    const Scenario scenario = *load_builtin("channel-1");
+    const VersionId version = store.scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes)->id;
+    exam = *store.assignments.create(examiner, {.version = version, .cohort = cohort, .kind = SessionKind::assessment, .attempts_allowed = 1}, "4711");
+  }
+  /// With tissue removed.
+  SessionId sit(int engine_version = kEngineVersion) {
+    NewSession wanted{.student = lena.id, .version = exam.version, .assignment = exam.id, .start_code = "4711"};
+    wanted.header.scene = "{}";
+    wanted.header.device.device_class = "pointer";
+    wanted.header.engine_version = engine_version;
+    const SessionId session = records.store().sessions.start(lena.actor(), wanted)->id;
+    RecordedSecond second;
+    second.inputs.resize(1);
+    second.metrics.removed = {{Tissue::plastic, 300, 0.3}};
+    EXPECT_TRUE(records.store().traces.append(session, second));
+    records.now_us += 60'000'000;
+    return session;
+  }
+  SessionId broken_off() {
+    const SessionId session = sit();
+    EXPECT_TRUE(records.store().sessions.interrupt(session, "left"));
+    return session;
+  }
+  StartPage* page() {
+    shown = std::make_unique<StartPage>(records.store(), lena, pictures, now);
+    return shown.get();
+  }
+  std::optional<Message> refusal(const char* key) { return why_no_practice(records.store(), lena.actor(), load_builtin(key)->id); }
+
+  DeskRecords records;
+  QTemporaryDir cache;
+  ThumbnailCache pictures{cache.path().toStdString()};
+  QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
+  Account lena = records.student("1", "Lena Brandt");
+  Actor examiner;
+  Assignment exam;
+  std::unique_ptr<StartPage> shown;
+};
+
+TEST_F(StartPageCards, an_interrupted_assessment_stands_above_a_newer_interrupted_practice) {
+  const SessionId assessment = broken_off();
+  records.broken_attempt(lena, "paper-block");
+  const SessionId practice = records.broken_attempt(lena, "paper-block");
+  const Course course = *load_course(records.store(), lena.actor());
+  ASSERT_EQ(course.interrupted.size(), 2u);
+  EXPECT_EQ(course.interrupted[0].session, assessment);
+  EXPECT_EQ(course.interrupted[1].session, practice);
+  EXPECT_TRUE(texts_of(*page()).contains(QStringLiteral("Interrupted: continue it below")));
+  const auto cards = shown->findChildren<InterruptedCard*>();
+  ASSERT_EQ(cards.size(), 2);
+  std::vector<SessionId> resumed;
+  QObject::connect(shown.get(), &StartPage::resume_wanted, [&](const SessionId& id) { resumed.push_back(id); });
+  for (const InterruptedCard* card : cards) card->primary()->click();
+  EXPECT_EQ(resumed, (std::vector{assessment, practice}));
+  int primary = 0;
+  for (const QPushButton* b : shown->findChildren<QPushButton*>()) primary += b->property("kind") == QStringLiteral("primary") ? 1 : 0;
+  EXPECT_EQ(primary, 1);
+}
+
+TEST_F(StartPageCards, an_interrupted_assessment_is_handed_in_and_shows_no_removed_volume) {
+  broken_off();
+  const auto* card = page()->interrupted();
+  ASSERT_NE(card, nullptr);
+  EXPECT_TRUE(texts_of(*card).contains(QStringLiteral("Interrupted assessment")));
+  EXPECT_FALSE(texts_of(*card).contains(QStringLiteral("mm"))) << texts_of(*card).toStdString();
+  EXPECT_NE(button(*card, QStringLiteral("Hand in")), nullptr);
+  EXPECT_EQ(button(*card, QStringLiteral("Grade as it stands")), nullptr);
+}
+
+TEST_F(StartPageCards, an_assessment_that_is_not_handed_in_keeps_its_exercise_from_practice) {
+  EXPECT_FALSE(refusal("channel-1"));
+  EXPECT_TRUE(page()->start_button()->isEnabled()) << "the next exercise is channel-1";
+  const SessionId session = sit();
+  EXPECT_TRUE(refusal("channel-1")) << "it runs in another window";
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  const auto why = refusal("channel-1");
+  ASSERT_TRUE(why);
+  EXPECT_FALSE(refusal("paper-block"));
+  EXPECT_FALSE(page()->start_button()->isEnabled());
+  EXPECT_TRUE(texts_of(*shown).contains(why->line()));
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  const Briefing briefing(exercise, pictures, {}, std::make_shared<ToothCache>(std::filesystem::path()), why->line());
+  EXPECT_FALSE(briefing.start_button()->isEnabled());
+  EXPECT_EQ(briefing.watch_button(), nullptr);
+  EXPECT_TRUE(texts_of(briefing).contains(why->line()));
+  ASSERT_TRUE(records.store().grades.save(session, sample_grade(80), Hash256{}));
+  EXPECT_FALSE(refusal("channel-1"));
+}
+
+TEST_F(StartPageCards, an_assessment_that_cannot_be_continued_here_is_the_invigilators_and_keeps_no_exercise) {
+  const SessionId session = sit(kEngineVersion - 1);
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  EXPECT_TRUE(texts_of(*page()).contains(QStringLiteral("Interrupted: ask the invigilator")));
+  EXPECT_EQ(shown->interrupted(), nullptr);
+  EXPECT_FALSE(refusal("channel-1"));
+}
+
+TEST_F(StartPageCards, the_way_into_an_attempt_that_runs_is_not_offered_nor_called_a_report_before_it_is_handed_in) {
+  const SessionId session = sit();
+  AttemptsModel model;
+  const auto opening = [&](int role) {
+    model.set_rows(*records.store().history.list(lena.actor()));
+    return model.index(0, AttemptsModel::kOpen).data(role).toString();
+  };
+  EXPECT_EQ(opening(IconRole), QString());
+  EXPECT_EQ(opening(Qt::AccessibleTextRole), QString());
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  EXPECT_NE(opening(IconRole), QString());
+  EXPECT_EQ(opening(Qt::AccessibleTextRole), QStringLiteral("Open"));
+  ASSERT_TRUE(records.store().grades.save(session, sample_grade(80), Hash256{}));
+  EXPECT_EQ(opening(Qt::AccessibleTextRole), QStringLiteral("Report"));
+}
+
+TEST_F(StartPageCards, the_best_before_is_compared_as_both_are_shown) {
+  records.attempt(lena, "channel-1", 5.04, 300);  // shown as 5
+  records.attempt(lena, "channel-1", 2.86, 300);  // shown as 2.9; 2.18 less
+  EXPECT_TRUE(texts_of(*page()).contains(QStringLiteral("2.1 less than\nyour best before"))) << texts_of(*shown).toStdString();
+  records.attempt(lena, "channel-1", 5.01, 300);
+  EXPECT_TRUE(texts_of(*page()).contains(QStringLiteral("the same as\nyour best before")));
+}
+
+}  // namespace
+}  // namespace cusp::test
