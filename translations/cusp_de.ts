@@ -128,6 +128,22 @@
         <source>Needs a newer self-test</source>
         <translation>Braucht einen neueren Selbsttest</translation>
     </message>
+    <message>
+        <source>Runs in another window</source>
+        <translation>Läuft in einem anderen Fenster</translation>
+    </message>
+    <message>
+        <source>Interrupted: ask the invigilator</source>
+        <translation>Unterbrochen: die Aufsicht fragen</translation>
+    </message>
+    <message>
+        <source>Your assessment of this exercise is not handed in yet.</source>
+        <translation>Ihre Prüfung zu dieser Übung ist noch nicht abgegeben.</translation>
+    </message>
+    <message>
+        <source>Until then the exercise cannot be practised. Continue the assessment or hand it in on the start page.</source>
+        <translation>Bis dahin lässt sich die Übung nicht üben. Setzen Sie die Prüfung auf der Startseite fort, oder geben Sie sie dort ab.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentPage</name>
@@ -285,12 +301,24 @@
         <source>Your tooth is drawn for you; other candidates have others. It stays yours if you are interrupted.</source>
         <translation>Ihr Zahn wird für Sie gelost; andere haben andere. Nach einer Unterbrechung haben Sie denselben.</translation>
     </message>
+    <message>
+        <source>Continue assessment</source>
+        <translation>Prüfung fortsetzen</translation>
+    </message>
+    <message>
+        <source>Tooth and clock are as you left them.</source>
+        <translation>Zahn und Uhr sind so, wie Sie sie verlassen haben.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentForm</name>
     <message>
         <source>Assign an exercise</source>
-        <translation>Übung aufgeben</translation>
+        <translation>Übung zuweisen</translation>
     </message>
     <message>
         <source>Exercise</source>
@@ -314,11 +342,11 @@
     </message>
     <message>
         <source>Assign</source>
-        <translation>Aufgeben</translation>
+        <translation>Zuweisen</translation>
     </message>
     <message>
         <source>Practice</source>
-        <translation>Übung</translation>
+        <translation>Training</translation>
     </message>
     <message>
         <source>Assessment</source>
@@ -464,6 +492,10 @@
     <message>
         <source>Not released</source>
         <translation>Nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
     </message>
 </context>
 <context>
@@ -1864,7 +1896,7 @@
     </message>
     <message>
         <source>Of the scripted operator&apos;s tremor</source>
-        <translation>Des Zitterns des automatischen Bedieners</translation>
+        <translation>Des Zitterns des automatischen Operateurs</translation>
     </message>
     <message>
         <source>Print each second of the session to stderr as it is played</source>
@@ -1923,7 +1955,7 @@
     </message>
     <message>
         <source>With the bone and the ligament about its roots</source>
-        <translation>Mit Knochen und Wurzelhaut um seine Wurzeln</translation>
+        <translation>Mit Knochen und Desmodont um seine Wurzeln</translation>
     </message>
     <message>
         <source>Tooth number, 11 to 48</source>
@@ -1973,8 +2005,8 @@
         <translation>Das Ergebnis als JSON in FILE schreiben, bei - auf stdout</translation>
     </message>
     <message>
-        <source>Cusp: cavity preparation with a grade. Without a verb it opens the desktop.</source>
-        <translation>Cusp: Kavitätenpräparation mit Bewertung. Ohne Befehl öffnet sich die Oberfläche.</translation>
+        <source>Cusp: cavity preparation with a grade. Without a verb, cusp [--db FILE] [--safe] [NAME.cusp] opens the desktop.</source>
+        <translation>Cusp: Kavitätenpräparation mit Bewertung. Ohne Befehl öffnet cusp [--db DATEI] [--safe] [NAME.cusp] die Oberfläche.</translation>
     </message>
     <message>
         <source>%1 (see cusp VERB --help)</source>
@@ -2224,15 +2256,15 @@
     </message>
     <message>
         <source>An emulated Falcon needs a scripted operator by name: expert, novice and so on.</source>
-        <translation>Ein nachgebildeter Falcon braucht einen automatischen Bediener mit Namen: expert, novice und so weiter.</translation>
+        <translation>Ein nachgebildeter Falcon braucht einen automatischen Operateur mit Namen: expert, novice und so weiter.</translation>
     </message>
     <message>
         <source>With the emulated Falcon: it answers nothing for 50 ms every so many seconds</source>
         <translation>Mit dem nachgebildeten Falcon: Er antwortet alle so viele Sekunden 50 ms lang nicht</translation>
     </message>
     <message>
-        <source>Number of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. Without it: the student demo</source>
-        <translation>Nummer des Kontos, das handelt; Passwort oder PIN kommen aus CUSP_PASSWORD oder der Standardeingabe. Ohne Angabe: demo</translation>
+        <source>Number or user name of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. Without it: the student demo</source>
+        <translation>Nummer oder Benutzername des Kontos, das handelt; Passwort oder PIN kommen aus CUSP_PASSWORD oder der Standardeingabe. Ohne Angabe: demo</translation>
     </message>
     <message>
         <source>Look at: history DB verify.</source>
@@ -2569,7 +2601,7 @@
     </message>
     <message>
         <source>Copies all records as of now to a new folder; for administrators</source>
-        <translation>Kopiert alle Aufzeichnungen von jetzt in einen neuen Ordner; für Administratoren</translation>
+        <translation>Kopiert alle Aufzeichnungen von jetzt in einen neuen Ordner; für die Verwaltung</translation>
     </message>
     <message>
         <source>Where the backup’s own folder is made</source>
@@ -2593,7 +2625,7 @@
     </message>
     <message>
         <source>Takes a person’s name, number and texts out for good; for administrators</source>
-        <translation>Löscht Name, Nummer und Texte einer Person endgültig; für Administratoren</translation>
+        <translation>Löscht Name, Nummer und Texte einer Person endgültig; für die Verwaltung</translation>
     </message>
     <message>
         <source>The person’s number</source>
@@ -2617,7 +2649,7 @@
     </message>
     <message>
         <source>Saves an attempt as an appeal pack, one file that another station verifies; for staff</source>
-        <translation>Speichert einen Versuch als Einspruchsakte, eine Datei, die eine andere Station prüft; für Mitarbeitende</translation>
+        <translation>Speichert einen Versuch als Einspruchsakte, eine Datei, die eine andere Station prüft; für das Personal</translation>
     </message>
     <message>
         <source>Verifies an appeal pack: its signature, its files, and its records</source>
@@ -2734,7 +2766,7 @@
     </message>
     <message>
         <source>Erases students who have made no attempt for years; for administrators</source>
-        <translation>Löscht Studierende, die seit Jahren keinen Versuch gemacht haben; für Administratoren</translation>
+        <translation>Löscht Studierende, die seit Jahren keinen Versuch gemacht haben; für die Verwaltung</translation>
     </message>
     <message>
         <source>Years without an attempt, as the school has decided</source>
@@ -2757,7 +2789,7 @@
     </message>
     <message>
         <source>Takes the recordings of old practice attempts out; grades and final teeth stay; for administrators</source>
-        <translation>Entfernt die Aufzeichnungen alter Übungsversuche; Noten und fertige Zähne bleiben; für Administratoren</translation>
+        <translation>Entfernt die Aufzeichnungen alter Trainingsversuche; Noten und fertige Zähne bleiben; für die Verwaltung</translation>
     </message>
     <message>
         <source>Days since an attempt ended</source>
@@ -2897,16 +2929,9 @@
         <translation>Die Zuweisung mit dieser Frist, oder none, wo die Übung mehr als einmal zugewiesen ist</translation>
     </message>
     <message>
-        <source>“%1” is not assigned to “%2”, due %3.</source>
-        <translation>„%1“ ist „%2“ nicht mit der Frist %3 zugewiesen.</translation>
-    </message>
-    <message>
         <source>“%1” is not assigned to “%2”.</source>
+        <extracomment>%3: options as they are typed, such as &quot;--kind practice --due none&quot;.</extracomment>
         <translation>„%1“ ist „%2“ nicht zugewiesen.</translation>
-    </message>
-    <message>
-        <source>“%1” is assigned to “%2” more than once: say which with --due. Due: %3.</source>
-        <translation>„%1“ ist „%2“ mehr als einmal zugewiesen: Nennen Sie mit --due, welche Frist gilt. Fristen: %3.</translation>
     </message>
     <message>
         <source>The standard output cannot be written.</source>
@@ -2983,6 +3008,37 @@
     <message>
         <source>%1 is of a target that the exercise does not have</source>
         <translation>%1 gehört zu einem Ziel, das die Übung nicht hat</translation>
+    </message>
+    <message>
+        <source>The assignment of this kind, where the exercise is assigned more than once</source>
+        <translation>Die Zuweisung dieser Art, falls die Übung mehr als einmal zugewiesen ist</translation>
+    </message>
+    <message>
+        <source>“%1” is not assigned to “%2” with %3.</source>
+        <translation>„%1“ ist „%2“ nicht mit %3 zugewiesen.</translation>
+    </message>
+    <message>
+        <source>“%1” is assigned to “%2” more than once: say which, by %3.</source>
+        <extracomment>%3: options as they are typed, such as &quot;--kind practice --due none&quot;.</extracomment>
+        <translation>„%1“ ist „%2“ mehr als einmal zugewiesen: Geben Sie an, welche Zuweisung gemeint ist, mit %3.</translation>
+    </message>
+    <message>
+        <source>not released</source>
+        <translation>nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>%1: does not count, changed by %2: %3</source>
+        <extracomment>%1: a critical event, %2: an examiner, %3: the reason.</extracomment>
+        <translation>%1: zählt nicht, geändert von %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3 points, changed by %4: %5</source>
+        <extracomment>%1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.</extracomment>
+        <translation>%1: %2 statt %3 Punkte, geändert von %4: %5</translation>
+    </message>
+    <message>
+        <source>Measured: %1 of %2 points, %3</source>
+        <translation>Gemessen: %1 von %2 Punkten, %3</translation>
     </message>
 </context>
 <context>
@@ -3108,7 +3164,7 @@
     </message>
     <message>
         <source>Account and results are kept. What is assigned to the cohort no longer stands on the student&apos;s start page.</source>
-        <translation>Konto und Ergebnisse bleiben. Was der Kohorte aufgegeben ist, steht nicht mehr auf der Startseite.</translation>
+        <translation>Konto und Ergebnisse bleiben. Was der Kohorte zugewiesen ist, steht nicht mehr auf der Startseite.</translation>
     </message>
     <message>
         <source>%1 is taken out.</source>
@@ -3124,7 +3180,7 @@
     </message>
     <message>
         <source>%1 is assigned to %2.</source>
-        <translation>%1 ist %2 aufgegeben.</translation>
+        <translation>%1 ist %2 zugewiesen.</translation>
     </message>
     <message>
         <source>It stands on the start page of its students.</source>
@@ -3160,11 +3216,11 @@
     </message>
     <message>
         <source>%1 is assigned to %2 already.</source>
-        <translation>%1 ist %2 bereits aufgegeben.</translation>
+        <translation>%1 ist %2 bereits zugewiesen.</translation>
     </message>
     <message>
         <source>An open assignment has the same kind, days, attempts and devices. Change one of them to assign it again.</source>
-        <translation>Eine offene Aufgabe hat dieselbe Art, dieselben Tage, Versuche und Geräte. Ändern Sie etwas davon, um sie erneut aufzugeben.</translation>
+        <translation>Eine offene Aufgabe hat dieselbe Art, dieselben Tage, Versuche und Geräte. Ändern Sie etwas davon, um sie erneut zuzuweisen.</translation>
     </message>
 </context>
 <context>
@@ -4425,15 +4481,15 @@
     </message>
     <message>
         <source>Try out by the reference operator</source>
-        <translation>Vom Referenzbediener probieren lassen</translation>
+        <translation>Vom Referenzoperateur probieren lassen</translation>
     </message>
     <message>
         <source>The reference operator cuts it at once, and a report shows its points (Shift+F5)</source>
-        <translation>Der Referenzbediener präpariert die Übung sofort; ein Bericht zeigt seine Punkte (Umschalt+F5)</translation>
+        <translation>Der Referenzoperateur präpariert die Übung sofort; ein Bericht zeigt seine Punkte (Umschalt+F5)</translation>
     </message>
     <message>
         <source>The reference operator cuts it</source>
-        <translation>Der Referenzbediener präpariert</translation>
+        <translation>Der Referenzoperateur präpariert</translation>
     </message>
     <message>
         <source>Publishing…</source>
@@ -5970,6 +6026,18 @@
         <source>Continue</source>
         <translation>Fortsetzen</translation>
     </message>
+    <message>
+        <source>It broke off after %1 min. All of it is kept.</source>
+        <translation>Sie brach nach %1 min ab. Alles davon ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Interrupted assessment</source>
+        <translation>Unterbrochene Prüfung</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>Abgeben</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::InversePanel</name>
@@ -6933,6 +7001,14 @@
     <message>
         <source>Write it below; the student reads it.</source>
         <translation>Schreiben Sie sie unten; der Studierende liest sie.</translation>
+    </message>
+    <message>
+        <source>These are the points that count already.</source>
+        <translation>Diese Punkte zählen bereits.</translation>
+    </message>
+    <message>
+        <source>Type other points.</source>
+        <translation>Geben Sie andere Punkte ein.</translation>
     </message>
 </context>
 <context>
@@ -8200,7 +8276,7 @@
     </message>
     <message>
         <source>Measure the operators</source>
-        <translation>Bediener messen</translation>
+        <translation>Operateure messen</translation>
     </message>
     <message>
         <source>Reference, competent and novice cut it at once; their values mark the bands of each criterion</source>
@@ -8397,7 +8473,7 @@
     <name>cusp::ui::RecordingsCard</name>
     <message>
         <source>Recordings of practice</source>
-        <translation>Aufzeichnungen von Übungen</translation>
+        <translation>Aufzeichnungen des Trainings</translation>
     </message>
     <message>
         <source>Thinning takes out what a replay needs. Grade, report and final tooth stay, and verify. Assessments and results that an examiner has stated something about stay whole.</source>
@@ -8712,6 +8788,14 @@
         <source>Page %1</source>
         <translation>Seite %1</translation>
     </message>
+    <message>
+        <source>%1 (superseded)</source>
+        <translation>%1 (ersetzt)</translation>
+    </message>
+    <message>
+        <source>Each criterion without its full points was changed by hand; the remarks give the reasons.</source>
+        <translation>Jedes Kriterium ohne volle Punkte wurde von Hand geändert; die Bemerkungen nennen die Gründe.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -8770,10 +8854,6 @@
     <message>
         <source>Next time</source>
         <translation>Beim nächsten Mal</translation>
-    </message>
-    <message>
-        <source>Every criterion has its full points.</source>
-        <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
     </message>
     <message>
         <source>Against your best before</source>
@@ -10065,6 +10145,14 @@ Ihr bester davor</translation>
         <source>The attempt ends here and is measured as it stands.</source>
         <translation>Der Versuch endet hier und wird vermessen, wie er ist.</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>%1 What you drilled is safe while this window stays open. Remove the cause, then finish again.</source>
+        <translation>%1 Was abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Beheben Sie die Ursache, und beenden Sie dann noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StudentListModel</name>
@@ -11009,7 +11097,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Practice</source>
-        <translation>Übung</translation>
+        <translation>Training</translation>
     </message>
     <message>
         <source>Assessment</source>
@@ -11358,14 +11446,6 @@ Ihr bester davor</translation>
     <message>
         <source>lingual</source>
         <translation>lingual</translation>
-    </message>
-    <message>
-        <source>Counts only as far as the target was cut: %1</source>
-        <translation>Zählt nur so weit, wie das Ziel abgetragen wurde: %1</translation>
-    </message>
-    <message>
-        <source>The rest counts only as far as the target was cut: %1.</source>
-        <translation>Das Übrige zählt nur so weit, wie das Ziel abgetragen wurde: %1.</translation>
     </message>
     <message>
         <source>Stored with marking %1: the same points.</source>
@@ -11845,7 +11925,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Another administrator erases it. Nothing was changed.</source>
-        <translation>Ein anderer Administrator löscht es. Nichts wurde geändert.</translation>
+        <translation>Jemand anders aus der Verwaltung löscht es. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>An attempt of this person still runs.</source>
@@ -12150,7 +12230,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The operator cannot cut it.</source>
-        <translation>Der Bediener kann die Übung nicht präparieren.</translation>
+        <translation>Der Operateur kann die Übung nicht präparieren.</translation>
     </message>
     <message>
         <source>No bur of the exercise fits into its target.</source>
@@ -12162,15 +12242,15 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Reference operator</source>
-        <translation>Referenzbediener</translation>
+        <translation>Referenzoperateur</translation>
     </message>
     <message>
         <source>Competent operator</source>
-        <translation>Geübter Bediener</translation>
+        <translation>Geübter Operateur</translation>
     </message>
     <message>
         <source>Novice operator</source>
-        <translation>Unerfahrener Bediener</translation>
+        <translation>Unerfahrener Operateur</translation>
     </message>
     <message>
         <source>Results exported for a gradebook</source>
@@ -12626,7 +12706,7 @@ Ihr bester davor</translation>
     <message>
         <source>Reference operator with one fault: %1, %2</source>
         <extracomment>%1: a fault (&quot;too deep&quot;), %2: its size (&quot;0.9 mm&quot;)</extracomment>
-        <translation>Referenzbediener mit einem Fehler: %1, %2</translation>
+        <translation>Referenzoperateur mit einem Fehler: %1, %2</translation>
     </message>
     <message>
         <source>%1 is no name of a target: a letter, then letters, digits and _, all small.</source>
@@ -12636,10 +12716,6 @@ Ihr bester davor</translation>
         <source>%1 (%2)</source>
         <comment>a measurement of one of several targets</comment>
         <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>The rest counts only as far as its own target was cut, the least of it: %1.</source>
-        <translation>Der Rest zählt nur so weit, wie das eigene Ziel präpariert wurde, am wenigsten: %1.</translation>
     </message>
     <message>
         <source>No tooth was found that suits this exercise.</source>
@@ -12684,6 +12760,30 @@ Ihr bester davor</translation>
     <message>
         <source>%1 holds another number of attempts than its description. Nothing was changed; restore another backup.</source>
         <translation>%1 enthält eine andere Anzahl Versuche als in der Beschreibung angegeben. Nichts wurde geändert; stellen Sie eine andere Sicherung wieder her.</translation>
+    </message>
+    <message>
+        <source>Counts for %1, because target is left</source>
+        <translation>Zählt zu %1, weil vom Ziel etwas stehen blieb</translation>
+    </message>
+    <message>
+        <source>The rest counts for less where its own target is left, the least of it for %1.</source>
+        <translation>Das Übrige zählt weniger, wo von seinem eigenen Ziel etwas stehen blieb, am wenigsten zu %1.</translation>
+    </message>
+    <message>
+        <source>The rest counts for %1, because target is left.</source>
+        <translation>Das Übrige zählt zu %1, weil vom Ziel etwas stehen blieb.</translation>
+    </message>
+    <message>
+        <source>Widen the outline until the bur passes freely.</source>
+        <translation>Umriss erweitern, bis der Bohrer frei hindurchgeht.</translation>
+    </message>
+    <message>
+        <source>This attempt is being drilled in another window.</source>
+        <translation>Dieser Versuch wird gerade in einem anderen Fenster bearbeitet.</translation>
+    </message>
+    <message>
+        <source>It opens as soon as it has ended.</source>
+        <translation>Er lässt sich öffnen, sobald er beendet ist.</translation>
     </message>
 </context>
 <context>
