@@ -90,6 +90,31 @@ std::vector<Seen> views_of(const Camera& above, const Meshes& meshes, Vec3 place
 
 }  // namespace
 
+Camera keep_in_picture(const Camera& view, const Meshes& meshes, Vec3 place_mm, glm::dvec2 picture_px, double margin_px) {
+  constexpr int kPasses = 3;  // what is nearer than the middle moves further than the middle does
+  Camera out = view;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    glm::dvec2 low(1e9), high(-1e9);
+    for (const auto& [brick, patch] : meshes.front()->patches())
+      for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p(corner & 1 ? patch.high_mm[0] : patch.low_mm[0], corner & 2 ? patch.high_mm[1] : patch.low_mm[1],
+                     corner & 4 ? patch.high_mm[2] : patch.low_mm[2]);
+        const auto px = out.project(p, picture_px);
+        if (!px) return view;
+        low = glm::min(low, *px);
+        high = glm::max(high, *px);
+      }
+    glm::dvec2 by(0.0);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double least = margin_px - low[axis], most = picture_px[axis] - margin_px - high[axis];
+      if (least <= most) by[axis] = std::clamp(0.0, least, most);
+    }
+    if (by == glm::dvec2(0.0)) break;
+    out.pan(by, std::min(picture_px.x, picture_px.y));
+  }
+  return seen_from(out, meshes, place_mm) ? out : view;
+}
+
 bool seen_from(const Camera& camera, const Meshes& meshes, Vec3 place_mm) {
   return std::ranges::all_of(meshes, [&](const PatchStore* mesh) { return mesh->shows(place_mm, camera.eye_mm()); });
 }

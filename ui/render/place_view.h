@@ -19,4 +19,8 @@ bool seen_from(const Camera& camera, const Meshes& meshes, Vec3 place_mm);
 /// hundred rays: 4 to 8 ms for a premolar, up to 24 ms for a box between neighbours.
 Camera look_at_place(const Camera& now, const Meshes& meshes, Vec3 place_mm);
 
+/// The same view, moved so that the tooth keeps margin_px from each edge of a picture of this size where it has room. Unchanged if the
+/// place would then be hidden.
+Camera keep_in_picture(const Camera& view, const Meshes& meshes, Vec3 place_mm, glm::dvec2 picture_px, double margin_px);
+
 }  // namespace cusp::ui

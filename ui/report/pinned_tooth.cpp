@@ -47,6 +47,7 @@ class Ring : public QWidget {
 
 constexpr int kClear = 36;  // px at 100 % between a place and its card, at least
 constexpr int kHead = 64;   // px at 100 %: below the buttons at the view's head
+constexpr int kToothMargin = 12;  // px at 100 % between the tooth and the edge of the view, where there is room
 
 }  // namespace
 
@@ -257,7 +258,8 @@ void PinnedTooth::set_head(int height_px) {
 
 void PinnedTooth::face_place() {
   if (place_ && tooth_shown_ && !cut_open_) {
-    const Camera to = look_at_place(view_->camera(), meshes(), pinned());
+    const Camera facing = look_at_place(view_->camera(), meshes(), pinned());
+    const Camera to = keep_in_picture(facing, meshes(), pinned(), {std::max(width(), 1), std::max(height(), 1)}, px(kToothMargin));
     inside_ = !seen_from(to, meshes(), *place_);
     view_->set_camera(to);
   }

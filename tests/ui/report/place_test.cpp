@@ -59,6 +59,31 @@ TEST(PlaceView, a_camera_looks_into_the_pit_and_never_through_a_wall) {
   EXPECT_TRUE(seen_from(second, meshes, {0, 0, 0}));
 }
 
+TEST(PlaceView, a_tooth_that_has_room_in_the_picture_is_not_cut_off_by_its_edge) {
+  const Pit pit;
+  const Meshes meshes = {&pit.store};
+  const glm::dvec2 picture(560.0, 660.0);
+  const auto outside = [&](const Camera& camera) {
+    double out = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto px = camera.project(Vec3(corner & 1 ? 3 : -3, corner & 2 ? 3 : -3, corner & 4 ? 3 : -3), picture);
+      for (int axis = 0; axis < 2; ++axis) out = std::max({out, -(*px)[axis], (*px)[axis] - picture[axis]});
+    }
+    return out;
+  };
+  for (const Vec3 place : {Vec3(2.9, 2.0, 3.0), Vec3(-2.9, 0.0, 3.0), Vec3(0.0, -2.9, 3.0)}) {
+    const Camera facing = look_at_place(Camera::about(Vec3(0.0), 4.6), meshes, place);
+    EXPECT_GT(outside(facing), 20.0) << "else nothing is tested";
+    const Camera kept = keep_in_picture(facing, meshes, place, picture, 8.0);
+    EXPECT_LT(outside(kept), 1.0);
+    EXPECT_TRUE(seen_from(kept, meshes, place));
+    EXPECT_EQ(kept.distance_mm(), facing.distance_mm());
+  }
+  Camera near = Camera::about(Vec3(2.9, 2.0, 3.0), 1.0);
+  near.set_preset(PresetView::occlusal);
+  EXPECT_EQ(keep_in_picture(near, meshes, {2.9, 2.0, 3.0}, picture, 8.0), near) << "no room: the place stays in the middle";
+}
+
 TEST(PlaceView, what_stands_beside_the_tooth_hides_a_place_too) {
   const Pit pit;
   Camera side = Camera::about(Vec3(3.0, 0, 0), 5.0);
