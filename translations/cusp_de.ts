@@ -9936,6 +9936,10 @@ Ihr bester davor</translation>
         <source>Counts only with %1: choose it on the page Device.</source>
         <translation>Zählt nur mit %1: wählen Sie es auf der Seite Gerät.</translation>
     </message>
+    <message>
+        <source>An examiner changed the points; the remarks in the report give the reasons.</source>
+        <translation>Eine Lehrkraft hat die Punkte geändert; die Bemerkungen im Bericht nennen die Gründe.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>

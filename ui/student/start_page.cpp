@@ -313,25 +313,27 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     line->addWidget(text, 1);
     card.body()->addLayout(line);
   };
-  SpecimenSource specimen;
-  const Region* target = nullptr;
-  for (const CourseRow& row : course_.rows) {
-    if (row.exercise.scenario.id != last.scenario) continue;
-    specimen = row.exercise.scenario.specimen;
-    target = &row.exercise.scenario.target;
-  }
+  const auto row = std::ranges::find(course_.rows, last.scenario, [](const CourseRow& one) { return one.exercise.scenario.id; });
+  const Scenario* scenario = row != course_.rows.end() ? &row->exercise.scenario : nullptr;
   for (const CriticalEvent& event : critical_events(grade, &store_, last.session)) {
-    add(u"cross"_qs, Ink::bad, critical_text(event, specimen) + u'.', critical_advice(event.key));
+    add(u"cross"_qs, Ink::bad, critical_text(event, scenario ? scenario->specimen : SpecimenSource()) + u'.', critical_advice(event.key));
   }
   int shown = 0;
+  bool changed = false;
   for (const LossReason& reason : loss_reasons(grade)) {
     if (!reason.critical.empty()) continue;
     const CriterionGrade& c = grade.criteria[reason.criterion];
+    const bool by_hand = std::ranges::count(details->grade->overrides, c.id, &SignedStatement::criterion) > 0;
+    changed = changed || by_hand;
+    if (by_hand) continue;
     const QString advice = advice_text(c);
     if (advice.isEmpty() || ++shown > kAdviceShown) continue;
-    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id, target) + u':', advice);
+    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id, scenario ? &scenario->target : nullptr) + u':', advice);
   }
-  return shown > 0 || !grade.critical.empty();
+  if (changed && shown == 0) {
+    card.body()->addWidget(make_paragraph(tr("An examiner changed the points; the remarks in the report give the reasons.")));
+  }
+  return changed || shown > 0 || !grade.critical.empty();
 }
 
 QWidget* StartPage::make_chart() {

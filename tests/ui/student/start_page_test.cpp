@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "scenarios/format/content_hash.h"
+#include "scenarios/grading/maxima.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
@@ -12,6 +13,7 @@
 #include "ui/student/briefing.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/table.h"
 
@@ -149,6 +151,17 @@ TEST_F(StartPageCards, the_way_into_an_attempt_that_runs_is_not_offered_nor_call
   EXPECT_EQ(opening(Qt::AccessibleTextRole), QStringLiteral("Open"));
   ASSERT_TRUE(records.store().grades.save(session, sample_grade(80), Hash256{}));
   EXPECT_EQ(opening(Qt::AccessibleTextRole), QStringLiteral("Report"));
+}
+
+TEST_F(StartPageCards, what_an_examiner_changed_is_not_advised_about) {
+  Grade grade = sample_grade(80);
+  ASSERT_EQ(loss_reasons(grade).size(), 1u);
+  const CriterionGrade& lost = grade.criteria[loss_reasons(grade)[0].criterion];
+  const SessionId session = records.graded_attempt(lena, "channel-1", grade, 300);
+  ASSERT_TRUE(texts_of(*page()).contains(advice_text(lost))) << texts_of(*shown).toStdString();
+  ASSERT_TRUE(records.store().statements.override_points(examiner, session, lost.id, 0.5 * lost.points_max, "The block was worn."));
+  EXPECT_FALSE(texts_of(*page()).contains(advice_text(lost)));
+  EXPECT_TRUE(texts_of(*shown).contains(QStringLiteral("An examiner changed the points"))) << texts_of(*shown).toStdString();
 }
 
 TEST_F(StartPageCards, the_best_before_is_compared_as_both_are_shown) {
