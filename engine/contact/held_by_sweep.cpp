@@ -9,7 +9,7 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr int kAbout = 16;            // sweeps before and after the wall's owner among which the ball's holder is looked for
+constexpr int kAbout = Sweeps::kBeside;  // sweeps before and after the wall's owner among which the ball's holder is looked for
 constexpr int kMostAlong = 64;        // sweeps that the ball passes in a tick
 constexpr int kHops = 8;              // owners of walls that are tried
 constexpr double kAtDeviceMm = 1e-6;  // a ball so near to the device is pulled nowhere

@@ -64,8 +64,7 @@ std::int32_t Sweeps::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
 }
 
 bool Sweeps::wants_room() const noexcept {
-  const auto used = static_cast<std::size_t>(count_);
-  return room_ > 0 && used >= room_ / 4 * 3 && used - static_cast<std::size_t>(left_) >= room_ / 16;
+  return room_ > 0 && static_cast<std::size_t>(count_) >= room_ / 8 * 7;
 }
 
 /// Marks kBeside sweeps to each side of the marked ones, up to the ends of their ways.
@@ -103,7 +102,7 @@ void Sweeps::drop_unmarked() noexcept {
     put(static_cast<std::size_t>(left++), from, by);
     put(static_cast<std::size_t>(left), to, by);
   }
-  count_ = left_ = left;
+  count_ = left;
   open_ = sealed_ = false;
   settled_ = Hash64();
   hashed_ = 0;
@@ -283,7 +282,6 @@ std::uint64_t Sweeps::hash() const noexcept {
   const std::size_t places = count_ == 0 ? 0 : static_cast<std::size_t>(count_) + 1;
   for (std::size_t i = hashed_; i < places; ++i) add_to(out, i);
   for (const double radius : radii_) out.add_double(radius);
-  out.add(static_cast<std::uint64_t>(left_));
   out.add((open_ ? 1 : 0) | (sealed_ ? 2 : 0));
   return out.value();
 }
@@ -294,11 +292,10 @@ std::vector<std::byte> Sweeps::save() const {
     for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::byte>(value >> (8 * i)));
   };
   const std::size_t places = count_ == 0 ? 0 : static_cast<std::size_t>(count_) + 1;
-  out.reserve(10 + 8 * radii_.size() + kEntryBytes * places);
+  out.reserve(6 + 8 * radii_.size() + kEntryBytes * places);
   put((open_ ? 1 : 0) | (sealed_ ? 2 : 0), 1);
   put(radii_.size(), 1);
   for (const double radius : radii_) put(std::bit_cast<std::uint64_t>(radius), 8);
-  put(static_cast<std::uint64_t>(left_), 4);
   put(places, 4);
   for (std::size_t i = 0; i < places; ++i) {
     for (const float value : {x_[i], y_[i], z_[i]}) put(std::bit_cast<std::uint32_t>(value), 4);
@@ -315,17 +312,17 @@ bool Sweeps::load(std::span<const std::byte> bytes) {
     for (int i = 0; i < n; ++i) value |= static_cast<std::uint64_t>(bytes[at++]) << (8 * i);
     return value;
   };
-  count_ = left_ = 0;
+  count_ = 0;
   open_ = sealed_ = false;
   radii_.clear();
   settled_ = Hash64();
   hashed_ = 0;
   if (left() < 2) return false;
   const std::uint64_t open = get(1), radii = get(1);
-  if (open > 3 || radii > kMostRadii || left() < 8 * radii + 8) return false;
+  if (open > 3 || radii > kMostRadii || left() < 8 * radii + 4) return false;
   for (std::uint64_t i = 0; i < radii; ++i) radii_.push_back(std::bit_cast<double>(get(8)));
-  const std::size_t kept = get(4), places = get(4);
-  if (places == 1 || kept > places || places > room_ || left() != kEntryBytes * places) return false;
+  const std::size_t places = get(4);
+  if (places == 1 || places > room_ || left() != kEntryBytes * places) return false;
   for (std::size_t i = 0; i < places; ++i) {
     Vec3f p(0.0f);
     for (int axis = 0; axis < 3; ++axis) p[axis] = std::bit_cast<float>(static_cast<std::uint32_t>(get(4)));
@@ -334,7 +331,6 @@ bool Sweeps::load(std::span<const std::byte> bytes) {
     put(i, p, by);
   }
   count_ = places == 0 ? 0 : static_cast<std::int32_t>(places) - 1;
-  left_ = std::min(static_cast<std::int32_t>(kept), count_);
   open_ = (open & 1) != 0;
   sealed_ = (open & 2) != 0;
   settle();

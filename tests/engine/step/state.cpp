@@ -158,7 +158,7 @@ TEST(SweepRoom, is_made_between_strokes_and_changes_no_answer) {
     }
   };
   both(0, 400);
-  fill(full.inner().sweeps, static_cast<int>(Sweeps::kMost / 4) + 40);
+  fill(full.inner().sweeps, static_cast<int>(Sweeps::kMost / 8) + 40);
   both(400, 1200);
   EXPECT_LT(full.inner().sweeps.size(), 2000) << "what no voxel names is forgotten";
   EXPECT_EQ(full.volume().hash(), empty.volume().hash());
