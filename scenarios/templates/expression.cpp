@@ -80,17 +80,19 @@ class Parser {
     }
     const std::string_view name = rest_.substr(0, length);
     rest_.remove_prefix(length);
-    if ((name == "min" || name == "max") && take('(')) return of_two(name == "max" ? Pick::greatest : Pick::least);
+    if ((name == "min" || name == "max" || name == "at_least") && take('('))
+      return of_two(name == "max" ? Pick::greatest : name == "min" ? Pick::least : Pick::whether_at_least);
     const auto known = scope_.find(name);
     if (known != scope_.end()) return known->second;
     refuse(ExpressionError::unknown_name, name);
     return 0.0;
   }
-  enum class Pick : std::uint8_t { least, greatest };
+  enum class Pick : std::uint8_t { least, greatest, whether_at_least };
   double of_two(Pick pick) {
     const double a = sum();
     if (!take(',')) refuse(ExpressionError::syntax, rest_);
     const double b = closed(sum());
+    if (pick == Pick::whether_at_least) return a >= b ? 1.0 : 0.0;
     return (a > b) == (pick == Pick::greatest) ? a : b;
   }
   double number() {

@@ -20,7 +20,8 @@ enum class ExpressionError : std::uint8_t {
   not_finite,    // a division by zero, or a number beyond doubles
 };
 
-/// Numbers, names (letters, digits, '_' and '.'), + - * / and parentheses, min(a, b) and max(a, b). At most kMostNested deep.
+/// Numbers, names (letters, digits, '_' and '.'), + - * / and parentheses, min(a, b), max(a, b), and at_least(a, b): 1 or 0.
+/// At most kMostNested deep.
 [[nodiscard]] Result<double, Failure<ExpressionError>> evaluate(std::string_view text, const Scope& scope);
 inline constexpr int kMostNested = 32;
 

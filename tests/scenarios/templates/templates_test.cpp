@@ -354,6 +354,7 @@ TEST(Expression, Reckons) {
   EXPECT_DOUBLE_EQ(value("(1 + a) * -3"), -9.0);
   EXPECT_DOUBLE_EQ(value("contact.mesial.x - 0.5 * a"), 4.5);
   EXPECT_DOUBLE_EQ(value("max(a, min(3, 9)) / 2"), 1.5);
+  EXPECT_DOUBLE_EQ(value("at_least(3, 3) + 10 * at_least(2, 3)"), 1.0);
   EXPECT_DOUBLE_EQ(value(" 7 - 2 - 1 "), 4.0);
 }
 
