@@ -50,7 +50,7 @@ struct Feedback {
   Vec3 normal{0.0, 0.0, 1.0};         // unit direction of the contact force; the last one without contact
   bool in_contact = false;
   bool faulted = false;               // the guard has latched; force is zero until re-armed
-  std::uint16_t bur = 0;              // in use: index into the scene's burs; a device's buttons count from it
+  std::uint16_t bur = 0;              // last wanted: index into the scene's burs; a device's buttons count from it
 };
 
 /// bad_file: a script or a firmware image; io: every other failure, with the device's key in Failure::detail.

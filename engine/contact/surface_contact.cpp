@@ -219,6 +219,7 @@ bool SurfaceContact::fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 
   build_constraints(volume, tool, pose, voxel_mm_, pose, 0.0);
   gathered_.valid = false;
   if (tool.ball()) add_cavity(volume, tool, pose, 0.0);
+  walls_.release();
   return planes_.size() == 0;
 }
 

@@ -50,6 +50,7 @@ void Ticker::publish(Sample::Status device) noexcept {
   latest.end = end_;
   latest.fault = state_.fault();
   latest.device = device;
+  latest.wanted_bur = bur_;
   latest.ring_warning = hand_over_.inputs.size() >= hand_over_.inputs.capacity() / 4 * 3;
   hand_over_.latest.write(latest);
   hand_over_.ticks.store(output_.tick, std::memory_order_release);
@@ -98,7 +99,8 @@ void Ticker::take_requests(std::uint16_t port_bur) noexcept {
 
 StepInput Ticker::input_of(const Sample& sample, std::uint32_t elapsed_us) noexcept {
   StepInput input = quantise(sample, elapsed_us, last_input_);
-  input.bur = bur_;
+  // A bur is not changed against tissue: the record names the one that cuts.
+  input.bur = output_.contact ? output_.bur : bur_;
   input.fragment = fragment_name_half();
   if (rearm_ || (sample.buttons & StepInput::kRearm) != 0) input.buttons |= StepInput::kRearm;
   if (coolant_.load(std::memory_order_acquire)) input.buttons |= StepInput::kCoolant;

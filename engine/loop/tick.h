@@ -37,6 +37,7 @@ struct LoopLatest {
   LoopEnd end = LoopEnd::none;
   Fault fault = Fault::none;
   Sample::Status device = Sample::Status::fresh;
+  std::uint16_t wanted_bur = 0;          // output.bur has the one in use
   bool ring_warning = false;             // three quarters of the input ring are waiting
 };
 
@@ -59,7 +60,7 @@ class Ticker {
   Ticker(StepState state, HandOver& hand_over);
 
   /// Haptic thread. Runs the step on the sample and returns the port's feedback. While paused or held the force is zero
-  /// at the last proxy, and nothing is stored. After the end the force is zero. Feedback::bur names the next input's bur.
+  /// at the last proxy, and nothing is stored. After the end the force is zero. Feedback::bur names the bur that was wanted last.
   Feedback tick(const Sample& sample, std::uint32_t elapsed_us) noexcept;
   /// Haptic thread. Publishes the end. Later ticks return zero force.
   void end(LoopEnd why) noexcept;

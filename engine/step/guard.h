@@ -1,4 +1,4 @@
-/// The last stage of the step: bounds the force that the device gets. The force may fall at any rate. It rises no
+/// The last stage of the spring's force, before drag and vibration: bounds what the device gets. The force may fall at any rate. It rises no
 /// faster than the slew, stays within the limit, and starts from zero. It fades where it throws the device. It returns
 /// no more energy than a spring. A fault sets it to zero until re-armed. Thread: haptic. Wait-free.
 ///

@@ -13,7 +13,7 @@ struct StepInput {
   std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;  // orientation, 1/32767
   std::uint16_t buttons = 0;                        // bit 0: cut, bit 1: coolant; the others below
   std::uint16_t pedal = 0;                          // 0 to 65535
-  std::uint16_t bur = 0;                            // index into Scene::burs
+  std::uint16_t bur = 0;                            // wanted: index into Scene::burs; StepOutput::bur has the one in use
   std::uint16_t fragment = 0;                       // half of a severed fragment's name, 0: none; FragmentRemoval::receive()
   std::uint32_t elapsed_us = 1000;                  // since the input before
 

@@ -68,12 +68,12 @@ Fault StepState::fault() const noexcept { return inner_->guard.fault; }
 namespace {
 
 /// The proxy's first pose: the device point if the bur fits there, else above the specimen along the tool's axis.
-Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
+Vec3 first_pose(StepState::Inner& state, std::uint16_t bur_index, Vec3 device, Vec3 axis) noexcept {
   const Grid& grid = state.volume.grid();
-  const Bur& bur = state.scene->burs[state.last.bur];
+  const Bur& bur = state.scene->burs[bur_index];
   const Vec3 low = grid.origin_mm - grid.voxel_mm;
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
-  if (state.method->fits(state, axis, device)) return device;
+  if (state.method->fits(state, bur_index, axis, device)) return device;
   const double reach = head_reach(bur);
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {
@@ -115,13 +115,21 @@ Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
   return rest * scene.tilt_cosine + side * (std::sqrt(1.0 - scene.tilt_cosine * scene.tilt_cosine) / length);
 }
 
-/// The tick's number, time, bur and pose of the device.
+/// The bur in use: the wanted one as soon as it fits at the proxy. Held against tissue, a bur is not changed.
+std::uint16_t bur_in_use(StepState::Inner& state, const StepInput& input, Vec3 axis) noexcept {
+  const std::size_t burs = state.scene->burs.size();
+  const std::uint16_t wanted = input.bur < burs ? input.bur : static_cast<std::uint16_t>(burs - 1), now = state.last.bur;
+  if (!state.started || wanted == now) return wanted;
+  if (state.last.contact || !state.method->fits(state, wanted, axis, state.proxy)) return now;
+  return wanted;
+}
+
+/// The tick's number, time and pose of the device.
 StepOutput begin_output(const StepState::Inner& state, const StepInput& input) noexcept {
   const Scene& scene = *state.scene;
   StepOutput out;
   out.tick = state.last.tick + 1;
   out.elapsed_us = state.last.elapsed_us + input.elapsed_us;
-  out.bur = input.bur < scene.burs.size() ? input.bur : static_cast<std::uint16_t>(scene.burs.size() - 1);
   out.device_mm = input.position_mm();
   out.axis = axis_of(scene, input);
   return out;
@@ -164,6 +172,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   StepState::Inner& state = outer.inner();
   const Scene& scene = *state.scene;
   StepOutput out = begin_output(state, input);
+  out.bur = bur_in_use(state, input, out.axis);
   const bool first = !state.started;
   const Vec3 moved = out.device_mm - state.device;
   const double elapsed_ms = static_cast<double>(input.elapsed_us) * 1e-3;
@@ -186,8 +195,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   if (first) {
     state.started = true;
     state.device = out.device_mm;
-    state.last.bur = out.bur;
-    state.proxy = first_pose(state, out.device_mm, out.axis);
+    state.proxy = first_pose(state, out.bur, out.device_mm, out.axis);
   }
   Tick asked{out.device_mm, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, fragment_leaves};
   // The device's way while the guard was latched is no speed.

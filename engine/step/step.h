@@ -33,17 +33,17 @@ struct StepOutput {
   Vec3 force_raw_n{0.0};         // eq. (1) before the guard: what metrics use
   Vec3 force_n{0.0};             // after the guard: what the device gets
   double stiffness_n_per_mm = 0; // blended over what is touched; 0 without contact
-  double advance_mm = 0;         // how far the cut went in this tick
+  double advance_mm = 0;         // way of the head into the tissue in this tick; a slide may lift it out again
   Tissue tissue = Tissue::empty; // touched most
-  std::uint16_t bur = 0;
+  std::uint16_t bur = 0;         // in use: the wanted one once the bur is in the air and the wanted one fits there
   float spindle_rpm = 0;         // of the handpiece; 0 where the scene has none
   std::uint64_t tick = 0;        // 1 after the first step
   std::uint64_t elapsed_us = 0;  // sum of all inputs
   bool contact = false;          // proxy and device point differ
-  bool cutting = false;          // cut pressed and material removed
+  bool cutting = false;          // cut pressed and advance_mm > 0: a slide faster than the wear leaves a scratch at most
   bool shank = false;            // the neck or shank touches
   bool faulted = false;          // guard latched; force is zero until kRearm
-  bool infeasible = false;       // no pose met all constraints; the pose before stayed admissible
+  bool infeasible = false;       // no pose met all constraints: those that the pose before violates gave way to it
   bool overflow = false;         // reserved room ran out; tests want zero
   bool deferred = false;         // the proxy has not converged; the next tick continues
   std::uint8_t phenomena = 0;    // PhenomenonSign bits

@@ -54,8 +54,8 @@ class BandedMethod final : public ContactMethod {
     state.cut_valid = false;
     return true;
   }
-  bool fits(StepState::Inner& state, Vec3, Vec3 pose_mm) noexcept override {
-    return finder_.fits(state.volume, state.last.bur, pose_mm);
+  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm) noexcept override {
+    return finder_.fits(state.volume, bur, pose_mm);
   }
   bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
     state.cut_valid = false;

@@ -115,6 +115,15 @@ Times one_fault(const CaseRun& what, const Shape& face, const std::shared_ptr<co
   return out;
 }
 
+/// Depth of the hand ms after a larger bur was asked for: it lifts at the pace of its approach, for the bur changes in the air, and
+/// presses again.
+double depth_of_change(int ms) {
+  constexpr double kPace = 0.05, kAirMm = 1.0;
+  const double lifted = std::min(kPace * ms, kDepthMm + kAirMm);
+  const double back = std::max(0.0, kPace * ms - 2.0 * (kDepthMm + kAirMm));
+  return std::min(kDepthMm, kDepthMm - lifted + back);
+}
+
 /// Exchanges the specimen for one with a thin wall, or the bur for a larger one.
 void one_exchange(const CaseRun& what, const Shape& face, const std::shared_ptr<const Scene>& scene, std::uint64_t seed,
                   Tally& tally) {
@@ -132,19 +141,19 @@ void one_exchange(const CaseRun& what, const Shape& face, const std::shared_ptr<
   Pair* now = &pair;
   tally.begin();
   for (int ms = 1; ms <= exchange + kBackMs; ++ms) {
-    const Vec3 at = touch - spot.normal * std::min(0.05 * ms, 0.05 + kDepthMm) + aside * (kSlideMm * ms * 0.1);
-    StepInput input = input_at(at);
-    if (ms == exchange) {
+    const double pressed = bur && ms > exchange ? 0.05 + depth_of_change(ms - exchange) : std::min(0.05 * ms, 0.05 + kDepthMm);
+    StepInput input = input_at(touch - spot.normal * pressed + aside * (kSlideMm * ms * 0.1));
+    if (!bur && ms == exchange) {
       tally.interrupt();
-      if (bur) {
-        pair.replace(other->truth(), other->bur_radius_mm());
-      } else {
-        fresh.truth().start(input.position_mm());
-        now = &fresh;
-      }
+      fresh.truth().start(input.position_mm());
+      now = &fresh;
     }
     if (bur && ms >= exchange) input.bur = 1;
-    now->tick(now->rearmed(input), tally);
+    const std::uint16_t before = now->state().last().bur;
+    if (now->tick(now->rearmed(input), tally).bur != before) {
+      tally.interrupt();
+      pair.replace(other->truth(), other->bur_radius_mm());
+    }
   }
   tally.end();
 }

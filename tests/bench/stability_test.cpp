@@ -94,7 +94,7 @@ TEST(Faults, AreMissedWithoutTheGuard) {
   EXPECT_GT(jump.force_max_n, 5.0);
 }
 
-TEST(Exchange, OfSpecimenOrBurInContactMakesNoForceStep) {
+TEST(Exchange, OfSpecimenInContactOrBurInTheAirMakesNoForceStep) {
   for (const std::string_view key : {"specimen-exchange", "bur-exchange"}) {
     const Row row = run_case(case_of(key, Method::surface, GuardUse::on, 1));
     EXPECT_EQ(failures_of(row), std::vector<FailureKind>{}) << key;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "engine/loop/haptic_loop.h"
@@ -104,8 +105,12 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
   HandOver hand_over(16'384);
   Ticker ticker(StepState(scene), hand_over);
   std::vector<Sample> samples;
-  for (std::uint64_t i = 0; i < 10'000; ++i) samples.push_back(test::drilling_sample(i));
-  std::uint64_t contact = 0, cutting = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    samples.push_back(test::drilling_sample(static_cast<std::uint64_t>(i)));
+    // A bur is changed in the air.
+    for (const int lift : {6050, 8050}) samples.back().position_mm.z += 0.02 * std::max(0, 150 - std::abs(i - lift));
+  }
+  std::uint64_t contact = 0, cutting = 0, by_fissure = 0;
   arm();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     // Every command that a tick may meet is among them.
@@ -115,7 +120,9 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
     if (i == 8000) ticker.change_bur(2);
     const Feedback feedback = ticker.tick(samples[i], 1000);
     contact += feedback.in_contact ? 1 : 0;
-    cutting += hand_over.latest.read().output.cutting ? 1 : 0;
+    const StepOutput& output = hand_over.latest.read().output;
+    cutting += output.cutting ? 1 : 0;
+    by_fissure += output.bur == 2 ? 1 : 0;
   }
   const Counts counts = disarm();
   EXPECT_EQ(counts.allocations, 0u);
@@ -123,6 +130,7 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
   EXPECT_EQ(counts.locks, 0u);
   EXPECT_GT(contact, 2000u) << "without contact the counts prove nothing";
   EXPECT_GT(cutting, 1000u);
+  EXPECT_GT(by_fissure, 500u);
   EXPECT_GT(ticker.state().volume().cut_bricks().size(), 0u);
 }
 

@@ -160,6 +160,7 @@ LiveView ExerciseSession::view() const {
   view.end = latest.end;
   view.fault = latest.fault;
   view.device = latest.device;
+  view.wanted_bur = latest.wanted_bur;
   view.ring_warning = latest.ring_warning;
   view.push_n = glm::length(latest.output.force_raw_n);
   view.seconds = static_cast<double>(latest.output.elapsed_us) * 1e-6;

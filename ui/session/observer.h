@@ -57,6 +57,7 @@ struct LiveView {
 
   RecordingState recording = RecordingState::off;
   std::optional<StorageFailure> recording_failure;
+  std::uint16_t wanted_bur = 0;         // output.bur is in use until the bur is in the air
   bool ring_warning = false;            // inputs wait: the machine is too slow for this exercise
   std::optional<Mismatch> mismatch;     // loop and mirror differ
   LoopTimes loop;

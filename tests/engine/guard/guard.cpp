@@ -143,11 +143,14 @@ TEST(LateTick, of_up_to_50_ms_goes_on_and_earns_no_more_rise_than_one_in_time) {
   }
 }
 
-TEST(Exchange, of_the_bur_in_contact_begins_from_no_force) {
+TEST(Exchange, of_the_bur_waits_for_the_air_and_begins_from_no_force) {
   StepState state(ball_scene());
   press(state);
-  StepInput other = input_at(kPressed);
-  other.bur = 1;
+  StepInput other = input_at(kPressed), lifted = input_at(kPressed + Vec3(0, 0, 2.0));
+  other.bur = lifted.bur = 1;
+  EXPECT_EQ(step(state, other).bur, 0);
+  step(state, lifted);
+  EXPECT_EQ(step(state, lifted).bur, 1);
   double last = length(step(state, other).force_n);
   EXPECT_LE(last, 0.3 / 200.0 * 10.0) << "the first millisecond of the ramp, of a push that grew with the bur";
   for (int k = 0; k < 400; ++k) {

@@ -209,7 +209,27 @@ TEST(Ticker, TheLaterChoiceOfABurWins) {
   EXPECT_EQ(bur_after(sample), 0) << "an instrument that the scene lacks is not taken";
 }
 
-TEST(Ticker, ItsFeedbackNamesTheBurInUseAlsoWithoutAForce) {
+TEST(Ticker, AgainstTissueTheWantedBurWaitsAndTheRecordNamesTheOneThatCuts) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  for (std::uint64_t i = 0; i < 300; ++i) ticker.tick(test::drilling_sample(i), 1000);
+  ASSERT_TRUE(hand_over.latest.read().output.contact);
+  drain(hand_over);
+  ticker.change_bur(1);
+  Sample sample = test::drilling_sample(300);
+  EXPECT_EQ(ticker.tick(sample, 1000).bur, 1) << "a device's buttons count from what was wanted";
+  EXPECT_EQ(hand_over.latest.read().wanted_bur, 1);
+  EXPECT_EQ(hand_over.latest.read().output.bur, 0);
+  EXPECT_EQ(drain(hand_over).front().bur, 0);
+  for (int i = 0; i < 100; ++i) {
+    sample.position_mm.z += 0.02;
+    ticker.tick(sample, 1000);
+  }
+  EXPECT_EQ(hand_over.latest.read().output.bur, 1);
+  EXPECT_EQ(drain(hand_over).back().bur, 1);
+}
+
+TEST(Ticker, ItsFeedbackNamesTheBurWantedLastAlsoWithoutAForce) {
   HandOver hand_over(4096);
   Ticker ticker(StepState(test::block_scene()), hand_over);
   Sample sample = test::drilling_sample(0);

@@ -141,7 +141,7 @@ TEST(ExerciseSession, PausedItsClockStandsStill) {
   EXPECT_EQ(port.last_force_n(), 0.0);
   (*started)->change_bur(1);
   (*started)->resume();
-  EXPECT_TRUE(eventually([&] { return (*started)->view().seconds > at && (*started)->view().output.bur == 1; }));
+  EXPECT_TRUE(eventually([&] { return (*started)->view().seconds > at && (*started)->view().wanted_bur == 1; }));
   EXPECT_TRUE((*started)->finish());
 }
 
