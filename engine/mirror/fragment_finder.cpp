@@ -30,9 +30,10 @@ void FragmentFinder::search(const StepState& state) {
 void FragmentFinder::name(const Volume& volume) {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  // A full ring drops the rest. Removal changes a fragment's bricks, so a later search finds it again.
-  for (const std::uint32_t fragment : find_severed_fragments(volume, changed_)) static_cast<void>(hand_over_.fragments.push(fragment));
-  changed_.clear();
+  // A full ring drops the rest: the next search looks in the same bricks.
+  bool all = true;
+  for (const std::uint32_t fragment : find_severed_fragments(volume, changed_)) all = hand_over_.fragments.push(fragment) && all;
+  if (all) changed_.clear();
 }
 
 }  // namespace cusp::engine

@@ -27,7 +27,7 @@ class FragmentFinder final : public MirrorObserver {
   void name(const Volume& volume);
 
   HandOver& hand_over_;
-  std::vector<std::int32_t> changed_;         // bricks, since the last search
+  std::vector<std::int32_t> changed_;         // bricks, since the last search whose names all found room
   std::vector<std::uint32_t> seen_revision_;  // [brick], for search()
   std::uint64_t next_us_ = 0;
 };

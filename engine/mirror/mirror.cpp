@@ -15,8 +15,9 @@ constexpr std::chrono::milliseconds kPoll{2};
 // time later.
 constexpr std::size_t kFewInputs = 8;
 constexpr std::uint64_t kMostDelayUs = 50'000;
-// With more inputs waiting, the mirror does not show: that would make it later.
+// With more inputs waiting, showing would make the mirror later: it shows at most kLongestUs of session time later.
 constexpr std::size_t kManyInputs = 200;
+constexpr std::uint64_t kLongestUs = 500'000;
 }  // namespace
 
 Mirror::Mirror(StepState state, HandOver& hand_over, const MirrorSettings& settings)
@@ -103,9 +104,8 @@ std::uint64_t Mirror::pump() {
     if (now_us < next_show_us_) continue;
     const std::size_t waiting = hand_over_.inputs.size();
     // Without a thread the mirror is never late.
-    const bool in_time = !thread_.joinable() || waiting <= kFewInputs ||
-                         (waiting <= kManyInputs && now_us >= next_show_us_ + kMostDelayUs);
-    if (in_time) show(Call::further);
+    const std::uint64_t delay_us = waiting <= kFewInputs ? 0 : waiting <= kManyInputs ? kMostDelayUs : kLongestUs;
+    if (!thread_.joinable() || now_us >= next_show_us_ + delay_us) show(Call::further);
   }
   compare();
   return done;

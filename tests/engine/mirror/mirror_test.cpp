@@ -90,6 +90,21 @@ TEST(Mirror, OnItsOwnThreadFollowsTheLiveLoop) {
   EXPECT_FALSE(mirror.mismatch());
 }
 
+TEST(Mirror, FarBehindItStillShowsTwiceASecondOfTheSession) {
+  const auto scene = test::block_scene();
+  DrillingPort port(6000);
+  VirtualLoop loop(port, StepState(scene));
+  Mirror mirror(StepState(scene), loop.hand_over());
+  Sketch picture;
+  mirror.add(picture);
+  ASSERT_EQ(loop.run(6000), 6000u) << "all wait before the mirror begins";
+  mirror.start();
+  mirror.stop();
+  EXPECT_EQ(mirror.state().hash(), loop.state().hash());
+  EXPECT_GE(picture.shows, 11u);
+  EXPECT_LE(picture.shows, 30u) << "it catches up before it shows more often";
+}
+
 TEST(Mirror, ARunThatDiffersIsFoundWithinASecond) {
   const auto scene = test::block_scene();
   auto other = std::make_shared<Scene>(*scene);

@@ -69,6 +69,25 @@ TEST(SeveredFragments, what_is_milled_off_a_block_goes_within_100_ms_and_in_the_
   EXPECT_FALSE(mirror.mismatch());
 }
 
+TEST(SeveredFragments, for_whose_names_the_ring_had_no_room_are_named_by_the_next_search) {
+  SeveringPort port(9000);
+  VirtualLoop loop(port, StepState(slotted_scene()));
+  const auto severed = [&] { return find_severed_fragments(loop.state().volume(), loop.state().volume().cut_bricks()); };
+  StepInput input;
+  while (loop.run(25) == 25 && severed().empty())
+    while (loop.hand_over().inputs.pop(input)) continue;
+  ASSERT_FALSE(severed().empty());
+  HandOver full(64);
+  FragmentFinder finder(full);
+  while (full.fragments.push(0)) continue;
+  finder.search(loop.state());
+  std::uint32_t name = 0;
+  while (full.fragments.pop(name)) EXPECT_EQ(name, 0u);
+  finder.search(loop.state());
+  ASSERT_TRUE(full.fragments.pop(name)) << "the volume has not changed since";
+  EXPECT_EQ(name, severed().front());
+}
+
 TEST(SeveredFragments, without_a_mirror_the_same_inputs_give_the_same_record) {
   std::uint64_t hash[2];
   for (std::uint64_t& h : hash) {
