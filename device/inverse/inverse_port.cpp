@@ -66,7 +66,8 @@ struct InversePort::Inner {
   bool open = false;
   std::uint64_t seen = 0;
   std::optional<Vec3> centre_m;
-  std::optional<Quat> rest;
+  std::optional<Quat> rest;             // the bur has turned by orientation * conjugate(rest)
+  Quat turned{1.0, 0.0, 0.0, 0.0};      // last of these, as the device has its axes
   Vec3 origin_mm{0.0};
   bool held = false;
   std::uint8_t next_ticks = 0;
@@ -188,16 +189,16 @@ Sample InversePort::Inner::fresh(const inverse::Reading& reading) noexcept {
   const Vec3 place = origin_mm + to_specimen(reading.position_m - *centre_m) * mm;
   if (reading.b && !held) held = true;
   if (held && !reading.b) {
-    // The bur continues from its position, and the present orientation becomes the rest.
+    // The bur continues from its position and its orientation.
     origin_mm += last.position_mm - place;
-    rest = reading.orientation;
+    if (reading.orientation) rest = glm::conjugate(turned) * *reading.orientation;
     held = false;
     last.position_mm = origin_mm + to_specimen(reading.position_m - *centre_m) * mm;
   } else if (!held) {
     last.position_mm = place;
   }
   if (reading.orientation && rest && !held) {
-    const Quat turned = *reading.orientation * glm::conjugate(*rest);
+    turned = *reading.orientation * glm::conjugate(*rest);
     const Vec3 axis = to_specimen({turned.x, turned.y, turned.z});
     last.orientation = Quat(turned.w, axis.x, axis.y, axis.z);
   }

@@ -186,6 +186,36 @@ TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
   EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {2, 2, 3}); }));
 }
 
+/// Degrees between two orientations.
+double degrees_between(const Quat& a, const Quat& b) {
+  return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b)))) * 180.0 / std::numbers::pi;
+}
+
+TEST(InversePort, after_the_clutch_the_bur_goes_on_from_the_orientation_that_it_had) {
+  FakeService service;
+  const Quat rest = glm::angleAxis(0.3, Vec3(0, 1, 0)), turn = glm::angleAxis(0.5, Vec3(1, 0, 0)), further = glm::angleAxis(0.2, Vec3(0, 0, 1));
+  service.set_handle(FakeHandle{rest});
+  auto port = make_inverse_port(settings_for(service));
+  ASSERT_TRUE(port->open());
+  const auto settles = [&](const FakeHandle& handle) {
+    service.set_handle(handle);
+    const auto before = port->view().session.readings;
+    Quat out(1, 0, 0, 0);
+    EXPECT_TRUE(eventually(*port, [&](const Sample& s) {
+      out = s.orientation;
+      return port->view().session.readings > before + 100;
+    }));
+    return out;
+  };
+  EXPECT_LT(degrees_between(settles(FakeHandle{rest}), Quat(1, 0, 0, 0)), 0.1);
+  const Quat turned = settles(FakeHandle{turn * rest});
+  EXPECT_NEAR(degrees_between(turned, Quat(1, 0, 0, 0)), 0.5 * 180.0 / std::numbers::pi, 0.1);
+  EXPECT_LT(degrees_between(settles(FakeHandle{.orientation = turn * rest, .b = true}), turned), 0.1);
+  EXPECT_LT(degrees_between(settles(FakeHandle{.orientation = rest, .b = true}), turned), 0.1) << "the hand turns back, the bur stays";
+  EXPECT_LT(degrees_between(settles(FakeHandle{rest}), turned), 0.1) << "released, the bur stays";
+  EXPECT_NEAR(degrees_between(settles(FakeHandle{further * rest}), turned), 0.2 * 180.0 / std::numbers::pi, 0.1);
+}
+
 TEST(InversePort, reports_why_it_cannot_be_opened) {
   std::uint16_t nobody = 0;
   {
