@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "scenarios/burs/bur_catalogue.h"
 #include "ui/modules.h"
@@ -46,6 +47,10 @@ class BurButton : public QAbstractButton {
     updateGeometry();
     update();
   }
+  /// Chosen, but not in use yet.
+  void wait(bool on) {
+    if (std::exchange(waits_, on) != on) update();
+  }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -55,7 +60,7 @@ class BurButton : public QAbstractButton {
     p.setLayoutDirection(Qt::LeftToRight);  // a bur with its number is one picture
     const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
     const bool on = isChecked();
-    p.setPen(QPen(on ? t.accent : t.line, on ? 2 : 1));
+    p.setPen(QPen(on ? t.accent : t.line, on ? 2 : 1, waits_ ? Qt::DashLine : Qt::SolidLine));
     p.setBrush(on ? t.accent_soft : underMouse() ? t.hover : t.surface);
     p.drawRoundedRect(box, px(4), px(4));
     if (hasFocus()) {
@@ -99,7 +104,7 @@ class BurButton : public QAbstractButton {
 
   Bur bur_;
   QString number_, kind_;
-  bool folded_ = false;
+  bool folded_ = false, waits_ = false;
 };
 
 }  // namespace
@@ -120,6 +125,10 @@ BurTray::BurTray(QWidget* parent) : QFrame(parent) {
   row_ = new QHBoxLayout;
   row_->setSpacing(px(6));
   whole_->addLayout(row_);
+  waits_ = make_label(tr("Lift the bur out to change it."), TextRole::caption, Weight::bold, "look");
+  waits_->setWordWrap(true);
+  waits_->hide();
+  whole_->addWidget(waits_, 1);
   whole_->addStretch();
   fold(false);
   group_ = new QButtonGroup(this);
@@ -156,6 +165,15 @@ void BurTray::fold(bool on) {
 void BurTray::choose(int index) {
   const QSignalBlocker quiet(group_);
   if (QAbstractButton* button = group_->button(index)) button->setChecked(true);
+}
+
+void BurTray::show_burs(int in_use, int wanted) {
+  choose(wanted);
+  const int waiting = wanted == in_use ? -1 : wanted;
+  if (std::exchange(waiting_, waiting) == waiting) return;
+  for (int i = 0; i < count_; ++i) static_cast<BurButton*>(group_->button(i))->wait(i == waiting);
+  waits_->setVisible(waiting >= 0);
+  if (waiting >= 0) announce(this, waits_->text());
 }
 
 int BurTray::chosen() const { return group_->checkedId(); }

@@ -20,6 +20,8 @@ class BurTray : public QFrame {
   explicit BurTray(QWidget* parent = nullptr);
   void set_burs(const std::vector<Bur>& burs);
   void choose(int index);
+  /// The wanted bur is the chosen one. Until it is in use too, the tray says what the hand has to do.
+  void show_burs(int in_use, int wanted);
   /// To the next (+1) or the one before (-1); stays at the ends.
   void step(int by);
   int chosen() const;
@@ -32,9 +34,9 @@ class BurTray : public QFrame {
 
  private:
   QHBoxLayout *whole_, *row_;
-  QLabel* keys_;
+  QLabel *keys_, *waits_;
   QButtonGroup* group_;
-  int count_ = 0;
+  int count_ = 0, waiting_ = -1;
   bool folded_ = false;
 };
 

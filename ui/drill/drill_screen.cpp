@@ -314,7 +314,7 @@ void DrillScreen::look() {
   in.bar->set_seconds(in.live.seconds);
   if (in.live.time_is_up) return finish_now();  // the session holds itself at its time limit
   in.panel->show_values(in.live);
-  in.tray->choose(in.live.output.bur);
+  in.tray->show_burs(stands_still(in.live) ? in.live.wanted_bur : in.live.output.bur, in.live.wanted_bur);
   in.bar->show_grant(in.live.grant);
   in.stage->show_values(in.live, in.attempt->device.falcon != nullptr ? &in.attempt->device.falcon->view() : nullptr);
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;

@@ -11,6 +11,7 @@
 #include "scenarios/metrics/several_targets.h"
 #include "ui/drill/handpiece_panel.h"
 #include "ui/drill/section_view.h"
+#include "ui/drill/session_foot.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -134,7 +135,8 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
 
   column->addStretch();
   whole->addWidget(make_rule());
-  whole->addLayout(make_recording());
+  foot_ = new SessionFoot;
+  whole->addLayout(foot_);
   fold(false);
 }
 
@@ -203,18 +205,6 @@ void ScorePanel::make_device() {
   softened_->setWordWrap(true);
   softened_->hide();
   rows->addWidget(softened_);
-}
-
-QHBoxLayout* ScorePanel::make_recording() {
-  auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(px(16), px(10), px(16), px(10));
-  foot->setSpacing(px(8));
-  recording_icon_ = new QLabel(this);
-  recording_ = make_label({}, TextRole::caption, Weight::regular, "text2");
-  recording_->setWordWrap(true);
-  foot->addWidget(recording_icon_);
-  foot->addWidget(recording_, 1);
-  return foot;
 }
 
 void ScorePanel::fold(bool on) {
@@ -309,7 +299,7 @@ void ScorePanel::show_values(const LiveView& live) {
     case Sample::Status::gone: state = tr("not connected"); break;
   }
   set_value(device_state_, state);
-  show_recording(live.recording);
+  foot_->show_values(live);
 }
 
 void ScorePanel::show_tissues(const LiveView& live) {
@@ -321,30 +311,6 @@ void ScorePanel::show_tissues(const LiveView& live) {
     set_value(r.row.value, format({removed, {}, mm3, 2}));
     r.row.bar->set_share(removed / most, r.row.value->text());
   }
-}
-
-void ScorePanel::show_recording(RecordingState state) {
-  if (recording_known_ && recording_state_ == state) return;
-  recording_known_ = true;
-  recording_state_ = state;
-  QString icon_name = QStringLiteral("save");
-  Ink ink = Ink::text2;
-  switch (state) {
-    case RecordingState::off: recording_->setText(tr("Nothing is kept")); break;
-    case RecordingState::recording: recording_->setText(tr("Recording, saved every second")); break;
-    case RecordingState::behind:
-      recording_->setText(tr("Recording, not yet written to the disk"));
-      icon_name = QStringLiteral("warning");
-      ink = Ink::look;
-      break;
-    case RecordingState::failed:
-      recording_->setText(tr("The record cannot be written"));
-      icon_name = QStringLiteral("warning");
-      ink = Ink::bad;
-      break;
-  }
-  recording_icon_->setPixmap(icon_pixmap(icon_name, ink, 16, devicePixelRatioF()));
-  set_ink(recording_, ink == Ink::bad ? "bad" : ink == Ink::look ? "look" : "text2");
 }
 
 }  // namespace cusp::ui

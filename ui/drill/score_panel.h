@@ -13,7 +13,6 @@
 #include "ui/widgets/gauge.h"
 
 class QGridLayout;
-class QHBoxLayout;
 class QLabel;
 class QVBoxLayout;
 
@@ -21,6 +20,7 @@ namespace cusp::ui {
 
 class HandpiecePanel;
 class SectionView;
+class SessionFoot;
 
 class ScorePanel : public QFrame {
   Q_OBJECT
@@ -57,10 +57,8 @@ class ScorePanel : public QFrame {
   void make_task();
   void make_progress();
   void make_device();
-  QHBoxLayout* make_recording();
   void add_targets(const Scenario& scenario);
   void show_tissues(const LiveView& live);
-  void show_recording(RecordingState state);
   /// The rows of a part with a title and a rule below; it is their parent widget.
   QVBoxLayout* add_part(const QString& title, QLabel** aside = nullptr);
   BarRow add_bar(QGridLayout& grid, const QString& name, Bar::Role role);
@@ -70,14 +68,14 @@ class ScorePanel : public QFrame {
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
-  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_, *task_;
+  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *task_;
   QWidget *task_part_, *section_part_, *progress_part_, *over_pulp_row_, *removed_part_;
   Bar* percent_bar_;
   QGridLayout *target_grid_, *tissue_grid_;
   std::vector<BarRow> targets_;  // of several
   std::vector<TissueRow> tissues_;
-  RecordingState recording_state_ = RecordingState::off;
-  bool recording_known_ = false, folded_ = false;
+  SessionFoot* foot_;
+  bool folded_ = false;
 };
 
 }  // namespace cusp::ui

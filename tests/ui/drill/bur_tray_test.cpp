@@ -1,0 +1,32 @@
+#include "ui/drill/bur_tray.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+
+namespace cusp::test {
+namespace {
+
+bool asks_to_lift(const BurTray& tray) {
+  for (const QLabel* label : tray.findChildren<QLabel*>())
+    if (label->text().contains("Lift") && !label->isHidden()) return true;
+  return false;
+}
+
+TEST(BurTray, says_what_to_do_while_the_wanted_bur_waits_for_the_air) {
+  BurTray tray;
+  tray.set_burs(load_builtin("class-1-36")->instruments);
+  tray.show_burs(0, 0);
+  EXPECT_FALSE(asks_to_lift(tray));
+  tray.show_burs(0, 1);
+  EXPECT_TRUE(asks_to_lift(tray));
+  EXPECT_EQ(tray.chosen(), 1) << "the next one is counted from the wanted one";
+  tray.show_burs(1, 1);
+  EXPECT_FALSE(asks_to_lift(tray));
+}
+
+}  // namespace
+}  // namespace cusp::test
