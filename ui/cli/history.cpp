@@ -35,7 +35,7 @@ QString result_text(const HistoryRow& row) {
 }
 
 std::string row_line(const HistoryRow& row) {
-  const QString score = row.score ? format_number(*row.score, 1).rightJustified(5) : QStringLiteral("    –");
+  const QString score = row.score ? format_number(shown_points(*row.score), 1).rightJustified(5) : QStringLiteral("    –");
   return plain(QString::fromStdString(row.session.text()) + QStringLiteral("  ") +
                QString::fromStdString(iso_utc(row.started_utc_us)) + QStringLiteral("  ") +
                QString::fromStdString(row.student_number) + QStringLiteral("  ") + local(row.title) + QStringLiteral("  ") +
@@ -243,7 +243,7 @@ void add_history(CLI::App& program, Job& job) {
 
   CLI::App* list_of = verb->add_subcommand("list", help(CliText::tr("Sessions, newest first")));
   list_of->add_option("--student", o->student, help(CliText::tr("Part of a name or number")))->type_name("TEXT");
-  list_of->add_option("--limit", o->limit, help(CliText::tr("At most so many")))->type_name("N");
+  list_of->add_option("--limit", o->limit, help(CliText::tr("At most so many")))->type_name("N")->check(check_counting);
   CLI::App* show_one = verb->add_subcommand("show", help(CliText::tr("One session: events, removed tissue, grade")));
   show_one->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
   CLI::App* verify_all = verb->add_subcommand("verify", help(CliText::tr("The file, each session's chain, and the audit log")));

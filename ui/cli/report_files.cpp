@@ -34,7 +34,7 @@ QString passed_text(const Grade& g) { return g.passed ? CliText::tr("passed") : 
 
 /// "17.4 of 100 points: not passed", on a line of stdout.
 void print_points(const Grade& g) {
-  print_line(plain(CliText::tr("%1 of %2 points: %3").arg(format_number(g.score, 1), format_number(g.score_max, 0), passed_text(g))));
+  print_line(plain(CliText::tr("%1 of %2 points: %3").arg(format_number(shown_points(g.score), 1), format_number(g.score_max, 0), passed_text(g))));
 }
 
 void print_critical_and_criteria(const Grade& g, const Region& whole) {
@@ -114,7 +114,7 @@ void print_changed_grade(const EffectiveGrade& counts, const Grade& measured, co
   print_points(counts.grade);
   for (const SignedStatement& s : counts.overrides) print_line(plain(change_text(counts, s, whole, store)));
   print_line(plain(CliText::tr("Measured: %1 of %2 points, %3")
-                       .arg(format_number(measured.score, 1), format_number(measured.score_max, 0), passed_text(measured))));
+                       .arg(format_number(shown_points(measured.score), 1), format_number(measured.score_max, 0), passed_text(measured))));
   print_critical_and_criteria(measured, whole);
 }
 

@@ -50,7 +50,7 @@ QWidget* fact(const QString& name, const QString& value, Value length = Value::o
 }
 
 /// What format_points() rounds to, as a whole number, so that equal texts compare equal.
-double tenths(double points) { return std::round(points * 10); }
+double tenths(double points) { return std::round(shown_points(points) * 10); }
 
 /// The briefing has the whole text.
 QString first_sentence(QString text) {
@@ -189,7 +189,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->addStretch();
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));
-  facts->addWidget(fact(tr("Attempts"), row.attempts_allowed ? tr("%1 of %2 used").arg(row.attempts).arg(*row.attempts_allowed)
+  facts->addWidget(fact(tr("Attempts"), row.attempts_allowed ? tr("%1 of %2 used").arg(row.attempts_counted).arg(*row.attempts_allowed)
                                                      : format_number(row.attempts, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
                                                                        : tr("none yet")));

@@ -71,9 +71,15 @@ QString format(const Measured& m, const QLocale& locale) {
   return isolate(text);
 }
 
+double shown_points(double points) {
+  constexpr double kSumError = 1e-6;  // of points that were added up
+  const double whole = std::round(points), tenth = std::round(points * 10) / 10;
+  return points > 0.0 && tenth == whole && points < whole - kSumError ? whole - 0.1 : tenth;
+}
+
 QString format_points(double points, const QLocale& locale) {
-  const double tenth = std::round(points * 10) / 10;
-  return format_number(tenth, tenth == std::floor(tenth) ? 0 : 1, locale);
+  const double shown = shown_points(points);
+  return format_number(shown, shown == std::floor(shown) ? 0 : 1, locale);
 }
 
 QString format_clock(double seconds) {

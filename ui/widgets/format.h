@@ -25,7 +25,9 @@ QString format_uncertainty(const Measured& m, const QLocale& locale = {});
 QString unit_text(const QString& unit);
 
 QString format_number(double value, int decimals, const QLocale& locale = {});
-/// Whole points where they are whole, else one decimal.
+/// To a tenth, but never up to a whole number: 69.96 is not 70, the mark to pass.
+double shown_points(double points);
+/// shown_points(): whole where they are whole, else with one decimal.
 QString format_points(double points, const QLocale& locale = {});
 /// "7:38" from seconds.
 QString format_clock(double seconds);

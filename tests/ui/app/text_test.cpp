@@ -152,7 +152,7 @@ TEST(Sentences, one_point_is_singular_and_fractions_are_not) {
   CriterionGrade g;
   g.id = "time";
   for (const auto& [lost, text] : {std::pair{1.0, "Time: 1 point lost"}, std::pair{1.5, "Time: 1.5 points lost"},
-                                   std::pair{0.5, "Time: 0.5 points lost"}, std::pair{0.98, "Time: 1 point lost"},
+                                   std::pair{0.5, "Time: 0.5 points lost"}, std::pair{1.04, "Time: 1 point lost"},
                                    std::pair{6.0, "Time: 6 points lost"}}) {
     EXPECT_EQ(lost_text(g, lost).toStdString(), text);
   }

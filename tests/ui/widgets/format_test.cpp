@@ -50,6 +50,16 @@ TEST(Format, points_are_whole_where_they_are_whole) {
   EXPECT_EQ(format_points(81.46, kGerman).toStdString(), "81,5");
 }
 
+TEST(Format, points_just_below_a_mark_do_not_read_as_the_mark) {
+  EXPECT_EQ(format_points(69.96, kEnglish).toStdString(), "69.9");
+  EXPECT_EQ(format_points(69.999, kEnglish).toStdString(), "69.9");
+  EXPECT_EQ(format_points(70.04, kEnglish).toStdString(), "70");
+  EXPECT_EQ(format_points(69.96 + 0.04, kEnglish).toStdString(), "70");
+  EXPECT_EQ(format_points(0.7 * 100, kEnglish).toStdString(), "70");
+  EXPECT_EQ(format_points(0.02, kEnglish).toStdString(), "0");
+  EXPECT_EQ(format_points(-0.02, kEnglish).toStdString(), "0");
+}
+
 TEST(Format, a_clock_counts_minutes_and_from_an_hour_on_hours) {
   EXPECT_EQ(plain(format_clock(458.9)), "7:38");
   EXPECT_EQ(plain(format_clock(5)), "0:05");
