@@ -24,13 +24,18 @@ Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   return Cohort{id, name, 0};
 }
 
-Stored<void> Cohorts::add(const Actor& actor, CohortId cohort, UserId student) {
+Stored<void> Cohorts::add(const Actor& actor, CohortId cohort, UserId student) { return add_all(actor, cohort, {&student, 1}); }
+
+Stored<void> Cohorts::add_all(const Actor& actor, CohortId cohort, std::span<const UserId> students) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return allowed;
+  if (students.empty()) return {};
   Transaction transaction(c_.db);
-  transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort,
-                  student);
-  log_event(c_, transaction,
-            {.actor = actor.id, .action = "cohort_joined", .subject = student.uuid, .detail = cohort.text()});
+  AuditWriter log(c_, transaction);
+  for (const UserId& student : students) {
+    transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort, student);
+    log.add({.actor = actor.id, .action = "cohort_joined", .subject = student.uuid, .detail = cohort.text()});
+  }
+  log.finish();
   return commit_sealed(c_, transaction);
 }
 

@@ -1,6 +1,7 @@
 /// Cohorts: named groups of students.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class Cohorts {
   /// These need manage_cohorts.
   Stored<Cohort> create(const Actor& actor, const std::string& name);  // duplicate, bad_value
   Stored<void> add(const Actor& actor, CohortId cohort, UserId student);
+  /// All or none.
+  Stored<void> add_all(const Actor& actor, CohortId cohort, std::span<const UserId> students);
   Stored<void> remove(const Actor& actor, CohortId cohort, UserId student);
 
   Stored<std::vector<Cohort>> list();  // by name

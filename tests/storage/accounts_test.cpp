@@ -230,7 +230,14 @@ TEST_F(AccountsTest, cohorts_hold_students) {
   }
   EXPECT_EQ(must(store->cohorts.students(cohort.id)), std::vector{student.id});
   EXPECT_EQ(code_of(store->cohorts.add(instructor, cohort.id, UserId::make())), StorageError::not_found);
+  const UserId other = make_student(*store, "4712", "Jonas Weber").id;
+  const std::vector<UserId> with_nobody = {other, UserId::make()}, both = {student.id, other};
+  EXPECT_EQ(code_of(store->cohorts.add_all(instructor, cohort.id, with_nobody)), StorageError::not_found);
+  EXPECT_EQ(must(store->cohorts.students(cohort.id)).size(), 1u) << "all or none";
+  must(store->cohorts.add_all(instructor, cohort.id, both));
+  EXPECT_EQ(must(store->cohorts.students(cohort.id)).size(), 2u);
   EXPECT_EQ(code_of(store->cohorts.add(student.actor(), cohort.id, student.id)), StorageError::not_allowed);
+  must(store->cohorts.remove(instructor, cohort.id, other));
   must(store->cohorts.remove(instructor, cohort.id, student.id));
   EXPECT_TRUE(must(store->cohorts.students(cohort.id)).empty());
 }
