@@ -17,7 +17,6 @@ using nlohmann::json;
 
 constexpr const char* kBackupDatabase = "station.db";
 constexpr const char* kBackupKey = "station.db.key";
-constexpr const char* kBackupDescription = "backup.json";
 constexpr int kBackupFormat = 1;
 
 StorageFailure backup_failure(const std::error_code& error, const fs::path& where) {
@@ -60,7 +59,9 @@ bool concerns_disk(StorageError code) noexcept {
 /// The whole of the connection's database as of one moment, in a file that only its owner can read.
 Stored<void> copy_database(Database& from, const fs::path& to) {
   static_cast<void>(make_private_file(to));  // if none can be made, SQLite reports why
-  auto done = from.run("VACUUM INTO ?1", to.string());
+  // An absolute path: SQLite would take a name that begins with "file:" for a URI.
+  std::error_code ignored;
+  auto done = from.run("VACUUM INTO ?1", fs::absolute(to, ignored).string());
   // SQLite names the source, which is only read.
   if (!done && concerns_disk(done.error().code)) done.error().where = to.string();
   return done;
@@ -126,6 +127,17 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file) {
 
 /// What a restore makes, by what follows the database's name.
 constexpr std::array<const char*, 3> kRestored = {"", ".key", ".key-counter"};
+/// What a database may have beside its own name. SQLite would lay a log or journal that is left over onto another database.
+constexpr std::array<const char*, 6> kBeside = {"", "-wal", "-shm", "-journal", ".key", ".key-counter"};
+
+/// duplicate if any of it exists.
+Stored<void> nothing_beside(const fs::path& file) {
+  std::error_code ignored;
+  for (const char* ending : kBeside) {
+    if (fs::exists(file.string() + ending, ignored)) return fail(StorageError::duplicate, file.string() + ending);
+  }
+  return {};
+}
 
 /// The database gets its name last: whoever opens it finds key and counter.
 Stored<void> name_restored(const fs::path& from, const fs::path& to) {
@@ -164,14 +176,18 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   log_event(context, transaction,
             {.actor = actor ? actor->id : UserId{}, .action = "backed_up", .subject = context.station,
              .detail = std::to_string(backup->sessions)});
-  if (auto done = commit_sealed(context, transaction); !done) return std::unexpected(done.error());
+  if (auto done = commit_sealed(context, transaction); !done) {
+    remove_new(*folder);
+    return std::unexpected(done.error());
+  }
   return backup;
 }
 
 Stored<Backup> read_backup(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_regular_file(folder, error)) return fail(StorageError::not_found, folder.string());
   const auto content = read_private_file(folder / kBackupDescription);
   if (!content) return std::unexpected(content.error());
-  std::error_code error;
   if (!*content || !fs::is_regular_file(folder / kBackupDatabase, error)) return fail(StorageError::not_found, folder.string());
   const json description = json::parse(**content, nullptr, false);
   const auto number = [&](const char* key) {
@@ -214,10 +230,8 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
 }
 
 Stored<void> restore_backup(const Backup& backup, const fs::path& file, const FinishRestored& finish) {
+  if (auto free = nothing_beside(file); !free) return free;
   std::error_code error;
-  for (const char* ending : kRestored) {
-    if (fs::exists(file.string() + ending, error)) return fail(StorageError::duplicate, file.string() + ending);
-  }
   const fs::path parent = fs::absolute(file, error).parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
   const fs::path folder = parent / (".cusp-restore-" + Uuid::v7().text());
@@ -233,9 +247,6 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file, const Fi
 }
 
 namespace {
-
-/// What a database may have beside its own name.
-constexpr std::array<const char*, 6> kBeside = {"", "-wal", "-shm", "-journal", ".key", ".key-counter"};
 
 Stored<void> move_all(const fs::path& from, const fs::path& to) {
   for (std::size_t i = 0; i < kBeside.size(); ++i) {
@@ -265,10 +276,7 @@ Stored<fs::path> put_aside(const fs::path& file, std::int64_t utc_us) {
 }
 
 Stored<void> take_back(const fs::path& folder, const fs::path& file) {
-  for (const char* beside : kBeside) {
-    std::error_code error;
-    if (fs::exists(file.string() + beside, error)) return fail(StorageError::duplicate, file.string() + beside);
-  }
+  if (auto free = nothing_beside(file); !free) return free;
   if (auto moved = move_all(folder / file.filename(), file); !moved) return moved;
   remove_new(folder);
   return {};

@@ -14,6 +14,9 @@
 
 namespace cusp::storage {
 
+/// Written last: a folder without it is no backup.
+inline constexpr const char* kBackupDescription = "backup.json";
+
 struct Backup {
   std::filesystem::path folder{};
   Uuid station{};
@@ -36,10 +39,10 @@ Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station
 /// Work on the new database and what lies beside it, before they get their names. It closes what it opens.
 using FinishRestored = std::function<Stored<void>(const std::filesystem::path& database)>;
 
-/// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them exists, or comes
-/// meanwhile: nothing is overwritten or removed. corrupt if the backup or its key is damaged; detail "sessions": the database holds
-/// another number of them than `backup` says. A failure, also of `finish`, leaves no new file. log_restored() belongs into
-/// `finish`, or follows in the store of the new file.
+/// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them, or a log or journal, exists,
+/// or if one of them comes meanwhile: nothing is overwritten or removed. corrupt if the backup or its key is damaged; detail "sessions":
+/// the database holds another number of them than `backup` says. A failure, also of `finish`, leaves no new file. log_restored()
+/// belongs into `finish`, or follows in the store of the new file.
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file, const FinishRestored& finish = {});
 /// Moves a database that cannot be read, with its log, index, key and counter, to a new folder beside it; nothing is deleted. Returns
 /// the folder, "station.db-damaged-2026-11-20T09-14-03Z". After a failure all is where it was. No process may have the file open.

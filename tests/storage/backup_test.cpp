@@ -314,6 +314,40 @@ TEST_F(BackupTest, all_in_a_folder_are_listed_where_no_station_is_known) {
   EXPECT_EQ(all[0].folder, backup.folder);
 }
 
+TEST_F(BackupTest, is_not_restored_beside_a_log_or_journal_that_is_left_over) {
+  const Backup backup = make();
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    const fs::path beside = (folder / "new.db").string() + ending;
+    std::ofstream(beside) << "of another database";
+    const auto done = restore_backup(backup, folder / "new.db");
+    ASSERT_EQ(code_of(done), StorageError::duplicate) << ending;
+    EXPECT_EQ(done.error().where, beside.string());
+    EXPECT_EQ(left(), std::vector<std::string>{beside.filename().string()});
+    fs::remove(beside);
+  }
+}
+
+TEST_F(BackupTest, that_the_log_cannot_name_is_not_left) {
+  const auto other = open(folder / "a.db", quick(now));
+  must(store->database().run("PRAGMA busy_timeout = 0"));
+  Transaction held(other->database());
+  EXPECT_EQ(code_of(make_backup(store->context(), administrator, into())), StorageError::busy);
+  EXPECT_EQ(folders(), 0u);
+}
+
+TEST_F(BackupTest, is_a_folder_and_no_file) {
+  const Backup backup = make();
+  EXPECT_EQ(code_of(read_backup(backup.folder / "station.db")), StorageError::not_found);
+}
+
+TEST_F(BackupTest, is_made_in_a_folder_whose_name_looks_like_a_uri) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder / ".");
+  const auto backup = make_backup(store->context(), administrator, "file:x");
+  fs::current_path(before);
+  EXPECT_EQ(must(backup).sessions, 0u);
+}
+
 TEST_F(BackupTest, a_damaged_one_is_not_restored) {
   complete_session(*store, lena, version);
   const Backup backup = make();

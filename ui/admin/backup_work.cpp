@@ -1,5 +1,7 @@
 #include "ui/admin/backup_work.h"
 
+#include <algorithm>
+
 #include "storage/base/clock.h"
 #include "storage/store.h"
 #include "ui/session/records_task.h"
@@ -69,7 +71,10 @@ BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared
 
 bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us) {
   const auto all = backups_in(into, station);
-  return !all || all->empty() || now_utc_us - all->front().made_utc_us >= kBackupEveryUs;
+  if (!all) return true;
+  // One that a wrong clock dated in the future says nothing of today.
+  const auto newest = std::ranges::find_if(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
+  return newest == all->end() || now_utc_us - newest->made_utc_us >= kBackupEveryUs;
 }
 
 }  // namespace cusp::ui

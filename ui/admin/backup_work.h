@@ -42,7 +42,7 @@ struct LogProgress {
 BackgroundTask verify_log(RecordsBeside records, const Actor& actor, std::shared_ptr<LogProgress> progress,
                           std::function<void(Stored<Verification>)> then);
 
-/// Whether the station's newest backup in the folder is older than a day, or none is there.
+/// Whether the station's newest backup in the folder is older than a day, or none is there. One from after `now_utc_us` does not count.
 bool backup_is_due(const std::filesystem::path& into, const Uuid& station, std::int64_t now_utc_us);
 
 }  // namespace cusp::ui

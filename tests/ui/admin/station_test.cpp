@@ -204,6 +204,7 @@ TEST_F(Station, ABackupIsDueADayAfterTheLast) {
   ASSERT_TRUE(made);
   EXPECT_FALSE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs - 1));
   EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us + kBackupEveryUs));
+  EXPECT_TRUE(backup_is_due(into, station, made->made_utc_us - kBackupEveryUs)) << "a clock that was wrong stops no backups";
 }
 
 }  // namespace
