@@ -115,6 +115,21 @@ Stored<CheckedExchange> read_description(Database& file) {
   return CheckedExchange{*description, description_hash(**text), by->public_key};
 }
 
+StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::path& file) {
+  if (failure.code == StorageError::corrupt) return {StorageError::not_exchange, file.string()};
+  return failure;
+}
+
+Stored<void> check_schema(Database& records, const std::filesystem::path& file) {
+  if (auto done = records.attach_source(file); !done) return done;
+  const auto schema = records.first("PRAGMA source.user_version", [](Row row) { return row.integer(0); });
+  records.detach_source();
+  if (!schema) return std::unexpected(schema.error());
+  const std::int64_t version = schema->value_or(0);
+  if (version == static_cast<std::int64_t>(built_in_migrations().size())) return {};
+  return fail(StorageError::older_schema, file.string(), std::to_string(version));
+}
+
 Stored<std::vector<PackFile>> table_hashes(Database& file) {
   const auto schema = file.all("SELECT type, name FROM sqlite_schema WHERE type <> 'index' ORDER BY name", [](Row row) { return std::pair{row.text(0), row.text(1)}; });
   if (!schema) return std::unexpected(schema.error());

@@ -6,14 +6,6 @@
 namespace cusp::storage {
 namespace {
 
-Stored<void> check_schema(Database& file) {
-  const auto schema = file.first("PRAGMA user_version", [](Row row) { return row.integer(0); });
-  if (!schema) return std::unexpected(schema.error());
-  const std::int64_t version = schema->value_or(0);
-  if (version == static_cast<std::int64_t>(built_in_migrations().size())) return {};
-  return fail(StorageError::older_schema, file.file().string(), std::to_string(version));
-}
-
 Stored<std::optional<KeyRole>> role_of(StorageContext& context, const Actor& actor, const Hash256& key) {
   const auto keys = other_keys(context, actor);
   if (!keys) return std::unexpected(keys.error());
@@ -26,13 +18,13 @@ Stored<std::optional<KeyRole>> role_of(StorageContext& context, const Actor& act
 Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only});
-  if (!opened) return std::unexpected(opened.error());
+  if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
   const Snapshot snapshot(*opened);
   const auto checked = read_description(*opened);
-  if (!checked) return std::unexpected(checked.error());
+  if (!checked) return std::unexpected(failure_in_file(checked.error(), file));
   if (checked->description.station == context.station) return fail(StorageError::not_allowed, "own_file");
-  if (auto same = check_schema(*opened); !same) return std::unexpected(same.error());
-  if (auto good = check_content(*opened, checked->description); !good) return std::unexpected(good.error());
+  if (auto same = check_schema(context.db, file); !same) return std::unexpected(failure_in_file(same.error(), file));
+  if (auto good = check_content(*opened, checked->description); !good) return std::unexpected(failure_in_file(good.error(), file));
   const auto counts = counts_of(*opened);
   if (!counts) return std::unexpected(counts.error());
   const Hash256 key = key_id(checked->public_key);

@@ -60,14 +60,42 @@ std::optional<AccountEntry> newest_entry(Merge& merge, UserId person, const char
       [](Row row) { return AccountEntry{row.text(0), row.text(1)}; }, person, actions);
 }
 
-/// The office's account takes the place of what is here. An account that the office has not changed since stays as it is here.
-void update_person(Merge& merge, const PersonInFile& person) {
-  constexpr const char* kRead = " account_created person_sealed ";
-  constexpr const char* kAny = " account_created person_sealed account_renamed role_changed account_disabled account_enabled password_changed pin_changed ";
-  const auto read = newest_entry(merge, person.id, kRead), newest = newest_entry(merge, person.id, kAny);
-  const bool referred = is_referred(merge.transaction, person.id.uuid);
-  if (!referred && read && read->seal == person.seal) return;
-  if (!referred && read && newest && newest->seal != read->seal) merge.out.conflicts.push_back(person.number);
+constexpr const char* kWhenRead = " account_created person_sealed ";
+constexpr const char* kAnyTime =
+    " account_created person_sealed account_renamed role_changed account_disabled account_enabled password_changed pin_changed ";
+
+/// A seal leaves number and name out where the account has no secret: who renamed it shows in the log alone.
+bool renamed_here(Merge& merge, UserId person) {
+  const auto newest = newest_entry(merge, person, " account_created person_sealed account_renamed ");
+  return newest && newest->action == "account_renamed";
+}
+
+bool other_name_in_file(Merge& merge, UserId person) {
+  return merge.transaction
+      .first("SELECT (m.number, m.name) <> (s.number, s.name) FROM main.people m JOIN source.people s ON s.id = m.id WHERE m.id = ?1",
+             [](Row row) { return row.flag(0); }, person)
+      .value_or(false);
+}
+
+/// Whether the office has changed the account since the last file.
+bool changed_in_office(Merge& merge, const PersonInFile& person) {
+  if (erased_number(person)) return true;
+  const auto read = newest_entry(merge, person.id, kWhenRead);
+  if (!read || read->seal != person.seal) return true;
+  return other_name_in_file(merge, person.id) && !renamed_here(merge, person.id);
+}
+
+/// Whether the file's account takes the place of the one here. Who is erased here stays so.
+bool replaces(Merge& merge, const PersonInFile& person) {
+  if (is_erased(merge.transaction, person.id)) return false;
+  if (is_referred(merge.transaction, person.id.uuid)) return true;
+  return !merge.late() && changed_in_office(merge, person);
+}
+
+void replace_person(Merge& merge, const PersonInFile& person) {
+  const auto read = newest_entry(merge, person.id, kWhenRead), newest = newest_entry(merge, person.id, kAnyTime);
+  const bool changed_here = read && newest && (newest->seal != read->seal || renamed_here(merge, person.id));
+  if (changed_here && !is_referred(merge.transaction, person.id.uuid)) merge.out.conflicts.push_back(person.number);
   free_number(merge, person);
   merge.transaction.run(
       "UPDATE people SET (number, name, role, password, pin, disabled, wrong_tries, locked_until) = "
@@ -76,6 +104,35 @@ void update_person(Merge& merge, const PersonInFile& person) {
   log_account(merge.context, merge.transaction, merge.actor.id, erased_number(person) ? "person_erased" : "person_sealed", person.id);
   if (erased_number(person)) erase_texts_about(merge.context, merge.transaction, merge.actor, person.id);
   ++merge.out.counts.accounts;
+  arrive(merge, person.id.uuid);
+}
+
+/// What becomes of the accounts of a file.
+struct PeoplePlan {
+  std::vector<PersonInFile> referred{}, added{}, replaced{};
+};
+
+PeoplePlan plan_people(Merge& merge) {
+  PeoplePlan plan;
+  for (PersonInFile& person : merge.taken(people_in(merge.from.db))) {
+    const auto here = merge.transaction.first("SELECT 1 FROM people WHERE id = ?1", [](Row) { return true; }, person.id);
+    if (!merge.ok()) return {};
+    if (merge.referred.contains(person.id.uuid)) {
+      if (!here) plan.referred.push_back(std::move(person));
+    } else if (!here) {
+      plan.added.push_back(std::move(person));
+    } else if (replaces(merge, person)) {
+      plan.replaced.push_back(std::move(person));
+    }
+  }
+  return plan;
+}
+
+/// Accounts of one file may exchange their numbers: each frees its own first.
+void free_own_numbers(Merge& merge, const std::vector<PersonInFile>& people) {
+  for (const PersonInFile& person : people) {
+    merge.transaction.run("UPDATE people SET number = 'moving ' || hex(id) WHERE id = ?1 AND number <> ?2", person.id, person.number);
+  }
 }
 
 }  // namespace
@@ -100,22 +157,11 @@ bool is_erased(Transaction& transaction, UserId user) {
 }
 
 void merge_people(Merge& merge) {
-  for (const PersonInFile& person : merge.taken(people_in(merge.from.db))) {
-    const auto here = merge.transaction.first("SELECT 1 FROM people WHERE id = ?1", [](Row) { return true; }, person.id);
-    if (!merge.ok()) return;
-    if (merge.referred.contains(person.id.uuid)) {
-      if (!here) add_referred_person(merge, person);
-      continue;
-    }
-    if (!here) {
-      add_person(merge, person);
-      continue;
-    }
-    const bool first_time = is_referred(merge.transaction, person.id.uuid);
-    if (is_erased(merge.transaction, person.id) || (merge.late() && !first_time)) continue;
-    update_person(merge, person);
-    arrive(merge, person.id.uuid);
-  }
+  const PeoplePlan plan = plan_people(merge);
+  free_own_numbers(merge, plan.replaced);
+  for (const PersonInFile& person : plan.replaced) replace_person(merge, person);
+  for (const PersonInFile& person : plan.added) add_person(merge, person);
+  for (const PersonInFile& person : plan.referred) add_referred_person(merge, person);
   const auto left = merge.transaction.first("SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0", [](Row row) { return row.integer(0); });
   if (left && *left == 0) merge.refuse(StorageError::last_administrator, "people");
 }

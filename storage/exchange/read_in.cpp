@@ -155,6 +155,12 @@ class Attached {
   Stored<void> done_;
 };
 
+Stored<ReadIn> attach_and_merge(StorageContext& context, StorageContext& from, const Actor& actor, const CheckedExchange& file) {
+  const Attached source(context.db, from.db.file());
+  if (!source.done()) return std::unexpected(source.done().error());
+  return merge_file(context, from, actor, file);
+}
+
 }  // namespace
 
 std::string_view key_of(ReadOutcome outcome) noexcept {
@@ -166,18 +172,20 @@ Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::f
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
   auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only});
-  if (!opened) return std::unexpected(opened.error());
+  if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
   StorageContext from{std::move(*opened), context.clock, context.cost, context.station, std::nullopt};
   // Nobody changes the file between its check and its reading.
   const Snapshot snapshot(from.db);
   const auto checked = read_description(from.db);
-  if (!checked) return std::unexpected(checked.error());
-  if (auto good = check_content(from.db, checked->description); !good) return std::unexpected(good.error());
+  if (!checked) return std::unexpected(failure_in_file(checked.error(), file));
+  if (auto same = check_schema(context.db, file); !same) return std::unexpected(failure_in_file(same.error(), file));
+  if (auto good = check_content(from.db, checked->description); !good) return std::unexpected(failure_in_file(good.error(), file));
   // Pages that held an erased person's name are written over.
   if (auto done = context.db.run("PRAGMA secure_delete = ON"); !done) return std::unexpected(done.error());
-  const Attached source(context.db, file);
-  if (!source.done()) return std::unexpected(source.done().error());
-  return merge_file(context, from, actor, *checked);
+  const auto done = attach_and_merge(context, from, actor, *checked);
+  // The log holds the old pages until then. Another connection may hold it open: the next checkpoint takes it.
+  if (done) static_cast<void>(context.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
+  return done;
 }
 
 }  // namespace cusp::storage

@@ -42,6 +42,7 @@ Stored<Session> exportable(StorageContext& context, const Actor& actor, SessionI
 Stored<void> extract_session(StorageContext& context, const Actor& actor, SessionId id, StudentNamed named, const fs::path& file) {
   const auto session = exportable(context, actor, id);
   if (!session) return std::unexpected(session.error());
+  if (!context.key) return std::unexpected(context.db.unwritable());
   return make_copy(file, context.db.file(), [&](Database& to) { return copy_rows(to, *session, named); });
 }
 

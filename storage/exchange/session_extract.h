@@ -18,7 +18,7 @@ enum class StudentNamed : std::uint8_t { by_candidate_number, by_name };
 
 /// Writes a new file with every row of the session, all statements, and what they refer to, as of one moment. Needs
 /// export_results. wrong_state while the session runs, or (where = thinned) without its recording; duplicate if the file exists.
-/// A failure leaves no file.
+/// read_only without the station's key, which signs it afterwards. A failure leaves no file.
 Stored<void> extract_session(StorageContext& context, const Actor& actor, SessionId session, StudentNamed named,
                              const std::filesystem::path& file);
 

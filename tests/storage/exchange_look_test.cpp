@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "storage/exchange/exchange_file.h"
 #include "tests/storage/two_stations.h"
 
 namespace cusp::test {
@@ -32,6 +33,42 @@ TEST_F(LookTest, a_look_says_whose_a_file_is_and_what_it_carries_and_changes_not
   const auto stranger = open(folder / "stranger.db");
   EXPECT_EQ(must(look_into(stranger->context(), make_administrator(*stranger, "x").actor(), file)).role, std::nullopt);
   EXPECT_EQ(code_of(look_into(station->context(), keeper, file)), StorageError::not_allowed) << "its own";
+}
+
+TEST_F(LookTest, a_file_that_was_cut_off_is_no_damage_of_the_records) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  const fs::path file = results();
+  const auto size = fs::file_size(file);
+  for (const auto left : {size / 2, size / 4, std::uintmax_t{5000}, std::uintmax_t{100}}) {
+    fs::resize_file(file, left);
+    EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::not_exchange) << left;
+    EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::not_exchange) << left;
+  }
+}
+
+/// What a program of the schema before would have given out.
+void make_older(const fs::path& file, StorageContext& context) {
+  auto db = must(Database::open(file));
+  must(db.run("ALTER TABLE assignments DROP COLUMN drawn_tooth"));
+  must(db.run("PRAGMA user_version = 15"));
+  ExchangeDescription description = must(read_description(db)).description;
+  must(db.run("DROP TABLE exchange_description"));
+  description.tables = must(table_hashes(db));
+  must(add_description(db, sign_exchange(*context.key, description)));
+  must(db.run("PRAGMA journal_mode = DELETE"));
+}
+
+TEST_F(LookTest, a_file_of_an_older_program_is_called_by_that_name) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::office));
+  const Actor instructor = make_instructor(*station).actor();
+  Assignment task{.version = keep(*station).id, .cohort = must(station->cohorts.create(instructor, "Year 2")).id};
+  must(station->assignments.create(instructor, task));
+  const fs::path file = next_file();
+  must(give_out(station->context(), keeper, ExchangeKind::office, file));
+  make_older(file, station->context());
+  EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::older_schema);
+  EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::older_schema);
 }
 
 TEST_F(LookTest, a_key_file_holds_the_key_whole_or_is_refused) {

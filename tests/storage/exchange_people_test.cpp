@@ -1,0 +1,98 @@
+/// Accounts of the office that change after a station has read them: number, name, and erasure.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/storage/two_stations.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExchangePeopleTest : TwoStations {
+  Account lena = make_student(*office, "1001", "Lena Brandt"), omar = make_student(*office, "1002", "Omar Haddad");
+
+  void SetUp() override { must(trust(station->context(), keeper, key_of_station(*office), KeyRole::office)); }
+  ReadIn carry_over() {
+    const fs::path file = next_file();
+    must(give_out(office->context(), chief, ExchangeKind::office, file));
+    return must(read_in(station->context(), keeper, file));
+  }
+  Account without_secret(const std::string& number) { return must(office->accounts.create(chief, {.number = number, .name = "Ada Novak"})); }
+  Account at_station(const Account& account) { return must(station->accounts.find(account.id)); }
+  void expect_whole() { EXPECT_TRUE(must(verify_store(station->context())).intact()); }
+};
+
+TEST_F(ExchangePeopleTest, two_whose_numbers_were_exchanged_change_them_at_the_station_too) {
+  carry_over();
+  must(office->accounts.rename(chief, lena.id, "between", lena.name));
+  must(office->accounts.rename(chief, omar.id, "1001", omar.name));
+  must(office->accounts.rename(chief, lena.id, "1002", lena.name));
+  const ReadIn read = carry_over();
+  EXPECT_EQ(at_station(lena).number, "1002");
+  EXPECT_EQ(at_station(omar).number, "1001");
+  EXPECT_EQ(read.counts.accounts, 2u);
+  EXPECT_TRUE(read.conflicts.empty());
+  expect_whole();
+}
+
+TEST_F(ExchangePeopleTest, the_number_of_one_who_was_erased_goes_to_another) {
+  carry_over();
+  must(office->accounts.erase(chief, omar.id));
+  must(office->accounts.rename(chief, lena.id, "1002", lena.name));
+  carry_over();
+  EXPECT_EQ(at_station(lena).number, "1002");
+  EXPECT_EQ(at_station(omar).name, "–");
+  expect_whole();
+}
+
+TEST_F(ExchangePeopleTest, who_has_no_secret_is_renamed_too) {
+  const Account ada = without_secret("1003");
+  carry_over();
+  must(office->accounts.rename(chief, ada.id, "1004", "Ada Berg"));
+  const ReadIn read = carry_over();
+  EXPECT_EQ(at_station(ada).number, "1004");
+  EXPECT_EQ(at_station(ada).name, "Ada Berg");
+  EXPECT_TRUE(read.conflicts.empty());
+  EXPECT_EQ(carry_over().counts.accounts, 0u);
+  expect_whole();
+}
+
+TEST_F(ExchangePeopleTest, who_has_no_secret_keeps_the_name_that_the_station_gave) {
+  const Account ada = without_secret("1003");
+  carry_over();
+  must(station->accounts.rename(keeper, ada.id, "1003", "Ada Berg"));
+  EXPECT_TRUE(carry_over().conflicts.empty());
+  EXPECT_EQ(at_station(ada).name, "Ada Berg");
+  must(office->accounts.disable(chief, ada.id));
+  EXPECT_EQ(carry_over().conflicts, std::vector<std::string>{"1003"});
+  EXPECT_EQ(at_station(ada).name, "Ada Novak");
+}
+
+TEST_F(ExchangePeopleTest, who_has_no_secret_and_was_switched_off_is_erased_too) {
+  const Account ada = without_secret("1003");
+  must(office->accounts.disable(chief, ada.id));
+  carry_over();
+  must(office->accounts.erase(chief, ada.id));
+  carry_over();
+  EXPECT_EQ(at_station(ada).name, "–");
+  EXPECT_EQ(at_station(ada).number, "erased " + ada.id.text());
+  expect_whole();
+}
+
+TEST_F(ExchangePeopleTest, no_byte_of_the_name_stays_in_the_log_of_a_station_that_is_open) {
+  carry_over();
+  must(station->accounts.sign_in_with_pin("1001", "314159"));
+  must(office->accounts.erase(chief, lena.id));
+  carry_over();
+  for (const char* part : {"station.db", "station.db-wal"}) {
+    std::ifstream in(folder / part, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_EQ(bytes.find("Lena Brandt"), std::string::npos) << part;
+  }
+}
+
+}  // namespace
+}  // namespace cusp::test
