@@ -45,12 +45,23 @@ def pack(desk, database, session):
 
 
 def opens_elsewhere(desk, database, session, file):
+    elsewhere = desk.path("elsewhere.db")
+    make_school(elsewhere)
     status, seen, err = verified(desk, file, "--replay")
     check(status == 0 and seen["whole"] and not seen["known_key"], f"verify: {seen}{err}")
     check(seen["replayed"] and seen["replay_holds"], f"the replay of the pack: {seen}")
     check(seen["session"] == session and seen["score"] is not None, f"{seen}")
     status, seen, err = verified(desk, file, "--db", database)
     check(status == 0 and seen["known_key"], f"the station does not know its own pack: {seen}{err}")
+    for records, says in ((database, "station of this database signed"), (elsewhere, "does not know the key")):
+        status, out, err = desk.run("verify", file, "--db", records)
+        check(status == 0 and says in out, f"whose pack it is: {out}{err}")
+    with open(file, "rb") as f:
+        whole = f.read()
+    status, out, err = desk.run("verify", file, "--json", file)
+    one_sentence(err, "the JSON over the pack")
+    with open(file, "rb") as f:
+        check(status == 1 and f.read() == whole, f"the JSON over the pack: {out}{err}")
     with tarfile.open(file) as tar:
         check(tar.getnames() == FILES, f"in the pack: {tar.getnames()}")
         report = json.load(tar.extractfile("report.json"))

@@ -9,10 +9,11 @@ import json
 import os
 import shutil
 import sqlite3
+import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from desk import SOURCE, Desk, check, one_sentence  # noqa: E402
+from desk import HUNG_S, SOURCE, Desk, check, one_sentence  # noqa: E402
 
 STUDENT, PIN, PASSWORD = "20267314", "314159", "battery staple"
 
@@ -256,6 +257,64 @@ def outputs(desk, database):
         os.remove(desk.path(name))
 
 
+def named_twice(desk, database):
+    """The file that a verb writes is neither the one that it reads nor another that it writes: each stays, and the verb says why."""
+    as_admin, secret = ("--as", "admin"), {"CUSP_PASSWORD": "correct horse"}
+    status, out, err = desk.run("backup", database, desk.path("twice"), "--json", "-", *as_admin, **secret)
+    folder = json.loads(out)["folder"]
+    description, new = os.path.join(folder, "backup.json"), desk.path("twice.file")
+    exercise = desk.small_exercise("twice.json")
+    with open(exercise, "rb") as f:
+        content = f.read()
+    cases = [
+        ("restore", folder, desk.path("twice.db"), "--json", description),
+        ("export", database, "-o", new, "--json", new, *as_admin),
+        ("exchange", "out", "--results", new, "--db", database, "--json", os.path.join(desk.folder, ".", "twice.file"), *as_admin),
+        ("exchange", "key", new, "--db", database, "--json", new, *as_admin),
+        ("validate", exercise, "--form-only", "--json", exercise),
+    ]
+    for case in cases:
+        status, out, err = desk.run(*case, **secret)
+        check(status == 1 and out == "" and "named twice" in err, f"{case}: exit {status}: {out}{err}")
+        one_sentence(err, str(case))
+    check(not os.path.exists(new) and not os.path.exists(desk.path("twice.db")), "what was refused left a file")
+    with open(exercise, "rb") as f:
+        check(f.read() == content, "the exercise was written over")
+    status, _, err = desk.run("export", database, "-o", "/dev/null", "--json", "/dev/null", *as_admin, **secret)
+    check(status == 0, f"a device takes both: {err}")
+    status, _, err = desk.run("restore", folder, desk.path("twice.db"))
+    check(status == 0, f"the backup was damaged: {err}")
+
+
+def restored_beside_a_log(desk, database):
+    """SQLite would lay the log of the records that were there before onto the restored ones."""
+    as_admin, secret = ("--as", "admin"), {"CUSP_PASSWORD": "correct horse"}
+    status, out, err = desk.run("backup", database, desk.path("beside"), "--json", "-", *as_admin, **secret)
+    folder, gone = json.loads(out)["folder"], desk.path("gone.db")
+    for end in ("", ".key", ".key-counter"):
+        shutil.copy(database + end, gone + end)
+    code = ("import os, sqlite3, sys; db = sqlite3.connect(sys.argv[1]); db.execute('PRAGMA wal_autocheckpoint = 0'); "
+            "db.execute(\"UPDATE people SET name = 'Somebody'\"); db.execute(\"UPDATE audit_log SET detail = detail || 'x'\"); "
+            "db.commit(); os._exit(0)")
+    subprocess.run([sys.executable, "-c", code, gone], check=True)
+    for end in ("", "-shm", ".key", ".key-counter"):
+        os.remove(gone + end)
+    status, out, err = desk.run("restore", folder, gone)
+    one_sentence(err, "a restore beside a log")
+    check(status == 1 and "gone.db-wal is there already" in err and not os.path.exists(gone), f"a restore beside a log: {out}{err}")
+    status, _, err = desk.run("restore", os.path.join(folder, "station.db"), desk.path("of-a-file.db"))
+    check(status == 1 and "no whole backup" in err, f"a file of a backup: {err}")
+
+
+def names_in_other_letters(desk, database):
+    """A folder's name that is no UTF-8: what was made is made, and the JSON can be read."""
+    folder = os.fsencode(desk.folder) + b"/stra\xdfe"
+    done = subprocess.run([desk.cusp, "backup", database, folder, "--as", "admin", "--json", "-"], capture_output=True, timeout=HUNG_S,
+                          stdin=subprocess.DEVNULL, env=desk.environment(CUSP_PASSWORD="correct horse"))
+    check(done.returncode == 0 and done.stderr == b"", f"a folder in Latin-1: exit {done.returncode}: {done.stderr}")
+    check(json.loads(done.stdout.decode())["sessions"] == 1, f"a folder in Latin-1: {done.stdout}")
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("cusp")
@@ -270,6 +329,12 @@ def main():
             db.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         points_are_scaled(desk, database)
         outputs(desk, database)
+        named_twice(desk, database)
+        restored_beside_a_log(desk, database)
+        names_in_other_letters(desk, database)
+        listed = ("history", database, "list", "--as", STUDENT, "--limit")
+        for limit in ("-5", "0", "x"):
+            check(desk.run(*listed, limit, CUSP_PASSWORD=PIN)[0] == 2, f"--limit {limit} is wrong usage")
         verify_names(desk)
         rebuild(desk)
         backups(desk, database)

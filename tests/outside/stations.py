@@ -151,6 +151,10 @@ def main():
         check("put back" in office.refused("in", b.out("--results")[0]), "a station put back to an old copy is not named")
         office.done("trust", desk.path("b.key-text"), "--revoke")
         check("revoked" in office.refused("in", results), "a revoked key is not named")
+        check("not known here" in office.refused("trust", desk.path("office.key-text"), "--revoke"), "a key that nobody made known is revoked")
+        status, _, err = desk.run("exchange", "trust", desk.path("b.key-text"), "--office", "--revoke", "--db", office.database)
+        check(status == 2, f"trusted and revoked at once: exit {status}: {err}")
+        check("cannot be written" in office.refused("out", "--results", desk.path("none", "x")), "a folder that is not there")
         check_whole(office)
         print(f"three stations: {len(office.sessions())} attempts at the office, {os.path.getsize(results) / 1e6:.1f} MB in the last file")
 

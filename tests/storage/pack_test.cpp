@@ -116,6 +116,17 @@ TEST_F(PackTest, an_extract_needs_the_right_an_ended_session_and_a_new_file) {
   EXPECT_EQ(bytes(), before);
 }
 
+TEST_F(PackTest, records_that_cannot_be_written_give_no_extract_for_they_sign_none) {
+  hand_in();
+  store.reset();
+  StoreOptions options = quick();
+  options.database.access = DatabaseOptions::Access::read_only;
+  store = open(folder / "a.db", options);
+  store->database().set_unwritable({StorageError::disk_full, "a.db"});
+  EXPECT_EQ(code_of(extract_session(store->context(), administrator, session, StudentNamed::by_name, file())), StorageError::disk_full);
+  EXPECT_FALSE(fs::exists(file()));
+}
+
 TEST_F(PackTest, the_log_about_an_attempt_names_who_assigned_stated_and_packed_it) {
   hand_in();
   EXPECT_EQ(code_of(log_about(store->context(), lena.actor(), session)), StorageError::not_allowed);

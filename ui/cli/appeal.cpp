@@ -69,8 +69,13 @@ QString what_is_wrong(const OpenedPack& pack) {
   return finding_text(pack.findings.front());
 }
 
+QString signer_text(PackSigner signer) {
+  return signer == PackSigner::this_station ? CliText::tr("The station of this database signed it.")
+                                            : CliText::tr("This database does not know the key: compare it with that of the pack’s station.");
+}
+
 int verify_pack(const AppealOptions& o) {
-  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, o.db, {o.file})) return failed(*no);
   std::unique_ptr<Store> here;
   if (!o.db.empty()) {
     auto store = open_records(o.db);
@@ -93,6 +98,7 @@ int verify_pack(const AppealOptions& o) {
   if (!o.json.on_stdout()) {
     print_line(plain(CliText::tr("Nothing was changed since this pack was made on %1; key %2.")
                          .arg(QString::fromStdString(iso_utc(pack->checked.description.made_utc_us)), fingerprint(pack->checked.key))));
+    if (here) print_line(plain(signer_text(pack->signer)));
   }
   return kDone;
 }

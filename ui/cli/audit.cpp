@@ -71,6 +71,7 @@ bool can_be_written(const std::filesystem::path& file) {
 
 int audit_verb(const AuditOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, {}, scenario_files(o.scenario))) return failed(*no);
   const bool builtin = !builtin_scenario_text(o.scenario).empty();
   if (o.apply && builtin && o.out.empty())
     return wrong_usage(CliText::tr("%1 is built in: --apply needs -o FILE for the copy.").arg(QString::fromStdString(o.scenario)));

@@ -52,7 +52,7 @@ Stored<void> finish_restored(const Backup& backup, const std::filesystem::path& 
 }
 
 int restore(const BackupOptions& o) {
-  if (const auto no = refuse_outputs({o.json.file}, o.to)) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, o.to, {std::filesystem::path(o.from) / kBackupDescription})) return failed(*no);
   const auto backup = read_backup(o.from);
   if (!backup) {
     if (backup.error().code != StorageError::not_found) return failed(describe(backup.error()));

@@ -61,8 +61,10 @@ Result<PublicKey, Message> key_in(const std::string& file) {
   return *key;
 }
 
+Message unknown_key(const Hash256& id) { return {CliText::tr("Key %1 is not known here.").arg(fingerprint(id)), CliText::tr("Nothing was changed.")}; }
+
 int trust_key(const ExchangeOptions& o) {
-  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, o.db, {o.file})) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto key = key_in(o.file);
@@ -70,6 +72,7 @@ int trust_key(const ExchangeOptions& o) {
   const Hash256 id = key_id(key->bytes);
   StorageContext& context = in->store->context();
   const auto done = o.revoke ? revoke(context, in->actor, id) : trust(context, in->actor, *key, o.office ? KeyRole::office : KeyRole::station);
+  if (!done && done.error().code == StorageError::not_found) return failed(unknown_key(id));
   if (!done) return failed(describe(done.error()));
   const KeyRole role = o.revoke ? KeyRole::revoked : o.office ? KeyRole::office : KeyRole::station;
   if (!o.json.write({{"station", key->station.text()}, {"key", storage::hex(id)}, {"role", std::string(key_of(role))}})) return kFailed;
@@ -108,12 +111,18 @@ ordered_json json_of(const ExchangeDescription& d, const Hash256& key, const Exc
   return json;
 }
 
+/// The folder of the new file is not there, or takes no file.
+bool concerns_place(const StorageFailure& failure, const std::string& file) {
+  return failure.code == StorageError::not_found || (failure.code == StorageError::read_only && failure.where == file);
+}
+
 int write_file(const ExchangeOptions& o) {
   if (o.office == o.results) return wrong_usage(CliText::tr("Either --office or --results says what the file carries."));
   if (const auto no = refuse_outputs({o.file, o.json.file}, o.db)) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file);
+  if (!made && concerns_place(made.error(), o.file)) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
   if (!made) return failed(describe_exchange_failure(made.error(), named(o.file)));
   if (!o.json.write(json_of(made->description, made->key, made->counts))) return kFailed;
   if (!o.json.on_stdout()) print_line(plain(CliText::tr("File %1 under key %2: %3.").arg(made->description.number()).arg(fingerprint(made->key), counts_text(made->counts))));
@@ -121,7 +130,7 @@ int write_file(const ExchangeOptions& o) {
 }
 
 int read_file(const ExchangeOptions& o) {
-  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, o.db, {o.file})) return failed(*no);
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto read = read_in(in->store->context(), in->actor, o.file);
@@ -159,8 +168,8 @@ void add_exchange(CLI::App& program, Job& job) {
   part("key", CliText::tr("Writes this station’s public key, for others to trust"), CliText::tr("Where the key is written"), write_key);
   part("keys", CliText::tr("Lists the other stations’ keys that are known here"), {}, list_keys);
   const auto [trusts, t] = part("trust", CliText::tr("Makes a station’s key known here, after its fingerprint was compared"), CliText::tr("A key that “exchange key” wrote"), trust_key);
-  trusts->add_flag("--office", t->office, help(CliText::tr("Its files may also bring accounts, cohorts, assignments and exercises")));
-  trusts->add_flag("--revoke", t->revoke, help(CliText::tr("No longer read files under this key")));
+  CLI::Option* office = trusts->add_flag("--office", t->office, help(CliText::tr("Its files may also bring accounts, cohorts, assignments and exercises")));
+  trusts->add_flag("--revoke", t->revoke, help(CliText::tr("No longer read files under this key")))->excludes(office);
   const auto [out, o] = part("out", CliText::tr("Writes a signed file for other stations"), CliText::tr("A new file"), write_file);
   out->add_flag("--office", o->office, help(CliText::tr("Accounts, cohorts, assignments, exercises and statements of this station")));
   out->add_flag("--results", o->results, help(CliText::tr("Attempts and statements of this station")));

@@ -62,7 +62,7 @@ int grade_verb(const GradeOptions& o) {
   std::vector<std::filesystem::path> outputs;
   if (!o.out.empty()) outputs = report_files_in(o.out);
   outputs.emplace_back(o.json.file);
-  if (const auto no = refuse_outputs(outputs, o.db)) return failed(*no);
+  if (const auto no = refuse_outputs(outputs, o.db, {o.rubric})) return failed(*no);
   if (!o.out.empty() && !writable_folder(o.out)) {
     return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
   }

@@ -122,7 +122,10 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   const bool cuts = !o.operator_name.empty();
   std::vector<std::filesystem::path> outputs = {json.file};
   if (!o.out.empty()) std::ranges::copy(report_files_in(o.out), std::back_inserter(outputs));
-  if (const auto no = refuse_outputs(outputs)) return failed(*no);
+  std::vector<std::filesystem::path> inputs = scenario_files(o.scenario);
+  inputs.emplace_back(o.rubric);
+  inputs.emplace_back(o.volume);
+  if (const auto no = refuse_outputs(outputs, {}, inputs)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
   Scenario& scenario = loaded->scenario;

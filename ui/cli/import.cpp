@@ -321,6 +321,7 @@ Result<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
 
 int import_verb(const ImportOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, {}, {o.files.begin(), o.files.end()})) return failed(*no);
   if (o.list) return list_verb(o);
   if (o.out.empty()) return wrong_usage(CliText::tr("-o VOLUME is missing: the file to write."));
   const auto up = up_axis(o.up);

@@ -86,7 +86,9 @@ int play(const PlayOptions& o) {
   const std::filesystem::path folder(o.out), database = o.db.empty() ? folder / "cusp.db" : std::filesystem::path(o.db);
   std::vector<std::filesystem::path> outputs = report_files_in(folder);
   outputs.emplace_back(o.json.file);
-  if (const auto no = refuse_outputs(outputs, database)) return failed(*no);
+  std::vector<std::filesystem::path> inputs = scenario_files(o.scenario);
+  inputs.emplace_back(o.script);
+  if (const auto no = refuse_outputs(outputs, database, inputs)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
   if (!writable_folder(folder)) return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));

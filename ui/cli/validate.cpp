@@ -76,7 +76,7 @@ Result<std::vector<Finding>, Message> findings_of(const Input& input, Checked ch
 }
 
 int validate_verb(const ValidateOptions& o) {
-  if (const auto no = refuse_outputs({o.json.file})) return failed(*no);
+  if (const auto no = refuse_outputs({o.json.file}, {}, scenario_files(o.path))) return failed(*no);
   const auto input = open_input(o.path);
   if (!input) return failed(input.error());
   const auto found = findings_of(*input, o.form_only ? Checked::form : Checked::form_and_specimen);

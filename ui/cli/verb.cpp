@@ -104,7 +104,8 @@ void JsonOption::add_to(CLI::App& verb) {
 
 bool JsonOption::write(const nlohmann::ordered_json& value) const {
   if (!wanted()) return true;
-  const std::string text = value.dump(2) + '\n';
+  // A file's name may be no UTF-8.
+  const std::string text = value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
   if (on_stdout()) return write_out(text);
   if (write_whole(file, text)) return true;
   failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file)));

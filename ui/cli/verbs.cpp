@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <algorithm>
 #include <array>
+#include <clocale>
 #include <cstdio>
 #include <exception>
 #include <string_view>
@@ -82,6 +83,8 @@ int run_verb(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   int own_argc = 1;  // a verb's options are not Qt's
   QGuiApplication app(own_argc, argv);
+  // Qt has set it as the user has: printf() would write numbers into files with a comma.
+  std::setlocale(LC_NUMERIC, "C");
   install_language(app, {});
   return run(argc, argv);
 }

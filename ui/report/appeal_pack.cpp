@@ -152,6 +152,7 @@ Result<void, Message> read_records(OpenedPack& pack) {
   if (!result) return std::unexpected(describe(result.error()));
   pack.result = std::move(*result);
   pack.report = gather_report(pack.result, store->get(), &kReader);
+  pack.report.alone = true;
   return {};
 }
 

@@ -49,6 +49,7 @@ struct ReportData {
   bool released = true;                  // false: an assessment whose result the student does not see yet
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;
+  bool alone = false;             // of an appeal pack: its records hold no other attempt
 };
 
 /// With a null `store` or `reader` the data holds the result alone.
