@@ -1,7 +1,7 @@
 #include "scenarios/templates/fill.h"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "scenarios/format/keys.h"
@@ -234,8 +234,8 @@ std::string joined(const Json& node, Filler& filler) {
 /// "1.2", "1.25": hundredths as the target has them, without a trailing zero.
 std::string figure_text(double value, std::string_view language) {
   char digits[512];  // 309 before the decimal sign
-  std::snprintf(digits, sizeof digits, "%.2f", value);
-  std::string out = digits;
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, 2).ptr;  // as every locale has it
+  std::string out(digits, end);
   if (out.ends_with('0')) out.pop_back();
   if (language == "de") std::ranges::replace(out, '.', ',');
   return out;
