@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -23,8 +24,15 @@ bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 struct Figure {
   double value;
   bool whole;  // without a decimal sign
-  bool mm;     // the unit follows
+  bool mm;     // the unit follows, alone or within another
+  bool length; // alone
 };
+
+/// Whether what follows "mm" makes an area, a volume or a speed of it.
+bool makes_another_unit(std::string_view t) noexcept {
+  constexpr std::array<std::string_view, 5> ends = {"\xc2\xb2", "\xc2\xb3", "^", "/s", "/min"};
+  return std::ranges::any_of(ends, [t](std::string_view end) { return t.starts_with(end); });
+}
 
 /// Numbers of a text, with '.' or ',' before their decimals.
 std::vector<Figure> figures_of(std::string_view text) {
@@ -48,7 +56,8 @@ std::vector<Figure> figures_of(std::string_view text) {
       if (text.substr(unit).starts_with(blank)) unit += blank.size();
     double value = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    out.push_back({value, whole, text.substr(unit).starts_with("mm")});
+    const bool mm = text.substr(unit).starts_with("mm");
+    out.push_back({value, whole, mm, mm && !makes_another_unit(text.substr(unit + 2))});
   }
   return out;
 }
@@ -161,7 +170,7 @@ class TextCheck {
     std::optional<double> foreign, left;
     bool named = false;
     for (const Figure& f : figures_of(text)) {
-      if (!f.mm) continue;
+      if (!f.length) continue;
       named = named || holds(drawn, f.value);
       if (holds(known, f.value)) continue;
       if (!foreign) foreign = f.value;

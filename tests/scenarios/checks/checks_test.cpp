@@ -224,6 +224,17 @@ TEST(Texts, LengthsOfOtherThingsAreLeftAloneWhereTheDepthIsNamed) {
   EXPECT_THAT(codes(check_texts(s, library_patterns())), ElementsAre("warning /briefing/en text_figure"));
 }
 
+TEST(Texts, AreasVolumesAndSpeedsAreNoLengths) {
+  Scenario s = copy_of("class-1-36");
+  s.title = {{"en", "My class I"}};
+  for (const char* text : {"At most 1.5 mm\xc2\xb3 may be over-cut.", "Leave 3\xc2\xa0mm\xc2\xb2 of enamel.", "Feed at 7 mm/s.", "At most 5 mm^3."}) {
+    s.briefing = {{"en", text}};
+    EXPECT_THAT(codes(check_texts(s, library_patterns())), IsEmpty()) << text;
+  }
+  s.briefing = {{"en", "Keep 1.6 mm/2.6 mm of the ridge."}};
+  EXPECT_THAT(codes(check_texts(s, library_patterns())), ElementsAre("warning /briefing/en text_figure"));
+}
+
 TEST(Texts, AnotherToothsNumberIsFoundWithoutATemplate) {
   Scenario s = copy_of("class-1-36");
   s.title = {{"en", "Tooth 16"}};
