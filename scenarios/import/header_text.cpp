@@ -5,6 +5,23 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t";
 
+/// By table 3-7 of the Unicode standard: no overlong form, no surrogate, nothing beyond U+10FFFF.
+bool is_utf8(std::string_view t) {
+  std::size_t i = 0;
+  const auto byte = [&](std::size_t at) { return at < t.size() ? static_cast<unsigned char>(t[at]) : 0u; };
+  while (i < t.size()) {
+    const unsigned first = byte(i), second = byte(i + 1);
+    if ((first >= 0x80 && first < 0xc2) || first >= 0xf5) return false;
+    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((byte(i + k) & 0xc0) != 0x80) return false;
+    if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0)) return false;
+    if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90)) return false;
+    i += length;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view t) {
@@ -40,6 +57,21 @@ std::optional<double> number(std::string_view t) {
   const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), value);
   if (error != std::errc{} || end != t.data() + t.size()) return std::nullopt;
   return value;
+}
+
+std::string utf8_name(std::string_view t) {
+  if (is_utf8(t)) return std::string(t);
+  std::string out;
+  for (const char c : t) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x80) {
+      out += c;
+    } else {
+      out += static_cast<char>(0xc0 | code >> 6);
+      out += static_cast<char>(0x80 | (code & 0x3f));
+    }
+  }
+  return out;
 }
 
 std::string exact(double value) {

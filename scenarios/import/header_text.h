@@ -25,6 +25,8 @@ std::optional<Whole> whole_number(std::string_view t) {
   if (error != std::errc{} || end != t.data() + t.size()) return std::nullopt;
   return value;
 }
+/// A name as UTF-8: one that is not is taken for ISO 8859-1, as older programs write it.
+std::string utf8_name(std::string_view t);
 /// The shortest text that reads back as the same number.
 std::string exact(double value);
 

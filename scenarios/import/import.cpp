@@ -6,6 +6,7 @@
 #include <new>
 #include <set>
 
+#include "scenarios/import/header_text.h"
 #include "scenarios/import/mesh_parts.h"
 #include "scenarios/import/part_precedence.h"
 #include "scenarios/import/size_question.h"
@@ -37,7 +38,8 @@ Result<std::vector<TriangleMesh>, ImportFailure> read_files(const std::filesyste
   std::set<std::string> taken;
   const auto name_them = [&](std::vector<TriangleMesh>& meshes, const std::filesystem::path& file) {
     for (TriangleMesh& m : meshes) {
-      const std::string name = meshes.size() == 1 ? file.stem().string() : file.stem().string() + ": " + m.name;
+      const std::string stem = utf8_name(file.stem().string());
+      const std::string name = meshes.size() == 1 ? stem : stem + ": " + m.name;
       m.name = name;
       for (int n = 2; !taken.insert(m.name).second; ++n) m.name = name + " (" + std::to_string(n) + ")";
     }

@@ -104,7 +104,7 @@ enum class FileKind : std::uint8_t { mesh, image, unknown };
 /// By its ending, else by its first bytes; a folder is a CT series.
 FileKind file_kind(const std::filesystem::path& path);
 /// Meshes in the order in which the files name them; parts of one name are one mesh. Of several files a mesh is called as
-/// its file without the ending, and, where it is not alone in it, ": " and its own name.
+/// its file without the ending, and, where it is not alone in it, ": " and its own name. Names are UTF-8 (utf8_name).
 [[nodiscard]] Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path,
                                                                        const std::vector<std::filesystem::path>& more = {});
 

@@ -48,7 +48,7 @@ class Collector {
   void add(const aiMesh& from, const aiNode& node, const Transform& file_from_node) {
     if (!(from.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) return;
     const aiString &first = by_node_ ? node.mName : from.mName, &second = by_node_ ? from.mName : node.mName;
-    TriangleMesh& to = named(first.length > 0 ? first.C_Str() : second.length > 0 ? second.C_Str() : file_stem_);
+    TriangleMesh& to = named(utf8_name(first.length > 0 ? first.C_Str() : second.length > 0 ? second.C_Str() : file_stem_));
     const auto base = static_cast<std::uint32_t>(to.points.size());
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
       const aiVector3D& v = from.mVertices[i];

@@ -57,7 +57,7 @@ Result<std::vector<MeshPart>, ImportFailure> choose_parts(std::vector<TriangleMe
   for (const auto& [name, tissue] : what.tissues) {
     const auto it = std::ranges::find(meshes, name, &TriangleMesh::name);
     if (it == meshes.end()) return fail(ImportError::mesh_not_found, name);
-    MeshPart part{std::move(*it), tissue, {}, 0};
+    MeshPart part{std::move(*it), tissue, {}, 0, {}};
     it->name.clear();
     if (part.mesh.triangles.empty()) return fail(ImportError::mesh_empty, name);
     part.first_cap = part.mesh.triangles.size();
@@ -65,9 +65,12 @@ Result<std::vector<MeshPart>, ImportFailure> choose_parts(std::vector<TriangleMe
     const MeshCheck in_file = check(part.mesh);
     if (!in_file.closed) return refuse_open(part.mesh, in_file, what);
     if (!in_file.oriented) return fail(ImportError::mesh_not_oriented, name + place(in_file.bad_edge * what.unit_mm));
+    if (const auto turned = turned_outside(part.mesh); !turned.empty())
+      part.turned_at = place(middle_of(part.mesh, turned.front()) * what.unit_mm);
     for (Vec3& p : part.mesh.points) p = turned_up(p, what.up) * what.unit_mm;
     part.checked = check(part.mesh);
     if (!std::isfinite(part.checked.volume)) return fail(ImportError::too_large, what.path.filename().string());
+    if (part.checked.volume == 0.0 && !part.turned_at.empty()) return fail(ImportError::mesh_not_oriented, name + part.turned_at);
     if (part.checked.volume == 0.0) return fail(ImportError::mesh_empty, name);
     parts.push_back(std::move(part));
   }
@@ -156,6 +159,7 @@ Result<PartField, ImportFailure> field_of(const MeshPart& part, const Grid& grid
       within &= hollow != kSolid || s[i] != 0;
       s[i] = std::min(s[i], static_cast<std::uint16_t>(kSolid - hollow));
     });
+    if (!within && !part.turned_at.empty()) return fail(ImportError::mesh_not_oriented, name + part.turned_at);
     if (!sound || !within) return fail(ImportError::mesh_ambiguous, name);
   }
   if (std::ranges::none_of(s, [](std::uint16_t v) { return v >= kHalf; })) return fail(ImportError::nothing_solid, name);

@@ -16,6 +16,7 @@ struct MeshPart {
   Tissue tissue = Tissue::empty;
   MeshCheck checked;
   std::size_t first_cap = 0;  // triangles from here on close holes: the file does not have them
+  std::string turned_at;      // place of a shell that is inside out beside the others (turned_outside), as text; else empty
 };
 
 /// s of one part alone, on the box of the grid about it.

@@ -99,17 +99,51 @@ MeshGap gap_of(const TriangleMesh& mesh, const std::vector<OpenEdge>& edges) {
   return out;
 }
 
+/// Points by the cubes of a lattice that they lie in.
+class PointCubes {
+ public:
+  PointCubes(const std::vector<Vec3>& points, Vec3 low, double edge) : cubes_(points.size()) {
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const IVec3 at(glm::clamp(glm::floor((points[i] - low) / edge) + 1.0, Vec3(1.0), Vec3(kMost)));
+      cubes_[i] = {key(at.x, at.y, at.z), i};
+    }
+    std::ranges::sort(cubes_);
+  }
+  /// Calls each(i, j) once for every two points in one cube or in two that touch.
+  template <class Each>
+  void for_each_pair(Each each) const {
+    for (std::size_t n = 0; n < cubes_.size(); ++n) {
+      const auto& [cube, i] = cubes_[n];
+      for (std::size_t m = n + 1; m < cubes_.size() && cubes_[m].first <= cube + 1; ++m) each(i, cubes_[m].second);
+    }
+    // Columns along z that come later: as the cube rises, so does the first one near it.
+    for (const std::int64_t column : {key(0, 1, 0), key(1, -1, 0), key(1, 0, 0), key(1, 1, 0)}) {
+      std::size_t first = 0;
+      for (const auto& [cube, i] : cubes_) {
+        while (first < cubes_.size() && cubes_[first].first < cube + column - 1) ++first;
+        const std::int64_t last = cube + column + 1;
+        for (std::size_t m = first; m < cubes_.size() && cubes_[m].first <= last; ++m) each(i, cubes_[m].second);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::int64_t kWide = 1 << 20;
+  static constexpr double kMost = kWide - 2;  // beside it the next column begins
+  static constexpr std::int64_t key(std::int64_t x, std::int64_t y, std::int64_t z) { return (x * kWide + y) * kWide + z; }
+  std::vector<std::pair<std::int64_t, std::uint32_t>> cubes_;
+};
+
 /// Points nearer than `near` become one: the first of them in the order of their places. How many went.
-std::size_t join_points(TriangleMesh& mesh, double near) {
+std::size_t join_points(TriangleMesh& mesh, const MeshCheck& box, double near) {
   if (!(near > 0.0)) return 0;
   const std::size_t before = mesh.points.size();
-  // weld() leaves the points sorted by x: only those within `near` along it can be near.
   Sets sets(before);
-  for (std::uint32_t i = 0; i < before; ++i)
-    for (std::uint32_t j = i + 1; j < before && mesh.points[j].x - mesh.points[i].x <= near; ++j) {
-      const Vec3 d = mesh.points[j] - mesh.points[i];
-      if (glm::dot(d, d) <= near * near) sets.join(i, j);
-    }
+  // The edge exceeds `near`: rounding never puts two near points two cubes apart.
+  PointCubes(mesh.points, box.low, 1.001 * near).for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+    const Vec3 d = mesh.points[j] - mesh.points[i];
+    if (glm::dot(d, d) <= near * near) sets.join(i, j);
+  });
   for (Triangle& t : mesh.triangles)
     for (auto& p : t) p = sets.find(p);
   std::vector<Vec3> moved = mesh.points;
@@ -119,7 +153,8 @@ std::size_t join_points(TriangleMesh& mesh, double near) {
   return before - mesh.points.size();
 }
 
-/// Of triangles on the same three points those that cancel each other go, and all but one of the rest.
+/// Of triangles on the same three points those that cancel each other go, and all but one of the rest. A mesh that cancels
+/// altogether is a surface with two sides, and keeps one.
 std::size_t drop_doubles(TriangleMesh& mesh) {
   std::vector<std::pair<Triangle, std::int32_t>> keyed;  // sorted points and the way round, +1 or -1, with the index behind
   std::vector<std::uint32_t> order(mesh.triangles.size());
@@ -137,7 +172,10 @@ std::size_t drop_doubles(TriangleMesh& mesh) {
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return std::tie(keyed[a].first, a) < std::tie(keyed[b].first, b); });
   std::vector<bool> keep(mesh.triangles.size(), true);
+  std::vector<std::uint32_t> firsts;  // of each three points
+  bool any = false;
   for (std::size_t i = 0; i < order.size();) {
+    firsts.push_back(order[i]);
     std::size_t end = i;
     int sum = 0;
     for (; end < order.size() && keyed[order[end]].first == keyed[order[i]].first; ++end) sum += keyed[order[end]].second;
@@ -147,10 +185,15 @@ std::size_t drop_doubles(TriangleMesh& mesh) {
         const bool wanted = !kept && (keyed[order[k]].second > 0) == (sum > 0);
         keep[order[k]] = wanted;
         kept |= wanted;
+        any |= wanted;
       }
+    } else {
+      any = true;
     }
     i = end;
   }
+  if (!any)
+    for (const std::uint32_t first : firsts) keep[first] = true;
   const std::size_t before = mesh.triangles.size();
   std::size_t n = 0;
   std::erase_if(mesh.triangles, [&](const Triangle&) { return !keep[n++]; });
@@ -199,6 +242,13 @@ std::size_t wind_alike(TriangleMesh& mesh) {
   return turned;
 }
 
+/// How many triangles were turned; the mesh is closed and oriented.
+std::size_t turn_shells(TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> turned = turned_outside(mesh);
+  for (const std::uint32_t n : turned) std::swap(mesh.triangles[n][1], mesh.triangles[n][2]);
+  return turned.size();
+}
+
 /// A cone from the hole's edges to their middle; its area.
 double close_hole(TriangleMesh& mesh, const std::vector<OpenEdge>& edges) {
   Vec3 middle(0.0);
@@ -230,11 +280,15 @@ MeshRepair repair(TriangleMesh& mesh, double max_hole) {
   if (mesh.points.empty()) return out;
   weld(mesh);
   const MeshCheck before = check(mesh);
-  if (before.closed && before.oriented) return out;
+  const bool sound = before.closed && before.oriented;
   const std::size_t triangles = mesh.triangles.size();
-  out.points_joined = join_points(mesh, kJoin * glm::length(before.high - before.low));
+  if (!sound) out.points_joined = join_points(mesh, before, kJoin * glm::length(before.high - before.low));
   drop_doubles(mesh);
   out.triangles_dropped = triangles - mesh.triangles.size();
+  if (sound && out.triangles_dropped == 0) {
+    out.triangles_turned = turn_shells(mesh);
+    return out;
+  }
   out.triangles_turned = wind_alike(mesh);
   out.own_area = check(mesh).area;
   const std::size_t own = mesh.triangles.size();
@@ -249,6 +303,7 @@ MeshRepair repair(TriangleMesh& mesh, double max_hole) {
   }
   weld(mesh);  // drops triangles of no area alone, and of those only the caps have any
   out.cap_triangles = mesh.triangles.size() - own;
+  if (const MeshCheck after = check(mesh); after.closed && after.oriented) out.triangles_turned += turn_shells(mesh);
   return out;
 }
 

@@ -27,8 +27,9 @@ struct MeshRepair {
   double cap_area = 0.0, largest_cap = 0.0, own_area = 0.0;
 };
 /// Joins points nearer than a ten-thousandth of the mesh's size, drops triangles that are there twice, winds neighbours
-/// alike (the fewer of each component are turned), and closes gaps no wider than max_hole with a cone to their middle. What is
-/// still wrong afterwards is left to check(). The same for any order of triangles but for ties.
+/// alike (the fewer of each component are turned), closes gaps no wider than max_hole with a cone to their middle, and turns
+/// shells that are inside out beside the others. Of a closed mesh no point moves. What is still wrong afterwards is left to
+/// check(). The same for any order of triangles but for ties.
 MeshRepair repair(TriangleMesh& mesh, double max_hole);
 
 }  // namespace cusp::scenarios

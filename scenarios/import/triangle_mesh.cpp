@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace cusp::scenarios {
@@ -17,6 +18,81 @@ struct Edge {
   std::uint32_t low, high;  // points
   std::int32_t way;         // +1 from low to high
 };
+
+/// Which triangles hang together by their points, and what they enclose.
+struct ShellVolumes {
+  std::vector<std::uint32_t> root;  // [point]: one point of its shell
+  std::vector<double> volume;       // [root]; positive for a solid
+  bool inside_out = false;          // as a whole, so that volumes are turned here
+};
+ShellVolumes shell_volumes(const TriangleMesh& mesh) {
+  ShellVolumes out;
+  out.root.resize(mesh.points.size());
+  std::iota(out.root.begin(), out.root.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (out.root[i] != i) i = out.root[i] = out.root[out.root[i]];
+    return i;
+  };
+  for (const auto& t : mesh.triangles) {
+    out.root[find(t[1])] = find(t[0]);
+    out.root[find(t[2])] = find(t[0]);
+  }
+  for (std::uint32_t i = 0; i < out.root.size(); ++i) out.root[i] = find(i);
+  out.volume.assign(mesh.points.size(), 0.0);
+  double total = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const std::uint32_t shell = out.root[t[0]];
+    // From a point of the shell itself, so that shells far from the origin lose no digits.
+    const double v = six_volumes(mesh, t, mesh.points[shell]) / 6.0;
+    out.volume[shell] += v;
+    total += v;
+  }
+  out.inside_out = total < 0.0;
+  if (out.inside_out)
+    for (double& v : out.volume) v = -v;
+  return out;
+}
+
+struct ShellBox {
+  std::uint32_t root = 0;
+  Vec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+  bool holds(Vec3 p) const noexcept { return glm::min(p, low) == low && glm::max(p, high) == high; }
+  double room() const noexcept { return (high.x - low.x) * (high.y - low.y) * (high.z - low.z); }
+};
+struct ShellBoxes {
+  std::vector<ShellBox> solids;    // largest first: one of them holds most hollows
+  std::vector<ShellBox> cavities;
+};
+ShellBoxes shell_boxes(const TriangleMesh& mesh, const ShellVolumes& shells) {
+  std::vector<ShellBox> all(mesh.points.size());
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t p : t) {
+      ShellBox& box = all[shells.root[p]];
+      box.low = glm::min(box.low, mesh.points[p]);
+      box.high = glm::max(box.high, mesh.points[p]);
+    }
+  ShellBoxes out;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    all[i].root = i;
+    if (shells.volume[i] > 0.0) out.solids.push_back(all[i]);
+    if (shells.volume[i] < 0.0) out.cavities.push_back(all[i]);
+  }
+  std::ranges::stable_sort(out.solids, std::ranges::greater{}, &ShellBox::room);
+  return out;
+}
+
+/// Whether a point lies within a shell: the solid angle of its triangles (Van Oosterom and Strackee 1983) is a whole turn.
+bool lies_within(const TriangleMesh& mesh, const ShellVolumes& shells, std::uint32_t shell, Vec3 p) {
+  double angle = 0.0;
+  for (const auto& t : mesh.triangles) {
+    if (shells.root[t[0]] != shell) continue;
+    const Vec3 a = mesh.points[t[0]] - p, b = mesh.points[t[1]] - p, c = mesh.points[t[2]] - p;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    const double part = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+    angle += 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), part);
+  }
+  return std::abs(angle) > 2.0 * std::numbers::pi;
+}
 
 }  // namespace
 
@@ -88,34 +164,15 @@ MeshCheck check(const TriangleMesh& mesh) {
 }
 
 Shells shells_of(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> root(mesh.points.size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (const auto& t : mesh.triangles) {
-    root[find(t[1])] = find(t[0]);
-    root[find(t[2])] = find(t[0]);
-  }
-  std::vector<double> volume(mesh.points.size(), 0.0);  // [root]
-  double total = 0.0;
-  for (const auto& t : mesh.triangles) {
-    const std::uint32_t shell = find(t[0]);
-    // From a point of the shell itself, so that shells far from the origin lose no digits.
-    const double v = six_volumes(mesh, t, mesh.points[shell]) / 6.0;
-    volume[shell] += v;
-    total += v;
-  }
-  const double sign = total < 0.0 ? -1.0 : 1.0;
+  const ShellVolumes shells = shell_volumes(mesh);
 
   constexpr std::uint32_t kNone = ~0u;
   std::vector<std::uint32_t> shell_at(mesh.points.size(), kNone);  // [root]: place among its kind
   std::vector<std::uint32_t> point_at(mesh.points.size(), kNone);  // [point]: within its shell
   Shells out;
   for (const auto& t : mesh.triangles) {
-    const std::uint32_t shell = find(t[0]);
-    const double v = sign * volume[shell];
+    const std::uint32_t shell = shells.root[t[0]];
+    const double v = shells.volume[shell];
     if (v == 0.0) continue;
     std::vector<TriangleMesh>& kind = v > 0.0 ? out.solids : out.cavities;
     if (shell_at[shell] == kNone) {
@@ -131,9 +188,30 @@ Shells shells_of(const TriangleMesh& mesh) {
       }
       p = point_at[p];
     }
-    if (volume[shell] < 0.0) std::swap(moved[1], moved[2]);
+    if ((v < 0.0) != shells.inside_out) std::swap(moved[1], moved[2]);
     to.triangles.push_back(moved);
   }
+  return out;
+}
+
+std::vector<std::uint32_t> turned_outside(const TriangleMesh& mesh) {
+  const ShellVolumes shells = shell_volumes(mesh);
+  if (std::ranges::none_of(shells.volume, [](double v) { return v < 0.0; })) return {};
+  const ShellBoxes boxes = shell_boxes(mesh, shells);
+  std::vector<bool> turned(mesh.points.size(), false);  // [root]
+  bool any = false;
+  for (const ShellBox& cavity : boxes.cavities) {
+    const Vec3 p = mesh.points[cavity.root];
+    const auto boxed = [&](const ShellBox& s) { return s.holds(cavity.low) && s.holds(cavity.high); };
+    const auto enclosed = [&](const ShellBox& s) { return s.holds(p) && lies_within(mesh, shells, s.root, p); };
+    // Boxes come first: a scan can hold thousands of pores.
+    if (std::ranges::any_of(boxes.solids, boxed) || std::ranges::any_of(boxes.solids, enclosed)) continue;
+    turned[cavity.root] = true;
+    any = true;
+  }
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t n = 0; any && n < mesh.triangles.size(); ++n)
+    if (turned[shells.root[mesh.triangles[n][0]]]) out.push_back(n);
   return out;
 }
 

@@ -27,6 +27,11 @@ struct TriangleMesh {
 /// point twice.
 void weld(TriangleMesh& mesh);
 
+inline Vec3 middle_of(const TriangleMesh& mesh, std::size_t triangle) {
+  const auto& t = mesh.triangles[triangle];
+  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
+}
+
 struct MeshCheck {
   bool closed = true;    // every edge has an even number of triangles
   bool oriented = true;  // and is run through as often one way as the other
@@ -45,5 +50,9 @@ struct Shells {
 /// In the order of their first points. Shells without a volume are left out. Pre: closed and oriented. A mesh that is
 /// inside out as a whole is turned first.
 Shells shells_of(const TriangleMesh& mesh);
+
+/// Triangles of shells that are wound against the rest without being hollows: they lie in none of the solids. In order;
+/// empty for a sound mesh. Pre: closed and oriented.
+std::vector<std::uint32_t> turned_outside(const TriangleMesh& mesh);
 
 }  // namespace cusp::scenarios

@@ -259,6 +259,45 @@ TEST(ImportMesh, ReportsThePlaceOfTheWidestGapInMillimetres) {
   EXPECT_LT(glm::length(0.25 * (low + high) - Vec3(x, y, z)), 1e-4);  // the middle of its box; half a millimetre a unit
 }
 
+TEST(ImportMesh, AToothThatIsInsideOutBesideAnotherIsRefusedAsTurnedAndMendedOnRequest) {
+  const TempFolder folder;
+  for (const double radius : {2.0, 1.5}) {
+    write_obj(folder / "m.obj", {joined(sphere("row", {0, 0, 0}, 2.0, 3), inside_out(sphere("row", {6, 0, 0}, radius, 3)))});
+    MeshImport what;
+    what.path = folder / "m.obj";
+    what.tissues = {{"row", Tissue::enamel}};
+    what.unit_mm = 0.5;
+    what.up = UpAxis::x;
+    const auto refused = import_mesh(what);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(key_of(refused.error().code), "mesh_not_oriented");
+    EXPECT_TRUE(refused.error().where.starts_with("row (")) << refused.error().where;
+    what.mend_holes_mm = 0.0;
+    std::vector<ImportRemark> remarks;
+    const auto mended = import_mesh(what, {}, &remarks);
+    ASSERT_TRUE(mended) << key_of(mended.error().code) << mended.error().where;
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_EQ(remarks[0].code, RemarkCode::triangles_turned);
+    const double expected = ball_mm3(1.0) + ball_mm3(0.5 * radius);
+    EXPECT_NEAR(static_cast<double>(count(*mended, Tissue::enamel)) * 1e-3, expected, 0.03 * expected);  // 2.1 %: facets
+  }
+}
+
+TEST(ListMeshes, ANameInLatinLettersOfAnOlderProgramIsUtf8AndFindsItsMesh) {
+  const TempFolder folder;
+  write_obj(folder / "m.obj", {sphere("Sch\xe4" "del", {0, 0, 0}, 2.0, 2), sphere("\xe2\x82\xac", {9, 0, 0}, 2.0, 2)});
+  const auto list = list_meshes(folder / "m.obj");
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->size(), 2u);
+  EXPECT_EQ(list->at(0).name, "Sch\xc3\xa4" "del");
+  EXPECT_EQ(list->at(1).name, "\xe2\x82\xac");
+  EXPECT_TRUE(import(folder / "m.obj", {{"Sch\xc3\xa4" "del", Tissue::bone}}, 0.2));
+  for (const std::string broken : {"\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "a\xc3"}) {
+    write_obj(folder / "b.obj", {sphere(broken, {0, 0, 0}, 2.0, 1)});
+    EXPECT_NE(list_meshes(folder / "b.obj")->front().name, broken);
+  }
+}
+
 TEST(ImportMesh, WrongOptionsAreNamed) {
   const TempFolder folder;
   write_obj(folder / "m.obj", {sphere("ball", {0, 0, 0}, 1.0, 3)});

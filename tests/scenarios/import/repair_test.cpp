@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <random>
 
 #include "scenarios/import/import.h"
@@ -142,6 +144,73 @@ TEST(Repair, CracksTurnedAndDoubledTrianglesAreMended) {
   const MeshCheck c = check(mesh);
   EXPECT_TRUE(c.closed && c.oriented);
   EXPECT_NEAR(c.volume, check(triangles_of(ball)).volume, 1e-3);
+}
+
+TEST(Repair, AClosedSurfaceThatIsThereTwiceOrHasTwoSidesKeepsOne) {
+  const Mesh ball = sphere("m", {0, 0, 0}, 2.0, 3);
+  for (const bool same_way : {true, false}) {
+    TriangleMesh mesh = triangles_of(joined(ball, same_way ? ball : inside_out(ball)));
+    ASSERT_TRUE(check(mesh).closed && check(mesh).oriented);
+    EXPECT_EQ(repair(mesh, 0.0).triangles_dropped, ball.triangles.size());
+    const MeshCheck c = check(mesh);
+    EXPECT_TRUE(c.closed && c.oriented);
+    EXPECT_NEAR(std::abs(c.volume), check(triangles_of(ball)).volume, 1e-9);
+  }
+}
+
+TEST(Repair, AShellThatIsInsideOutBesideAnotherIsTurned) {
+  const Mesh big = sphere("m", {0, 0, 0}, 2.0, 3), small = sphere("m", {0, 3.0, 0}, 0.9, 2);
+  TriangleMesh mesh = triangles_of(joined(big, inside_out(small)));
+  EXPECT_EQ(repair(mesh, 0.0).triangles_turned, small.triangles.size());
+  EXPECT_EQ(shells_of(mesh).solids.size(), 2u);
+  // With a hole in it as well.
+  Mesh open = big;
+  open.triangles.erase(open.triangles.begin() + 9);
+  TriangleMesh holed = triangles_of(joined(open, inside_out(small)));
+  const MeshRepair done = repair(holed, 1.0);
+  EXPECT_EQ(done.holes_closed, 1u);
+  EXPECT_EQ(done.triangles_turned, small.triangles.size());
+  EXPECT_EQ(shells_of(holed).solids.size(), 2u);
+}
+
+TEST(Repair, AHollowStaysOne) {
+  // The second lies across two solids that overlap, in neither's box whole.
+  const Mesh one = joined(sphere("m", {0, 0, 0}, 2.0, 3), inside_out(sphere("m", {0.2, 0, 0}, 1.0, 2)));
+  const Mesh across = joined(joined(sphere("m", {0, 0, 0}, 2.0, 3), sphere("m", {2.0, 0, 0}, 2.0, 3)), inside_out(sphere("m", {1.0, 0, 0}, 1.2, 2)));
+  for (const Mesh& hollow : {one, across}) {
+    TriangleMesh mesh = triangles_of(hollow);
+    const TriangleMesh before = mesh;
+    EXPECT_EQ(repair(mesh, 1.0).triangles_turned, 0u);
+    EXPECT_EQ(mesh.triangles, before.triangles);
+    EXPECT_EQ(shells_of(mesh).cavities.size(), 1u);
+  }
+}
+
+TEST(Repair, JoinsThePointsThatAPairwiseSearchJoins) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> step(0, 40);
+  // Loose triangles over a box of diagonal 10, their points on a lattice whose step is the least distance that is joined.
+  const double near = 1e-3;
+  Mesh loose{"m", {Vec3(0), Vec3(10, 0, 0), Vec3(0, 1e-2, 0)}, {{0, 1, 2}}};
+  for (int n = 0; n < 1500; ++n) {
+    const int base = static_cast<int>(loose.points.size());
+    for (int i = 0; i < 3; ++i) loose.points.push_back(0.999 * near * Vec3(step(random), step(random), step(random)));
+    loose.triangles.push_back({base, base + 1, base + 2});
+  }
+  TriangleMesh mesh = triangles_of(loose);
+  const MeshCheck box = check(mesh);
+  const double reach = 1e-4 * glm::length(box.high - box.low);
+  ASSERT_NEAR(reach, near, 1e-6);
+  std::vector<std::size_t> group(mesh.points.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) { while (group[i] != i) i = group[i]; return i; };
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (std::size_t j = i + 1; j < group.size(); ++j)
+      if (glm::length(mesh.points[i] - mesh.points[j]) <= reach) group[std::max(root(i), root(j))] = std::min(root(i), root(j));
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < group.size(); ++i) left += root(i) == i;
+  EXPECT_GT(left, 1000u);
+  EXPECT_EQ(repair(mesh, 0.0).points_joined, group.size() - left);
 }
 
 TEST(Repair, ASoundMeshIsLeftAsItIs) {
