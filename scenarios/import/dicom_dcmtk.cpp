@@ -52,7 +52,8 @@ struct Slice {
   double pixel_across_mm = 1.0, pixel_down_mm = 1.0;
   bool spacing_known = true;
   double thickness_mm = 0.0;
-  double number = 0.0;  // of its kind in the series, where no place is given
+  std::optional<double> location_mm;    // along the series, where no place is given
+  double number = 0.0;                  // of the slice in the series, where not even that is
   double slope = 1.0, intercept = 0.0;
   double along = 0.0;  // place along the normal, mm
   bool packed = false;
@@ -119,7 +120,8 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
     out.across = *a;
     out.down = *d;
   }
-  out.number = real(set, DCM_SliceLocation).value_or(real(set, DCM_InstanceNumber).value_or(0.0));
+  out.location_mm = real(set, DCM_SliceLocation);
+  out.number = real(set, DCM_InstanceNumber).value_or(0.0);
   out.slope = real(set, DCM_RescaleSlope).value_or(1.0);
   out.intercept = real(set, DCM_RescaleIntercept).value_or(0.0);
   if (out.slope == 0.0) return fail(ImportError::bad_header, name + " RescaleSlope");
@@ -168,11 +170,18 @@ Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path&
   return std::move(chosen->second);
 }
 
+struct SliceStep {
+  Vec3 mm{0.0};       // from one slice to the next
+  bool known = true;  // the files hold its length
+};
+
 /// In order along the normal, evenly spaced, all alike; and the step from one to the next.
-Result<Vec3, ImportFailure> put_in_order(std::vector<Slice>& slices, const std::string& name) {
+Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const std::string& name) {
   const Slice& like = slices.front();
   const Vec3 normal = glm::cross(like.across, like.down);
   const bool placed = std::ranges::all_of(slices, &Slice::placed);
+  const bool located = std::ranges::all_of(slices, [](const Slice& s) { return s.location_mm.has_value(); });
+  const char* ordered_by = placed ? " ImagePositionPatient" : located ? " SliceLocation" : " InstanceNumber";
   for (Slice& s : slices) {
     if (s.rows != like.rows || s.columns != like.columns) return fail(ImportError::bad_sizes, s.file.filename().string() + " Rows");
     const Vec3 turned = glm::abs(s.across - like.across) + glm::abs(s.down - like.down);
@@ -180,11 +189,12 @@ Result<Vec3, ImportFailure> put_in_order(std::vector<Slice>& slices, const std::
       return fail(ImportError::bad_orientation, s.file.filename().string() + " ImageOrientationPatient");
     if (std::abs(s.pixel_across_mm - like.pixel_across_mm) + std::abs(s.pixel_down_mm - like.pixel_down_mm) > 1e-4)
       return fail(ImportError::bad_spacing, s.file.filename().string() + " PixelSpacing");
-    s.along = placed ? glm::dot(s.first_mm, normal) : s.number;
+    s.along = placed ? glm::dot(s.first_mm, normal) : located ? *s.location_mm : s.number;
   }
   std::ranges::sort(slices, [](const Slice& a, const Slice& b) { return a.along != b.along ? a.along < b.along : a.file < b.file; });
-  const double thickness = slices.front().thickness_mm > 0.0 ? slices.front().thickness_mm : 1.0;
-  if (slices.size() == 1) return normal * thickness;
+  const bool thick = slices.front().thickness_mm > 0.0;
+  const SliceStep by_thickness{normal * (thick ? slices.front().thickness_mm : 1.0), thick};
+  if (slices.size() == 1) return by_thickness;
   std::vector<double> steps;
   for (std::size_t i = 1; i < slices.size(); ++i) steps.push_back(slices[i].along - slices[i - 1].along);
   std::vector<double> sorted = steps;
@@ -193,11 +203,12 @@ Result<Vec3, ImportFailure> put_in_order(std::vector<Slice>& slices, const std::
   for (std::size_t i = 0; i < steps.size(); ++i) {
     // Two slices in one place, or one that is missing.
     if (!(usual > 0.0) || std::abs(steps[i] - usual) > kSameStep * usual + 1e-3)
-      return fail(ImportError::bad_spacing, slices[i + 1].file.filename().string() + " ImagePositionPatient", name);
+      return fail(ImportError::bad_spacing, slices[i + 1].file.filename().string() + ordered_by, name);
   }
   const double count = static_cast<double>(slices.size() - 1);
-  if (!placed) return normal * thickness;
-  return (slices.back().first_mm - slices.front().first_mm) / count;
+  if (placed) return SliceStep{(slices.back().first_mm - slices.front().first_mm) / count};
+  if (located) return SliceStep{normal * ((slices.back().along - slices.front().along) / count)};
+  return by_thickness;
 }
 
 /// CT numbers of one slice into its layer.
@@ -243,7 +254,7 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
   const Slice& first = slices->front();
   const Vec3 ras(-1.0, -1.0, 1.0);
   const IVec3 size(first.columns, first.rows, static_cast<int>(slices->size()));
-  const auto layout = lay_out(size, {ras * first.across * first.pixel_across_mm, ras * first.down * first.pixel_down_mm, ras * *step},
+  const auto layout = lay_out(size, {ras * first.across * first.pixel_across_mm, ras * first.down * first.pixel_down_mm, ras * step->mm},
                               ras * first.first_mm, limits);
   if (!layout) {
     auto passed = passed_file_limit(size, limits);
@@ -255,7 +266,7 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
   const auto voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
   if (bytes < voxels) return fail(ImportError::truncated, name);
   out.image.layout = *layout;
-  out.image.spacing_known = first.spacing_known;
+  out.image.spacing_known = first.spacing_known && step->known;
   out.image.kind = ImageKind::grey;
   out.image.value.resize(voxels);
   for (std::size_t k = 0; k < slices->size(); ++k) {

@@ -26,7 +26,9 @@ Result<void, ImportFailure> check(const ImageTissues& what, const std::string& n
     if (!std::isfinite(from) || (i > 0 && !(from > what.thresholds[i - 1].first))) return fail(ImportError::bad_option, "threshold");
     if (index_of(tissue) >= kTissueCodes) return fail(ImportError::bad_tissue, "threshold");
   }
+  std::set<std::uint32_t> named;
   for (const auto& [value, tissue] : what.labels) {
+    if (!named.insert(value).second) return fail(ImportError::bad_option, "tissue " + std::to_string(value));
     if (index_of(tissue) >= kTissueCodes) return fail(ImportError::bad_tissue, std::to_string(value));
   }
   if (what.hollows && (*what.hollows == Tissue::empty || index_of(*what.hollows) >= kTissueCodes))

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <system_error>
 
@@ -41,13 +42,31 @@ std::optional<Stored> stored_as(int datatype) {
   }
 }
 
+struct FreeHeader {
+  void operator()(nifti_1_header* header) const { std::free(header); }
+};
+
+/// Whether every axis of the volume has a length in the header. The library replaces those that are none by 1.
+bool has_lengths(const std::filesystem::path& file, const nifti_image& n) {
+  if (n.sform_code > 0) return true;  // its lengths are the affine's
+  int swapped = 0;
+  const std::unique_ptr<nifti_1_header, FreeHeader> header(nifti_read_header(file.c_str(), &swapped, 0));
+  if (!header) return false;
+  const int sizes[3] = {n.nx, n.ny, n.nz};
+  for (int i = 0; i < 3; ++i) {
+    const float length = header->pixdim[i + 1];
+    if (sizes[i] > 1 && (!std::isfinite(length) || length == 0.0f)) return false;
+  }
+  return true;
+}
+
 /// From one voxel to the next along each axis, and the first voxel's centre, in millimetres where the unit is known.
 struct Pose {
   std::array<Vec3, 3> step_mm{};
   Vec3 first_mm{0.0};
   bool known = true;
 };
-Pose pose_of(const nifti_image& n) {
+Pose pose_of(const std::filesystem::path& file, const nifti_image& n) {
   Pose out;
   double unit = 1.0;
   if (n.xyz_units == NIFTI_UNITS_METER) unit = 1000.0;
@@ -64,7 +83,8 @@ Pose pose_of(const nifti_image& n) {
   }
   if (affine) out.first_mm = unit * Vec3(affine->m[0][3], affine->m[1][3], affine->m[2][3]);
   const auto bad = [](Vec3 s) { return !std::isfinite(s.x + s.y + s.z) || s == Vec3(0.0); };
-  if (std::ranges::any_of(out.step_mm, bad)) {
+  if (std::ranges::any_of(out.step_mm, bad) || !has_lengths(file, n)) {
+    out.known = false;
     for (int i = 0; i < 3; ++i) {
       out.step_mm[static_cast<std::size_t>(i)] = Vec3(0.0);
       out.step_mm[static_cast<std::size_t>(i)][i] = 1.0;
@@ -102,7 +122,7 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   if (!stored) return fail(ImportError::unsupported, name + " datatype");
   const int voxel_bytes = stored->format.bytes * stored->channels;
   if (n.nbyper != voxel_bytes) return fail(ImportError::bad_header, name + " bitpix");
-  const Pose pose = pose_of(n);
+  const Pose pose = pose_of(file, n);
   const IVec3 size(n.nx, n.ny, n.nz);
   const auto layout = lay_out(size, pose.step_mm, pose.first_mm, limits);
   if (!layout) return fail(layout.error(), name, passed_file_limit(size, limits));

@@ -1,6 +1,8 @@
 // NIfTI and CT series as others write them; the files are made here, byte by byte.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/import.h"
 #include "tests/modules.h"
@@ -55,6 +57,19 @@ TEST_F(Nifti, WithoutAnAffineTheSpacingsAloneHoldAndUnitsAreKept) {
   EXPECT_LT(glm::length(micro->layout.spacing_mm - Vec3(0.1)), 1e-6);
   wish.units = 0;
   EXPECT_FALSE(read(nifti_file(wish))->spacing_known);
+}
+
+TEST_F(Nifti, ALengthThatIsNoneMakesTheSpacingUnknownAlongAllAxes) {
+  for (const double length : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    wish.spacing_mm = {0.1, length, 0.5};
+    const auto image = read(nifti_file(wish));
+    ASSERT_TRUE(image);
+    EXPECT_FALSE(image->spacing_known) << length;
+    EXPECT_EQ(image->layout.spacing_mm, Vec3(1.0)) << length;
+  }
+  // An affine holds lengths of its own.
+  wish.affine = {0.1f, 0, 0, 0, 0, 0.2f, 0, 0, 0, 0, 0.5f, 0};
+  EXPECT_TRUE(read(nifti_file(wish))->spacing_known);
 }
 
 TEST_F(Nifti, ValuesAreScaled) {
@@ -140,6 +155,38 @@ TEST_F(Dicom, AMissingOrDoubledSliceIsRefusedWithItsFile) {
   ASSERT_TRUE(read_dicom(folder.path(), {}));
   put("again", slice(3));
   EXPECT_EQ(key_of(read_dicom(folder.path(), {}).error().code), "bad_spacing");
+}
+
+TEST_F(Dicom, SlicesWithoutAPlaceAreAsFarApartAsTheirLocations) {
+  for (int n = 0; n < 4; ++n) {
+    DicomWish w = slice(n);
+    w.placed = false;
+    w.thickness_mm = 1.0;  // they overlap by half
+    w.location_mm = 3.0 + 0.5 * n;
+    put("s" + std::to_string(n), w);
+  }
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct) << ct.error().where;
+  EXPECT_NEAR(ct->image.layout.spacing_mm.z, 0.5, 1e-9);
+  EXPECT_TRUE(ct->image.spacing_known);
+}
+
+TEST_F(Dicom, SlicesWithoutAPlaceALocationAndAThicknessHaveAnUnknownSpacing) {
+  for (int n = 0; n < 4; ++n) {
+    DicomWish w = slice(n);
+    w.placed = false;
+    put("s" + std::to_string(n), w);
+  }
+  EXPECT_TRUE(read_dicom(folder.path(), {})->image.spacing_known);  // by their thickness
+  for (int n = 0; n < 4; ++n) {
+    DicomWish w = slice(n);
+    w.placed = false;
+    w.thickness_mm = 0.0;
+    put("s" + std::to_string(n), w);
+  }
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct) << ct.error().where;
+  EXPECT_FALSE(ct->image.spacing_known);
 }
 
 TEST_F(Dicom, ReadsTheLargestOfSeveralSeriesAndReportsIt) {

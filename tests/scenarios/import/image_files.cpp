@@ -135,6 +135,7 @@ std::string dicom_file(const DicomWish& w) {
                     element(8, 0x60, "CS", "CT") + element(0x10, 0x10, "PN", w.patient) + element(0x18, 0x50, "DS", decimal(w.thickness_mm)) +
                     element(0x20, 0xe, "UI", w.series) + element(0x20, 0x13, "IS", std::to_string(w.number));
   if (w.placed) set += element(0x20, 0x32, "DS", triple(w.position)) + element(0x20, 0x37, "DS", orientation);
+  if (w.location_mm) set += element(0x20, 0x1041, "DS", decimal(*w.location_mm));
   set += element(0x28, 2, "US", short_value(1)) + element(0x28, 4, "CS", "MONOCHROME2") +
          element(0x28, 0x10, "US", short_value(static_cast<unsigned>(w.rows))) +
          element(0x28, 0x11, "US", short_value(static_cast<unsigned>(w.columns))) +

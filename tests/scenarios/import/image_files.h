@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct DicomWish {
   int number = 1;
   std::string series = "1.2.3", patient = "Doe^Jane", transfer = "1.2.840.10008.1.2.1";
   bool placed = true;
+  std::optional<double> location_mm;  // SliceLocation
   std::vector<std::int16_t> values;
   std::string frame;  // packed (packed_dicom.h), instead of the values; `transfer` names the packing
 };

@@ -147,6 +147,9 @@ TEST(ImageVolume, OptionsThatCannotBeAreRefusedByName) {
   EXPECT_EQ(code(what).substr(0, 9), "too_large");
   what.voxel_mm = 100.0;
   EXPECT_EQ(code(what), "bad_option voxel-mm");
+  ImageTissues twice;
+  twice.labels = {{3, Tissue::enamel}, {3, Tissue::dentine}};
+  EXPECT_EQ(code(twice), "bad_option tissue 3");
 }
 
 /// A jaw of labels at 0.4 mm: two teeth of 8 x 8 x 20 mm that stand far apart, each with a pulp of its own.
