@@ -162,7 +162,7 @@ class Value {
     for (auto it = node_.begin(); it != node_.end(); ++it) {
       const std::string place = where_ + json_text::pointer_step(it.key());
       if (!is_language(it.key())) problems_.add(FormatError::bad_language, place, it.key());
-      out[it.key()] = Value(it.value(), place, problems_).text(1, 4000);
+      out[it.key()] = Value(it.value(), place, problems_).text(1, kMostTextCharacters);
     }
     if (!out.contains("en")) problems_.add(FormatError::bad_language, where_, "en");
     return out;

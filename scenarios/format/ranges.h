@@ -2,11 +2,16 @@
 /// walks both. The reader takes more (whatever was ever published stays readable); what it reads beyond is a finding.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace cusp::scenarios {
+
+/// Most characters (not bytes) of a title, briefing or name of a target in one language. tests/scenarios/format/refusal_test.cpp
+/// holds reader and schema to it.
+inline constexpr std::size_t kMostTextCharacters = 4000;
 
 struct NumberRange {
   std::string_view path;  // JSON pointer, "*" for any index: "/tissues/*/speed_mm_s"

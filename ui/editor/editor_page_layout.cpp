@@ -11,6 +11,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
+#include "scenarios/format/ranges.h"
 #include "ui/editor/audit_page.h"
 #include "ui/editor/burs_form.h"
 #include "ui/editor/editor_page.h"
@@ -90,6 +91,7 @@ QWidget* EditorPage::make_top_bar() {
   title_->setToolTip(tr("Title, in the language of the screen; the others stand under Texts"));
   title_->setFont(font_of(TextRole::section, Weight::bold));
   title_->setMaximumWidth(px(340));
+  title_->setMaxLength(static_cast<int>(kMostTextCharacters));
   row->addWidget(title_, 1);
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
     // English is required: an emptied title keeps its last letter until another is typed.

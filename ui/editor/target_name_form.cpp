@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <string>
 
+#include "scenarios/format/ranges.h"
 #include "ui/editor/target_names.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/language.h"
@@ -24,6 +25,7 @@ std::string language_of_names() {
 TargetNameForm::TargetNameForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model), name_(new QLineEdit) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, px(4), 0, 0);
+  name_->setMaxLength(static_cast<int>(kMostTextCharacters));
   name_->setPlaceholderText(tr("graded with the whole target"));
   name_->setToolTip(tr("A shape with a name is a target of its own: criteria can ask for its depth, walls and over-cut alone."));
   column->addWidget(labelled(tr("Name as a target of its own"), name_));

@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scenarios/format/ranges.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/target_names.h"
 #include "ui/text/language.h"
@@ -51,6 +53,7 @@ struct TextsForm::Section {
   QWidget* whole = nullptr;
   QLineEdit* title = nullptr;
   QPlainTextEdit* briefing = nullptr;
+  QLabel* too_long = nullptr;  // hidden while the briefing is the exercise's
   QVBoxLayout* targets = nullptr;
   struct TargetTitle {
     std::size_t part;  // of the target's union
@@ -98,16 +101,20 @@ QStringList TextsForm::shown_languages() const {
 }
 
 std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code) {
-  auto out = std::make_unique<Section>(Section{code, new QWidget, new QLineEdit, new QPlainTextEdit, new QVBoxLayout, {}, nullptr});
+  auto out = std::make_unique<Section>(Section{code, new QWidget, new QLineEdit, new QPlainTextEdit, make_label({}, TextRole::caption, Weight::regular, "look"), new QVBoxLayout, {}, nullptr});
   auto* column = new QVBoxLayout(out->whole);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(8));
   out->briefing->setTabChangesFocus(true);
   out->briefing->setFixedHeight(px(140));
+  out->title->setMaxLength(static_cast<int>(kMostTextCharacters));
+  out->too_long->setWordWrap(true);
+  out->too_long->hide();
   //: %1: a language
   column->addWidget(labelled(tr("Title, %1").arg(language_name(code)), out->title));
   //: %1: a language
   column->addWidget(labelled(tr("Briefing, %1").arg(language_name(code)), out->briefing));
+  column->addWidget(out->too_long);
   out->targets->setSpacing(px(8));
   column->addLayout(out->targets);
   if (!is_spoken(code)) {
@@ -121,10 +128,20 @@ std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code)
     model_.end_gesture();
     follow_model();
   });
-  connect(out->briefing, &QPlainTextEdit::textChanged, this, [this, key = code.toStdString(), edit = out->briefing] {
-    model_.set_briefing(key, edit->toPlainText().trimmed());
-  });
+  connect(out->briefing, &QPlainTextEdit::textChanged, this, [this, section = out.get()] { take_briefing(*section); });
   return out;
+}
+
+/// A text that the exercise cannot hold stays in the field, with a message.
+void TextsForm::take_briefing(const Section& section) {
+  const QString text = section.briefing->toPlainText().trimmed();
+  const auto length = text.toUcs4().size(), most = static_cast<qsizetype>(kMostTextCharacters);
+  const bool was_short = section.too_long->isHidden();
+  section.too_long->setVisible(length > most);
+  if (length <= most) return static_cast<void>(model_.set_briefing(section.code.toStdString(), text));
+  //: %1: characters of a text, %2: the most that an exercise can hold
+  section.too_long->setText(tr("%1 of at most %2 characters. The exercise keeps the briefing as it was.").arg(QLocale().toString(length), QLocale().toString(most)));
+  if (was_short) announce(section.briefing, section.too_long->text());
 }
 
 void TextsForm::make_add(QVBoxLayout& column) {
@@ -212,6 +229,7 @@ void TextsForm::fit_target_titles(Section& section) {
     if (!is_titled(part)) continue;
     if (at == section.target_titles.size() || section.target_titles[at].part != part) {
       auto* edit = new QLineEdit;
+      edit->setMaxLength(static_cast<int>(kMostTextCharacters));
       //: %1: which of several targets, %2: a language
       QWidget* row = labelled(tr("Name of target %1, %2").arg(part + 1).arg(language_name(section.code)), edit);
       section.targets->insertWidget(static_cast<int>(at), row);
@@ -240,7 +258,7 @@ void TextsForm::follow_model() {
     fit_target_titles(*section);
     const auto it = s.briefing.find(code);
     const QString text = it == s.briefing.end() ? QString() : QString::fromStdString(it->second);
-    if (section->briefing->toPlainText().trimmed() != text && !section->briefing->hasFocus()) {
+    if (section->briefing->toPlainText().trimmed() != text && !section->briefing->hasFocus() && section->too_long->isHidden()) {
       const QSignalBlocker quiet(section->briefing);
       section->briefing->setPlainText(text);
     }

@@ -32,6 +32,7 @@ class TextsForm : public QWidget {
   void make_level_and_time(QVBoxLayout& column);
   std::unique_ptr<Section> make_section(const QString& code);
   void fit_target_titles(Section& section);
+  void take_briefing(const Section& section);
   QStringList wanted_languages() const;
   /// `also`: a language that has no text yet.
   void fit_sections(const QString& also = {});

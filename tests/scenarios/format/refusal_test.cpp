@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "scenarios/format/ranges.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
 #include "scenarios/format/write.h"
@@ -208,7 +209,7 @@ const Bound kBounds[] = {
     {"/key", "a-1", ""},
     {"/key", std::string(64, 'k'), std::string(65, 'k')},
     {"/title", {{"en", "x"}}, {{"en", ""}}},
-    {"/title", {{"en", std::string(4000, 'x')}}, {{"en", std::string(4001, 'x')}}},
+    {"/title", {{"en", std::string(kMostTextCharacters, 'x')}}, {{"en", std::string(kMostTextCharacters + 1, 'x')}}},
     {"/specimen/voxel_mm", 0.04, 0.0399},
     {"/specimen/voxel_mm", 1, 1.001},
     {"/tissues/0/stiffness_n_per_mm", 1e-9, 0},
