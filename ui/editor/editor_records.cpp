@@ -14,17 +14,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies the volume of a published version beside the draft: all volumes that a draft names lie in one folder.
-Stored<void> unpack_volume(Store& store, const Exercise& exercise, const fs::path& to, const fs::path& cache) {
-  const std::string& volume = exercise.scenario.specimen.volume;
+bool hold_the_same(const fs::path& a, const fs::path& b) {
   std::error_code error;
-  if (!exercise.scenario.specimen.generator.empty() || fs::exists(to / volume, error)) return {};
+  if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
+  std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
+  return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
+}
+
+/// Copies the volume of a published version beside the draft: all volumes that a draft names lie in one folder. Returns its name
+/// there: a number follows if a draft's volume has the name, as after an exchange with another station.
+Stored<std::string> unpack_volume(Store& store, const Exercise& exercise, const fs::path& to, const fs::path& cache) {
+  const std::string& volume = exercise.scenario.specimen.volume;
+  if (!exercise.scenario.specimen.generator.empty()) return volume;
   const auto from = exercise_folder(store, exercise, cache);
   if (!from) return std::unexpected(from.error());
+  const fs::path there = *from / volume;
+  std::string name = volume;
+  std::error_code error;
+  for (int n = 2; fs::exists(to / name, error); ++n) {
+    if (hold_the_same(there, to / name)) return name;
+    name = fs::path(volume).stem().string() + "-" + std::to_string(n) + fs::path(volume).extension().string();
+  }
   fs::create_directories(to, error);
-  if (!error) fs::copy_file(*from / volume, to / volume, error);
+  if (!error) fs::copy_file(there, to / name, error);
   if (error) return fail(StorageError::io, to.string(), error.message());
-  return {};
+  return name;
 }
 
 }  // namespace
@@ -49,19 +63,23 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
   start.published = exercise.scenario;
   // The records number the versions; the number in the file comes from another station.
   start.published->version = exercise.version.is_nil() ? exercise.scenario.version : exercise.version_number;
+  const fs::path folder = drafts_folder(database, exercise.scenario.id);
+  auto volume = unpack_volume(store, exercise, folder, cache);
+  if (!volume) return std::unexpected(volume.error());
+  start.published->specimen.volume = std::move(*volume);
+  start.folder = folder.string();
   start.draft = *start.published;
   const auto draft = store.scenarios.draft(actor, exercise.scenario.id);
   if (!draft) return std::unexpected(draft.error());
   if (*draft) {
-    start.kept = (*draft)->json;
-    if (auto read = read_scenario((*draft)->json)) start.draft = std::move(*read);
+    if (auto read = read_scenario((*draft)->json)) {
+      start.draft = std::move(*read);
+      start.kept = (*draft)->json;
+    }
   }
   const auto versions = store.scenarios.versions(start.draft.id);
   if (!versions) return std::unexpected(versions.error());
   start.draft.version = 1 + std::max(start.published->version, versions->empty() ? 0 : versions->back().number);
-  const fs::path folder = drafts_folder(database, start.draft.id);
-  if (auto done = unpack_volume(store, exercise, folder, cache); !done) return std::unexpected(done.error());
-  start.folder = folder.string();
   return start;
 }
 
@@ -82,7 +100,9 @@ Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const L
   start.draft.version = 1;
   start.draft.title = title;
   const fs::path folder = drafts_folder(database, start.draft.id);
-  if (auto done = unpack_volume(store, pattern, folder, cache); !done) return std::unexpected(done.error());
+  auto volume = unpack_volume(store, pattern, folder, cache);
+  if (!volume) return std::unexpected(volume.error());
+  start.draft.specimen.volume = std::move(*volume);
   start.folder = folder.string();
   return start;
 }

@@ -19,7 +19,9 @@ std::filesystem::path drafts_folder(const std::filesystem::path& database, Scena
 Stored<std::vector<std::byte>> bytes_of(const std::filesystem::path& file);
 
 /// Opens the actor's draft, or the published version without one, with the number of the next version; a withdrawn
-/// version keeps its number. An unreadable draft is ignored. `cache`: folder for the volumes of published versions.
+/// version keeps its number. Its volume gets another name where a draft has one of that name. An unreadable draft, perhaps of a
+/// newer program, stays in the records: keep_draft() then answers as if another window had changed it. `cache`: folder for the
+/// volumes of published versions.
 Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exercise& exercise,
                                      const std::filesystem::path& database, const std::filesystem::path& cache);
 /// Opens a draft of an exercise that was never published. `json`: the draft in the records.

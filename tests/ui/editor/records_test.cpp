@@ -8,6 +8,7 @@
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
+#include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
 #include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
@@ -111,6 +112,21 @@ TEST_F(EditorRecords, a_draft_is_found_again_and_goes_when_everything_is_undone)
   EXPECT_TRUE(records.store().scenarios.drafts(instructor.actor())->empty());
 }
 
+TEST_F(EditorRecords, a_draft_that_cannot_be_read_is_neither_dropped_nor_replaced) {
+  const Exercise e = exercise("channel-1");
+  const std::string later = R"({"format": 99})";  // of a newer program
+  ASSERT_TRUE(records.store().scenarios.save_draft(instructor.actor(), e.scenario.id, later, std::nullopt).has_value());
+  const EditorStart start = open(e);
+  EditorModel model(start);
+  kept_json = start.kept;
+  EXPECT_EQ(keep_draft(records.store(), instructor.actor(), model, kept_json).value(), DraftSave::kept) << "there is nothing to save";
+  ASSERT_TRUE(model.set_width_mm(1.9));
+  EXPECT_EQ(keep_draft(records.store(), instructor.actor(), model, kept_json).value(), DraftSave::changed_elsewhere);
+  const auto draft = records.store().scenarios.draft(instructor.actor(), e.scenario.id);
+  ASSERT_TRUE(draft.has_value() && draft->has_value());
+  EXPECT_EQ((*draft)->json, later);
+}
+
 TEST_F(EditorRecords, the_library_lists_teeth_in_the_students_groups_before_blocks) {
   const auto library = load_library(records.store(), instructor.actor());
   ASSERT_TRUE(library.has_value());
@@ -158,6 +174,30 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(unpacked.has_value());
   EXPECT_EQ(unpacked->s, volume->s);
   EXPECT_EQ(unpacked->tissue, volume->tissue);
+}
+
+TEST_F(EditorRecords, a_published_volume_is_opened_though_another_of_its_name_lies_beside_a_draft) {
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  const auto volume = make_specimen(block, {});
+  block.voxel_mm = 0.5;
+  const auto drafted = make_specimen(block, {});
+  EditorModel model(*exercise_on(*volume, "Found tooth", records.file()));
+  model.set_facts(facts_of(*volume));
+  ASSERT_TRUE(publish_draft(records.store(), instructor.actor(), model, kept_json).has_value());
+  const std::filesystem::path beside = std::filesystem::path(model.folder()) / model.scenario().specimen.volume;
+  ASSERT_TRUE(write_nrrd(*drafted, beside));  // a draft here; the version came from another station
+  const auto list = load_exercises(records.store());
+  for (int i = 0; i < 2; ++i) {
+    const EditorStart start = open(*list->find(model.scenario().id));
+    const auto opened = make_specimen(start.draft.specimen, start.folder);
+    ASSERT_TRUE(opened.has_value());
+    EXPECT_EQ(opened->s, volume->s);
+    EXPECT_TRUE(EditorModel(start).unchanged());
+  }
+  EXPECT_EQ(read_nrrd(beside)->s, drafted->s) << "the draft keeps its own";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(beside.parent_path()), {}), 2);
 }
 
 TEST_F(EditorRecords, a_missing_volume_is_reported_and_nothing_is_published) {
