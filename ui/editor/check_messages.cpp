@@ -40,6 +40,7 @@ QString figure_name(const std::string& path) {
   if (ends("/full_force_n")) return CheckText::tr("The push at which cutting is fastest");
   if (ends("/width_mm")) return CheckText::tr("The target’s width");
   if (ends("/depth_mm") && path.starts_with("/target")) return CheckText::tr("The target’s depth");
+  if (path.find("/taper_deg/") != std::string::npos) return CheckText::tr("The lean of a wall");
   if (ends("/corner_radius_mm")) return CheckText::tr("The corner radius");
   if (path.starts_with("/leeway/")) return CheckText::tr("The tolerance zone");
   if (ends("/time_s")) return CheckText::tr("The time limit");
@@ -53,7 +54,7 @@ QString figure_name(const std::string& path) {
 QString range_message(const Finding& f, double value, double least, double most) {
   const QString name = figure_name(f.path);
   const NumberRange* range = range_of(f.path);
-  const QString unit = range ? QString::fromUtf8(range->unit.data(), static_cast<qsizetype>(range->unit.size())) : QString();
+  const QString unit = range ? unit_text(QString::fromUtf8(range->unit.data(), static_cast<qsizetype>(range->unit.size()))) : QString();
   const auto shown = [&](double v) {
     return isolate(QLocale().toString(v, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit));
   };
@@ -222,7 +223,8 @@ EditorPlace place_of(const Finding& f) {
   if (p.starts_with("/title") || p.starts_with("/briefing") || p == "/level" || p == "/expected_time_s") return EditorPlace::title;
   if (p.starts_with("/instruments")) return EditorPlace::burs;
   if (p.starts_with("/rubric") || p == "/self_assessment") return EditorPlace::points;
-  if (p.starts_with("/phenomena")) return EditorPlace::tissues;
+  const bool figure = p.ends_with("/stiffness_n_per_mm") || p.ends_with("/speed_mm_s") || f.code == "nothing_can_be_cut";
+  if (p.starts_with("/phenomena") || (p.starts_with("/tissues") && figure)) return EditorPlace::tissues;
   if (p.starts_with("/specimen") || p.starts_with("/tissues") || p.starts_with("/protected")) return EditorPlace::tooth;
   return EditorPlace::shape;
 }

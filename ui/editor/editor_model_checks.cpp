@@ -27,7 +27,8 @@ void EditorModel::set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3
 
 bool EditorModel::allow_access() {
   if (!specimen_ || stack_.index() == 0 || stack_.index() != stack_.count()) return false;
-  const auto* last = static_cast<const ScenarioEdit*>(stack_.command(stack_.count() - 1));
+  const auto* last = dynamic_cast<const ScenarioEdit*>(stack_.command(stack_.count() - 1));
+  if (last == nullptr) return false;  // several edits as one step, which no further edit joins
   if (last->before().specimen == scenario_.specimen || pulp_rule(last->before()) || !pulp_rule(scenario_)) return false;
   Scenario without = scenario_;
   std::erase(without.rubric.critical, "pulp_exposure");

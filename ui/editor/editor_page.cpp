@@ -1,9 +1,11 @@
 #include "ui/editor/editor_page.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSignalBlocker>
@@ -106,8 +108,17 @@ void EditorPage::start_autosave() {
     band_->clear();
   });
   connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this, [this] {
+    take_typed();
     if (keep()) band_->show_message(Band::Kind::good, tr("The draft is saved."), {});
   });
+}
+
+/// A field hands its typed text over when it loses the focus; a key that acts leaves the focus there.
+void EditorPage::take_typed() {
+  const QPointer<QWidget> field = QApplication::focusWidget();
+  if (field == nullptr || !isAncestorOf(field)) return;
+  field->clearFocus();
+  if (field && field->isVisible()) field->setFocus();
 }
 
 EditorPage::~EditorPage() = default;

@@ -82,6 +82,7 @@ class EditorPage : public QWidget {
   void stop_reference();
   void end_reference();
   void start_autosave();
+  void take_typed();
   QWidget* make_top_bar();
   void add_try_outs(QHBoxLayout& row);
   QWidget* make_left();

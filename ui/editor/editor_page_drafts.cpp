@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QPointer>
 #include <QPushButton>
+#include <utility>
 
 #include "scenarios/checks/checks.h"
 #include "scenarios/format/read.h"
@@ -109,8 +110,9 @@ void EditorPage::ask_to_replace_theirs() {
 }
 
 void EditorPage::keep_before_closing() {
+  take_typed();
   autosave_.stop();
-  if (publishing()) return;  // the draft stands as it is published; the work ends without the window
+  // While a version is being published, the draft in the records is that version's: only what was edited since is written.
   const auto kept = keep_draft(store_, actor_, *model_, kept_);
   if (!kept || *kept == DraftSave::kept) return;
   // A closing window asks no question: both drafts stay. A failed copy cannot be shown any more.
@@ -118,6 +120,7 @@ void EditorPage::keep_before_closing() {
 }
 
 void EditorPage::leave() {
+  take_typed();
   leaves_ = publishing();
   if (leaves_) return;
   if (keep()) Q_EMIT back_wanted();
@@ -194,6 +197,7 @@ void EditorPage::publish_now() {
 
 void EditorPage::show_published(const Stored<Published>& done) {
   publish_wait_->finish();
+  const bool leaves = std::exchange(leaves_, false);
   if (!done) return show_failure(done.error());
   kept_.reset();
   model_->now_published(done->scenario);
@@ -203,7 +207,7 @@ void EditorPage::show_published(const Stored<Published>& done) {
   band_->show_message(Band::Kind::good, tr("Version %1 is published.").arg(done->version.number),
                       tr("Students find it among their exercises. Earlier results keep the version they were made with."));
   Q_EMIT published(done->version);
-  if (leaves_) leave();
+  if (leaves) leave();
 }
 
 }  // namespace cusp::ui

@@ -29,6 +29,7 @@ void EditorPage::add_try_outs(QHBoxLayout& row) {
 }
 
 void EditorPage::try_out() {
+  take_typed();
   if (!grown_ || has_error(model_->findings())) return;
   stop_reference();  // its report would open over the drilling
   SessionPlan plan;
@@ -56,6 +57,7 @@ void EditorPage::follow_reference() {
 }
 
 void EditorPage::try_out_by_reference() {
+  take_typed();
   if (!grown_ || has_error(model_->findings()) || reference_job_->running()) return;
   band_->clear();
   auto* busy = new Busy;

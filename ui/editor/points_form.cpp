@@ -213,10 +213,8 @@ void PointsForm::build_rows() {
     delete item;
   }
   rows_.clear();
-  built_.clear();
   for (std::size_t i = 0; i < model_.scenario().rubric.criteria.size(); ++i) {
     rows_.push_back(make_row(i));
-    built_.push_back(model_.scenario().rubric.criteria[i].metric);
     if (rows_[i].open->isChecked()) make_bands(i);
   }
   tab_by_layout(*this);
@@ -225,8 +223,13 @@ void PointsForm::build_rows() {
 void PointsForm::follow_model() {
   const Scenario& s = model_.scenario();
   std::vector<std::string> metrics;
-  for (const Criterion& c : s.rubric.criteria) metrics.push_back(c.metric);
-  if (metrics != built_) build_rows();
+  QStringList wanted;
+  for (const Criterion& c : s.rubric.criteria) {
+    metrics.push_back(c.metric);
+    wanted << QString::fromStdString(c.metric) << metric_name(c.metric, &s.target);  // a target may have another title
+  }
+  if (wanted != built_) build_rows();
+  built_ = wanted;
   double sum = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Criterion& c = s.rubric.criteria[i];

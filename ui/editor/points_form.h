@@ -1,6 +1,7 @@
 /// What is graded, and for how many points: criteria with weight and bands, pass mark, what fails an attempt outright.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -48,8 +49,8 @@ class PointsForm : public QWidget {
   OperatorJob* job_;
   QVBoxLayout* list_;
   std::vector<Row> rows_;
-  std::vector<std::string> built_;  // metrics of rows_, in order
-  std::string open_;                // metric with its bands shown
+  QStringList built_;  // metric and shown name of each of rows_, in order
+  std::string open_;   // metric with its bands shown
 };
 
 /// First bands of a criterion: scenarios/grading/default_bands.h for the form of a preparation on tooth `fdi` (0: none), else those

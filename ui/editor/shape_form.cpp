@@ -120,11 +120,13 @@ void ShapeForm::make_points(QVBoxLayout* column) {
   add_row(column, tr("Point"), point_);
   const auto path = [this] { return static_cast<std::size_t>(point_->currentData().toPoint().x()); };
   const auto at = [this] { return static_cast<std::size_t>(point_->currentData().toPoint().y()); };
+  // The fields are rounded: the other number is the model's.
+  const auto there = [=, this] { return model_.outline().paths[path()][at()]; };
   x_ = length(tr("Along the arch"), {-kReachMm, kReachMm}, [=, this](double v) {
-    return point_->count() > 0 && model_.set_point_mm(path(), at(), v, y_->value());
+    return point_->count() > 0 && model_.set_point_mm(path(), at(), v, there().y);
   });
   y_ = length(tr("Towards buccal"), {-kReachMm, kReachMm}, [=, this](double v) {
-    return point_->count() > 0 && model_.set_point_mm(path(), at(), x_->value(), v);
+    return point_->count() > 0 && model_.set_point_mm(path(), at(), there().x, v);
   });
   add_row(column, tr("Along the arch"), x_);
   add_row(column, tr("Towards buccal"), y_);

@@ -45,6 +45,14 @@ QWidget* rows_group(QVBoxLayout** column) {
   return box;
 }
 
+/// The file's name as an exercise may hold it: of no other folder or drive, and not hidden.
+std::string name_beside_the_draft(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  std::ranges::replace_if(name, [](char c) { return c == ':' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }, '_');
+  name.erase(0, std::min(name.find_first_not_of('.'), name.size()));
+  return name.empty() ? "volume.nrrd" : name;
+}
+
 /// A box that the panel's width limits, not its longest entry.
 void shrinks(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -212,9 +220,10 @@ void SpecimenForm::pick() {
     const std::filesystem::path folder = model_.folder();
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    std::string name = from.filename().string();
+    const std::string first = name_beside_the_draft(from);
+    std::string name = first;
     for (int n = 2; std::filesystem::exists(folder / name, error); ++n) {
-      name = from.stem().string() + "-" + std::to_string(n) + ".nrrd";
+      name = std::filesystem::path(first).stem().string() + "-" + std::to_string(n) + ".nrrd";
     }
     if (const auto written = write_nrrd(*volume, folder / name); !written) {
       const Message message = describe(written.error());

@@ -157,6 +157,16 @@ void ToothForm::add_lesion() {
   });
 }
 
+void ToothForm::fill_kinds(QComboBox& box, const LesionSource& lesion) const {
+  box.clear();
+  for (const std::string_view key : kLesionKeys) {
+    const bool possible = !lesion_sites(model_.scenario().specimen.fdi, kind_of(std::string(key))).empty();
+    if (!possible && key != lesion.kind) continue;  // a file may have a kind that the tooth cannot have
+    const QString name = key == "fissure" ? tr("In a fissure") : key == "proximal" ? tr("Between teeth") : tr("On the root");
+    box.addItem(name, QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size())));
+  }
+}
+
 void ToothForm::fill_sites(QComboBox& box, const LesionSource& lesion) const {
   box.clear();
   for (const std::string& site : lesion_sites(model_.scenario().specimen.fdi, kind_of(lesion.kind))) {
@@ -194,11 +204,6 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   auto* head = new QHBoxLayout;
   head->setSpacing(px(4));
   row.kind = new QComboBox;
-  for (const std::string_view key : kLesionKeys) {
-    if (lesion_sites(model_.scenario().specimen.fdi, kind_of(std::string(key))).empty()) continue;
-    const QString name = key == "fissure" ? tr("In a fissure") : key == "proximal" ? tr("Between teeth") : tr("On the root");
-    row.kind->addItem(name, QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size())));
-  }
   row.site = new QComboBox;
   for (QComboBox* box : {row.kind, row.site}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -254,6 +259,7 @@ void ToothForm::follow_model() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const LesionSource& l = s.lesions[i];
     LesionRow& row = rows_[i];
+    fill_kinds(*row.kind, l);
     fill_sites(*row.site, l);
     row.kind->setCurrentIndex(row.kind->findData(QString::fromStdString(l.kind)));
     row.site->setCurrentIndex(row.site->findData(QString::fromStdString(l.site)));

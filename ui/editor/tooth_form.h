@@ -33,6 +33,7 @@ class ToothForm : public QWidget {
   void follow_model();
   LesionRow make_row(std::size_t index);
   void add_figures(LesionRow& row, QVBoxLayout* column, std::size_t index);
+  void fill_kinds(QComboBox& box, const LesionSource& lesion) const;
   void fill_sites(QComboBox& box, const LesionSource& lesion) const;
   void add_lesion();
   void surround_with(std::string_view key);

@@ -11,6 +11,7 @@
 #include "ui/editor/editor_model.h"
 #include "ui/editor/tissues_form.h"
 #include "ui/text/grade_text.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::test {
 namespace {
@@ -36,6 +37,14 @@ TEST(check_messages, every_code_of_the_checks_has_a_message) {
     EXPECT_FALSE(shown.startsWith(QStringLiteral("Something is wrong"))) << code;
     EXPECT_FALSE(shown.contains(u'%')) << shown.toStdString();
   }
+}
+
+TEST(check_messages, a_number_out_of_range_has_a_name_and_a_unit_as_people_write_it) {
+  const Finding lean{Severity::error, "/target/parts/1/taper_deg/x_low", "out_of_range", {{"value", 40}, {"least", -30}, {"most", 30}}, {}};
+  const QString message = check_message(lean);
+  EXPECT_TRUE(message.startsWith(QStringLiteral("The lean of a wall is"))) << message.toStdString();
+  EXPECT_TRUE(message.contains(unit_text(QStringLiteral("deg")))) << message.toStdString();
+  EXPECT_FALSE(message.contains(QStringLiteral("deg;"))) << message.toStdString();
 }
 
 TEST(check_messages, a_copy_keeps_the_text_of_its_template_and_a_new_version_its_own) {

@@ -246,6 +246,18 @@ TEST(editor_model, publishing_waits_for_a_change_the_tooth_and_every_check) {
   EXPECT_EQ(place_of(model.findings().front()), EditorPlace::burs);
 }
 
+TEST(editor_model, a_finding_about_the_figures_of_tissues_leads_to_them) {
+  EditorModel model(class_one());
+  for (std::size_t i = 0; i < model.scenario().tissues.size(); ++i) ASSERT_TRUE(model.set_tissue_figures(i, 1, 0));
+  const auto none = std::ranges::find(model.findings(), "nothing_can_be_cut", &Finding::code);
+  ASSERT_NE(none, model.findings().end());
+  EXPECT_EQ(place_of(*none), EditorPlace::tissues);
+  ASSERT_TRUE(model.set_tissue_figures(0, 0.01, 1));  // as a file may state it
+  ASSERT_EQ(model.findings().front().code, "out_of_range");
+  EXPECT_EQ(place_of(model.findings().front()), EditorPlace::tissues);
+  EXPECT_EQ(place_of({Severity::error, "/tissues", "tissue_missing", {}, "pulp"}), EditorPlace::tooth);
+}
+
 TEST(editor_model, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) {
   EditorModel model(class_one());
   model.set_facts(facts_of_36());

@@ -79,5 +79,16 @@ TEST(editor_model, a_rule_that_the_author_switched_off_stays_off_when_the_tooth_
   EXPECT_TRUE(model.scenario().rubric.critical.empty());
 }
 
+TEST(editor_model, a_tooth_that_several_edits_brought_as_one_step_keeps_them_and_its_rule) {
+  EditorModel model(class_one_on_a_block(5.5, 3.0));
+  model.stack().beginMacro(QStringLiteral("Leanest model"));
+  ASSERT_TRUE(model.set_specimen(coarse_36(), usual_tissues(std::string("tooth"))));
+  ASSERT_TRUE(model.set_phenomenon("friction", EditorModel::Listed::no));
+  model.stack().endMacro();
+  bring_the_tooth(model);
+  EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"}) << "a finding names the pulp";
+  EXPECT_EQ(model.stack().count(), 1);
+}
+
 }  // namespace
 }  // namespace cusp::test

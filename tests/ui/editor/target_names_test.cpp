@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
 #include <algorithm>
@@ -184,6 +185,20 @@ TEST_F(TwoShapes, A_name_is_typed_where_the_shape_is_chosen) {
   type({});
   EXPECT_TRUE(part(0).name.empty());
   EXPECT_FALSE(has_criterion("depth_mean@mesial_pit"));
+}
+
+TEST_F(TwoShapes, The_points_follow_the_title_of_a_target) {
+  ASSERT_TRUE(model->set_target_title(0, "en", kPit));
+  ASSERT_TRUE(model->add_criterion("depth_mean@mesial_pit", first_bands("depth_mean@mesial_pit", model->scenario().target)));
+  PointsForm form(*model);
+  const auto names = [&](const char* title) {
+    return std::ranges::any_of(form.findChildren<QPushButton*>(), [&](const QPushButton* button) {
+      return !button->isHidden() && button->accessibleName().startsWith(QStringLiteral("Bands of")) && button->accessibleName().contains(QLatin1String(title));
+    });
+  };
+  EXPECT_TRUE(names("Mesial pit"));
+  ASSERT_TRUE(model->set_target_title(0, "en", QStringLiteral("Distal pit")));
+  EXPECT_TRUE(names("Distal pit"));
 }
 
 TEST_F(TwoShapes, The_criteria_to_add_name_the_target) {

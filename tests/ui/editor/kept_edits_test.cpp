@@ -1,0 +1,203 @@
+// What an author typed or chose just before the page acts: it is part of the exercise, or a message says why not.
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
+#include "scenarios/format/ranges.h"
+#include "scenarios/format/read.h"
+#include "scenarios/import/nrrd.h"
+#include "scenarios/library/library.h"
+#include "scenarios/specimens/specimens.h"
+#include "tests/modules.h"
+#include "tests/ui/editor/class_one.h"
+#include "tests/ui/editor/editor_pages.h"
+#include "ui/editor/shape_form.h"
+#include "ui/editor/texts_form.h"
+#include "ui/editor/tooth_form.h"
+#include "ui/session/background_task.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp::test {
+namespace {
+
+/// A depth of 2.4 mm in the field with the focus, without the Return key.
+struct TypedNumber : EditorPages {
+  std::unique_ptr<EditorPage> page;
+  NumberField* depth = nullptr;
+  void SetUp() override {
+    EditorPages::SetUp();
+    page = open();
+    page->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(page.get()));
+    depth = named<NumberField>(*page, "Depth");
+    ASSERT_NE(depth, nullptr);
+    depth->setFocus();
+    depth->selectAll();
+    QTest::keyClicks(depth, QStringLiteral("2,4"));
+    ASSERT_DOUBLE_EQ(depth_mm(page->model().scenario()), 2.0) << "a half-typed number is none";
+  }
+  static double depth_mm(const Scenario& s) { return s.target.outline.depth_mm; }
+  double kept_depth_mm() {
+    const auto draft = records.store().scenarios.draft(instructor.actor(), page->model().scenario().id);
+    return draft && *draft ? depth_mm(*read_scenario((*draft)->json)) : 0;
+  }
+};
+
+TEST_F(TypedNumber, is_tried_out) {
+  double tried_mm = 0;
+  QObject::connect(page.get(), &EditorPage::try_out_wanted, page.get(), [&](const SessionPlan& plan) { tried_mm = depth_mm(plan.scenario); });
+  page->try_out();
+  EXPECT_DOUBLE_EQ(tried_mm, 2.4);
+  EXPECT_TRUE(depth->hasFocus());
+}
+
+TEST_F(TypedNumber, is_kept_when_the_page_leaves) {
+  page->leave();
+  EXPECT_DOUBLE_EQ(kept_depth_mm(), 2.4);
+}
+
+TEST_F(TypedNumber, is_kept_when_the_window_closes) {
+  page->keep_before_closing();
+  EXPECT_DOUBLE_EQ(kept_depth_mm(), 2.4);
+}
+
+TEST_F(TypedNumber, is_kept_by_the_key_that_saves) {
+  QTest::keyClick(depth, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_DOUBLE_EQ(kept_depth_mm(), 2.4);
+}
+
+TEST_F(EditorPages, what_is_edited_while_a_version_is_published_is_kept_when_the_window_closes) {
+  auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->model().now_tried(page->model().scenario());
+  const ScenarioId id = page->model().scenario().id;
+  ASSERT_TRUE(open_sheet(*page));
+  sheet_of(*page)->publish()->click();
+  page->model().set_depth_mm(1.7);
+  page->keep_before_closing();
+  page.reset();
+  std::thread(wait_for_dropped_tasks).join();
+  EXPECT_EQ(records.store().scenarios.versions(id)->size(), 2u);
+  const auto drafts = records.store().scenarios.drafts(instructor.actor());
+  ASSERT_EQ(drafts->size(), 1u) << "the draft, or a copy of it if the version stood first";
+  EXPECT_DOUBLE_EQ(read_scenario(drafts->front().json)->target.outline.depth_mm, 1.7);
+}
+
+TEST_F(EditorPages, a_page_that_could_not_publish_before_it_left_stays_after_the_next_version) {
+  EditorStart start = coarse();
+  const auto volume = make_specimen(start.draft.specimen, {});
+  ASSERT_TRUE(volume.has_value());
+  start.draft.specimen = {};
+  start.draft.specimen.volume = "block.nrrd";
+  start.draft.specimen.voxel_mm = volume->grid.voxel_mm;
+  const std::filesystem::path there = std::filesystem::path(start.folder) / "block.nrrd";
+  std::filesystem::create_directories(start.folder);
+  ASSERT_TRUE(write_nrrd(*volume, there));
+  const auto page = open(start);
+  QSignalSpy back(page.get(), &EditorPage::back_wanted);
+  page->model().now_tried(page->model().scenario());
+  ASSERT_TRUE(open_sheet(*page));
+  std::filesystem::remove(there);
+  sheet_of(*page)->publish()->click();
+  page->leave();
+  EXPECT_EQ(back.count(), 0) << "once the version stands";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return std::ranges::any_of(page->findChildren<Band*>(), &Band::isVisible); }, kGrowsWithinMs));
+  ASSERT_TRUE(write_nrrd(*volume, there));
+  ASSERT_TRUE(open_sheet(*page));
+  ASSERT_TRUE(publish_by_sheet(*page));
+  EXPECT_EQ(back.count(), 0);
+}
+
+TEST_F(EditorPages, a_volume_is_taken_whatever_its_file_is_called) {
+  const auto page = open();
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  const auto volume = make_specimen(block, {});
+  ASSERT_TRUE(volume.has_value());
+  file = folder.filePath(QStringLiteral(".Zähne 12:30.nrrd"));
+  ASSERT_TRUE(write_nrrd(*volume, file.toStdString()));
+  for (QPushButton* b : page->findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
+  }
+  EXPECT_EQ(page->model().scenario().specimen.volume, "Zähne 12_30.nrrd");
+}
+
+TEST(Briefing, that_is_longer_than_an_exercise_holds_stays_with_a_message_until_it_is_shortened) {
+  EditorModel model(class_one());
+  TextsForm form(model);
+  form.show();
+  QPlainTextEdit* edit = nullptr;
+  for (QPlainTextEdit* one : form.findChildren<QPlainTextEdit*>())
+    if (one->accessibleName().contains(QStringLiteral("English"))) edit = one;
+  ASSERT_NE(edit, nullptr);
+  const auto message = [&] {
+    QStringList out;
+    for (const QLabel* label : form.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QStringLiteral("characters"))) out << label->text();
+    return out.join(u'\n');
+  };
+  const std::string before = model.scenario().briefing.at("en");
+  const QString longer(static_cast<int>(kMostTextCharacters) + 1, u'ä');
+  edit->setPlainText(longer);
+  EXPECT_EQ(model.scenario().briefing.at("en"), before);
+  EXPECT_TRUE(message().contains(QStringLiteral("4001"))) << message().toStdString();
+  ASSERT_TRUE(model.set_depth_mm(1.3));
+  EXPECT_EQ(edit->toPlainText(), longer) << "an edit elsewhere takes nothing away";
+  edit->setPlainText(longer.chopped(1));
+  EXPECT_EQ(model.scenario().briefing.at("en"), longer.chopped(1).toStdString());
+  EXPECT_EQ(message(), QString());
+}
+
+TEST(ToothForm, offers_each_tooth_its_own_kinds_of_carious_lesions) {
+  EditorModel model(class_one());
+  SpecimenSource molar = model.scenario().specimen;
+  LesionSource lesion;
+  lesion.kind = "proximal";
+  lesion.site = "mesial";
+  molar.lesions = {lesion};
+  ASSERT_TRUE(model.set_tooth(molar, QStringLiteral("lesions")));
+  model.end_gesture();
+  ToothForm form(model);
+  const auto kinds = [&] {
+    QStringList out;
+    for (const QComboBox* box : form.findChildren<QComboBox*>())
+      if (box->accessibleName() == QStringLiteral("Kind of carious lesion 1"))
+        for (int i = 0; i < box->count(); ++i) out << box->itemData(i).toString();
+    return out;
+  };
+  const QStringList of_a_molar = kinds();
+  EXPECT_TRUE(of_a_molar.contains(QStringLiteral("fissure")));
+  SpecimenSource incisor = molar;
+  incisor.fdi = 11;
+  ASSERT_TRUE(model.set_tooth(incisor, QStringLiteral("fdi")));
+  model.end_gesture();
+  EXPECT_FALSE(kinds().contains(QStringLiteral("fissure"))) << kinds().join(u' ').toStdString();
+  model.stack().undo();
+  EXPECT_EQ(kinds(), of_a_molar);
+}
+
+TEST(ShapeForm, changes_one_number_of_a_point_and_leaves_the_other_to_its_last_digit) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_point_mm(0, 0, 0.1234, 0.5678));
+  model.end_gesture();
+  ShapeForm form(model);
+  for (NumberField* field : form.findChildren<NumberField*>())
+    if (field->accessibleName() == QStringLiteral("Along the arch")) field->setValue(0.4);
+  const Vec3 p = model.outline().paths[0][0];
+  EXPECT_DOUBLE_EQ(p.x, 0.4);
+  EXPECT_DOUBLE_EQ(p.y, 0.5678);
+}
+
+}  // namespace
+}  // namespace cusp::test
