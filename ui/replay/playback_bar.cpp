@@ -32,6 +32,7 @@ PlaybackBar::PlaybackBar(QWidget* parent) : QFrame(parent) {
   row->setSpacing(px(16));
   play_ = make_button(tr("Pause"), ButtonKind::primary, u"pause"_qs);
   play_->setMinimumWidth(px(96));  // Play and Pause take the same place
+  play_->installEventFilter(this);
   row->addWidget(play_);
   slider_ = new QSlider(Qt::Horizontal);
   slider_->setAccessibleName(tr("Position"));
@@ -79,7 +80,7 @@ void PlaybackBar::seek(double s) {
 }
 
 void PlaybackBar::advance(double dt_s, double ready_s) {
-  if (!playing_ || position_s_ > ready_s + kAhead_s) return;
+  if (!playing_ || slider_->isSliderDown() || position_s_ > ready_s + kAhead_s) return;
   const double speed = kSpeeds[std::max(speed_->chosen(), 0)];
   seek(std::min(position_s_ + speed * dt_s, ready_s + kAhead_s + speed * kFineStep_s));
   if (position_s_ >= length_s_) set_playing(false);
@@ -96,11 +97,12 @@ bool PlaybackBar::press_key(int key, Qt::KeyboardModifiers modifiers) {
   return true;
 }
 
-/// The slider's own keys know no Shift.
+/// The slider's own keys know no Shift, and arrows would move the focus from the button. Space presses the button by itself.
 bool PlaybackBar::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == slider_ && event->type() == QEvent::KeyPress) {
+  if ((watched == slider_ || watched == play_) && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<const QKeyEvent*>(event);
-    return press_key(key->key(), key->modifiers());
+    const bool pressed = watched == play_ && key->key() == Qt::Key_Space;
+    return !pressed && press_key(key->key(), key->modifiers());
   }
   return QFrame::eventFilter(watched, event);
 }

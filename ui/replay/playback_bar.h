@@ -22,7 +22,8 @@ class PlaybackBar : public QFrame {
   /// At the end it begins anew.
   void set_playing(bool on);
   void seek(double s);
-  /// `dt_s` of the watcher's time has passed; `ready_s`: how far can be shown. Time stands kAhead_s before it.
+  /// `dt_s` of the watcher's time has passed; `ready_s`: how far can be shown. Time stands kAhead_s after it,
+  /// and while the slider is held.
   void advance(double dt_s, double ready_s);
   /// Space, arrows by 1 s, with Shift by 0.1 s, Home and End; false for other keys.
   bool press_key(int key, Qt::KeyboardModifiers modifiers);

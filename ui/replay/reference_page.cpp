@@ -102,11 +102,13 @@ QWidget* ReferencePage::make_stage() {
 double ReferencePage::shown_s() const { return static_cast<double>(shown_) / ReferenceCut::kStepsPerSecond; }
 
 std::optional<BurPose> ReferencePage::bur_now() const {
-  if (!show_ || bar_->position_s() >= show_->timeline.seconds()) return std::nullopt;
+  if (!show_ || finished()) return std::nullopt;
   // Never before the cuts that the tooth shows.
   const PathMoment moment = show_->timeline.at(std::min(bar_->position_s(), shown_s()));
   return BurPose{show_->bur, moment.pivot_mm, {0.0, 0.0, 1.0}, moment.cut && bar_->playing()};
 }
+
+bool ReferencePage::finished() const { return std::min(bar_->position_s(), shown_s()) >= show_->timeline.seconds(); }
 
 void ReferencePage::look() {
   const double dt_s = std::min(1e-3 * static_cast<double>(since_.restart()), kLongestLook_s);
@@ -121,6 +123,7 @@ void ReferencePage::look() {
   if (const int shown = player_.shown(); shown != shown_) {
     shown_ = shown;
     view_->feed_changed();
+    show_caption();
   }
   view_->follow_bur(kFollow);
 }
@@ -166,7 +169,7 @@ void ReferencePage::show_failure(const ReferencePlayer::Failure& failure) {
 
 void ReferencePage::show_caption() {
   QString text = tr("Bur %1").arg(bur_text(show_->bur));
-  if (bar_->position_s() >= show_->timeline.seconds()) {
+  if (finished()) {
     text = tr("finished; turn the tooth to look at it");
   } else if (expected_time_s_ > 0) {
     text = tr("%1; by hand it takes about %2").arg(text, expected_time_text(expected_time_s_));

@@ -50,6 +50,8 @@ class ReferencePage : public QWidget {
   void begin();
   void show_failure(const ReferencePlayer::Failure& failure);
   void show_caption();
+  /// The bar is at the end, and the tooth in the view too.
+  bool finished() const;
   void turn_back();
 
   ReferencePlayer player_;

@@ -64,6 +64,35 @@ TEST_F(PlaybackBarTest, obeys_the_keys_of_a_replay_on_its_slider_too) {
   EXPECT_FALSE(bar.press_key(Qt::Key_A, Qt::NoModifier));
 }
 
+TEST_F(PlaybackBarTest, obeys_the_arrows_on_its_button_too) {
+  bar.show();
+  QPushButton* play = bar.findChild<QPushButton*>();
+  play->setFocus();
+  bar.seek(10);
+  QTest::keyClick(play, Qt::Key_Right);
+  EXPECT_DOUBLE_EQ(bar.position_s(), 11);
+  EXPECT_EQ(bar.focusWidget(), play);
+  QTest::keyClick(play, Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(bar.position_s(), 10.9);
+  QTest::keyClick(play, Qt::Key_Space);
+  EXPECT_TRUE(bar.playing());
+  QTest::keyClick(play, Qt::Key_Space);
+  EXPECT_FALSE(bar.playing());
+}
+
+TEST_F(PlaybackBarTest, stands_while_its_slider_is_held) {
+  auto* slider = bar.findChild<QSlider*>();
+  bar.set_playing(true);
+  slider->setSliderDown(true);
+  slider->setSliderPosition(100);
+  bar.advance(2, 30);
+  EXPECT_DOUBLE_EQ(bar.position_s(), 10);
+  slider->setSliderDown(false);
+  EXPECT_TRUE(bar.playing());
+  bar.advance(2, 30);
+  EXPECT_DOUBLE_EQ(bar.position_s(), 12);
+}
+
 TEST_F(PlaybackBarTest, shows_and_speaks_position_and_length) {
   auto* slider = bar.findChild<QSlider*>();
   QSignalSpy moved(&bar, &PlaybackBar::position_changed);

@@ -75,6 +75,20 @@ TEST_F(Watching, ends_with_the_finished_preparation_and_without_the_bur) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(height_mm() - uncut_mm) < 0.01; }, kPatienceMs)) << uncut_mm << ", " << height_mm();
 }
 
+TEST_F(Watching, is_called_finished_no_sooner_than_the_tooth_is_cut) {
+  wait_until_ready();
+  page.bar()->set_playing(false);
+  page.bar()->seek(0);
+  wait_until_shown(0);
+  page.bar()->seek(30);  // the cuts follow behind
+  ASSERT_LT(page.shown_s(), 30);
+  EXPECT_FALSE(shows(QStringLiteral("finished")));
+  EXPECT_TRUE(page.bur_now().has_value());
+  wait_until_shown(30);
+  EXPECT_TRUE(shows(QStringLiteral("finished")));
+  EXPECT_FALSE(page.bur_now().has_value());
+}
+
 TEST_F(Watching, the_bur_cuts_only_while_it_plays) {
   wait_until_ready();
   page.bar()->set_playing(false);
