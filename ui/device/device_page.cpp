@@ -8,6 +8,7 @@
 #include <QRadioButton>
 #include <QTimer>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "device/falcon/permissions.h"
@@ -58,7 +59,14 @@ struct DevicePage::Inner {
   std::unique_ptr<DeviceWatch> watch;  // none while nobody sees the page
   bool known = false;                  // the first answer is there
   std::vector<FoundDevice> found;
+  std::optional<FoundDevice> shown;    // the chosen one, as it was found when the Falcon's panel was set; nullopt: it was not
   QTimer timer;
+
+  std::optional<FoundDevice> chosen_of_found() const {
+    const DeviceChoice chosen = device.choice();
+    const auto at = std::ranges::find_if(found, [&](const FoundDevice& one) { return one.kind == chosen.kind && one.name == chosen.name; });
+    return at == found.end() ? std::nullopt : std::optional(*at);
+  }
 
   QVBoxLayout* list;
   QButtonGroup* group = nullptr;
@@ -130,6 +138,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   in.found = in.watch->list();
   in.known = in.watch->changed();
   fill();
+  show_chosen();
 }
 
 DevicePage::~DevicePage() = default;
@@ -216,7 +225,8 @@ void DevicePage::fill() {
   in.inverse->setVisible(chosen.kind == "inverse3" ||
                          std::any_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "inverse3"; }));
   in.rights->set_command(denied ? QString::fromStdString(falcon::udev_install_command()) : QString());
-  show_chosen();
+  // What else comes or goes ends no test of the chosen one.
+  if (in.chosen_of_found() != in.shown) show_chosen();
 }
 
 void DevicePage::use(const FoundDevice& device) {
@@ -228,6 +238,7 @@ void DevicePage::use(const FoundDevice& device) {
 void DevicePage::show_chosen() {
   Inner& in = *inner_;
   const DeviceChoice chosen = in.device.choice();
+  in.shown = in.chosen_of_found();
   const bool falcon = chosen.kind == "falcon" || chosen.kind == "emulated-falcon";
   in.falcon->setVisible(falcon);
   if (falcon) {

@@ -164,6 +164,7 @@ void TrimForm::connect_fields() {
     }
     inner_->last_field = kAll;  // a step of its own
     set(wanted, kCentre);
+    inner_->last_field = kAll;
   });
   connect(in.scale, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
     FalconTrim wanted = inner_->trim;

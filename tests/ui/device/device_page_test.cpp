@@ -254,7 +254,12 @@ TEST(TrimForm, shows_under_the_hand_what_the_numbers_do) {
   EXPECT_TRUE(shows(form, QStringLiteral("right 5.0 mm, up 2.0 mm, nearer -3.0 mm")) ||
               shows(form, QStringLiteral("5.0")));  // half of the hand's way
   button(form, QStringLiteral("As it stands now"))->click();
-  EXPECT_LT(glm::length(form.trim().centre_m - Vec3(0.010, 0.004, 0.119)), 1e-12);
+  const FalconTrim here = form.trim();
+  EXPECT_LT(glm::length(here.centre_m - Vec3(0.010, 0.004, 0.119)), 1e-12);
+  form.findChild<NumberField*>()->setValue(12);  // what is typed afterwards is a step of its own
+  ASSERT_NE(form.trim(), here);
+  form.undo();
+  EXPECT_EQ(form.trim(), here);
   form.show_grip(grip_at({0.010, 0.004, 0.119}));
   EXPECT_FALSE(shows(form, QStringLiteral("5.0")));
   // The clutch holds the bur while the grip moves, and the bur then moves from there.
@@ -294,6 +299,33 @@ TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start
   EXPECT_EQ(changes, 20 + 1 + 1 + 1 + 4);
 }
 
+TEST(DevicePage, a_test_goes_on_while_another_device_comes) {
+  Desk desk;
+  DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
+  auto page = desk.page(Role::instructor);
+  page->show();
+  FalconPanel* panel = page->falcon();
+  QPushButton* force = button(*panel, QStringLiteral("Feel the force"));
+  ASSERT_TRUE(eventually([&] {
+    panel->look();
+    return force->isEnabled();
+  })) << panel->summary().toStdString();
+  force->click();
+  panel->look();
+  QPushButton* stop = button(*panel, QStringLiteral("Stop"));
+  ASSERT_TRUE(stop->isVisibleTo(panel));
+  desk.bus.hardware = {{.kind = "inverse3"}};
+  desk.bus.news = true;
+  page->look();
+  ASSERT_EQ(page->listed().size(), 3);
+  // Nobody holds it: the force goes off by itself, and the panel shows it.
+  EXPECT_TRUE(eventually([&] {
+    panel->look();
+    return shows(*panel, QStringLiteral("Nothing was changed"));
+  }));
+  page->hide();
+}
+
 TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   Desk desk;
   DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
@@ -301,19 +333,17 @@ TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   page->show();
   FalconPanel* panel = page->falcon();
   QPushButton* force = button(*panel, QStringLiteral("Feel the force"));
-  for (int i = 0; i < 20000 && !force->isEnabled(); ++i) {
-    QTest::qWait(1);
+  ASSERT_TRUE(eventually([&] {
     panel->look();
-  }
-  ASSERT_TRUE(force->isEnabled()) << panel->summary().toStdString();
+    return force->isEnabled();
+  })) << panel->summary().toStdString();
   force->click();
   EXPECT_EQ(desk.asked.size(), 1);
   // Nobody holds it: the force goes off by itself, and the panel shows it.
-  for (int i = 0; i < 20000 && !shows(*panel, QStringLiteral("Nothing was changed")); ++i) {
-    QTest::qWait(1);
+  EXPECT_TRUE(eventually([&] {
     panel->look();
-  }
-  EXPECT_TRUE(shows(*panel, QStringLiteral("Nothing was changed")));
+    return shows(*panel, QStringLiteral("Nothing was changed"));
+  }));
   page->hide();  // releases it
 }
 
