@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
@@ -121,9 +122,9 @@ QWidget* MarkingCard::make_result() {
   confirm_ = make_button(tr("Confirm the result"), ButtonKind::standard, u"check"_qs);
   release_ = make_button(tr("Release to the student"), ButtonKind::standard, u"eye"_qs);
   connect(confirm_, &QPushButton::clicked, this,
-          [this] { finish(store_.statements.confirm(actor_, session_), tr("The result is confirmed as it stands.")); });
+          [this] { finish(store_.statements.confirm(actor_, session_), tr("The result is confirmed as it stands."), Text::kept); });
   connect(release_, &QPushButton::clicked, this,
-          [this] { finish(store_.statements.release(actor_, session_), tr("The student can read the result now.")); });
+          [this] { finish(store_.statements.release(actor_, session_), tr("The student can read the result now."), Text::kept); });
   auto* box = new QWidget;
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
@@ -148,17 +149,19 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
   criterion_ = criterion ? criterion->id : std::string();
   place_mm_ = criterion ? criterion->measure.where_mm : std::nullopt;
   points_now_ = criterion ? criterion->points : 0;
+  points_most_ = criterion ? criterion->points_max : 0;
   at_place_->setEnabled(place_mm_.has_value());
   if (!place_mm_) at_place_->setChecked(false);
   if (points_ == nullptr) return;
-  for (QWidget* part : {static_cast<QWidget*>(points_), static_cast<QWidget*>(change_)}) part->setEnabled(criterion != nullptr);
+  for (QWidget* part : {static_cast<QWidget*>(points_), static_cast<QWidget*>(change_)}) part->setEnabled(points_most_ > 0);
   if (criterion == nullptr) {
     points_label_->setText(tr("Choose a criterion to change its points."));
     return;
   }
-  points_label_->setText(tr("%1, of %2").arg(metric_name(criterion->id, &target_), format_points(criterion->points_max)));
-  points_->setRange(0, criterion->points_max);
-  points_->setAccessibleName(tr("Points of %1").arg(metric_name(criterion->id, &target_)));
+  const QString name = metric_name(criterion->id, &target_);
+  points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(points_most_)) : tr("%1: no points to change").arg(name));
+  points_->setRange(0, points_most_);
+  points_->setAccessibleName(tr("Points of %1").arg(name));
   points_->show_value(criterion->points);
 }
 
@@ -181,15 +184,23 @@ void MarkingCard::show_data(const ReportData& report) {
   release_->setToolTip(report.counts->needs_confirmation() ? tr("A failed result is confirmed first") : QString());
 }
 
+QString MarkingCard::written() const { return text_->toPlainText(); }
+
+void MarkingCard::write(const QString& text) {
+  text_->setPlainText(text);
+  chosen_ = true;
+  fold_->setChecked(true);
+}
+
 QString MarkingCard::reason() const { return text_->toPlainText().trimmed(); }
 
-void MarkingCard::finish(const Stored<SignedStatement>& result, const QString& done) {
+void MarkingCard::finish(const Stored<SignedStatement>& result, const QString& done, Text text) {
   if (!result) {
     const Message message = describe(result.error());
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
-  text_->clear();
+  if (text == Text::used) text_->clear();
   band_->show_message(Band::Kind::good, done, {});
   Q_EMIT stated();
 }
@@ -214,7 +225,9 @@ void MarkingCard::change_points() {
     band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it below; the student reads it."));
     return text_->setFocus();
   }
-  finish(store_.statements.override_points(actor_, session_, criterion_, points_->value(), reason().toStdString()),
+  // The field rounds its maximum, which stands for full points.
+  const double given = points_->value() >= points_->maximum() ? points_most_ : std::min(points_->value(), points_most_);
+  finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString()),
          tr("The points are changed. The measured grade is kept beside them."));
 }
 

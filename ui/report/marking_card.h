@@ -25,6 +25,11 @@ class MarkingCard : public Card {
   /// What a comment's place and changed points concern; nullptr: nothing.
   void set_criterion(const CriterionGrade* criterion);
   void show_data(const ReportData& report);
+  /// A comment or reason stands in the field and is not kept.
+  bool unsaved() const { return !reason().isEmpty(); }
+  QString written() const;
+  void write(const QString& text);
+  const SessionId& session() const { return session_; }
 
  Q_SIGNALS:
   /// Something was stated or taken back.
@@ -41,8 +46,9 @@ class MarkingCard : public Card {
   QWidget* make_result();
   QWidget* make_taking_back();
   QString reason() const;
+  enum class Text { used, kept };  // what stands in the field
   /// Shows a failure, or tells that it is done.
-  void finish(const Stored<SignedStatement>& result, const QString& done);
+  void finish(const Stored<SignedStatement>& result, const QString& done, Text text = Text::used);
   void comment();
   void change_points();
   void strike();
@@ -55,7 +61,7 @@ class MarkingCard : public Card {
   Region target_;  // of the exercise: titles of several targets
   std::string criterion_;
   std::optional<Vec3> place_mm_;
-  double points_now_ = 0;  // of the criterion, as they count
+  double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones
   Band* band_;
   QPlainTextEdit* text_;
   QCheckBox* at_place_;

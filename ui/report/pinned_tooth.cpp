@@ -47,6 +47,7 @@ class Ring : public QWidget {
 
 constexpr int kClear = 36;  // px at 100 % between a place and its card, at least
 constexpr int kHead = 64;   // px at 100 %: below the buttons at the view's head
+constexpr int kWideLegend = 190;  // px at 100 %: a shorter bar has numbers at its ends and its middle alone
 constexpr int kToothMargin = 12;  // px at 100 % between the tooth and the edge of the view, where there is room
 
 }  // namespace
@@ -236,7 +237,7 @@ void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, 
   const bool same = metric == metric_ && place_mm == place_;
   place_ = place_mm;
   if (!same) compute_patch(metric);
-  text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped());
+  text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped().replace(u'\n', u"<br>"_qs));
   face_place();
 }
 
@@ -323,8 +324,10 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   const QString low = tr("Not removed"), middle = tr("on target"), high = tr("Over-cut");
   p.setFont(bold);
   p.setPen(t.text);
-  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, low);
-  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignRight | Qt::AlignVCenter, high);
+  const bool close = w < px(kWideLegend);
+  const QRectF names = close ? QRectF(0, 0, width(), px(18)) : QRectF(x0, 0, w, px(18));
+  p.drawText(names, Qt::AlignLeft | Qt::AlignVCenter, low);
+  p.drawText(names, Qt::AlignRight | Qt::AlignVCenter, high);
   p.setFont(plain);
   p.setPen(t.text2);
   const QFontMetricsF ends(bold);
@@ -347,6 +350,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
     const double x = x0 + (mm + 0.5) * w;
     p.setPen(QPen(t.border, 1));
     p.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + px(4)));
+    if (close && std::abs(mm) == 0.3) continue;  // its number would meet that of the end
     p.setPen(t.text2);
     QString text = mm == 0 ? u"0"_qs : (mm > 0 ? u"+"_qs : QString()) + format_number(mm, 1);
     if (mm == 0.5) text += QChar(0x00A0) + u"mm"_qs;

@@ -1,12 +1,14 @@
 #include "ui/report/report_page.h"
 
 #include <QBoxLayout>
+#include <QFrame>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
+#include "ui/report/marking_card.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_section.h"
 #include "ui/text/grade_text.h"
@@ -19,9 +21,9 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kReasonsShown = 3;
 constexpr int kChangeShown = 160;    // characters, in the card on the tooth; the remarks have the whole reason
 constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
+constexpr int kLeast = 760;          // px at 100 %; a page below it leaves out what the card on the tooth has as well
 constexpr int kLeastTextPercent = 55, kMostTextPercent = 64;  // of the page; the rest shows the tooth
 constexpr int kTableSide = 8, kCardSide = 16, kBorder = 1, kGap = 12;  // px at 100 %
 
@@ -52,7 +54,6 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, TryAgain again, cons
   column->addLayout(halves_, 1);
   show_state();
   choose_first();
-  setFocusProxy(table_);
 }
 
 void ReportPage::fill() {
@@ -84,9 +85,38 @@ void ReportPage::fill() {
   };
   put(old_head, head_);
   put(old_main, main_);
+  setFocusProxy(table_);
+  order_tabs();
 }
 
-void ReportPage::set_card(QWidget* card) { body_->insertWidget(body_->indexOf(main_), card); }
+/// Tab follows reading, whatever was made last.
+void ReportPage::order_tabs() {
+  QWidget* before = nullptr;
+  for (QWidget* part : {head_, card_.data(), main_}) {
+    if (part == nullptr) continue;
+    for (QWidget* stop : part->findChildren<QWidget*>()) {
+      // The list of a combo box has a window of its own.
+      if (!(stop->focusPolicy() & Qt::TabFocus) || stop->focusProxy() || stop->window() != window()) continue;
+      if (before) QWidget::setTabOrder(before, stop);
+      before = stop;
+    }
+  }
+}
+
+void ReportPage::set_card(QWidget* card) {
+  card_ = card;
+  body_->insertWidget(body_->indexOf(main_), card);
+  order_tabs();
+}
+
+void ReportPage::leave() {
+  const auto* marking = qobject_cast<const MarkingCard*>(card_.data());
+  if (marking == nullptr || !marking->unsaved()) return Q_EMIT back_wanted();
+  const Question question{tr("Leave without the comment?"), tr("What is written under Marking is not kept yet."), tr("Leave"), true};
+  ports_.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (self && yes) Q_EMIT self->back_wanted();
+  });
+}
 
 void ReportPage::offer_pack(const QString& why_not) {
   pack_->show();
@@ -119,8 +149,10 @@ void ReportPage::show_state() {
       what += critical_text(event, data_.result.scenario.specimen) + u'.';
       if (const QString how = critical_circumstances(data_, event); !how.isEmpty()) what += how + u'.';
     }
-    band_->show_message(Band::Kind::bad, what.join(u' '), tr("This fails the attempt, whatever its points; the points still stand."));
-  } else if (data_.result.state == SessionState::interrupted) {
+    QString more = tr("This fails the attempt, whatever its points; the points still stand.");
+    if (data_.result.interrupted) more += u' ' + tr("This attempt broke off.") + u' ' + tr("It is marked as it stands.");
+    band_->show_message(Band::Kind::bad, what.join(u' '), more);
+  } else if (data_.result.interrupted) {
     band_->show_message(Band::Kind::look, tr("This attempt broke off."), tr("It is marked as it stands."));
   } else {
     band_->clear();
@@ -151,6 +183,12 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   // Buttons lose their text to the date and the attempt number, and keep name and tooltip.
   for (const auto& [button, text] : saves_) button->setText(narrow ? QString() : text);
   table_->setColumnHidden(CriteriaModel::kPlace, narrow);
+  const bool least = width() < px(kLeast);
+  table_->setColumnHidden(CriteriaModel::kWanted, least);
+  aside_->setVisible(!least);
+  occasion_->setVisible(least);
+  outcome_->setDirection(least ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  fit_bar(width());
   // The text is as wide as the names of its criteria need, within limits; beyond them the names take two lines.
   const int around = 2 * (side + px(kTableSide + kBorder)) + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int most = width() * kMostTextPercent / 100;
@@ -164,16 +202,28 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
+/// A title that leaves the buttons no room is elided.
+void ReportPage::fit_bar(int width) {
+  title_->setText(data_.title);
+  title_->setToolTip({});
+  const int over = bar_->sizeHint().width() - width;
+  if (over <= 0) return;
+  title_->setToolTip(tool_tip_text(data_.title));
+  title_->setText(title_->fontMetrics().elidedText(data_.title, Qt::ElideRight, title_->sizeHint().width() - over));
+}
+
 QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   const auto [bar, row] = make_bar_top();
+  bar_ = bar;
   QPushButton* back = add_way_back({bar, row}, back_name);
-  connect(back, &QPushButton::clicked, this, &ReportPage::back_wanted);
-  // Staff may be writing a mark, which Escape would lose.
+  connect(back, &QPushButton::clicked, this, &ReportPage::leave);
+  // Staff write on this page: Escape is no wish to leave it.
   if (again == TryAgain::offered) let_escape_go_back(back);
-  row->addWidget(make_label(data_.title, TextRole::section, Weight::bold));
+  row->addWidget(title_ = make_label(data_.title, TextRole::section, Weight::bold));
   QString aside = occasion_text(data_, Medium::screen);
   if (!data_.student.isEmpty() && again == TryAgain::hidden) aside = data_.student + u" · "_qs + aside;
-  row->addWidget(make_label(aside, TextRole::body, Weight::regular, "text2"), 1);
+  row->addWidget(aside_ = make_label(aside, TextRole::body, Weight::regular, "text2"));
+  row->addStretch(1);
   QPushButton* paper = make_button(tr("Print"), ButtonKind::standard, u"print"_qs, QKeySequence::Print);
   QPushButton* pdf = make_button(tr("Save as PDF"), ButtonKind::standard, u"export"_qs, QKeySequence::Save);
   connect(paper, &QPushButton::clicked, this, &ReportPage::print);
@@ -206,9 +256,13 @@ QWidget* ReportPage::make_score() {
   auto* text = new QVBoxLayout;
   text->setSpacing(px(2));
   text->addStretch();
-  auto* line = new QHBoxLayout;
+  occasion_ = make_label(aside_->text(), TextRole::caption, Weight::regular, "text2");
+  occasion_->setWordWrap(true);
+  occasion_->hide();
+  text->addWidget(occasion_);
+  auto* line = outcome_ = new QBoxLayout(QBoxLayout::LeftToRight);
   line->setSpacing(px(8));
-  line->addWidget(new Chip(g.passed ? tr("Passed") : tr("Not passed"), g.passed ? Chip::Kind::good : Chip::Kind::bad));
+  line->addWidget(new Chip(g.passed ? tr("Passed") : tr("Not passed"), g.passed ? Chip::Kind::good : Chip::Kind::bad), 0, Qt::AlignLeading);
   QLabel* of = make_label(tr("of %1 points, pass mark %2").arg(format_points(g.score_max), format_points(g.pass_mark)),
                           TextRole::body, Weight::regular, "text2");
   of->setWordWrap(true);  // no sideways scrolling on a narrow page
@@ -272,105 +326,6 @@ void ReportPage::choose(int row) {
   tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, why, c.id);
   if (section_) section_->go_through(m.where_mm);
   Q_EMIT criterion_chosen();
-}
-
-QWidget* ReportPage::make_remarks() {
-  if (data_.remarks.empty()) return nullptr;
-  auto* card = new Card(tr("Remarks"), data_.released ? QString() : tr("not released yet"));
-  card->setAccessibleName(tr("Remarks"));
-  for (const Remark& remark : data_.remarks) {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(px(8));
-    QString html = u"<b>%1</b>, %2"_qs.arg(remark.who.toHtmlEscaped(), format_date_time(remark.when));
-    for (const QString& part : {remark.what, remark.text}) {
-      if (!part.isEmpty()) html += u"<br>"_qs + part.toHtmlEscaped();
-    }
-    QLabel* label = make_label(html, TextRole::body, Weight::regular, remark.superseded ? "text3" : "");
-    label->setTextFormat(Qt::RichText);
-    label->setWordWrap(true);
-    line->addWidget(label, 1);
-    if (remark.place_mm) {
-      QPushButton* place = make_button(tr("Show the place"), ButtonKind::quiet, u"eye"_qs);
-      connect(place, &QPushButton::clicked, this, [this, remark] { tooth_->pin(remark.place_mm, remark.who, remark.text); });
-      line->addWidget(place, 0, Qt::AlignTop);
-    }
-    card->body()->addLayout(line);
-  }
-  return card;
-}
-
-QWidget* ReportPage::make_next_time() {
-  auto* card = new Card(tr("Next time"));
-  std::vector<Advice> all = next_time(data_);
-  const QString counted = counted_text(data_.result.grade, data_.result.scenario.rubric);
-  if (all.empty() && counted.isEmpty()) {
-    QLabel* label = make_label(no_advice_text(data_), TextRole::body, Weight::regular, "text2");
-    label->setWordWrap(true);
-    card->body()->addWidget(label);
-  }
-  if (all.size() > kReasonsShown) all.resize(kReasonsShown);
-  for (const Advice& advice : all) {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(px(8));
-    auto* sign = new QLabel;
-    sign->setPixmap(icon_pixmap(advice.grave ? u"cross"_qs : u"warning"_qs, advice.grave ? Ink::bad : Ink::look, 16, devicePixelRatioF()));
-    line->addWidget(sign, 0, Qt::AlignTop);
-    auto* text = new QVBoxLayout;
-    text->setSpacing(0);
-    QLabel* head = make_label(advice.head, TextRole::body, Weight::bold);
-    head->setWordWrap(true);
-    text->addWidget(head);
-    for (const QString& sentence : {advice.why, advice.what_to_do}) {
-      if (sentence.isEmpty()) continue;
-      QLabel* label = make_label(sentence, TextRole::body, Weight::regular, "text2");
-      label->setWordWrap(true);
-      text->addWidget(label);
-    }
-    line->addLayout(text, 1);
-    card->body()->addLayout(line);
-  }
-  if (!counted.isEmpty()) {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(px(8));
-    auto* sign = new QLabel;
-    sign->setPixmap(icon_pixmap(u"minus"_qs, Ink::text2, 16, devicePixelRatioF()));
-    line->addWidget(sign, 0, Qt::AlignTop);
-    QLabel* label = make_label(counted, TextRole::body, Weight::regular, "text2");
-    label->setWordWrap(true);
-    line->addWidget(label, 1);
-    card->body()->addLayout(line);
-  }
-  card->body()->addStretch();
-  return card;
-}
-
-QWidget* ReportPage::make_against() {
-  auto* card = new Card(tr("Against your best before"));
-  if (!data_.before) {
-    QLabel* label = make_label(tr("No attempt with this device came before. From the next one on this compares the two."),
-                               TextRole::body, Weight::regular, "text2");
-    label->setWordWrap(true);
-    card->body()->addWidget(label);
-    card->body()->addStretch();
-    return card;
-  }
-  auto* legend = new QHBoxLayout;
-  legend->setSpacing(px(6));
-  const auto dot = [&](const QString& sign_name, Ink ink, const QString& text) {
-    auto* sign = new QLabel;
-    sign->setPixmap(icon_pixmap(sign_name, ink, 12, devicePixelRatioF()));
-    legend->addWidget(sign);
-    legend->addWidget(make_label(text, TextRole::caption, Weight::regular, "text2"));
-    legend->addSpacing(px(6));
-  };
-  dot(u"circle"_qs, Ink::text2, tr("%1, %2").arg(format_day(data_.before_when), format_points(data_.before->score)));
-  dot(u"dot"_qs, Ink::accent, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
-  legend->addStretch();
-  card->body()->addLayout(legend);
-  against_ = new AgainstBefore(data_.result.grade, *data_.before, &data_.result.scenario.target);
-  card->body()->addWidget(against_);
-  card->body()->addStretch();
-  return card;
 }
 
 }  // namespace cusp::ui

@@ -2,6 +2,7 @@
 /// at the right. A chosen row turns the tooth to its place and pins it.
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "ui/widgets/ports.h"
 
 class QBoxLayout;
+class QFrame;
 class QLabel;
 class QPushButton;
 
@@ -62,7 +64,11 @@ class ReportPage : public QWidget {
   };
   QPushButton* make_section(const TeethButtons& others);
   void fit_tools(int width);
+  void fit_bar(int width);
   void fill();
+  void order_tabs();
+  /// Asks first while a comment or reason is not kept.
+  void leave();
   void show_state();
   void choose_first();
   QWidget* make_score();
@@ -91,8 +97,13 @@ class ReportPage : public QWidget {
   std::optional<DrawnTooth> drawing_;
   std::vector<std::pair<QPushButton*, QString>> saves_;  // print, PDF and pack, with their texts
   QPushButton* pack_ = nullptr;
+  QFrame* bar_ = nullptr;  // at the head of the page
+  QLabel *title_ = nullptr, *aside_ = nullptr;     // in it
+  QLabel* occasion_ = nullptr;      // as aside_, beside the score of a page that has no room for it
+  QBoxLayout* outcome_ = nullptr;   // passed or not, and of how many points
   QBoxLayout* body_;  // of the text
   QWidget *head_ = nullptr, *main_ = nullptr;  // of the text: made anew by fill()
+  QPointer<QWidget> card_;                     // between them
   QBoxLayout* halves_;                         // tooth and text
   QBoxLayout* below_ = nullptr;                // advice and comparison
 };

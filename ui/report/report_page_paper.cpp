@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QRegularExpression>
 
 #include "ui/report/report_page.h"
 #include "ui/report/report_pdf.h"
@@ -12,6 +13,12 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kPictureSide = 1200;  // of the tooth on paper: 140 dots a cm
+
+/// Without what a path or the file system of a stick reads in another way.
+QString file_name(QString text) {
+  static const QRegularExpression kSigns(u"[/\\\\:*?\"<>|]"_qs);
+  return text.replace(kSigns, u"-"_qs).trimmed();
+}
 
 }  // namespace
 
@@ -23,7 +30,7 @@ const DrawnTooth& ReportPage::drawing() {
 void ReportPage::save_pdf() {
   FileWish wish;
   wish.title = tr("Save the report");
-  wish.name = (data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)).trimmed() + u".pdf"_qs;
+  wish.name = file_name(data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)) + u".pdf"_qs;
   wish.filter = tr("PDF (*.pdf)");
   ports_.pick_file(this, wish, [this](const QString& path) {
     const DrawnTooth& tooth = drawing();
@@ -45,7 +52,11 @@ void ReportPage::print() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->printer()->setPageSize(QPageSize(QPageSize::A4));
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
-    QPainter painter(printer);
+    QPainter painter;
+    if (!painter.begin(printer)) {
+      return news_->show_message(Band::Kind::bad, tr("The report was not printed."),
+                                 tr("The printer or its file takes nothing. The attempt and its grade are kept."));
+    }
     const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
     const DrawnTooth& tooth = drawing();
     paint_report(painter, page, printer->resolution() / 84.0, data_, tooth, [printer] { printer->newPage(); });

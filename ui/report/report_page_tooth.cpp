@@ -21,7 +21,7 @@ constexpr int kToothWidth = 600;  // px at 100 %, of a window of 1280
 
 QWidget* ReportPage::make_tooth() {
   auto* left = new QWidget;
-  left->setMinimumWidth(px(300));
+  left->setMinimumWidth(px(220));
   left->setMaximumWidth(px(kToothWidth) * 2);
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 0, 0);

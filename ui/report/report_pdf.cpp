@@ -11,6 +11,7 @@
 #include "ui/report/criteria_model.h"
 #include "ui/widgets/paper.h"
 #include "ui/report/paper_closeups.h"
+#include "ui/report/paper_remarks.h"
 #include "ui/report/paper_sides.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
@@ -33,7 +34,6 @@ constexpr double kAboveFoot = 14, kFootType = 8.5;      // between the advice an
 constexpr int kFootFlags = static_cast<int>(Qt::AlignLeft | Qt::AlignBottom) | Qt::TextWordWrap;
 constexpr double kBelowTooth = 14;                      // between the picture and the table
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
-constexpr double kRemarkFoot = 60;                      // left free below the last remark of a sheet
 constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time" that fit one page
 
 void write_head(Paper& paper, const ReportData& d, const Tokens& t) {
@@ -66,6 +66,10 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   if (const QString own = own_assessment_text(d); !own.isEmpty()) paper.write(own, {right, w - width}, {11, Weight::regular, t.text2});
   for (const QString& used : burs_used_text(d)) paper.write(used, {right, w - width}, {11, Weight::regular, t.text2});
   paper.skip(14);
+  if (d.result.interrupted) {
+    paper.write(PdfText::tr("This attempt broke off. It is marked as it stands."), {x, w}, {12, Weight::bold, t.look});
+    paper.skip(4);
+  }
   for (const CriticalEvent& event : d.critical) {
     paper.write(PdfText::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), {x, w}, {12, Weight::bold, t.bad});
     if (const QString how = critical_circumstances(d, event); !how.isEmpty()) paper.write(how + u'.', {x, w}, {11, Weight::regular, t.text2});
@@ -240,34 +244,6 @@ void write_legend(Paper& paper, double high, const Tokens& t) {
   }
 }
 
-/// On sheets of their own, as many as they need.
-void write_remarks(QPainter& painter, const QRectF& page, double unit, const ReportData& d, const std::function<void()>& new_page) {
-  if (d.remarks.empty()) return;
-  const Tokens& t = Tokens::light();
-  const Paper::Column whole{page.left(), page.width()};
-  std::optional<Paper> paper;
-  const auto begin_sheet = [&] {
-    new_page();
-    paper.emplace(painter, page, unit);
-    write_head(*paper, d, t);
-  };
-  const auto write = [&](const QString& text, Weight weight, const QColor& ink) {
-    if (paper->y() > page.bottom() - paper->u(kRemarkFoot)) begin_sheet();
-    paper->write(text, whole, {11, weight, ink});
-  };
-  begin_sheet();
-  paper->write(PdfText::tr("Remarks"), whole, {13, Weight::bold, t.text});
-  paper->skip(4);
-  for (const Remark& remark : d.remarks) {
-    const QColor& ink = remark.superseded ? t.text3 : t.text;
-    write(remark.who + u", "_qs + format_date_time_zone(remark.when), Weight::bold, ink);
-    QStringList lines = remark.text.split(u'\n', Qt::SkipEmptyParts);
-    if (!remark.what.isEmpty()) lines.prepend(remark.what);
-    for (const QString& line : lines) write(line, Weight::regular, ink);
-    paper->skip(8);
-  }
-}
-
 /// How high table and advice are, px at 100 %. Draws them beyond a picture of one pixel.
 double height_of_rest(const QRectF& page, double unit, const ReportData& d, const std::vector<PaperAdvice>& advice, const Tokens& t) {
   QImage nothing(1, 1, QImage::Format_RGB32);
@@ -374,7 +350,12 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
     write_closeups(second, data, tooth->closeups, numbers_of(advice));
     write_foot(second, data, 2, t);
   }
-  write_remarks(painter, page, unit, data, new_page);
+  write_remarks(data.remarks, [&] {
+    new_page();
+    Paper sheet(painter, page, unit);
+    write_head(sheet, data, t);
+    return sheet;
+  });
 }
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,

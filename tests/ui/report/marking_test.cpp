@@ -269,5 +269,101 @@ TEST_F(Marking, ARefusedStatementIsShownAndKeepsTheText) {
   EXPECT_EQ(card.findChild<QPlainTextEdit*>()->toPlainText(), QStringLiteral("I was good."));
 }
 
+TEST_F(Marking, AnActThatTakesNoTextKeepsTheOneThatIsBeingWritten) {
+  ASSERT_FALSE(gathered(examiner).counts->grade.passed) << "only a failed practice is confirmed";
+  MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
+  say(card, "The wall is even, the floor is not.");
+  EXPECT_TRUE(card.unsaved());
+  button(card, "Confirm the result")->click();
+  EXPECT_TRUE(message(card).contains(QStringLiteral("confirmed"))) << message(card).toStdString();
+  EXPECT_EQ(card.findChild<QPlainTextEdit*>()->toPlainText(), QStringLiteral("The wall is even, the floor is not."));
+  button(card, "Add comment")->click();
+  EXPECT_FALSE(card.unsaved());
+  EXPECT_EQ(gathered(lena).remarks.size(), 1u);
+}
+
+TEST_F(Marking, LeavingThePageAsksWhileATextIsNotKept) {
+  bool leave = false;
+  int asked = 0;
+  ports.ask = [&](QWidget*, const Question&, const std::function<void(bool)>& then) {
+    ++asked;
+    then(leave);
+  };
+  ReportPage page(gathered(examiner), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  auto* card = new MarkingCard(records.store(), examiner.actor(), page.data(), ports);
+  page.set_card(card);
+  QSignalSpy back(&page, &ReportPage::back_wanted);
+  say(*card, "The wall is even.");
+  button(page, "Back")->click();
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(back.count(), 0);
+  leave = true;
+  button(page, "Back")->click();
+  EXPECT_EQ(back.count(), 1);
+  say(*card, "");
+  button(page, "Back")->click();
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(back.count(), 2);
+}
+
+/// The weights of a rubric that sums to 110: points of the score's maximum have more decimals than the field.
+TEST_F(Marking, FullPointsCanBeGivenWhateverTheirDecimals) {
+  for (const double most : {1000.0 / 110, 500.0 / 110}) {  // 9.0909 and 4.5454: shown as 9.1 and 4.5
+    Grade grade = sample_grade(40);
+    grade.criteria[1].points_max = most;
+    grade.criteria[1].points = 1;
+    session = records.graded_attempt(lena, "channel-1", grade, 90);
+    MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
+    card.set_criterion(&grade.criteria[1]);
+    card.findChild<NumberField*>()->setValue(most + 1);
+    say(card, "The block was worn.");
+    button(card, "Change points")->click();
+    const CriterionGrade changed = criterion_in(gathered(examiner), "depth_most");
+    EXPECT_DOUBLE_EQ(changed.points, most) << message(card).toStdString();
+    EXPECT_EQ(changed.reason_code, "full");
+  }
+}
+
+TEST_F(Marking, ACriterionWithoutPointsHasNoneToChange) {
+  MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
+  CriterionGrade criterion = criterion_in(gathered(examiner), "depth_most");
+  card.set_criterion(&criterion);
+  EXPECT_TRUE(button(card, "Change points")->isEnabled());
+  criterion.points = criterion.points_max = 0;
+  card.set_criterion(&criterion);
+  EXPECT_FALSE(button(card, "Change points")->isEnabled());
+  EXPECT_FALSE(card.findChild<NumberField*>()->isEnabled());
+}
+
+TEST_F(Marking, ARemarkKeepsItsLines) {
+  ReportData data = gathered(lena);
+  data.remarks.push_back({Uuid::v7(), QStringLiteral("Dr Berg"), data.when, {}, QStringLiteral("First the floor.\nThen <the> wall."), std::nullopt});
+  ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  QString shown;
+  for (const QLabel* label : page.findChildren<QLabel*>())
+    if (label->text().contains(QStringLiteral("Dr Berg"))) shown = label->text();
+  EXPECT_TRUE(shown.contains(QStringLiteral("First the floor.<br>Then &lt;the&gt; wall."))) << shown.toStdString();
+}
+
+TEST_F(Marking, TheKeyboardFollowsReadingBeforeAndAfterAStatement) {
+  ReportPage page(gathered(examiner), ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+  auto* card = new MarkingCard(records.store(), examiner.actor(), page.data(), ports);
+  page.set_card(card);
+  const auto place = [&](const QWidget* of) {
+    int steps = 0;
+    for (const QWidget* at = &page; at != of && steps < 1000; at = at->nextInFocusChain()) ++steps;
+    return steps;
+  };
+  const QPushButton* fold = button(*card, "Mark this attempt");
+  EXPECT_EQ(page.focusProxy(), page.table());
+  EXPECT_LT(place(fold), place(page.table()));
+  ReportData with_place = gathered(examiner);
+  with_place.remarks.push_back({Uuid::v7(), QStringLiteral("Dr Berg"), with_place.when, {}, QStringLiteral("Here."), Vec3(0.0)});
+  page.show_data(with_place);
+  EXPECT_EQ(page.focusProxy(), page.table());
+  EXPECT_LT(place(button(page, "Show the place")), place(fold));
+  EXPECT_LT(place(fold), place(page.table()));
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -120,6 +121,49 @@ TEST(ReportPage, ShowsEveryCriterionsNameWholeInEachLanguage) {
       leave_picture(page, name + QStringLiteral("-853"));
     }
   });
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+/// Texts of several lines that lose one of them.
+QStringList cut_texts(const QWidget& shown) {
+  QStringList out;
+  for (const QLabel* label : shown.findChildren<QLabel*>())
+    if (label->isVisible() && label->wordWrap() && label->height() < label->heightForWidth(label->width())) out += label->text();
+  return out;
+}
+
+TEST(ReportPage, on_a_small_screen_at_200_percent_shows_every_point_and_the_pass_mark) {
+  const Ports ports = Ports::of_the_system();
+  ReportData data = whole_report("class-1-36-wet");
+  data.title = QStringLiteral("Class I cavity on tooth 36, with coolant and a dam");
+  data.kind = SessionKind::practice;
+  data.attempt = 12;
+  data.result.session = SessionId{Uuid::v7()};
+  data.result.seconds = 1234;
+  data.result.device.device_class = "pointer";
+  data.peak_push_n = 2.1;
+  for (const std::uint64_t minute : {0, 5, 10, 15}) data.burs.push_back({static_cast<std::uint16_t>(minute % 2), minute * 60'000'000, (minute + 5) * 60'000'000, 1});
+  for (const char* language : {"de", "en"}) {
+    SCOPED_TRACE(language);
+    install_language(*qApp, QLatin1String(language));
+    apply_theme(*qApp, ColourScheme::dark, 200);
+    ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+    page.offer_pack();
+    QWidget window;  // of the screen's size, whatever the page would like
+    window.resize(1280, 720);
+    page.setParent(&window);
+    page.setGeometry(window.rect());
+    page.show();
+    window.show();
+    QTest::qWait(0);
+    leave_picture(page, QLatin1String(language) + QStringLiteral("-200"));
+    EXPECT_EQ(page.table()->horizontalScrollBar()->maximum(), 0);
+    EXPECT_EQ(page.findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
+    EXPECT_EQ(cut_texts(page).join(u"; ").toStdString(), "");
+    expect_buttons_fit(page);
+    page.setParent(nullptr);
+  }
   install_language(*qApp, QStringLiteral("en"));
   apply_theme(*qApp, ColourScheme::light, 100);
 }

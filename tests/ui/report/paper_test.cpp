@@ -156,22 +156,32 @@ TEST(ReportPdf, holds_the_picture_of_the_tooth) {
   EXPECT_EQ(text_in(file).find("could not be drawn"), std::string::npos);
 }
 
+constexpr double kA4Points = 842.0, kLeastMarginPoints = 28.0;  // height of the sheet, and what stays free at its foot
+
 /// Lower edges of a page's words, and the upper edge of its first foot's word.
 struct Edges {
   double lowest = 0, foot = 0;
 };
-Edges edges_in(const std::filesystem::path& file) {
+std::vector<Edges> edges_of_pages(const std::filesystem::path& file) {
   QProcess text;
-  text.start(QStringLiteral("pdftotext"), {QStringLiteral("-bbox"), QStringLiteral("-l"), QStringLiteral("1"), QString::fromStdString(file.string()), QStringLiteral("-")});
+  text.start(QStringLiteral("pdftotext"), {QStringLiteral("-bbox"), QString::fromStdString(file.string()), QStringLiteral("-")});
   if (!text.waitForFinished(60'000)) return {};
   static const QRegularExpression word(QStringLiteral("yMin=\"([0-9.]+)\" xMax=\"[0-9.]+\" yMax=\"([0-9.]+)\">([^<]*)<"));
-  Edges out;
-  for (const QRegularExpressionMatch& m : word.globalMatch(QString::fromUtf8(text.readAllStandardOutput()))) {
-    if (m.captured(3) == QStringLiteral("Engine")) out.foot = m.captured(1).toDouble();
-    if (out.foot == 0) out.lowest = std::max(out.lowest, m.captured(2).toDouble());
+  std::vector<Edges> out;
+  for (const QString& page : QString::fromUtf8(text.readAllStandardOutput()).split(QStringLiteral("<page ")).mid(1)) {
+    Edges& edges = out.emplace_back();
+    for (const QRegularExpressionMatch& m : word.globalMatch(page)) {
+      if (m.captured(3) == QStringLiteral("Engine")) edges.foot = m.captured(1).toDouble();
+      if (edges.foot == 0) edges.lowest = std::max(edges.lowest, m.captured(2).toDouble());
+    }
   }
   return out;
 }
+Edges edges_in(const std::filesystem::path& file) {
+  const auto pages = edges_of_pages(file);
+  return pages.empty() ? Edges{} : pages.front();
+}
+std::size_t pages_in(const std::filesystem::path& file) { return edges_of_pages(file).size(); }
 
 TEST(ReportPdf, has_room_for_long_names_and_all_advice_of_the_longest_rubric_above_its_foot) {
   const QTemporaryDir folder;
@@ -186,6 +196,66 @@ TEST(ReportPdf, has_room_for_long_names_and_all_advice_of_the_longest_rubric_abo
   EXPECT_GT(edges.foot, edges.lowest);
   const std::string text = text_in(file);
   EXPECT_NE(text.find("junction"), std::string::npos) << text;
+}
+
+/// The paragraph has more lines than a sheet.
+TEST(ReportPdf, cuts_nothing_off_a_remark_that_is_longer_than_its_sheet) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  QStringList words;
+  for (int i = 0; i < 1200; ++i) words += QStringLiteral("word%1").arg(i);  // 8,000 of the 10,000 bytes that a comment may have
+  const QString said = words.join(u' ');
+  for (int i = 0; i < 3; ++i) data.remarks.push_back({Uuid::v7(), QStringLiteral("Dr Berg"), data.when, {}, said, std::nullopt});
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const QString text = QString::fromStdString(text_in(file));
+  for (int i : {0, 600, 900, 1199}) EXPECT_EQ(text.count(QStringLiteral("word%1").arg(i)), 3) << i;
+  ASSERT_GT(pages_in(file), 3);
+  for (const Edges& page : edges_of_pages(file)) EXPECT_LE(page.lowest, kA4Points - kLeastMarginPoints);
+}
+
+TEST(ReportPdf, names_an_attempt_that_broke_off) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  EXPECT_EQ(text_in(file).find("This attempt broke"), std::string::npos);
+  data.result.interrupted = true;
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  for (const char* part : {"This attempt broke", "It is marked as it stands."})  // the paper joins the letters f
+    EXPECT_NE(text_in(file).find(part), std::string::npos) << text_in(file);
+}
+
+TEST(ReportPdf, has_room_for_a_long_attempt_with_several_burs_above_its_foot) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  data.result.scenario = *load_builtin("class-2-25-mod");
+  data.result.grade.criteria.clear();
+  for (const Criterion& asked : data.result.scenario.rubric.criteria) {
+    CriterionGrade c;
+    c.id = asked.metric;
+    c.measure = {asked.metric, true, 12.34, 0.05, metric_unit(asked.metric).toStdString(), Vec3(0.0)};
+    c.points = 1.5;
+    c.points_max = 100.0 / 15;
+    c.reason_code = "too_much";
+    c.reason_args = {{"value", 12.34}, {"limit", 0.5}};
+    data.result.grade.criteria.push_back(c);
+  }
+  std::uint64_t at = 0;
+  for (int i = 0; i < 30; ++i) {
+    data.burs.push_back({static_cast<std::uint16_t>(i % data.result.scenario.instruments.size()), at, at + 40'000'000, 1'000'000});
+    at += 40'000'000;
+  }
+  data.result.seconds = 1200;
+  data.result.grade.critical = {"pulp_exposure", "protected_damage"};
+  data.critical = critical_events(data.result.grade, nullptr, {});
+  for (int i = 0; i < 3; ++i) data.changes.push_back({data.result.grade.criteria[static_cast<std::size_t>(i)].id, QStringLiteral("4 instead of 2 points, changed by Dr Berg: the block was worn")});
+  data.before = data.result.grade;
+  data.before_when = data.when;
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const Edges edges = edges_in(file);
+  EXPECT_GT(edges.foot, edges.lowest);
 }
 
 TEST(ReportPdf, has_a_picture_of_each_lost_place_of_the_longest_rubric_on_its_second_page) {

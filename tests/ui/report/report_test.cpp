@@ -5,8 +5,11 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineF>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <algorithm>
 #include <filesystem>
 
 #include "scenarios/burs/bur_catalogue.h"
@@ -313,6 +316,73 @@ TEST(ReportPage, saves_its_paper_where_the_picker_points_and_reports_a_failure) 
   for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
   EXPECT_TRUE(all.contains(QStringLiteral("The report was not saved.")));
   EXPECT_FALSE(QFile::exists(answer));
+}
+
+TEST(ReportPage, an_attempt_that_broke_off_is_named_so_after_it_was_graded_too) {
+  ReportData data = sample();
+  const Ports ports = Ports::of_the_system();
+  const auto all_text = [&] {
+    const ReportPage page(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back"));
+    QString all;
+    for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text();
+    return all;
+  };
+  EXPECT_FALSE(all_text().contains(QStringLiteral("This attempt broke off.")));
+  data.result.state = SessionState::graded;
+  data.result.interrupted = true;
+  EXPECT_TRUE(all_text().contains(QStringLiteral("This attempt broke off.")));
+  data.result.grade.critical = {"pulp_exposure"};
+  data.critical = critical_events(data.result.grade, nullptr, {});
+  EXPECT_TRUE(all_text().contains(QStringLiteral("The pulp was opened.")));
+  EXPECT_TRUE(all_text().contains(QStringLiteral("This attempt broke off."))) << all_text().toStdString();
+}
+
+TEST(ReportPage, promises_no_comparison_with_an_attempt_that_is_not_kept) {
+  ReportData data = sample();
+  const Ports ports = Ports::of_the_system();
+  const auto promises = [&] {
+    const ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+    return std::ranges::any_of(page.findChildren<QLabel*>(), [](const QLabel* l) { return l->text().contains(QStringLiteral("From the next one on")); });
+  };
+  EXPECT_TRUE(promises());
+  data.attempt = 0;
+  EXPECT_FALSE(promises());
+  data = sample();
+  data.alone = true;  // in an appeal pack
+  EXPECT_FALSE(promises());
+}
+
+TEST(ReportPage, suggests_a_file_name_that_is_no_path) {
+  Ports ports = Ports::of_the_system();
+  QString name;
+  ports.pick_file = [&](QWidget*, const FileWish& wish, const std::function<void(const QString&)>&) { name = wish.name; };
+  ReportData data = sample();
+  data.title = QStringLiteral("Class II, MO/DO");
+  ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+  for (QPushButton* b : page.findChildren<QPushButton*>())
+    if (b->accessibleName() == u"Save as PDF") b->click();
+  EXPECT_EQ(name.toStdString(), "Class II, MO-DO 2026-11-20 10-14.pdf");
+}
+
+TEST(ReportPage, reports_a_print_that_was_not_begun) {
+  const QTemporaryDir folder;
+  const Ports ports = Ports::of_the_system();
+  ReportPage page(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+  page.show();
+  const auto printed_to = [&](const QString& file) {
+    for (QPushButton* b : page.findChildren<QPushButton*>())
+      if (b->accessibleName() == u"Print") b->click();
+    auto* dialog = page.findChild<QPrintDialog*>();
+    dialog->printer()->setOutputFormat(QPrinter::PdfFormat);
+    dialog->printer()->setOutputFileName(file);
+    Q_EMIT dialog->accepted(dialog->printer());
+    delete dialog;
+    QString all;
+    for (const QLabel* label : page.findChildren<QLabel*>()) all += label->isVisible() ? label->text() : QString();
+    return all;
+  };
+  EXPECT_TRUE(printed_to(folder.filePath(QStringLiteral("missing/r.pdf"))).contains(QStringLiteral("The report was not printed.")));
+  EXPECT_FALSE(printed_to(folder.filePath(QStringLiteral("r.pdf"))).contains(QStringLiteral("The report was not printed.")));
 }
 
 TEST(AgainstBefore, compares_shares_and_gives_the_points_gained) {
