@@ -23,6 +23,9 @@
 namespace cusp::ui {
 namespace {
 
+/// One that runs has no report yet.
+bool has_report(const CandidateRow& row) { return row.attempt && row.attempt->state != SessionState::running; }
+
 bool may_be_released(const CandidateRow& row) {
   return row.attempt && !row.attempt->released && row.grade && !row.grade->needs_confirmation();
 }
@@ -62,8 +65,8 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
   const int column = index.column();
   if (role == BoldRole) return column == kCandidate;
   if (role == Qt::TextAlignmentRole && column == kScore) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
-  if (role == IconRole && column == kOpen && r.attempt) return u"chevron_right"_qs;
-  if (role == Qt::AccessibleTextRole && column == kOpen) return r.attempt ? tr("Report") : QString();
+  if (role == IconRole && column == kOpen && has_report(r)) return u"chevron_right"_qs;
+  if (role == Qt::AccessibleTextRole && column == kOpen) return has_report(r) ? tr("Report") : QString();
   if (role == QuietRole) return !r.attempt && column != kCandidate;
   if (role == ChipRole && column == kResult && r.attempt) return result_chip(*r.attempt);
   if (role == ChipRole && column == kMarked && r.grade && r.grade->needs_confirmation()) return static_cast<int>(Chip::Kind::look);
@@ -252,7 +255,11 @@ void AssessmentPage::read() {
   if (!attempts) return show_failure(attempts.error());
   const auto students = store_.cohorts.students(assignment_.cohort);
   if (!students) return show_failure(students.error());
-  const int chosen = table_->chosen_row();
+  const int before = table_->chosen_row();
+  const auto same = [kept = before >= 0 ? std::optional(model_->row(before)) : std::nullopt](const CandidateRow& row) {
+    if (!kept || row.student != kept->student) return false;
+    return !kept->attempt || (row.attempt && row.attempt->session == kept->attempt->session);
+  };
   std::vector<CandidateRow> rows;
   const auto add = [&](UserId student, const HistoryRow* attempt) {
     CandidateRow row{student, QString::fromStdString(candidate_number(assignment_.id, student)), {}, {}, {}, {}};
@@ -270,15 +277,17 @@ void AssessmentPage::read() {
   }
   std::ranges::stable_sort(rows, {}, &CandidateRow::candidate);
   release_->setEnabled(std::ranges::any_of(rows, may_be_released));
+  const auto chosen = std::ranges::find_if(rows, same);
+  const int row = chosen == rows.end() ? std::max(before, 0) : static_cast<int>(chosen - rows.begin());
   model_->set_rows(std::move(rows));
   table_->setColumnHidden(CandidatesModel::kName, !names_->isChecked());
-  table_->choose_row(std::max(chosen, 0));
+  table_->choose_row(row);
   show_chosen();
 }
 
 void AssessmentPage::open_chosen() {
   const int row = table_->chosen_row();
-  if (row >= 0 && model_->row(row).attempt) Q_EMIT report_wanted(model_->row(row).attempt->session);
+  if (row >= 0 && has_report(model_->row(row))) Q_EMIT report_wanted(model_->row(row).attempt->session);
 }
 
 void AssessmentPage::release_all() {
@@ -294,12 +303,14 @@ void AssessmentPage::release_all() {
 }
 
 void AssessmentPage::release_now() {
+  read();  // another desk may have marked or released while the question was open
   int released = 0, waiting = 0;
   for (int i = 0; i < model_->rowCount(); ++i) {
     const CandidateRow& row = model_->row(i);
     waiting += waits_for_confirmation(row) ? 1 : 0;
     if (!may_be_released(row)) continue;
     if (const auto done = store_.statements.release(actor_, row.attempt->session); !done) {
+      if (done.error().code == StorageError::wrong_state) continue;  // another desk was faster
       show_failure(done.error());
       return read();
     }

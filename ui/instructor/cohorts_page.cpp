@@ -28,10 +28,6 @@ std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
   return when ? std::optional(when->toMSecsSinceEpoch() * 1000) : std::nullopt;
 }
 
-bool is_over(const Assignment& assignment, std::int64_t now_utc_us) {
-  return assignment.due_utc_us && *assignment.due_utc_us <= now_utc_us;
-}
-
 /// Equal in all that the form has but the start code, which is drawn anew each time.
 bool is_same_task(const Assignment& stored, Assignment fresh) {
   std::ranges::sort(fresh.device_classes);  // as Assignments::create() stores them
@@ -275,13 +271,9 @@ void CohortsPage::add_numbers(const QString& text) {
   const auto inside = store_.cohorts.students(cohort->id);
   if (!inside) return show_failure(inside.error());
   const NumberList numbers = read_numbers(text, *accounts, {inside->begin(), inside->end()});
-  for (const Account& student : numbers.found) {
-    if (const auto added = store_.cohorts.add(actor_, cohort->id, student.id); !added) {
-      show_failure(added.error());
-      read();
-      return show_chosen();
-    }
-  }
+  std::vector<UserId> found;
+  for (const Account& student : numbers.found) found.push_back(student.id);
+  if (const auto added = store_.cohorts.add_all(actor_, cohort->id, found); !added) return show_failure(added.error());
   read();
   show_chosen();
   QStringList more;
@@ -346,6 +338,10 @@ void CohortsPage::assign() {
     band_->show_message(Band::Kind::bad, tr("It would be due before it opens."), tr("Choose a later day for Due."));
     return;
   }
+  if (wish.due && *wish.due <= ports_.now()) {
+    band_->show_message(Band::Kind::bad, tr("Its time would be over already."), tr("Choose a later day for Due."));
+    return;
+  }
   if (wish.admits_none) {
     band_->show_message(Band::Kind::bad, tr("No device is admitted."), tr("Check one device at least."));
     return;
@@ -355,8 +351,7 @@ void CohortsPage::assign() {
   const auto there = store_.assignments.for_cohort(cohort->id);
   if (!there) return show_failure(there.error());
   const QString title = local(wish.exercise.scenario.title), name = QString::fromStdString(cohort->name);
-  const std::int64_t now_utc_us = ports_.now().toMSecsSinceEpoch() * 1000;
-  if (std::ranges::any_of(*there, [&](const Assignment& one) { return !is_over(one, now_utc_us) && is_same_task(one, *fresh); })) {
+  if (std::ranges::any_of(*there, [&](const Assignment& one) { return is_same_task(one, *fresh); })) {
     band_->show_message(Band::Kind::look, tr("%1 is assigned to %2 already.").arg(title, name),
                         tr("An open assignment has the same kind, days, attempts and devices. Change one of them to assign it again."));
     return;

@@ -1,9 +1,11 @@
 // LibraryPage and files: the chosen exercise as NAME.cusp, and such a file as a draft.
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPointer>
 #include <QUrl>
@@ -140,6 +142,7 @@ void LibraryPage::open_looked(const Looked& looked) {
   switch (looked.standing) {
     case Standing::unknown: return open_taken(looked.file, KeepId::yes);
     case Standing::same:
+      for (QComboBox* box : {group_, state_}) box->setCurrentIndex(0);
       search_->clear();
       table_->choose_row(row_of(looked.file.scenario.id));
       band_->show_message(Band::Kind::info, tr("%1 is in the library already.").arg(title), tr("The file holds the same. Nothing was changed."));

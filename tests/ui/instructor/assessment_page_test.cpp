@@ -134,6 +134,51 @@ TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
   EXPECT_TRUE(file.readAll().startsWith("Student,ID,SIS User ID"));
 }
 
+TEST_F(Candidates, AreReleasedThoughAnotherDeskReleasedOrConfirmedSomeMeanwhile) {
+  const SessionId third = sit(ida, 90);
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  // Both come from another desk while the question is open here.
+  ports.ask = [&](QWidget*, const Question&, std::function<void(bool)> then) {
+    EXPECT_TRUE(records.store().statements.release(examiner, passed));
+    EXPECT_TRUE(records.store().statements.confirm(examiner, failed));
+    then(true);
+  };
+  page.release_all();
+  EXPECT_TRUE(released(passed));
+  EXPECT_TRUE(released(third));
+  EXPECT_TRUE(released(failed)) << "confirmed meanwhile";
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("2 results released."))) << page.message().toStdString();
+}
+
+TEST_F(Candidates, StayChosenWhenAnotherAttemptComesAboveThem) {
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  page.show();
+  page.table()->choose_row(2);
+  const UserId chosen = page.model().row(2).student;
+  page.hide();
+  const UserId first = page.model().row(0).student;
+  for (int again = 0; again < 2; ++again) sit(first == lena.id ? lena : first == omar.id ? omar : ida, 50);
+  page.show();
+  EXPECT_EQ(page.model().row(page.table()->chosen_row()).student, chosen);
+}
+
+TEST_F(Candidates, WhoDrillsNowHasNoReportYet) {
+  NewSession wanted{.student = ida.id, .version = assignment.version, .kind = SessionKind::assessment, .assignment = assignment.id};
+  wanted.start_code = "4711";
+  wanted.header.device.device_class = "pointer";
+  wanted.header.scene = "{}";
+  ASSERT_TRUE(records.store().sessions.start(ida.actor(), wanted));
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  QSignalSpy opened(&page, &AssessmentPage::report_wanted);
+  for (int i = 0; i < page.model().rowCount(); ++i) {
+    const bool way_in = page.model().row(i).student != ida.id;
+    EXPECT_EQ(page.model().index(i, CandidatesModel::kOpen).data(IconRole).isValid(), way_in);
+    page.table()->choose_row(i);
+    Q_EMIT page.table()->row_opened(page.model().index(i, 0));
+  }
+  EXPECT_EQ(opened.count(), 2);
+}
+
 TEST_F(Candidates, OpenTheirReport) {
   AssessmentPage page(records.store(), examiner, assignment.id, ports);
   QSignalSpy opened(&page, &AssessmentPage::report_wanted);

@@ -147,10 +147,25 @@ TEST_F(Cohorts, AreAssignedTheSameOnlyOnceWhileItIsOpen) {
   EXPECT_TRUE(page.form()->act()->isEnabled());
   page.assign();
   EXPECT_EQ(page.assignments().rowCount(), 2);
-  page.form()->choose_due(QDateTime(QDate(2026, 11, 19), QTime(18, 0)));  // a day ago
+  ports.now = [] { return QDateTime(QDate(2026, 12, 4), QTime(20, 0)); };  // the first is over
+  page.form()->choose_due(QDateTime(QDate(2026, 12, 5), QTime(18, 0)));
   page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 2) << "the second is open";
+  page.form()->choose_due(QDateTime(QDate(2026, 12, 6), QTime(18, 0)));
   page.assign();
-  EXPECT_EQ(page.assignments().rowCount(), 4);
+  EXPECT_EQ(page.assignments().rowCount(), 3);
+}
+
+TEST_F(Cohorts, AreAssignedNothingThatIsOverAlready) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.form()->choose_due(QDateTime(QDate(2026, 11, 20), QTime(8, 59)));  // a minute ago
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 0);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("over already"))) << page.message().toStdString();
+  page.form()->choose_due(QDateTime(QDate(2026, 11, 20), QTime(9, 30)));
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 1) << page.message().toStdString();
 }
 
 TEST_F(Cohorts, WidenThePageByNoLongName) {
