@@ -110,6 +110,9 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (a.kind != SessionKind::assessment) continue;
     const auto attempts = store.history.of_assignment(student, a.id);
     if (!attempts) return std::unexpected(attempts.error());
+    const auto withdrawn = store.scenarios.withdrawn(a.version);
+    if (!withdrawn) return std::unexpected(withdrawn.error());
+    if (*withdrawn && attempts->empty()) continue;
     auto exercise = load_exercise(store, a.version);
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};

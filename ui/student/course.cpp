@@ -80,18 +80,29 @@ Stored<void> load_newest(Course& course, Store& store, const Actor& student, con
   return {};
 }
 
-/// The first practice of each exercise; the student drills the version that was assigned, also when a newer one is published.
-void add_assignments(Course& course, Store& store, const std::vector<Assignment>& assigned) {
+/// False before it opens, and of a version that was withdrawn.
+bool is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
+  if (a.opens_utc_us && now_us < *a.opens_utc_us) return false;
+  const auto withdrawn = store.scenarios.withdrawn(a.version);
+  return withdrawn && !*withdrawn;
+}
+
+/// Of each exercise the practice that is open and due first, else the one that was over last; the student drills the version that
+/// was assigned, also when a newer one is published. `assigned`: by due date.
+void add_assignments(Course& course, Store& store, UserId student, const std::vector<Assignment>& assigned) {
+  const std::int64_t now_us = store.context().clock();
   for (const Assignment& a : assigned) {
-    if (a.kind != SessionKind::practice) continue;
+    if (a.kind != SessionKind::practice || !is_assigned(store, a, now_us)) continue;
     auto exercise = load_exercise(store, a.version);
     if (!exercise) continue;
     const auto row = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.scenario.id == exercise->scenario.id; });
-    if (row == course.rows.end() || row->assignment) continue;
+    if (row == course.rows.end()) continue;
+    if (const bool over = row->due_utc_us && *row->due_utc_us <= now_us; row->assignment && !over) continue;
     if (row->exercise.version != a.version) row->exercise = std::move(*exercise);
     row->assignment = a.id;
     row->due_utc_us = a.due_utc_us;
     row->attempts_allowed = a.attempts_allowed;
+    row->attempts_counted = store.assignments.attempts(a.id, student).value_or(0);
     row->device_classes = a.device_classes;
   }
 }
@@ -119,7 +130,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
     }
     course.rows.push_back(std::move(row));
   }
-  add_assignments(course, store, *assigned);
+  add_assignments(course, store, student.id, *assigned);
   return course;
 }
 
@@ -158,7 +169,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
     case kKind: return kind_of(r.exercise.scenario.specimen);
     case kDue: return r.due_utc_us ? format_day(local_time(*r.due_utc_us)) : tr("always open");
     case kAttempts:
-      return r.attempts_allowed ? tr("%1 of %2").arg(r.attempts).arg(*r.attempts_allowed) : format_number(r.attempts, 0);
+      return r.attempts_allowed ? tr("%1 of %2").arg(r.attempts_counted).arg(*r.attempts_allowed) : format_number(r.attempts, 0);
     case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");
     default: return {};
   }

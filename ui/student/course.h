@@ -17,6 +17,7 @@ struct CourseRow {
   std::optional<HistoryRow> best, last;
   std::optional<std::int64_t> due_utc_us;
   std::optional<int> attempts_allowed;
+  int attempts_counted = 0;  // of those allowed
   std::optional<AssignmentId> assignment;
   std::vector<std::string> device_classes;  // that the assignment admits; none = every one
 };

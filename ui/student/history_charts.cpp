@@ -87,15 +87,15 @@ ChartData score_by_attempt(const std::vector<HistoryRow>& attempts) {
   const std::vector<HistoryRow> graded = in_order(attempts);
   ChartData d;
   d.title = ChartText::tr("Points by attempt");
-  const auto n = static_cast<double>(graded.size());
+  int last = 0;
+  for (const HistoryRow& attempt : graded) last = std::max(last, attempt.attempt);
+  const auto n = static_cast<double>(last);
   const double step = std::max(1.0, round_step(std::max(n, 4.0), 10));
   d.x = {ChartText::tr("attempt"), 0, std::max(4.0, step * std::ceil((n + 0.5) / step)), step, 0};
   put_scores(d, graded);
   ChartSeries own;
   own.name = ChartText::tr("Points");
-  for (std::size_t i = 0; i < graded.size(); ++i) {
-    own.points += {static_cast<double>(i + 1), *graded[i].score, label_of(graded[i]), false};
-  }
+  for (const HistoryRow& attempt : graded) own.points += {static_cast<double>(attempt.attempt), *attempt.score, label_of(attempt), false};
   if (!own.points.isEmpty()) own.points.last().strong = true;
   d.series += own;
   return d;

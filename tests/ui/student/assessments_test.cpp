@@ -222,6 +222,80 @@ TEST_F(Assessments, AnAssignedPracticeStaysDueInItsVersionWhenANewerOneIsPublish
   EXPECT_EQ(row->exercise.version, assignment.version);
 }
 
+TEST_F(Assessments, APracticeThatIsAssignedAgainIsDueByItsNewDayInItsNewVersion) {
+  Scenario newer = *load_builtin("channel-1");
+  newer.version += 1;
+  newer.time_limit_s = 600;
+  const auto version = records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes);
+  ASSERT_TRUE(version);
+  // Last term's, this term's, and one that opens later.
+  Assignment past{.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour, .attempts_allowed = 3};
+  past = *records.store().assignments.create(examiner, past);
+  Assignment now = past;
+  now.version = version->id;
+  now.due_utc_us = kMorning + 9 * kHour;
+  now = *records.store().assignments.create(examiner, now);
+  Assignment later = past;
+  later.opens_utc_us = kMorning + 8 * kHour;
+  later.due_utc_us = kMorning + 8 * kHour + 1;
+  later = *records.store().assignments.create(examiner, later);
+  const auto shown = [&](std::int64_t at_us) {
+    records.now_us = at_us;
+    const Course course = *load_course(records.store(), lena.actor());
+    for (const CourseRow& row : course.rows)
+      if (row.assignment) return row;
+    return CourseRow{};
+  };
+  EXPECT_EQ(shown(kMorning).assignment, past.id) << "due first";
+  const CourseRow row = shown(kMorning + 2 * kHour);
+  EXPECT_EQ(row.assignment, now.id);
+  EXPECT_EQ(row.exercise.version, version->id) << "an attempt at the older version would not count";
+  EXPECT_EQ(row.due_utc_us, now.due_utc_us);
+  EXPECT_EQ(shown(kMorning + 20 * kHour).assignment, now.id) << "all are over: the newest of them";
+}
+
+TEST_F(Assessments, APracticeIsNotDueBeforeItOpens) {
+  ASSERT_TRUE(records.store().assignments.create(examiner, {.version = assignment.version,
+                                                            .cohort = assignment.cohort,
+                                                            .opens_utc_us = kMorning + kHour,
+                                                            .due_utc_us = kMorning + 2 * kHour}));
+  const auto due = [&] {
+    const Course course = *load_course(records.store(), lena.actor());
+    return std::ranges::any_of(course.rows, [](const CourseRow& row) { return row.due_utc_us.has_value(); });
+  };
+  EXPECT_FALSE(due()) << "an attempt now would not count";
+  records.now_us = kMorning + kHour;
+  EXPECT_TRUE(due());
+}
+
+TEST_F(Assessments, OfTheAttemptsAllowedThoseOfTheAssignmentAloneAreUsed) {
+  records.attempt(lena, "channel-1", 60, 100);
+  records.attempt(lena, "channel-1", 65, 100);
+  ASSERT_TRUE(records.store().assignments.create(examiner, {.version = assignment.version, .cohort = assignment.cohort, .attempts_allowed = 1}));
+  const CourseModel model(load_course(records.store(), lena.actor())->rows);
+  QStringList used;
+  for (int i = 0; i < model.rowCount(); ++i)
+    if (model.row(i).assignment) used += model.index(i, CourseModel::kAttempts).data().toString();
+  EXPECT_EQ(used, QStringList{QStringLiteral("0 of 1")});
+}
+
+TEST_F(Assessments, AWithdrawnVersionIsNoLongerAssigned) {
+  Scenario newer = *load_builtin("channel-1");
+  newer.version += 1;
+  newer.time_limit_s = 600;
+  const auto version = records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes);
+  ASSERT_TRUE(version);
+  Assignment a = assignment;
+  a.version = version->id;
+  ASSERT_TRUE(records.store().assignments.create(examiner, a, "4711"));
+  ASSERT_TRUE(records.store().assignments.create(examiner, {.version = version->id, .cohort = a.cohort, .due_utc_us = kMorning + kHour}));
+  EXPECT_EQ(at(kMorning + 1000).size(), 2u);
+  ASSERT_TRUE(records.store().scenarios.withdraw(examiner, version->id));
+  EXPECT_EQ(at(kMorning + 1000).size(), 1u);
+  const Course course = *load_course(records.store(), lena.actor());
+  for (const CourseRow& row : course.rows) EXPECT_NE(row.exercise.version, version->id);
+}
+
 TEST_F(Assessments, AnAssignedPracticeNamesItsDevicesInTheCourse) {
   ASSERT_TRUE(records.store().assignments.create(
       examiner, {.version = assignment.version, .cohort = assignment.cohort, .device_classes = {"inverse3", "falcon"}}));

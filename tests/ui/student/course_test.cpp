@@ -165,6 +165,22 @@ TEST(HistoryCharts, the_newest_attempt_is_the_strong_point_and_the_axes_hold_eve
   EXPECT_EQ(score_by_attempt(*rows).series[0].points.last().x, 3.0);
 }
 
+TEST(HistoryCharts, an_attempt_stands_above_the_number_that_the_table_gives_it) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 54, 744);
+  records.broken_attempt(lena, "channel-1");
+  records.attempt(lena, "channel-1", 61, 640, "falcon");
+  records.attempt(lena, "channel-1", 78, 426);
+  HistoryFilter pointer;
+  pointer.device_class = "pointer";
+  const ChartData chart = score_by_attempt(*records.store().history.list(lena.actor(), pointer));
+  ASSERT_EQ(chart.series[0].points.size(), 2);
+  EXPECT_EQ(chart.series[0].points[0].x, 1.0);
+  EXPECT_EQ(chart.series[0].points[1].x, 4.0);
+  EXPECT_GT(chart.x.most, 4.0);
+}
+
 TEST(HistoryCharts, without_an_attempt_there_is_nothing_to_draw) {
   EXPECT_TRUE(time_and_score({}).series[0].points.isEmpty());
   EXPECT_TRUE(score_by_attempt({}).summary.isEmpty());
