@@ -109,6 +109,14 @@ std::array<int, kHeads> columns_of(const std::vector<QString>& row) {
   return out;
 }
 
+/// "Name, Vorname" of a German list are surname and first name; another list has the whole name beside the first one.
+QString whole_name(const QString& first, const QString& surname, const QString& name) {
+  if (!surname.isEmpty()) return (first + u' ' + surname).trimmed();
+  static const QRegularExpression kBetween(QStringLiteral("[\\s,]+"));
+  const bool holds_first = name.split(kBetween, Qt::SkipEmptyParts).contains(first.section(kBetween, 0, 0), Qt::CaseInsensitive);
+  return first.isEmpty() || holds_first ? name : (first + u' ' + name).trimmed();
+}
+
 ListedStudent student_of(const std::vector<QString>& row, const std::array<int, kHeads>& columns) {
   const auto cell = [&](Head head) {
     const int i = columns[head];
@@ -116,8 +124,7 @@ ListedStudent student_of(const std::vector<QString>& row, const std::array<int, 
   };
   ListedStudent out;
   out.number = cell(kNumber);
-  out.name = cell(kName);
-  if (const QString parts = (cell(kFirst) + u' ' + cell(kSurname)).trimmed(); !parts.isEmpty()) out.name = parts;
+  out.name = whole_name(cell(kFirst), cell(kSurname), cell(kName));
   out.pin = cell(kPin);
   out.cohort = cell(kCohort);
   return out;
@@ -137,9 +144,9 @@ ListedStudent::Problem problem_of(const ListedStudent& student) {
 Result<CsvTable, CsvFailure> read_csv(const QString& text) { return CsvReader(text).read(); }
 
 QString decode_text(const QByteArray& bytes) {
-  QStringDecoder utf8(QStringDecoder::Utf8);
-  const QString text = utf8(bytes);
-  if (!utf8.hasError()) return text;
+  QStringDecoder marked(QStringConverter::encodingForData(bytes).value_or(QStringConverter::Utf8));
+  const QString text = marked(bytes);
+  if (!marked.hasError()) return text;
   QString out = QString::fromLatin1(bytes);
   // The signs that Windows-1252 has beyond Latin-1 and that names hold.
   constexpr std::array<std::pair<char16_t, char16_t>, 6> kBeyond = {

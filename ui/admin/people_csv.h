@@ -1,4 +1,4 @@
-/// A list of students from a spreadsheet: CSV (RFC 4180) with comma, semicolon or tab, in UTF-8 or Windows-1252. No widget.
+/// A list of students from a spreadsheet: CSV (RFC 4180) with comma, semicolon or tab, in UTF-8, UTF-16 or Windows-1252. No widget.
 #pragma once
 
 #include <QByteArray>
@@ -21,7 +21,7 @@ using CsvFailure = Failure<CsvError>;
 /// Quoted cells may hold separators, line breaks and doubled quotes. Empty lines are left out. The first line
 /// decides the separator: it has most of it.
 Result<CsvTable, CsvFailure> read_csv(const QString& text);
-/// UTF-8 with or without a mark, else Windows-1252.
+/// UTF-8 with or without a mark, UTF-16 with one, else Windows-1252.
 QString decode_text(const QByteArray& bytes);
 
 struct ListedStudent {
@@ -46,6 +46,7 @@ enum class ListError : std::uint8_t {
 using ListFailure = Failure<ListError>;
 
 /// Columns by their heads, English or German: number, name (or first name and surname), PIN, cohort. Others are left out.
+/// A name beside a first name is the surname unless it holds the first name too.
 Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArray& file, const std::vector<Account>& accounts);
 
 }  // namespace cusp::ui

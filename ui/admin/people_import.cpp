@@ -5,6 +5,9 @@
 #include <QFileInfo>
 #include <QPushButton>
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
 
 #include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
@@ -69,13 +72,30 @@ void PeopleImport::show_failure(const StorageFailure& failure) {
 
 void PeopleImport::fit_buttons() {
   choose_->setEnabled(!working());
-  start_->setEnabled(!working() && model_->count(State::fresh) > 0);
+  start_->setEnabled(!working() && !to_do().empty());
   save_->setEnabled(!working() && !slips_.empty());
+}
+
+std::vector<ListedStudent> PeopleImport::to_do() const {
+  std::map<QString, std::set<UserId>> inside;  // [name of a cohort] its students
+  const auto joins = [&](const ListedStudent& student) {
+    if (student.state != State::known || student.cohort.isEmpty()) return false;
+    const auto [at, unread] = inside.try_emplace(student.cohort);
+    if (unread) {
+      if (const auto cohort = store_.cohorts.find_name(student.cohort.toStdString()))
+        if (const auto students = store_.cohorts.students(cohort->id)) at->second.insert(students->begin(), students->end());
+    }
+    const auto account = store_.accounts.find_number(student.number.toStdString());
+    return account && !at->second.contains(account->id);
+  };
+  std::vector<ListedStudent> out;
+  std::ranges::copy_if(model_->students(), std::back_inserter(out), [&](const ListedStudent& s) { return s.state == State::fresh || joins(s); });
+  return out;
 }
 
 void PeopleImport::leave() {
   if (working()) return stop();
-  if (slips_.empty() || slips_saved_) return Q_EMIT back_wanted();
+  if (!unsaved()) return Q_EMIT back_wanted();
   ports_.ask(this, {tr("Leave without the PIN slips?"), tr("The PINs stand nowhere else. Each student would need a new one."), tr("Leave"), true},
              [this](bool yes) {
                if (yes) Q_EMIT back_wanted();
@@ -123,11 +143,10 @@ void PeopleImport::read_file(const QString& path) {
 
 void PeopleImport::start() {
   if (working()) return;
-  PeopleImportWork work{records_of(store_), actor_, {}};
-  std::ranges::copy_if(model_->students(), std::back_inserter(work.lines),
-                       [](const ListedStudent& s) { return s.state == State::fresh || (s.state == State::known && !s.cohort.isEmpty()); });
+  PeopleImportWork work{records_of(store_), actor_, to_do()};
   lines_ = static_cast<int>(work.lines.size());
-  slips_.clear();
+  if (slips_saved_) slips_.clear();
+  slips_before_ = slips_.size();
   slips_saved_ = false;
   band_->clear();
   busy_->start(tr("Making accounts"), Busy::Cancel::offered);
@@ -163,7 +182,7 @@ void PeopleImport::end(const PeopleImportEnd& end) {
                        : end.line == 0 ? describe(*end.failure).line()
                                        : tr("Stopped at line %1.").arg(end.line) + u' ' + describe(*end.failure).line();
   band_->show_message(end.failure ? Band::Kind::bad : stopped ? Band::Kind::look : Band::Kind::good, what,
-                      tr("%n account(s) made.", nullptr, static_cast<int>(slips_.size())) +
+                      tr("%n account(s) made.", nullptr, static_cast<int>(slips_.size() - slips_before_)) +
                           (slips_.empty() ? QString() : u' ' + tr("Save the PIN slips now: the PINs stand nowhere else.")));
 }
 

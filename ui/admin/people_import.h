@@ -31,6 +31,8 @@ class PeopleImport : public QWidget {
   const std::vector<PinSlip>& slips() const { return slips_; }
   QString message() const;
   bool working() const { return stop_.has_value(); }
+  /// Accounts are being made, or their PINs stand nowhere else yet.
+  bool unsaved() const { return working() || !(slips_.empty() || slips_saved_); }
 
  public Q_SLOTS:
   void choose_file();
@@ -49,6 +51,8 @@ class PeopleImport : public QWidget {
   void show_done(const int& lines);
   void end(const PeopleImportEnd& end);
   void fit_buttons();
+  /// The lines that make an account or join a cohort.
+  std::vector<ListedStudent> to_do() const;
   void show_failure(const StorageFailure& failure);
 
   Store& store_;
@@ -61,7 +65,8 @@ class PeopleImport : public QWidget {
   std::optional<std::stop_source> stop_;  // of the work that runs
   BackgroundTask task_;
   int lines_ = 0;               // of the work that runs
-  std::vector<PinSlip> slips_;  // of this import; PINs stand nowhere else
+  std::vector<PinSlip> slips_;  // of every start since they were saved; PINs stand nowhere else
+  std::size_t slips_before_ = 0;  // of them, from before the last start
   bool slips_saved_ = false;
 };
 

@@ -98,6 +98,8 @@ void PeoplePage::filter() {
   const int role = shown_role_->currentIndex();
   model_->narrow(search_->text(), role > 0 ? std::optional(static_cast<Role>(role - 1)) : std::nullopt);
   count_->setText(tr("%n person(s)", nullptr, model_->rowCount()));
+  const bool typed = !name_->text().isEmpty() || !number_->text().isEmpty() || !secret_->text().isEmpty();
+  if (edited_ ? changed() : typed) return;  // a search keeps what the form holds
   table_->choose_row(0);
 }
 

@@ -235,6 +235,7 @@ std::optional<HistoryPage> Performance::page(const HistoryFilter& filter, const 
 }
 
 void Performance::read() {
+  band_->clear();  // it speaks of the filters before
   const HistoryFilter shown = filter();
   auto first = page(shown, std::nullopt);
   if (!first) return;

@@ -20,6 +20,7 @@
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
 #include "ui/text/grade_text.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -143,6 +144,21 @@ TEST_F(AdminPages, people_are_found_by_role_and_by_cohort) {
   EXPECT_EQ(page.model()->index(0, PeopleModel::kCohort).data().toString(), QStringLiteral("Year 2"));
 }
 
+TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) {
+  records.student("1", "Lena Brandt");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  press(page, "Add a person");
+  field(page, "Name")->setText(QStringLiteral("Omar Said"));
+  field(page, "Find somebody")->setText(QStringLiteral("Lena"));
+  EXPECT_EQ(page.model()->rowCount(), 1);
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Omar Said"));
+  field(page, "Number or user name")->setText(QStringLiteral("2"));
+  save(page, "Add");
+  EXPECT_EQ(page.message().toStdString(), "Omar Said is added.");
+  EXPECT_TRUE(records.store().accounts.find_number("2"));
+}
+
 TEST_F(AdminPages, nothing_is_saved_of_a_person_that_nobody_changed) {
   const Account lena = records.student("1", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
@@ -233,6 +249,19 @@ TEST_F(AdminPages, performance_fetches_as_one_scrolls_and_all_for_another_order)
   QObject::connect(&page, &Performance::report_wanted, [&](const SessionId& id) { wanted = id; });
   QTest::keyClick(page.table(), Qt::Key_Return);
   EXPECT_EQ(wanted, worst);
+}
+
+TEST_F(AdminPages, a_message_about_other_filters_goes_when_they_change) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 78, 100);
+  const QTemporaryDir folder;
+  file = folder.filePath(QStringLiteral("out.csv"));
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.export_csv();
+  const auto* band = page.findChild<Band*>();
+  ASSERT_TRUE(band->isVisible());
+  page.result()->setCurrentIndex(2);
+  EXPECT_FALSE(band->isVisible()) << band->text().toStdString();
 }
 
 TEST_F(AdminPages, performance_fits_half_of_full_hd_in_german) {
