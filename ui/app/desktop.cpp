@@ -1,7 +1,6 @@
 #include "ui/app/desktop.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QKeyEvent>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -18,13 +17,10 @@
 #include "ui/app/quick_open.h"
 #include "ui/app/help_page.h"
 #include "ui/app/password_dialog.h"
-#include "ui/app/run_marker.h"
 #include "ui/app/shell.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
-#include "ui/drill/drill_screen.h"
-#include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/cohorts_page.h"
 #include "ui/instructor/library_page.h"
@@ -146,15 +142,6 @@ void Desktop::sign_in(const Account& account) {
 }
 
 void Desktop::begin_idle() { idle_.set_limit(std::chrono::minutes(settings_.idle_minutes())); }
-
-void Desktop::lock_idle() {
-  // A device moves without mouse and keys.
-  if (!account_ || findChild<DrillScreen*>() != nullptr) return begin_idle();
-  for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
-  const int minutes = settings_.idle_minutes();
-  sign_out();
-  sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), tr("What you did is kept.")});
-}
 
 void Desktop::sign_out() {
   account_.reset();
@@ -371,18 +358,6 @@ void Desktop::quick_open() {
     }
   }
   (new QuickOpen(places, this))->open();
-}
-
-void Desktop::closeEvent(QCloseEvent* event) {
-  // A shutdown of the computer does not wait for an answer.
-  for (DrillScreen* screen : ended_by_signal() ? QList<DrillScreen*>() : findChildren<DrillScreen*>()) {
-    if (!screen->running()) continue;
-    screen->ask_leave();
-    if (screen->running()) return event->ignore();
-  }
-  for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
-  settings_.set_window(saveGeometry());
-  QMainWindow::closeEvent(event);
 }
 
 }  // namespace cusp::ui

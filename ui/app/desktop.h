@@ -6,8 +6,10 @@
 #include <QTimer>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "storage/store.h"
 #include "ui/app/idle_watch.h"
@@ -31,6 +33,7 @@ namespace cusp::ui {
 class DrillScreen;
 struct DrillText;
 struct EditorStart;
+class MarkingCard;
 class ReportPage;
 struct OpenedPack;
 struct ReportData;
@@ -126,6 +129,10 @@ class Desktop : public QMainWindow {
 
  private:
   void begin_idle();
+  /// What whoever was signed out had written into the card.
+  void give_back_comment(MarkingCard& card);
+  /// True if something would be lost: closing then waits for the answer.
+  bool asks_before_closing();
   void offer_exercise_languages(class Shell& shell);
   void rebuild();
   void show_sign_in(SignIn* page);
@@ -198,6 +205,8 @@ class Desktop : public QMainWindow {
   BackgroundTask backup_, packing_, gathering_;
   int gathered_ = 0;  // calls of gather()
   std::optional<Message> backup_failure_;  // of the last daily backup
+  std::map<std::pair<UserId, SessionId>, QString> unsaved_comments_;  // of whoever was signed out, by account and attempt
+  bool closes_anyway_ = false;
 };
 
 }  // namespace cusp::ui

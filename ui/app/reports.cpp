@@ -196,6 +196,7 @@ void Desktop::show_report(const std::shared_ptr<const SessionResult>& result, Re
 
 void Desktop::add_marking(ReportPage& report, const std::shared_ptr<const SessionResult>& result) {
   auto* marking = new MarkingCard(*store_, account_->actor(), report.data(), ports_);
+  give_back_comment(*marking);
   report.set_card(marking);
   const auto choose = [&report, marking] { marking->set_criterion(report.chosen_criterion()); };
   choose();
