@@ -1127,6 +1127,10 @@
         <source>Bur %1</source>
         <translation>Bohrer %1</translation>
     </message>
+    <message>
+        <source>Lift the bur out to change it.</source>
+        <translation>Zum Wechseln den Bohrer herausnehmen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BursForm</name>
@@ -1771,6 +1775,10 @@
     <message>
         <source>The target holds %1, which cannot be cut.</source>
         <translation>Das Ziel enthält %1; das lässt sich nicht abtragen.</translation>
+    </message>
+    <message>
+        <source>The lean of a wall</source>
+        <translation>Die Neigung einer Wand</translation>
     </message>
 </context>
 <context>
@@ -3040,6 +3048,26 @@
         <source>Measured: %1 of %2 points, %3</source>
         <translation>Gemessen: %1 von %2 Punkten, %3</translation>
     </message>
+    <message>
+        <source>The station of this database signed it.</source>
+        <translation>Die Station dieser Datenbank hat sie signiert.</translation>
+    </message>
+    <message>
+        <source>This database does not know the key: compare it with that of the pack’s station.</source>
+        <translation>Diese Datenbank kennt den Schlüssel nicht: Vergleichen Sie ihn mit dem der Station, von der die Akte stammt.</translation>
+    </message>
+    <message>
+        <source>Key %1 is not known here.</source>
+        <translation>Der Schlüssel %1 ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is named twice.</source>
+        <translation>%1 ist zweimal angegeben.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3221,6 +3249,10 @@
     <message>
         <source>An open assignment has the same kind, days, attempts and devices. Change one of them to assign it again.</source>
         <translation>Eine offene Aufgabe hat dieselbe Art, dieselben Tage, Versuche und Geräte. Ändern Sie etwas davon, um sie erneut zuzuweisen.</translation>
+    </message>
+    <message>
+        <source>Its time would be over already.</source>
+        <translation>Die Zeit dafür wäre schon vorbei.</translation>
     </message>
 </context>
 <context>
@@ -3714,6 +3746,18 @@
     <message>
         <source>Other stations</source>
         <translation>Andere Stationen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close without the PIN slips?</source>
+        <translation>Ohne die PIN-Zettel schließen?</translation>
+    </message>
+    <message>
+        <source>Close without the comment?</source>
+        <translation>Ohne den Kommentar schließen?</translation>
     </message>
 </context>
 <context>
@@ -7010,6 +7054,10 @@
         <source>Type other points.</source>
         <translation>Geben Sie andere Punkte ein.</translation>
     </message>
+    <message>
+        <source>%1: no points to change</source>
+        <translation>%1: keine Punkte zu ändern</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::MeshForm</name>
@@ -8796,6 +8844,10 @@
         <source>Each criterion without its full points was changed by hand; the remarks give the reasons.</source>
         <translation>Jedes Kriterium ohne volle Punkte wurde von Hand geändert; die Bemerkungen nennen die Gründe.</translation>
     </message>
+    <message>
+        <source>This attempt broke off. It is marked as it stands.</source>
+        <translation>Dieser Versuch brach ab. Er ist bewertet, wie er ist.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -8947,6 +8999,34 @@
         <source>Cut the tooth open and compare its walls with the reference preparation</source>
         <translation>Den Zahn aufschneiden und seine Wände mit der Referenzpräparation vergleichen</translation>
     </message>
+    <message>
+        <source>What is written under Marking is not kept yet.</source>
+        <translation>Was unter „Bewertung“ geschrieben steht, ist noch nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Leave without the comment?</source>
+        <translation>Ohne den Kommentar gehen?</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>An appeal pack holds one attempt alone.</source>
+        <translation>Eine Einspruchsakte enthält nur einen Versuch.</translation>
+    </message>
+    <message>
+        <source>Nothing of this attempt is kept, so it is compared with no other.</source>
+        <translation>Von diesem Versuch wird nichts aufbewahrt; er wird mit keinem anderen verglichen.</translation>
+    </message>
+    <message>
+        <source>The report was not printed.</source>
+        <translation>Der Bericht wurde nicht gedruckt.</translation>
+    </message>
+    <message>
+        <source>The printer or its file takes nothing. The attempt and its grade are kept.</source>
+        <translation>Der Drucker oder seine Datei nimmt nichts an. Versuch und Bewertung sind aufbewahrt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportSection</name>
@@ -9073,24 +9153,8 @@
         <translation>nicht verbunden</translation>
     </message>
     <message>
-        <source>Nothing is kept</source>
-        <translation>Nichts wird aufbewahrt</translation>
-    </message>
-    <message>
-        <source>Recording, saved every second</source>
-        <translation>Aufzeichnung, jede Sekunde gesichert</translation>
-    </message>
-    <message>
-        <source>The record cannot be written</source>
-        <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
-    </message>
-    <message>
         <source>Over-cut</source>
         <translation>Überpräpariert</translation>
-    </message>
-    <message>
-        <source>Recording, not yet written to the disk</source>
-        <translation>Aufzeichnung, noch nicht auf den Datenträger geschrieben</translation>
     </message>
     <message>
         <source>Your task</source>
@@ -9214,6 +9278,33 @@
     <message>
         <source>Go on without it</source>
         <translation>Ohne sie weiter</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::SessionFoot</name>
+    <message>
+        <source>The picture is %1 behind the bur. Lift the bur and wait.</source>
+        <translation>Das Bild ist %1 hinter dem Bohrer zurück. Bohrer abheben und warten.</translation>
+    </message>
+    <message>
+        <source>The record cannot be written</source>
+        <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>This computer is too slow. Lift the bur and wait, or the attempt ends.</source>
+        <translation>Dieser Rechner ist zu langsam. Bohrer abheben und warten, sonst endet der Versuch.</translation>
+    </message>
+    <message>
+        <source>Recording, not yet written to the disk</source>
+        <translation>Aufzeichnung, noch nicht auf den Datenträger geschrieben</translation>
+    </message>
+    <message>
+        <source>Recording, saved every second</source>
+        <translation>Aufzeichnung, jede Sekunde gesichert</translation>
+    </message>
+    <message>
+        <source>Nothing is kept</source>
+        <translation>Nichts wird aufbewahrt</translation>
     </message>
 </context>
 <context>
@@ -10940,10 +11031,6 @@ Ihr bester davor</translation>
         <translation>%1 ist größer, als die Grenzen erlauben.</translation>
     </message>
     <message>
-        <source>%1 holds nothing solid.</source>
-        <translation>%1 enthält nichts Festes.</translation>
-    </message>
-    <message>
         <source>%1 holds no surface.</source>
         <translation>%1 enthält keine Oberfläche.</translation>
     </message>
@@ -11337,10 +11424,6 @@ Ihr bester davor</translation>
     <message>
         <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
         <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>At %1 its cells are not evenly spaced.</source>
-        <translation>Bei %1 liegen ihre Zellen nicht gleichmäßig.</translation>
     </message>
     <message>
         <source>The surface is open at %1 mm. Let it be mended, or close it there.</source>
@@ -12789,6 +12872,14 @@ Ihr bester davor</translation>
         <source>It opens as soon as it has ended.</source>
         <translation>Er lässt sich öffnen, sobald er beendet ist.</translation>
     </message>
+    <message>
+        <source>At %1 its cells are not evenly spaced, or not between 0.005 and 5 mm.</source>
+        <translation>Bei %1 sind die Zellen nicht gleich groß oder nicht zwischen 0,005 und 5 mm groß.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing solid. Check its unit, and which grey values are tissue.</source>
+        <translation>%1 enthält nichts Festes. Prüfen Sie die Einheit und welche Grauwerte Gewebe sind.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -12830,6 +12921,11 @@ Ihr bester davor</translation>
         <source>Name of target %1, %2</source>
         <extracomment>%1: which of several targets, %2: a language</extracomment>
         <translation>Name von Ziel %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 characters. The exercise keeps the briefing as it was.</source>
+        <extracomment>%1: characters of a text, %2: the most that an exercise can hold</extracomment>
+        <translation>%1 von höchstens %2 Zeichen. Die Übung behält die Aufgabe, wie sie war.</translation>
     </message>
 </context>
 <context>

@@ -89,13 +89,13 @@ Message describe(const ImportFailure& f) {
     case ImportError::bad_header: return at(Text::tr("Its head is wrong at %1.").arg(where));
     case ImportError::unsupported: return at(Text::tr("It uses %1, which is not read here.").arg(where));
     case ImportError::bad_sizes: return at(Text::tr("The sizes at %1 make no volume.").arg(where));
-    case ImportError::bad_spacing: return at(Text::tr("At %1 its cells are not evenly spaced.").arg(where));
+    case ImportError::bad_spacing: return at(Text::tr("At %1 its cells are not evenly spaced, or not between 0.005 and 5 mm.").arg(where));
     case ImportError::bad_orientation: return at(Text::tr("The axes at %1 are oblique or not known.").arg(where));
     case ImportError::bad_tissue: return at(Text::tr("%1 names no tissue.").arg(where));
     case ImportError::truncated: return at(Text::tr("%1 ends too early. Copy it again.").arg(where));
     case ImportError::corrupt: return at(Text::tr("%1 is damaged. Copy it again.").arg(where));
     case ImportError::too_large: return at(Text::tr("%1 is larger than the limits allow.").arg(where));
-    case ImportError::nothing_solid: return at(Text::tr("%1 holds nothing solid.").arg(where));
+    case ImportError::nothing_solid: return at(Text::tr("%1 holds nothing solid. Check its unit, and which grey values are tissue.").arg(where));
     case ImportError::no_mesh: return at(Text::tr("%1 holds no surface.").arg(where));
     case ImportError::mesh_not_found: return at(Text::tr("There is no part called %1.").arg(where));
     case ImportError::mesh_empty: return at(Text::tr("The part %1 encloses nothing.").arg(where));
