@@ -47,9 +47,9 @@ class BurButton : public QAbstractButton {
     updateGeometry();
     update();
   }
-  /// Chosen, but not in use yet.
-  void wait(bool on) {
-    if (std::exchange(waits_, on) != on) update();
+  enum class Standing : std::uint8_t { usual, waits, still_in_use };  // while the chosen bur is not in use yet
+  void stand(Standing standing) {
+    if (std::exchange(standing_, standing) != standing) update();
   }
 
  protected:
@@ -60,7 +60,8 @@ class BurButton : public QAbstractButton {
     p.setLayoutDirection(Qt::LeftToRight);  // a bur with its number is one picture
     const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
     const bool on = isChecked();
-    p.setPen(QPen(on ? t.accent : t.line, on ? 2 : 1, waits_ ? Qt::DashLine : Qt::SolidLine));
+    const bool framed = on || standing_ == Standing::still_in_use;
+    p.setPen(QPen(framed ? t.accent : t.line, framed ? 2 : 1, standing_ == Standing::waits ? Qt::DashLine : Qt::SolidLine));
     p.setBrush(on ? t.accent_soft : underMouse() ? t.hover : t.surface);
     p.drawRoundedRect(box, px(4), px(4));
     if (hasFocus()) {
@@ -104,7 +105,8 @@ class BurButton : public QAbstractButton {
 
   Bur bur_;
   QString number_, kind_;
-  bool folded_ = false, waits_ = false;
+  bool folded_ = false;
+  Standing standing_ = Standing::usual;
 };
 
 }  // namespace
@@ -151,6 +153,8 @@ void BurTray::set_burs(const std::vector<Bur>& burs) {
     row_->addWidget(button);
   }
   choose(0);
+  waiting_ = -1;
+  waits_->hide();
 }
 
 void BurTray::fold(bool on) {
@@ -171,7 +175,11 @@ void BurTray::show_burs(int in_use, int wanted) {
   choose(wanted);
   const int waiting = wanted == in_use ? -1 : wanted;
   if (std::exchange(waiting_, waiting) == waiting) return;
-  for (int i = 0; i < count_; ++i) static_cast<BurButton*>(group_->button(i))->wait(i == waiting);
+  for (int i = 0; i < count_; ++i) {
+    using Standing = BurButton::Standing;
+    const bool used = waiting >= 0 && i == in_use;
+    static_cast<BurButton*>(group_->button(i))->stand(i == waiting ? Standing::waits : used ? Standing::still_in_use : Standing::usual);
+  }
   waits_->setVisible(waiting >= 0);
   if (waiting >= 0) announce(this, waits_->text());
 }
