@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "storage/base/files.h"
@@ -218,7 +219,29 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional
   return out;
 }
 
+namespace {
+
+/// A backup that nobody can be writing any more: of our files alone, without a description, unchanged for a day.
+bool is_abandoned(const fs::path& folder) {
+  std::error_code error;
+  if (!folder.filename().string().starts_with("cusp-") || !fs::is_directory(folder, error)) return false;
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24);
+  bool ours = false;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (!it->path().filename().string().starts_with(kBackupDatabase) || it->last_write_time(error) > old) return false;
+    ours = true;
+  }
+  return ours && !error && fs::last_write_time(folder, error) <= old && !error;
+}
+
+}  // namespace
+
 Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t keep) {
+  std::vector<fs::path> abandoned;
+  std::error_code ignored;
+  for (fs::directory_iterator it(into, ignored), end; !ignored && it != end; it.increment(ignored))
+    if (is_abandoned(it->path())) abandoned.push_back(it->path());
+  for (const fs::path& folder : abandoned) remove_new(folder);
   const auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
   for (std::size_t i = keep; i < all->size(); ++i) {

@@ -33,7 +33,8 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
 Stored<std::vector<Backup>> backups_in(const std::filesystem::path& into, const std::optional<Uuid>& station);
 /// not_found unless the folder holds a whole backup.
 Stored<Backup> read_backup(const std::filesystem::path& folder);
-/// Removes all of this station but the newest `keep` ones.
+/// Removes all of this station but the newest `keep` ones, and what a backup that was cut off left more than a day ago: it holds a
+/// secret key.
 Stored<void> thin_backups(const std::filesystem::path& into, const Uuid& station, std::size_t keep);
 
 /// Work on the new database and what lies beside it, before they get their names. It closes what it opens.
