@@ -39,11 +39,11 @@ class SurfaceContact {
                 double reach_mm, double most_mm) noexcept;
 
   /// Contact again after a cut of advance_mm that is in the memory and not yet in the field. before: solve()'s last answer.
-  Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, const Contact& before,
-                    Vec3 device, double advance_mm) noexcept;
+  Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, const Contact& before, Vec3 device, double advance_mm) noexcept;
 
-  /// True when the bur at this pose is in free space: ball, neck and shank clear of tissue.
+  /// True when head, neck and shank are clear of tissue by a voxel. in_free_space(): no brick in reach has any; costs a few us.
   bool fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept;
+  bool in_free_space(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept { return clear_path(volume, {&bur, axis}, pose, pose); }
 
   /// The nearest pose at which the head alone, thinner by thin_mm all over, fits. False if there is none within 20 um.
   bool push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;

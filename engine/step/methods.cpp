@@ -15,8 +15,10 @@ class SurfaceMethod final : public ContactMethod {
     step_surface(state, tick, out);
   }
   bool end_stroke(StepState::Inner& state) noexcept override { return engine::end_stroke(state); }
-  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3 axis, Vec3 pose_mm) noexcept override {
-    return state.surface->fits(state.volume, state.scene->burs[bur], axis, pose_mm);
+  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3 axis, Vec3 pose_mm, Look look) noexcept override {
+    const Bur& head = state.scene->burs[bur];
+    if (look == Look::free_space) return state.surface->in_free_space(state.volume, head, axis, pose_mm);
+    return state.surface->fits(state.volume, head, axis, pose_mm);
   }
   bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
     const Bur& head = state.scene->burs[bur];

@@ -73,7 +73,7 @@ Vec3 first_pose(StepState::Inner& state, std::uint16_t bur_index, Vec3 device, V
   const Bur& bur = state.scene->burs[bur_index];
   const Vec3 low = grid.origin_mm - grid.voxel_mm;
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
-  if (state.method->fits(state, bur_index, axis, device)) return device;
+  if (state.method->fits(state, bur_index, axis, device, ContactMethod::Look::whole)) return device;
   const double reach = head_reach(bur);
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {
@@ -115,13 +115,17 @@ Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
   return rest * scene.tilt_cosine + side * (std::sqrt(1.0 - scene.tilt_cosine * scene.tilt_cosine) / length);
 }
 
+/// In a cavity one tick in so many looks whether a wanted bur fits: 16 ms are not felt.
+constexpr std::uint64_t kTicksALook = 16;
+
 /// The bur in use: the wanted one as soon as it fits at the proxy. Held against tissue, a bur is not changed.
 std::uint16_t bur_in_use(StepState::Inner& state, const StepInput& input, Vec3 axis) noexcept {
   const std::size_t burs = state.scene->burs.size();
   const std::uint16_t wanted = input.bur < burs ? input.bur : static_cast<std::uint16_t>(burs - 1), now = state.last.bur;
   if (!state.started || wanted == now) return wanted;
-  if (state.last.contact || !state.method->fits(state, wanted, axis, state.proxy)) return now;
-  return wanted;
+  using Look = ContactMethod::Look;
+  const Look look = (state.last.tick + 1) % kTicksALook == 0 ? Look::whole : Look::free_space;
+  return !state.last.contact && state.method->fits(state, wanted, axis, state.proxy, look) ? wanted : now;
 }
 
 /// The tick's number, time and pose of the device.

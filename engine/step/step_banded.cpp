@@ -54,7 +54,7 @@ class BandedMethod final : public ContactMethod {
     state.cut_valid = false;
     return true;
   }
-  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm) noexcept override {
+  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm, Look) noexcept override {
     return finder_.fits(state.volume, bur, pose_mm);
   }
   bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {

@@ -79,7 +79,7 @@ class FilledMethod final : public ContactMethod {
     answer(state, finder_.overlap(), contact, tick, out);
   }
   bool end_stroke(StepState::Inner&) noexcept override { return true; }
-  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm) noexcept override {
+  bool fits(StepState::Inner& state, std::uint16_t bur, Vec3, Vec3 pose_mm, Look) noexcept override {
     return finder_.overlap().free(bur, ToolOverlap::voxel_at(state.volume.grid(), pose_mm));
   }
   bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {

@@ -197,6 +197,7 @@ TEST(Ticker, TheLaterChoiceOfABurWins) {
     return hand_over.latest.read().output.bur;
   };
   Sample sample = test::drilling_sample(0);
+  sample.position_mm.z = 5.0;  // far from the block, where a bur is changed at once
   EXPECT_EQ(bur_after(sample), 0);
   ticker.change_bur(1);
   EXPECT_EQ(bur_after(sample), 1);
