@@ -76,6 +76,23 @@ bool shows(QWidget& in, const QString& part) {
     if (label->isVisibleTo(&in) && label->text().contains(part)) return true;
   return false;
 }
+/// Asks the homed Falcon for its force.
+bool feel_force(FalconPanel& panel) {
+  QPushButton* force = button(panel, QStringLiteral("Feel the force"));
+  const bool ready = eventually([&] {
+    panel.look();
+    return force->isEnabled();
+  });
+  force->click();
+  return ready;
+}
+/// Nobody holds it: the force goes off by itself, and the panel shows it.
+bool force_goes_off(FalconPanel& panel) {
+  return eventually([&] {
+    panel.look();
+    return shows(panel, QStringLiteral("Nothing was changed"));
+  });
+}
 
 TEST(DevicePage, lists_what_is_plugged_in_and_keeps_what_was_chosen) {
   Desk desk;
@@ -305,12 +322,7 @@ TEST(DevicePage, a_test_goes_on_while_another_device_comes) {
   auto page = desk.page(Role::instructor);
   page->show();
   FalconPanel* panel = page->falcon();
-  QPushButton* force = button(*panel, QStringLiteral("Feel the force"));
-  ASSERT_TRUE(eventually([&] {
-    panel->look();
-    return force->isEnabled();
-  })) << panel->summary().toStdString();
-  force->click();
+  ASSERT_TRUE(feel_force(*panel)) << panel->summary().toStdString();
   panel->look();
   QPushButton* stop = button(*panel, QStringLiteral("Stop"));
   ASSERT_TRUE(stop->isVisibleTo(panel));
@@ -318,11 +330,7 @@ TEST(DevicePage, a_test_goes_on_while_another_device_comes) {
   desk.bus.news = true;
   page->look();
   ASSERT_EQ(page->listed().size(), 3);
-  // Nobody holds it: the force goes off by itself, and the panel shows it.
-  EXPECT_TRUE(eventually([&] {
-    panel->look();
-    return shows(*panel, QStringLiteral("Nothing was changed"));
-  }));
+  EXPECT_TRUE(force_goes_off(*panel));
   page->hide();
 }
 
@@ -332,18 +340,9 @@ TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   auto page = desk.page(Role::instructor);
   page->show();
   FalconPanel* panel = page->falcon();
-  QPushButton* force = button(*panel, QStringLiteral("Feel the force"));
-  ASSERT_TRUE(eventually([&] {
-    panel->look();
-    return force->isEnabled();
-  })) << panel->summary().toStdString();
-  force->click();
+  ASSERT_TRUE(feel_force(*panel)) << panel->summary().toStdString();
   EXPECT_EQ(desk.asked.size(), 1);
-  // Nobody holds it: the force goes off by itself, and the panel shows it.
-  EXPECT_TRUE(eventually([&] {
-    panel->look();
-    return shows(*panel, QStringLiteral("Nothing was changed"));
-  }));
+  EXPECT_TRUE(force_goes_off(*panel));
   page->hide();  // releases it
 }
 

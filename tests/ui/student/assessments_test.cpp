@@ -41,6 +41,13 @@ class Assessments : public testing::Test {
   std::vector<AssignedAssessment> at(std::int64_t utc_us, const std::string& device_class = "pointer") {
     return *load_assessments(records.store(), lena.actor(), QDateTime::fromMSecsSinceEpoch(utc_us / 1000), device_class);
   }
+  /// The exercise with a time limit, as its next version.
+  Stored<ScenarioVersion> publish_newer() {
+    Scenario newer = *load_builtin("channel-1");
+    newer.version += 1;
+    newer.time_limit_s = 600;
+    return records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes);
+  }
   SessionId sit() {
     NewSession wanted{.student = lena.id, .version = assignment.version, .kind = SessionKind::assessment, .assignment = assignment.id};
     wanted.start_code = "4711";
@@ -211,10 +218,7 @@ TEST_F(Assessments, ContinueWithTheStartCodeThoughTimeAttemptsAndDeviceAdmitNoNe
 TEST_F(Assessments, AnAssignedPracticeStaysDueInItsVersionWhenANewerOneIsPublished) {
   const Assignment practice = *records.store().assignments.create(
       examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour});
-  Scenario newer = *load_builtin("channel-1");
-  newer.version += 1;
-  newer.time_limit_s = 600;
-  ASSERT_TRUE(records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes));
+  ASSERT_TRUE(publish_newer());
   const Course course = *load_course(records.store(), lena.actor());
   const auto row = std::ranges::find_if(course.rows, [](const CourseRow& r) { return r.assignment.has_value(); });
   ASSERT_NE(row, course.rows.end());
@@ -223,10 +227,7 @@ TEST_F(Assessments, AnAssignedPracticeStaysDueInItsVersionWhenANewerOneIsPublish
 }
 
 TEST_F(Assessments, APracticeThatIsAssignedAgainIsDueByItsNewDayInItsNewVersion) {
-  Scenario newer = *load_builtin("channel-1");
-  newer.version += 1;
-  newer.time_limit_s = 600;
-  const auto version = records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes);
+  const auto version = publish_newer();
   ASSERT_TRUE(version);
   // Last term's, this term's, and one that opens later.
   Assignment past{.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour, .attempts_allowed = 3};
@@ -280,10 +281,7 @@ TEST_F(Assessments, OfTheAttemptsAllowedThoseOfTheAssignmentAloneAreUsed) {
 }
 
 TEST_F(Assessments, AWithdrawnVersionIsNoLongerAssigned) {
-  Scenario newer = *load_builtin("channel-1");
-  newer.version += 1;
-  newer.time_limit_s = 600;
-  const auto version = records.store().scenarios.publish(examiner, newer, canonical_json(newer), content_hash(newer).bytes);
+  const auto version = publish_newer();
   ASSERT_TRUE(version);
   Assignment a = assignment;
   a.version = version->id;
