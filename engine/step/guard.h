@@ -1,5 +1,5 @@
-/// The last stage of the spring's force, before drag and vibration: bounds what the device gets. The force may fall at any rate. It rises no
-/// faster than the slew, stays within the limit, and starts from zero. It fades where it throws the device. It returns
+/// The last stage of the spring's force, before drag and vibration: bounds what the device gets. The force may fall at
+/// any rate. It rises no faster than the slew, stays within the limit, and starts from zero. It fades where it throws the device. It returns
 /// no more energy than a spring. A fault sets it to zero until re-armed. Thread: haptic. Wait-free.
 ///
 /// Frozen inputs: equal positions prove nothing, because a resting hand repeats one encoder count for seconds. A port

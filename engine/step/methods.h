@@ -29,7 +29,8 @@ class ContactMethod {
   virtual void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept = 0;
   /// Ends the stroke (fault, another bur). False if the volume had no room.
   virtual bool end_stroke(StepState::Inner& state) noexcept = 0;
-  /// free_space: true only where no brick in reach has a surface; costs a few us. whole: looks at the surface, up to 1 ms of a wide head.
+  /// free_space: the surface method says true only where no brick in reach has tissue; costs a few us. whole: it looks at the
+  /// surface, up to 1 ms for a wide head. Other methods look alike in both.
   enum class Look : std::uint8_t { free_space, whole };
   /// True if a proxy with this bur may start at this pose. A surface within a voxel of the bur may make it false.
   virtual bool fits(StepState::Inner& state, std::uint16_t bur, Vec3 axis, Vec3 pose_mm, Look look) noexcept = 0;
