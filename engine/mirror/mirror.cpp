@@ -33,7 +33,9 @@ Mirror::Mirror(StepState state, HandOver& hand_over, const MirrorSettings& setti
 Mirror::~Mirror() { stop(); }
 
 void Mirror::start() {
-  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+  if (threaded_) return;
+  threaded_ = true;
+  thread_ = std::thread([this] { run(); });
 }
 
 void Mirror::stop() {
@@ -105,7 +107,7 @@ std::uint64_t Mirror::pump() {
     const std::size_t waiting = hand_over_.inputs.size();
     // Without a thread the mirror is never late.
     const std::uint64_t delay_us = waiting <= kFewInputs ? 0 : waiting <= kManyInputs ? kMostDelayUs : kLongestUs;
-    if (!thread_.joinable() || now_us >= next_show_us_ + delay_us) show(Call::further);
+    if (!threaded_ || now_us >= next_show_us_ + delay_us) show(Call::further);
   }
   compare();
   return done;

@@ -98,6 +98,7 @@ class Mirror {
   std::atomic<bool> differs_{false};
   Mismatch mismatch_;                          // written once, before differs_
   std::atomic<bool> stop_{false};
+  bool threaded_ = false;  // written once, before the thread starts
   std::thread thread_;
 };
 
