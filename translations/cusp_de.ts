@@ -262,6 +262,10 @@
         <source>%1 has %2.</source>
         <translation>%1 hat %2.</translation>
     </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>zurückgezogen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentStart</name>
@@ -441,6 +445,10 @@
     <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>zurückgezogen</translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3261,26 @@
     <message>
         <source>Its time would be over already.</source>
         <translation>Die Zeit dafür wäre schon vorbei.</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>Withdraw %1?</source>
+        <translation>%1 zurückziehen?</translation>
+    </message>
+    <message>
+        <source>No further attempt can begin, and it no longer stands on the start pages of its students. Attempts that were begun can be finished; their results are kept.</source>
+        <translation>Es kann kein weiterer Versuch beginnen, und auf den Startseiten der Studierenden steht die Zuweisung nicht mehr. Begonnene Versuche können beendet werden; ihre Ergebnisse bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 is withdrawn.</source>
+        <translation>%1 ist zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>It can be assigned again.</source>
+        <translation>Die Übung kann wieder zugewiesen werden.</translation>
     </message>
 </context>
 <context>
@@ -12879,6 +12907,18 @@ Ihr bester davor</translation>
     <message>
         <source>%1 holds nothing solid. Check its unit, and which grey values are tissue.</source>
         <translation>%1 enthält nichts Festes. Prüfen Sie die Einheit und welche Grauwerte Gewebe sind.</translation>
+    </message>
+    <message>
+        <source>Assignment withdrawn</source>
+        <translation>Zuweisung zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Withdrawal of an assignment sealed as it was found</source>
+        <translation>Zurückziehen einer Zuweisung versiegelt, wie vorgefunden</translation>
+    </message>
+    <message>
+        <source>This assignment was withdrawn.</source>
+        <translation>Diese Zuweisung wurde zurückgezogen.</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,7 @@ constexpr std::array kOfficeCopies = {
     "INSERT INTO version_withdrawals SELECT * FROM source.version_withdrawals WHERE version IN (SELECT id FROM scenario_versions)",
     "INSERT INTO assignments SELECT * FROM source.assignments WHERE id NOT IN (SELECT id FROM source.referred WHERE here = 0)",
     "INSERT INTO assessments SELECT * FROM source.assessments WHERE assignment IN (SELECT id FROM assignments)",
+    "INSERT INTO assignment_withdrawals SELECT * FROM source.assignment_withdrawals WHERE assignment IN (SELECT id FROM assignments)",
     "INSERT INTO adjustments SELECT * FROM source.adjustments WHERE assignment IN (SELECT id FROM assignments)",
     // Whom these name and the office knows by name alone.
     "INSERT OR IGNORE INTO people SELECT id, number, name, role, '', '', 1, guest, 0, 0, created_at FROM source.people WHERE id IN ("

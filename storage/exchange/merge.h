@@ -36,7 +36,8 @@ struct Merge {
 /// Accounts, then versions: what the other rows refer to.
 void merge_people(Merge& merge);
 void merge_versions(Merge& merge);
-/// Rows that never change. `action`: of the entry about each that was not here.
+/// Rows that never change. `action`: of the entry about each that was not here. Of a version or assignment that both stations
+/// withdrew, each keeps its own row.
 void merge_rows(Merge& merge, SealedTable table, const char* action);
 /// The members of the file's cohorts become those of the file, unless it is late.
 void merge_members(Merge& merge);

@@ -198,10 +198,11 @@ void merge_versions(Merge& merge) {
 }
 
 void merge_rows(Merge& merge, SealedTable table, const char* action) {
+  const bool withdrawals = table == SealedTable::version_withdrawals || table == SealedTable::assignment_withdrawals;
   for (const RowSeal& theirs : merge.taken(row_seals(merge.from.db, table))) {
     if (!merge.ok()) return;
     const auto here = merge.taken(row_seals(merge.db(), table, theirs.subject));
-    if (!here.empty() && here.front().seal != theirs.seal) return merge.refuse(StorageError::differs, std::string(name_of(table)), theirs.subject.text());
+    if (!here.empty() && here.front().seal != theirs.seal && !withdrawals) return merge.refuse(StorageError::differs, std::string(name_of(table)), theirs.subject.text());
     const bool referred = merge.referred.contains(theirs.subject);
     if (!here.empty()) {
       if (!referred) arrive(merge, theirs.subject);

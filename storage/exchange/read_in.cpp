@@ -34,7 +34,8 @@ void raise_sequence(Transaction& transaction) {
       "UNION ALL SELECT max(sequence) FROM source.session_events UNION ALL SELECT max(sequence) FROM source.grades "
       "UNION ALL SELECT max(sequence) FROM source.scenario_versions UNION ALL SELECT max(sequence) FROM source.assignments "
       "UNION ALL SELECT max(sequence) FROM source.comments UNION ALL SELECT max(sequence) FROM source.statements "
-      "UNION ALL SELECT max(sequence) FROM source.version_withdrawals UNION ALL SELECT max(sequence) FROM source.adjustments)))");
+      "UNION ALL SELECT max(sequence) FROM source.version_withdrawals UNION ALL SELECT max(sequence) FROM source.adjustments "
+      "UNION ALL SELECT max(sequence) FROM source.assignment_withdrawals)))");
 }
 
 void check_trust(Transaction& transaction, const StorageContext& context, const CheckedExchange& file) {
@@ -106,6 +107,7 @@ void merge_all(Merge& merge, const CheckedExchange& file) {
   merge_rows(merge, SealedTable::assignments, "assignment_sealed");
   merge_rows(merge, SealedTable::assessments, "assessment_sealed");
   merge_rows(merge, SealedTable::version_withdrawals, "withdrawal_sealed");
+  merge_rows(merge, SealedTable::assignment_withdrawals, "assignment_withdrawal_sealed");
   merge_rows(merge, SealedTable::adjustments, "adjustment_sealed");
   if (file.description.kind == ExchangeKind::office) {
     merge_members(merge);

@@ -110,6 +110,7 @@ void SealIndex::add_row(const AuditEntry& e) {
   keep(SealedTable::statements, {"stated", "statement_sealed"});
   keep(SealedTable::assessments, {"assessment_set", "assessment_sealed"});
   keep(SealedTable::version_withdrawals, {"version_withdrawn", "withdrawal_sealed"});
+  keep(SealedTable::assignment_withdrawals, {"assignment_withdrawn", "assignment_withdrawal_sealed"});
   keep(SealedTable::adjustments, {"adjusted", "adjustment_sealed"});
   keep(SealedTable::other_keys, {"key_trusted", "key_kept", "key_role_changed", "key_revoked", "other_key_sealed"});
   keep(SealedTable::referred, {"referred", "arrived", "referred_sealed"});

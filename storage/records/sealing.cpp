@@ -13,10 +13,10 @@ namespace cusp::storage {
 namespace {
 
 constexpr const char* baseline_action(SealedTable table) noexcept {
-  constexpr std::array<const char*, 11> actions = {"comment_sealed", "cohort_sealed",    "assignment_sealed",
+  constexpr std::array<const char*, 12> actions = {"comment_sealed", "cohort_sealed",    "assignment_sealed",
                                                   "version_sealed", "statement_sealed", "assessment_sealed",
                                                   "withdrawal_sealed", "adjustment_sealed", "other_key_sealed",
-                                                  "referred_sealed", "thinning_sealed"};
+                                                  "referred_sealed", "thinning_sealed", "assignment_withdrawal_sealed"};
   return actions[static_cast<std::size_t>(table)];
 }
 

@@ -13,6 +13,7 @@
 /// | stated, statement_sealed | statement | row_seals() |
 /// | assessment_set, assessment_sealed | assignment | row_seals() |
 /// | version_withdrawn, withdrawal_sealed | version | row_seals() |
+/// | assignment_withdrawn, assignment_withdrawal_sealed | assignment | row_seals() |
 /// | adjusted, adjustment_sealed | adjustment | row_seals() |
 /// | key_trusted, key_kept, key_role_changed, key_revoked | row of other_keys | key, row_seals() |
 /// | trace_thinned, thinning_sealed | session | row_seals() of its row in `thinned_traces` |

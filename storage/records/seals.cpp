@@ -43,6 +43,8 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
       return "assignment, start_code";
     case SealedTable::version_withdrawals:
       return "version, author, at, sequence";
+    case SealedTable::assignment_withdrawals:
+      return "assignment, author, at, sequence";
     case SealedTable::adjustments:
       return "id, assignment, student, extra_time_percent, author, at, sequence, large_text";
     case SealedTable::other_keys:
@@ -58,7 +60,7 @@ constexpr std::string_view columns_of(SealedTable table) noexcept {
 }  // namespace
 
 std::string_view key_column(SealedTable table) noexcept {
-  if (table == SealedTable::assessments) return "assignment";
+  if (table == SealedTable::assessments || table == SealedTable::assignment_withdrawals) return "assignment";
   if (table == SealedTable::thinned_traces) return "session";
   return table == SealedTable::version_withdrawals ? "version" : "id";
 }
@@ -92,9 +94,10 @@ std::optional<AccountSeal> account_seal_from(std::string_view detail) {
 }
 
 std::string_view name_of(SealedTable table) noexcept {
-  constexpr std::array<std::string_view, 11> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
+  constexpr std::array<std::string_view, 12> names = {"comments",   "cohorts",     "assignments",         "scenario_versions",
                                                       "statements", "assessments", "version_withdrawals", "adjustments",
-                                                      "other_keys", "referred",    "thinned_traces"};
+                                                      "other_keys", "referred",    "thinned_traces",
+                                                      "assignment_withdrawals"};
   return names[static_cast<std::size_t>(table)];
 }
 

@@ -39,13 +39,14 @@ enum class SealedTable : std::uint8_t {
   other_keys,
   referred,
   thinned_traces,
+  assignment_withdrawals,
 };
 inline constexpr std::array kSealedTables = {SealedTable::comments,    SealedTable::cohorts,
                                              SealedTable::assignments, SealedTable::scenario_versions,
                                              SealedTable::statements,  SealedTable::assessments,
                                              SealedTable::version_withdrawals, SealedTable::adjustments,
                                              SealedTable::other_keys,  SealedTable::referred,
-                                             SealedTable::thinned_traces};
+                                             SealedTable::thinned_traces, SealedTable::assignment_withdrawals};
 std::string_view name_of(SealedTable table) noexcept;
 /// The column that names one row.
 std::string_view key_column(SealedTable table) noexcept;

@@ -111,7 +111,8 @@ class StoreVerifier {
         "UNION ALL SELECT max(sequence) FROM session_events UNION ALL SELECT max(sequence) FROM grades "
         "UNION ALL SELECT max(sequence) FROM scenario_versions UNION ALL SELECT max(sequence) FROM assignments "
         "UNION ALL SELECT max(sequence) FROM comments UNION ALL SELECT max(sequence) FROM statements "
-        "UNION ALL SELECT max(sequence) FROM version_withdrawals UNION ALL SELECT max(sequence) FROM adjustments)",
+        "UNION ALL SELECT max(sequence) FROM version_withdrawals UNION ALL SELECT max(sequence) FROM adjustments "
+        "UNION ALL SELECT max(sequence) FROM assignment_withdrawals)",
         [](Row row) { return row.integer(0); });
     check_single_row("station");
     const bool given_twice = used && used->value_or(0) >= (*station)->second;

@@ -9,6 +9,9 @@ namespace cusp::storage {
 namespace {
 
 constexpr std::size_t kMostDeviceClasses = 16;
+constexpr const char* kSelectAssignments =
+    "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at, a.device_classes, "
+    "a.self_test_days, a.drawn_tooth, EXISTS (SELECT 1 FROM assignment_withdrawals w WHERE w.assignment = a.id) FROM assignments a ";
 
 Assignment assignment_of(Row row) {
   Assignment a;
@@ -24,6 +27,7 @@ Assignment assignment_of(Row row) {
   a.device_classes = split_keys(row.text(9));
   if (const auto days = row.maybe_integer(10)) a.self_test_days = static_cast<int>(*days);
   a.drawn_tooth = row.maybe_integer(11).has_value();
+  a.withdrawn = row.flag(12);
   return a;
 }
 
@@ -85,10 +89,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
 }
 
 Stored<Assignment> Assignments::find(AssignmentId assignment) {
-  const auto found = c_.db.first(
-      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes, self_test_days, drawn_tooth FROM assignments "
-      "WHERE id = ?1",
-      assignment_of, assignment);
+  const auto found = c_.db.first(std::string(kSelectAssignments) + "WHERE a.id = ?1", assignment_of, assignment);
   if (!found) return std::unexpected(found.error());
   if (!*found) return fail(StorageError::not_found, "assignments", assignment.text());
   return **found;
@@ -100,6 +101,15 @@ Stored<std::string> Assignments::start_code(const Actor& actor, AssignmentId ass
                                 [](Row row) { return row.text(0); }, assignment);
   if (!code) return std::unexpected(code.error());
   return code->value_or(std::string());
+}
+
+Stored<void> Assignments::withdraw(const Actor& actor, AssignmentId assignment) {
+  if (auto allowed = require(actor, Action::assign); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run("INSERT INTO assignment_withdrawals (assignment, author, at, sequence) VALUES (?1, ?2, ?3, ?4)", assignment, actor.id,
+                  c_.clock(), c_.next_sequence(transaction));
+  log_row(c_, transaction, actor.id, "assignment_withdrawn", SealedTable::assignment_withdrawals, assignment.uuid);
+  return commit_sealed(c_, transaction);
 }
 
 Stored<void> Assignments::adjust(const Actor& actor, AssignmentId assignment, UserId student, const Adjustment& adjustment) {
@@ -139,19 +149,15 @@ Stored<int> Assignments::attempts(AssignmentId assignment, UserId student) {
 }
 
 Stored<std::vector<Assignment>> Assignments::for_student(UserId student) {
-  return c_.db.all(
-      "SELECT a.id, a.version, a.cohort, a.kind, a.opens_at, a.due_at, a.goes_allowed, a.author, a.created_at, a.device_classes, a.self_test_days, "
-      "a.drawn_tooth "
-      "FROM assignments a JOIN cohort_students c ON c.cohort = a.cohort WHERE c.student = ?1 "
-      "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0) ORDER BY a.due_at IS NULL, a.due_at, a.sequence",
-      assignment_of, student);
+  return c_.db.all(std::string(kSelectAssignments) +
+                       "JOIN cohort_students c ON c.cohort = a.cohort WHERE c.student = ?1 AND NOT EXISTS (SELECT 1 FROM referred r "
+                       "WHERE r.id = a.id AND r.here = 0) ORDER BY a.due_at IS NULL, a.due_at, a.sequence",
+                   assignment_of, student);
 }
 
 Stored<std::vector<Assignment>> Assignments::for_cohort(CohortId cohort) {
-  return c_.db.all(
-      "SELECT id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, device_classes, self_test_days, drawn_tooth FROM assignments "
-      "WHERE cohort = ?1 ORDER BY due_at IS NULL, due_at, sequence",
-      assignment_of, cohort);
+  return c_.db.all(std::string(kSelectAssignments) + "WHERE a.cohort = ?1 ORDER BY a.due_at IS NULL, a.due_at, a.sequence", assignment_of,
+                   cohort);
 }
 
 }  // namespace cusp::storage

@@ -25,6 +25,7 @@ struct Assignment {
   bool drawn_tooth = false;  // of an assessment: each candidate has a tooth of his own; the session keeps its exercise
   UserId author{};
   std::int64_t created_utc_us = 0;
+  bool withdrawn = false;  // admits no further attempt
 };
 
 inline constexpr int kMostSelfTestDays = 365;
@@ -51,6 +52,9 @@ class Assignments {
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.
   Stored<std::string> start_code(const Actor& actor, AssignmentId assignment);
+  /// No further attempt begins; those that were begun, with their results, stay and can be continued. Needs assign. duplicate if it
+  /// is withdrawn.
+  Stored<void> withdraw(const Actor& actor, AssignmentId assignment);
   /// Takes the place of the student's adjustment, for attempts that begin afterwards. Needs assign. not_allowed
   /// (where = assignment) for one who is not in its cohort, bad_value (where = extra_time) outside 0 to kMostExtraTimePercent.
   Stored<void> adjust(const Actor& actor, AssignmentId assignment, UserId student, const Adjustment& adjustment);

@@ -25,13 +25,15 @@ struct AssignedRules {
   std::string device_classes;
   std::optional<std::int64_t> self_test_days;
   bool drawn_tooth = false;
+  bool withdrawn = false;
 };
 
 std::optional<AssignedRules> assigned_rules(Transaction& transaction, AssignmentId assignment, UserId student) {
   return transaction.first(
       "SELECT a.kind, a.version, a.opens_at, a.due_at, a.goes_allowed, coalesce(x.start_code, ''), "
       "(SELECT count(*) FROM session_summaries INDEXED BY summaries_of_assignment WHERE assignment = a.id AND student = ?2), "
-      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, ''), a.self_test_days, coalesce(a.drawn_tooth, 0) "
+      "coalesce(d.extra_time_percent, 0), coalesce(d.large_text, 0), coalesce(a.device_classes, ''), a.self_test_days, coalesce(a.drawn_tooth, 0), "
+      "EXISTS (SELECT 1 FROM assignment_withdrawals w WHERE w.assignment = a.id) "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
       "LEFT JOIN adjustments d ON d.id = (SELECT id FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
       "AND student = ?2 ORDER BY sequence DESC LIMIT 1) "
@@ -48,7 +50,8 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
                              {static_cast<int>(row.integer(7)), row.flag(8)},
                              row.text(9),
                              row.maybe_integer(10),
-                             row.flag(11)};
+                             row.flag(11),
+                             row.flag(12)};
       },
       assignment, student);
 }
@@ -78,6 +81,7 @@ Admission admission(Transaction& transaction, const NewSession& wanted, std::int
   const auto rules = assigned_rules(transaction, *wanted.assignment, wanted.student);
   if (!rules || rules->version != wanted.version) return refuse(StorageError::not_allowed, "assignment");
   if (rules->start_code != wanted.start_code) return refuse(StorageError::not_allowed, "start_code");
+  if (rules->withdrawn) return refuse(StorageError::wrong_state, "withdrawn");
   if (rules->opens_utc_us && now < *rules->opens_utc_us) return refuse(StorageError::wrong_state, "not_open");
   if (rules->due_utc_us && now >= *rules->due_utc_us) return refuse(StorageError::wrong_state, "past_due");
   if (rules->attempts_allowed && rules->attempts >= *rules->attempts_allowed) {

@@ -97,6 +97,23 @@ TEST_F(AssessmentTest, it_begins_between_its_dates_as_often_as_allowed_with_the_
   EXPECT_EQ(refusal(begin(lena, exam)), "attempts_used");
 }
 
+TEST_F(AssessmentTest, a_withdrawn_assignment_admits_no_further_attempt_and_keeps_those_that_were_begun) {
+  const Assignment exam = assign(SessionKind::assessment);
+  const SessionId sat = sit(exam, 81, true), left = must(begin(lena, exam)).id;
+  must(store->sessions.interrupt(left, "process_gone"));
+  EXPECT_EQ(code_of(store->assignments.withdraw(lena.actor(), exam.id)), StorageError::not_allowed);
+  must(store->assignments.withdraw(instructor, exam.id));
+  EXPECT_EQ(code_of(store->assignments.withdraw(instructor, exam.id)), StorageError::duplicate);
+  EXPECT_TRUE(must(store->assignments.find(exam.id)).withdrawn);
+  EXPECT_TRUE(must(store->assignments.for_student(lena.id)).at(0).withdrawn);
+  EXPECT_EQ(admission(lena, exam, "4712"), "start_code");
+  EXPECT_EQ(admission(lena, exam, "4711"), "withdrawn");
+  EXPECT_EQ(refusal(begin(lena, exam)), "withdrawn");
+  must(store->sessions.resume(left, "student"));
+  must(store->statements.release(instructor, sat));
+  EXPECT_EQ(seen(sat), "81");
+}
+
 TEST_F(AssessmentTest, an_adjustment_is_of_one_student_in_one_assignment_and_of_attempts_that_begin_afterwards) {
   const Assignment exam = assign(SessionKind::assessment), other = assign(SessionKind::assessment);
   const auto give = [&](const Actor& actor, UserId student, int percent) {

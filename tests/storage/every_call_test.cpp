@@ -130,6 +130,8 @@ std::vector<Operation> operations_on_sessions() {
          return outcome(s.statements.assess_own(r.student, r.graded, {{{"target_removed", OwnRating::partly}}}));
        }},
       {"confirm", [](Store& s, const Rows& r) { return outcome(s.statements.confirm(r.instructor, r.graded)); }},
+      {"withdraw an assignment",
+       [](Store& s, const Rows& r) { return outcome(s.assignments.withdraw(r.instructor, r.assignment)); }},
       {"withdraw a version",
        [](Store& s, const Rows& r) { return outcome(s.scenarios.withdraw(r.instructor, r.version.id)); }},
       {"comment",

@@ -109,6 +109,7 @@ class Weeks {
         instructor_, {.version = version.id, .cohort = cohort_, .kind = exam ? SessionKind::assessment : SessionKind::practice}, exam ? "4711" : ""));
     const auto members = must(store.cohorts.students(cohort_));
     if (exam && !members.empty()) must(store.assignments.adjust(instructor_, asked.id, one_of(members), {.extra_time_percent = 25}));
+    if (one_in(4)) must(store.assignments.withdraw(instructor_, asked.id));
   }
   /// Somebody whom the station knows drills an exercise of its own, or what is assigned there.
   void drill(Station& s) {
@@ -118,7 +119,8 @@ class Weeks {
         "SELECT id FROM people WHERE role = 'student' AND disabled = 0 ORDER BY id", [](Row row) { return row.id<UserId>(0); }));
     if (known.empty()) return;
     const UserId who = one_of(known);
-    const auto assigned = must(store.assignments.for_student(who));
+    auto assigned = must(store.assignments.for_student(who));
+    std::erase_if(assigned, &Assignment::withdrawn);
     NewSession wanted = new_session(must(store.accounts.find(who)), {});
     const std::string own = "{\"id\":" + std::to_string(100 + draw(9)) + "}";
     if (assigned.empty() || !one_in(2)) {

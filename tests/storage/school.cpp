@@ -85,7 +85,7 @@ void School::read_other_station(Store& store) {
   must(read_in(store.context(), admin.actor(), folder_ / "results"));
 }
 
-/// Overridden, confirmed and released, with a comment that was taken back; the version withdrawn afterwards.
+/// Overridden, confirmed and released, with a comment that was taken back; assignment and version withdrawn afterwards.
 SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& student) {
   const Actor examiner = instructor.actor();
   must(store.device_tests.add(examiner, {.device_class = "pointer", .device = "Mouse and keys"}));
@@ -107,6 +107,7 @@ SessionId School::sit_assessment(Store& store, CohortId cohort, const ScenarioVe
   must(store.statements.withdraw(examiner, session, said.id, "Another student's."));
   must(store.statements.confirm(examiner, session));
   must(store.statements.release(examiner, session));
+  must(store.assignments.withdraw(examiner, asked.id));
   must(store.scenarios.withdraw(examiner, version.id));
   return session;
 }

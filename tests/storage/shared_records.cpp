@@ -13,6 +13,7 @@ std::map<std::string, std::string> shared_records(Store& store) {
       {"version_files", "SELECT * FROM version_files ORDER BY version, name"},
       {"version_withdrawals", "SELECT * FROM version_withdrawals ORDER BY version"},
       {"assignments", "SELECT * FROM assignments ORDER BY id"},
+      {"assignment_withdrawals", "SELECT * FROM assignment_withdrawals ORDER BY assignment"},
       {"assessments", "SELECT * FROM assessments ORDER BY assignment"},
       {"adjustments", "SELECT * FROM adjustments ORDER BY id"},
       {"sessions", "SELECT * FROM sessions WHERE id IN (SELECT session FROM session_summaries WHERE state <> 'running' AND listed = 1) ORDER BY id"},

@@ -42,6 +42,7 @@ Uuid owner_of(Database& db, const std::string& table, const std::string& row) {
                                                              {"statements", "id"},
                                                              {"assessments", "assignment"},
                                                              {"version_withdrawals", "version"},
+                                                             {"assignment_withdrawals", "assignment"},
                                                              {"adjustments", "id"},
                                                              {"sessions", "id"},
                                                              {"thinned_traces", "session"}};

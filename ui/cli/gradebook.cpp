@@ -46,7 +46,7 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
     const auto called = is_called(store, version->scenario, wish.exercise);
     if (!called) return std::unexpected(called.error());
     if (!*called || (wish.version && version->number != *wish.version)) continue;
-    if (wish.kind && a.kind != *wish.kind) continue;
+    if (a.withdrawn || (wish.kind && a.kind != *wish.kind)) continue;
     if (!wish.due || is_due(a, *wish.due)) out.push_back(a);
   }
   return out;

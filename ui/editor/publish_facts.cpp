@@ -33,7 +33,7 @@ Stored<std::vector<OlderUse>> open_uses(Store& store, const std::vector<Scenario
     if (!assigned) return std::unexpected(assigned.error());
     for (const Assignment& a : *assigned) {
       const auto number = numbers.find(a.version);
-      if (number == numbers.end() || (a.due_utc_us && *a.due_utc_us < now_utc_us)) continue;
+      if (number == numbers.end() || a.withdrawn || (a.due_utc_us && *a.due_utc_us < now_utc_us)) continue;
       out.push_back({cohort.name, number->second, a.kind, a.due_utc_us});
     }
   }

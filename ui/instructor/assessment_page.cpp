@@ -117,6 +117,7 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
     }
     if (!found->device_classes.empty()) aside += u" · "_qs + tr("only with %1").arg(device_names(found->device_classes));
     if (found->self_test_days) aside += u" · "_qs + self_test_age(*found->self_test_days);
+    if (found->withdrawn) aside += u" · "_qs + tr("withdrawn");
     if (found->drawn_tooth) aside += u" · "_qs + drawn_tooth_text();
   }
   auto* column = new QVBoxLayout(this);

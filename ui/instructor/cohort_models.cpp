@@ -85,13 +85,14 @@ int AssignmentsModel::columnCount(const QModelIndex& parent) const { return pare
 QVariant AssignmentsModel::data(const QModelIndex& index, int role) const {
   const AssignmentRow& row = rows_[static_cast<std::size_t>(index.row())];
   if (role == BoldRole) return index.column() == kExercise;
+  if (role == QuietRole) return row.assignment.withdrawn;
   if (role == Qt::TextAlignmentRole && index.column() == kAttempts) return at_right();
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kExercise: return local(row.title);
     case kKind: return kind_name(row.assignment.kind);
     case kOpens: return moment(row.assignment.opens_utc_us);
-    case kDue: return moment(row.assignment.due_utc_us);
+    case kDue: return row.assignment.withdrawn ? tr("withdrawn") : moment(row.assignment.due_utc_us);
     case kAttempts:
       return row.assignment.attempts_allowed ? QLocale().toString(*row.assignment.attempts_allowed) : tr("any number");
     default: return {};

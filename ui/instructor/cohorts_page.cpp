@@ -28,8 +28,9 @@ std::optional<std::int64_t> utc_us(const std::optional<QDateTime>& when) {
   return when ? std::optional(when->toMSecsSinceEpoch() * 1000) : std::nullopt;
 }
 
-/// Equal in all that the form has but the start code, which is drawn anew each time.
+/// Equal in all that the form has but the start code, which is drawn anew each time. A withdrawn one may be assigned again.
 bool is_same_task(const Assignment& stored, Assignment fresh) {
+  if (stored.withdrawn) return false;
   std::ranges::sort(fresh.device_classes);  // as Assignments::create() stores them
   return stored.version == fresh.version && stored.kind == fresh.kind && stored.opens_utc_us == fresh.opens_utc_us &&
          stored.due_utc_us == fresh.due_utc_us && stored.attempts_allowed == fresh.attempts_allowed &&
@@ -156,13 +157,17 @@ QWidget* CohortsPage::make_assignments() {
   assignments_card_->body()->addWidget(assigned_);
   results_ = make_button(tr("Results"), ButtonKind::standard, u"chart"_qs);
   auto* row = new QHBoxLayout;
+  withdraw_ = make_button(tr("Withdraw"), ButtonKind::erase);
+  withdraw_->setVisible(may(actor_.role, Action::assign));
   row->addWidget(results_);
   row->addStretch();
+  row->addWidget(withdraw_);
   assignments_card_->body()->addLayout(row);
   const auto open = [this] {
     if (assigned_->chosen_row() >= 0) Q_EMIT results_wanted(assignments_->row(assigned_->chosen_row()).assignment.id);
   };
   connect(results_, &QPushButton::clicked, this, open);
+  connect(withdraw_, &QPushButton::clicked, this, &CohortsPage::withdraw_chosen_assignment);
   connect(assigned_, &Table::row_opened, this, open);
   connect(assigned_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &CohortsPage::fit_assignment);
   connect(assignments_, &QAbstractItemModel::modelReset, this, &CohortsPage::fit_assignment);
@@ -174,8 +179,10 @@ QWidget* CohortsPage::make_assignments() {
 void CohortsPage::fit_assignment() {
   const int row = assigned_->chosen_row();
   results_->setEnabled(row >= 0 && may(actor_.role, Action::see_all_results));
+  const bool open = row >= 0 && !assignments_->row(row).assignment.withdrawn && may(actor_.role, Action::assign);
+  withdraw_->setEnabled(open);
   QString code;
-  if (row >= 0 && may(actor_.role, Action::assign)) {
+  if (open) {
     if (const auto known = store_.assignments.start_code(actor_, assignments_->row(row).assignment.id)) code = QString::fromStdString(*known);
   }
   QStringList aside;
@@ -304,6 +311,25 @@ void CohortsPage::remove_chosen_student() {
                read();
                show_chosen();
                band_->show_message(Band::Kind::good, tr("%1 is taken out.").arg(QString::fromStdString(student.name)), {});
+             });
+}
+
+void CohortsPage::withdraw_chosen_assignment() {
+  const int row = assigned_->chosen_row();
+  if (row < 0) return;
+  const Assignment chosen = assignments_->row(row).assignment;
+  const QString title = local(assignments_->row(row).title);
+  ports_.ask(this,
+             {tr("Withdraw %1?").arg(title),
+              tr("No further attempt can begin, and it no longer stands on the start pages of its students. Attempts that were begun can be "
+                 "finished; their results are kept."),
+              tr("Withdraw"), true},
+             [this, chosen, title](bool yes) {
+               if (!yes) return;
+               const auto done = store_.assignments.withdraw(actor_, chosen.id);
+               if (!done && done.error().code != StorageError::duplicate) return show_failure(done.error());
+               show_assignments();
+               band_->show_message(Band::Kind::good, tr("%1 is withdrawn.").arg(title), tr("It can be assigned again."));
              });
 }
 

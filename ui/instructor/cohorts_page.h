@@ -1,4 +1,4 @@
-/// Cohorts: makes them, puts students in by pasted numbers, assigns exercises to them. Thread: GUI.
+/// Cohorts: makes them, puts students in by pasted numbers, assigns exercises to them and withdraws what is assigned. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -37,6 +37,8 @@ class CohortsPage : public QWidget {
   /// Asks first.
   void remove_chosen_student();
   void assign();
+  /// Asks first.
+  void withdraw_chosen_assignment();
 
  Q_SIGNALS:
   /// The attempts of an assignment.
@@ -70,7 +72,7 @@ class CohortsPage : public QWidget {
   Table *list_ = nullptr, *table_ = nullptr, *assigned_ = nullptr;
   QLineEdit* name_ = nullptr;
   QPlainTextEdit* numbers_ = nullptr;
-  QPushButton *add_ = nullptr, *remove_ = nullptr, *results_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr, *results_ = nullptr, *withdraw_ = nullptr;
   Card *students_card_ = nullptr, *assignments_card_ = nullptr;
   QGridLayout* columns_ = nullptr;  // list, students with what is assigned, form
   AssignmentForm* form_ = nullptr;

@@ -36,6 +36,7 @@ State state_of(const Assignment& a, const std::vector<HistoryRow>& attempts, con
   const auto in_state = [&](SessionState state) { return std::ranges::find(attempts, state, &HistoryRow::state) != attempts.end(); };
   if (in_state(SessionState::running)) return State::running;
   if (in_state(SessionState::interrupted)) return State::broken_off;
+  if (a.withdrawn) return State::handed_in;
   if (a.due_utc_us && now_us >= *a.due_utc_us) return attempts.empty() ? State::missed : State::handed_in;
   if (a.attempts_allowed && static_cast<int>(attempts.size()) >= *a.attempts_allowed) return State::handed_in;
   if (a.opens_utc_us && now_us < *a.opens_utc_us) return State::later;
@@ -112,7 +113,7 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     if (!attempts) return std::unexpected(attempts.error());
     const auto withdrawn = store.scenarios.withdrawn(a.version);
     if (!withdrawn) return std::unexpected(withdrawn.error());
-    if (*withdrawn && attempts->empty()) continue;
+    if ((*withdrawn || a.withdrawn) && attempts->empty()) continue;
     auto exercise = load_exercise(store, a.version);
     if (!exercise) continue;
     AssignedAssessment one{a, std::move(*exercise), static_cast<int>(attempts->size())};

@@ -22,7 +22,7 @@ struct AssignedAssessment {
     running,    // an attempt runs in another window
     interrupted,  // an attempt was interrupted, and this station can continue it or hand it in
     broken_off,   // an attempt was interrupted, and this station can do neither
-    handed_in,  // no attempt is left, or the time is over after one; its result is withheld
+    handed_in,  // no attempt is left, or after one the time is over or the assignment withdrawn; its result is withheld
     missed,     // the time is over without an attempt
   };
   Assignment assignment;

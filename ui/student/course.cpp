@@ -80,9 +80,9 @@ Stored<void> load_newest(Course& course, Store& store, const Actor& student, con
   return {};
 }
 
-/// False before it opens, and of a version that was withdrawn.
+/// False before it opens, and where it or its version was withdrawn.
 bool is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
-  if (a.opens_utc_us && now_us < *a.opens_utc_us) return false;
+  if (a.withdrawn || (a.opens_utc_us && now_us < *a.opens_utc_us)) return false;
   const auto withdrawn = store.scenarios.withdrawn(a.version);
   return withdrawn && !*withdrawn;
 }

@@ -34,6 +34,8 @@ constexpr Entry kEntries[] = {
     {"cohort_left", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Student taken out of a cohort")},
     {"cohort_sealed", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Cohort sealed as it was found")},
     {"assigned", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Exercise assigned")},
+    {"assignment_withdrawn", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Assignment withdrawn")},
+    {"assignment_withdrawal_sealed", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Withdrawal of an assignment sealed as it was found")},
     {"assessment_set", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Assessment set")},
     {"adjusted", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Adjustment of a student set")},
     {"adjustment_sealed", LogKind::cohorts, QT_TRANSLATE_NOOP("cusp::ui::Text", "Adjustment of a student sealed as it was found")},

@@ -151,6 +151,7 @@ Message describe_thinned(const StorageFailure& f) {
 
 Message describe_wrong_state(const StorageFailure& f) {
   if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
+  if (f.where == "withdrawn") return {Text::tr("This assignment was withdrawn."), nothing_changed()};
   if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
   if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};
   if (f.where == "other_station") return {Text::tr("This attempt belongs to another station."), nothing_changed()};

@@ -156,6 +156,27 @@ TEST_F(Cohorts, AreAssignedTheSameOnlyOnceWhileItIsOpen) {
   EXPECT_EQ(page.assignments().rowCount(), 3);
 }
 
+TEST_F(Cohorts, LoseAWithdrawnAssignmentAndMayHaveItAgain) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.add_numbers(QStringLiteral("4711"));
+  page.assign();
+  const auto assigned_to = [&](const Account& student) {
+    const auto course = load_course(records.store(), student.actor());
+    return std::ranges::count_if(course->rows, [](const CourseRow& row) { return row.assignment.has_value(); });
+  };
+  ASSERT_EQ(assigned_to(lena), 1);
+  for (Table* table : page.findChildren<Table*>())
+    if (table->model() == &page.assignments()) table->choose_row(0);
+  page.withdraw_chosen_assignment();
+  EXPECT_TRUE(asked.startsWith(QStringLiteral("Withdraw "))) << asked.toStdString();
+  EXPECT_EQ(assigned_to(lena), 0);
+  EXPECT_EQ(page.assignments().index(0, AssignmentsModel::kDue).data().toString(), QStringLiteral("withdrawn"));
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 2) << page.message().toStdString();
+  EXPECT_EQ(assigned_to(lena), 1);
+}
+
 TEST_F(Cohorts, AreAssignedNothingThatIsOverAlready) {
   CohortsPage page(records.store(), instructor.actor(), ports);
   page.make_cohort(QStringLiteral("Year 3"));

@@ -294,6 +294,18 @@ TEST_F(Assessments, AWithdrawnVersionIsNoLongerAssigned) {
   for (const CourseRow& row : course.rows) EXPECT_NE(row.exercise.version, version->id);
 }
 
+TEST_F(Assessments, AWithdrawnAssignmentStaysOnlyWhileAnAttemptOfItIsOpenOrWithheld) {
+  const Assignment second = *records.store().assignments.create(examiner, assignment, "4711");
+  ASSERT_TRUE(records.store().assignments.withdraw(examiner, second.id));
+  ASSERT_EQ(at(kMorning + 1000).size(), 1u);
+  const SessionId session = sit();
+  ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
+  ASSERT_TRUE(records.store().assignments.withdraw(examiner, assignment.id));
+  EXPECT_EQ(at(kMorning + 1000).at(0).state, State::interrupted);
+  ASSERT_TRUE(records.store().grades.save(session, sample_grade(80), Hash256{}));
+  EXPECT_EQ(at(kMorning + 1000).at(0).state, State::handed_in);
+}
+
 TEST_F(Assessments, AnAssignedPracticeNamesItsDevicesInTheCourse) {
   ASSERT_TRUE(records.store().assignments.create(
       examiner, {.version = assignment.version, .cohort = assignment.cohort, .device_classes = {"inverse3", "falcon"}}));
