@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   if (cusp::ui::is_verb(argc, argv)) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);
+  const cusp::ui::TasksEndHere tasks_end;
   cusp::ui::install_accessible_parts();
   QCoreApplication::setApplicationName(QStringLiteral("Cusp"));
   QGuiApplication::setDesktopFileName(QStringLiteral("cusp"));

@@ -201,7 +201,7 @@ void InversePanel::connect_to_it() {
     auto result = port->open();
     const std::lock_guard lock(answer->mutex);
     answer->result = std::move(result);
-  });
+  }, BackgroundTask::Holds::device);
   in.asked_for.start();
   in.timer.start();
   look();
@@ -234,7 +234,7 @@ void InversePanel::release() {
   if (in.port) {
     in.port->cancel();
     // The last message is sent and the connection closed on a thread that may wait for that.
-    BackgroundTask([port = std::move(in.port)]() mutable { port.reset(); });
+    BackgroundTask([port = std::move(in.port)]() mutable { port.reset(); }, BackgroundTask::Holds::device);
   }
   in.asking = {};
   in.state = Inner::State::away;

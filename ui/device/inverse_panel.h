@@ -31,7 +31,7 @@ class InversePanel : public QWidget {
   InverseSettings chosen() const;
   /// Asks the service. Answers show by themselves.
   void connect_to_it();
-  /// Releases the device, or stops asking for it. It is free once dropped background tasks are over (ui/session/background_task.h).
+  /// Releases the device, or stops asking for it. It is free once wait_for_dropped_devices() returns (ui/session/background_task.h).
   void release();
 
  Q_SIGNALS:

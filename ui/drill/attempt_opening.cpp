@@ -144,7 +144,7 @@ void AttemptOpening::open(Order order, const Answer& answer) {
     attempt->device = std::move(*device);
   }
   if (stop_) return answer(nullptr, session_fail(SessionError::specimen, ImportFailure{ImportError::cancelled, "attempt", {}}).error());
-  wait_for_dropped_tasks();  // a page may still be closing the device
+  wait_for_dropped_devices();  // a page may still be closing the device
   falcon_.store(attempt->device.falcon, std::memory_order_release);
   inverse_.store(attempt->device.inverse, std::memory_order_release);
   attempt->idle = std::make_unique<IdlePort>(*attempt->device.port, std::move(plan.pedal));

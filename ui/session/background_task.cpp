@@ -1,5 +1,7 @@
 #include "ui/session/background_task.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <list>
@@ -12,51 +14,58 @@ namespace cusp::ui {
 struct BackgroundTask::Job {
   std::thread thread;
   std::atomic<bool> over{false};
+  Holds holds = Holds::nothing;
 };
 
 namespace {
 
+using Holds = BackgroundTask::Holds;
+
 /// BackgroundTasks that nobody holds any more.
 class Dropped {
  public:
-  ~Dropped() { wait(); }
+  ~Dropped() { wait(Holds::nothing); }
 
   /// Keeps the thread until it is over.
-  void take(std::function<bool()> is_over, std::thread thread) {
+  void take(Holds holds, std::function<bool()> is_over, std::thread thread) {
     const std::lock_guard lock(mutex_);
     sweep();
-    left_.push_back({std::move(is_over), std::move(thread)});
+    left_.push_back({holds, std::move(is_over), std::move(thread)});
   }
 
-  void wait() {
+  /// For those that hold `least` or more.
+  void wait(Holds least) {
     for (;;) {
       One one;
       {
         const std::lock_guard lock(mutex_);
-        if (left_.empty()) return;
-        one = std::move(left_.front());
-        left_.pop_front();
-        ++waited_for_;
+        const auto at = std::ranges::find_if(left_, [least](const One& other) { return other.holds >= least; });
+        if (at == left_.end()) return;
+        one = std::move(*at);
+        left_.erase(at);
+        ++waited_for(one.holds);
       }
       one.thread.join();
       const std::lock_guard lock(mutex_);
-      --waited_for_;
+      --waited_for(one.holds);
       joined_.notify_all();
     }
   }
 
-  void wait_for_all() {
-    wait();
+  void wait_for_all(Holds least) {
+    wait(least);
     // Another may have taken one over to wait for it.
     std::unique_lock lock(mutex_);
-    joined_.wait(lock, [this] { return waited_for_ == 0; });
+    joined_.wait(lock, [&] { return waited_for(Holds::device) == 0 && (least == Holds::device || waited_for(Holds::nothing) == 0); });
   }
 
  private:
   struct One {
+    Holds holds = Holds::nothing;
     std::function<bool()> is_over;
     std::thread thread;
   };
+  int& waited_for(Holds holds) { return waited_for_[static_cast<std::size_t>(holds)]; }
   void sweep() {
     for (auto it = left_.begin(); it != left_.end();) {
       if (!it->is_over()) {
@@ -71,7 +80,7 @@ class Dropped {
   std::mutex mutex_;
   std::condition_variable joined_;
   std::list<One> left_;
-  int waited_for_ = 0;
+  std::array<int, 2> waited_for_{};  // [Holds]
 };
 
 Dropped& dropped() {
@@ -81,8 +90,9 @@ Dropped& dropped() {
 
 }  // namespace
 
-BackgroundTask::BackgroundTask(std::function<void()> work) : job_(std::make_shared<Job>()) {
+BackgroundTask::BackgroundTask(std::function<void()> work, Holds holds) : job_(std::make_shared<Job>()) {
   dropped();  // stands before the first background task, and goes after it
+  job_->holds = holds;
   job_->thread = std::thread([work = std::move(work), job = job_.get()]() mutable {
     work();
     work = nullptr;  // what it holds goes here, not on the window's thread
@@ -93,7 +103,8 @@ BackgroundTask::BackgroundTask(std::function<void()> work) : job_(std::make_shar
 BackgroundTask::~BackgroundTask() {
   if (!job_) return;
   std::thread thread = std::move(job_->thread);
-  dropped().take([job = std::move(job_)] { return job->over.load(std::memory_order_acquire); }, std::move(thread));
+  const Holds holds = job_->holds;
+  dropped().take(holds, [job = std::move(job_)] { return job->over.load(std::memory_order_acquire); }, std::move(thread));
 }
 
 BackgroundTask::BackgroundTask(BackgroundTask&& other) noexcept = default;
@@ -106,6 +117,7 @@ BackgroundTask& BackgroundTask::operator=(BackgroundTask&& other) noexcept {
 
 bool BackgroundTask::over() const noexcept { return !job_ || job_->over.load(std::memory_order_acquire); }
 
-void wait_for_dropped_tasks() { dropped().wait_for_all(); }
+void wait_for_dropped_tasks() { dropped().wait_for_all(Holds::nothing); }
+void wait_for_dropped_devices() { dropped().wait_for_all(Holds::device); }
 
 }  // namespace cusp::ui

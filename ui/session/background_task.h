@@ -3,6 +3,7 @@
 /// ends, or by whoever needs what it holds. Any thread but the haptic one.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -10,9 +11,11 @@ namespace cusp::ui {
 
 class BackgroundTask {
  public:
+  /// What a task has in hand that an attempt needs.
+  enum class Holds : std::uint8_t { nothing, device };
   BackgroundTask() = default;  // none
   /// Begins at once. `work` owns all that it touches, or shares it.
-  explicit BackgroundTask(std::function<void()> work);
+  explicit BackgroundTask(std::function<void()> work, Holds holds = Holds::nothing);
   /// Does not wait.
   ~BackgroundTask();
   BackgroundTask(BackgroundTask&& other) noexcept;
@@ -25,7 +28,19 @@ class BackgroundTask {
   std::shared_ptr<Job> job_;
 };
 
-/// Until every background task that was dropped is over. Not for the window's thread.
+/// Until every background task that was dropped is over. The window's thread calls it at its end alone (TasksEndHere).
 void wait_for_dropped_tasks();
+/// The same for those that hold a device.
+void wait_for_dropped_devices();
+
+/// Waits for dropped tasks where it goes. It stands between the application and whoever starts tasks: they use the application and
+/// the statics of the program.
+class TasksEndHere {
+ public:
+  TasksEndHere() = default;
+  ~TasksEndHere() { wait_for_dropped_tasks(); }
+  TasksEndHere(const TasksEndHere&) = delete;
+  TasksEndHere& operator=(const TasksEndHere&) = delete;
+};
 
 }  // namespace cusp::ui

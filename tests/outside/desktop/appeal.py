@@ -19,8 +19,7 @@ def choose_file(program, title, path):
     program.keys("Return")
 
 
-def save(program, take):
-    path = os.path.join(program.folder, "case.cusppack")
+def begin_pack(program, path):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
     school.page(program, "Performance")
     school.row_of(program, "Attempts", school.STUDENT[0], assessment.EXERCISE)[0].click()
@@ -28,11 +27,25 @@ def save(program, take):
     program.find(None, "Report")
     program.press("Appeal pack")
     choose_file(program, "Save the appeal pack", path)
+
+
+def save(program, take):
+    path = os.path.join(program.folder, "case.cusppack")
+    begin_pack(program, path)
     program.find("label", re.compile("The appeal pack is saved"))
     take(program, "appeal-saved")
     school.home(program)
     school.sign_out(program)
     return path
+
+
+def save_and_close(program):
+    """The window is closed while the pack is made: it is made all the same."""
+    path = os.path.join(program.folder, "closed.cusppack")
+    begin_pack(program, path)
+    program.find("label", re.compile("The appeal pack is (being made|saved)"))
+    program.close()
+    desk.check(os.path.exists(path), "the pack is not made")
 
 
 def open_elsewhere(own, path, take):
@@ -71,7 +84,7 @@ def erase(program, take):
 def visit(own, program, take=school.nothing):
     """After assessment.visit(). Returns the program that runs at the end, and what was seen."""
     path = save(program, take)
-    program.close()
+    save_and_close(program)
     open_elsewhere(own, path, take)
     program = own.start()
     whole = erase(program, take)

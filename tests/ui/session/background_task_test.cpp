@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <thread>
 
 #include "tests/eventually.h"
@@ -46,6 +47,42 @@ TEST(BackgroundTask, what_it_holds_goes_on_its_own_thread_before_it_is_over) {
   ASSERT_TRUE(eventually([&] { return background_task.over(); }));
   EXPECT_NE(where.load(), std::thread::id());
   EXPECT_NE(where.load(), std::this_thread::get_id());
+}
+
+TEST(BackgroundTask, who_needs_a_device_waits_for_the_tasks_that_hold_one_alone) {
+  auto gate = std::make_shared<Gate>();
+  auto closed = std::make_shared<std::atomic<bool>>(false);
+  BackgroundTask([gate] { gate->pass(); });
+  BackgroundTask([closed] { *closed = true; }, BackgroundTask::Holds::device);
+  wait_for_dropped_devices();
+  EXPECT_TRUE(*closed);
+  EXPECT_FALSE(gate->gave_up());
+  gate->open();
+  wait_for_dropped_tasks();
+}
+
+std::atomic<bool> g_made{false}, g_gone{false};
+
+[[noreturn]] void end_with_a_task_at_work() {
+  {
+    const TasksEndHere end;
+    BackgroundTask([] {
+      static const struct Table {
+        ~Table() { g_gone = true; }
+      } table;  // younger than the list of dropped tasks
+      static_cast<void>(table);
+      g_made = true;
+      for (int i = 0; i < 200 && !g_gone; ++i) std::this_thread::sleep_for(1ms);
+      if (g_gone) std::_Exit(3);
+    });
+    while (!g_made) std::this_thread::sleep_for(1ms);
+  }
+  std::exit(0);
+}
+
+TEST(BackgroundTaskDeathTest, one_that_works_when_the_program_ends_still_has_its_statics) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(end_with_a_task_at_work(), testing::ExitedWithCode(0), "");
 }
 
 TEST(BackgroundTask, none_is_over_and_another_may_take_its_place) {
