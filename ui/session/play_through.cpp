@@ -13,14 +13,23 @@ namespace cusp::ui {
 
 namespace {
 
+/// Waits until the record holds `due_us` of the session. False if it failed.
+bool holds(const Recorder& recorder, std::uint64_t due_us) {
+  while (recorder.stored_us() < due_us) {
+    if (recorder.state() == RecordingState::failed) return false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return true;
+}
+
 /// Runs loop and mirror until the script ends, `go_on` refuses or the record fails.
 SessionEnd run_script(VirtualLoop& loop, Mirror& mirror, const Recorder* recorder, const PlaySettings& settings) {
-  // The mirror follows on the other core. Short turns and a short wait: what stands on the disk is never more than a
-  // fraction of a second of the session behind what was played.
+  // The mirror follows on the other core. Short turns and a short wait keep it within a fraction of a second of the session.
   constexpr std::uint64_t kTurn = 25;
   constexpr std::size_t kMostWaiting = 600;
   SessionEnd end = SessionEnd::script;
   std::uint64_t asked_at_s = 0;
+  const std::uint64_t begun_us = loop.state().last().elapsed_us;
   // Between turns, not by the mirror: when a fragment is removed must not depend on threads.
   FragmentFinder finder(loop.hand_over());
   mirror.start();
@@ -31,6 +40,9 @@ SessionEnd run_script(VirtualLoop& loop, Mirror& mirror, const Recorder* recorde
     const std::uint64_t elapsed = loop.state().last().elapsed_us;
     if (settings.go_on && elapsed / 1'000'000 > asked_at_s) {
       asked_at_s = elapsed / 1'000'000;
+      // go_on() reports a second. After a crash at most that second is missing.
+      const std::uint64_t due_us = (asked_at_s - 1) * 1'000'000;
+      if (recorder && due_us > begun_us && !holds(*recorder, due_us - begun_us)) break;
       if (!settings.go_on(elapsed)) {
         end = SessionEnd::stopped;
         break;

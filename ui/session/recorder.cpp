@@ -39,8 +39,9 @@ bool Recorder::write_first(std::unique_lock<std::mutex>& lock) {
   }
   if (!written && out_of_space(written.error().code)) store_->key_states.make_room();
   lock.lock();
-  writing_now_ = false;
+  writing_now_ = again_ = false;
   if (written) {
+    for (const StepInput& input : first.second.inputs) stored_us_ += input.elapsed_us;
     waiting_.pop_front();
     failure_.reset();
   } else {
@@ -82,14 +83,13 @@ void Recorder::run() {
       }
       if (stop_) return;
     }
-    again_ = false;
     write_first(lock);
   }
 }
 
 RecordingState Recorder::state() const {
   const std::lock_guard lock(mutex_);
-  if (failure_ && (gave_up_ || !passes(failure_->code) || waiting_.size() >= patience_.most_waiting)) {
+  if (failure_ && !again_ && (gave_up_ || !passes(failure_->code) || waiting_.size() >= patience_.most_waiting)) {
     return RecordingState::failed;
   }
   return failure_ || waiting_.size() > kBehind ? RecordingState::behind : RecordingState::recording;
@@ -107,6 +107,11 @@ void Recorder::retry() {
   again_ = failure_.has_value();
   lock.unlock();
   wake_.notify_one();
+}
+
+std::uint64_t Recorder::stored_us() const {
+  const std::lock_guard lock(mutex_);
+  return stored_us_;
 }
 
 bool Recorder::drain() {

@@ -38,8 +38,11 @@ class Recorder {
 
   /// Any thread. behind: it waits for the disk or another process, and tries by itself. failed: for good, or for so long
   /// that the session is to be held; what passes is tried further, and then it records again.
+  /// behind, too, until a try that retry() asked for has ended.
   RecordingState state() const;
   std::optional<StorageFailure> failure() const;
+  /// Any thread. Session time of the seconds that stand on the disk, us.
+  std::uint64_t stored_us() const;
   /// Tries the second that failed again; see state().
   void retry();
 
@@ -68,9 +71,10 @@ class Recorder {
   std::condition_variable wake_, idle_;
   std::deque<Waiting> waiting_;
   std::optional<StorageFailure> failure_;
+  std::uint64_t stored_us_ = 0;
   std::uint64_t refusals_ = 0;  // tries that failed, of the whole session
   bool writing_now_ = false;
-  bool again_ = false;    // retry() was called, and that try has not begun
+  bool again_ = false;    // retry() was called, and no try has ended since
   bool gave_up_ = false;  // at_once: tried often enough
   bool stop_ = false;
   std::thread thread_;

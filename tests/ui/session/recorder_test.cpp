@@ -132,6 +132,42 @@ TEST(Recorder, AFullDiskGivesTheCacheBackFirstAndIsTriedAgain) {
   expect_whole(work, begun.session, 3);
 }
 
+TEST(Recorder, UntilTheTryThatWasAskedForHasEndedNothingHasFailedAgain) {
+  const Workplace work;
+  LockHolder other(work.database());
+  Begun begun(work);
+  Recorder recorder(std::move(begun.store), begun.session, Recorder::Writing::on_a_thread, {.pause = 1ms});
+  recorder.add(second_number(1));  // the first second is missing
+  EXPECT_FALSE(recorder.drain());
+  ASSERT_EQ(recorder.state(), RecordingState::failed);
+  ASSERT_TRUE(other.take());  // the try waits for the file
+  recorder.retry();
+  EXPECT_EQ(recorder.state(), RecordingState::behind) << "a session that goes on would be held at once";
+  other.release();
+  EXPECT_FALSE(recorder.drain());
+  EXPECT_EQ(recorder.state(), RecordingState::failed);
+}
+
+TEST(Recorder, OfAPlayedAttemptAtMostTheSecondThatWasReportedLastIsMissingOnTheDisk) {
+  const Workplace work;
+  LockHolder other(work.database());
+  bool taken = false;
+  std::vector<std::int64_t> missing_s;
+  DrillingPort port(5500);
+  PlaySettings settings;
+  settings.go_on = [&](std::uint64_t elapsed_us) {
+    auto file = Database::open(work.database(), {.access = DatabaseOptions::Access::read_only});
+    const auto stored = file.value().first("SELECT count(*) FROM trace_chunks", [](Row row) { return row.integer(0); });
+    missing_s.push_back(static_cast<std::int64_t>(elapsed_us / 1'000'000) - stored.value().value());
+    if (!taken) taken = other.take(500ms);
+    return taken;
+  };
+  ASSERT_TRUE(play_through(work.plan(), port, settings));
+  ASSERT_TRUE(taken);
+  ASSERT_EQ(missing_s.size(), 5u);
+  for (const std::int64_t s : missing_s) EXPECT_LE(s, 1);
+}
+
 TEST(Recorder, APlayedAttemptOutlastsAProcessThatHoldsTheFileForTenSeconds) {
   const Workplace work;
   LockHolder other(work.database());
