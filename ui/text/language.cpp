@@ -6,14 +6,30 @@
 #include <QLocale>
 #include <QTranslator>
 #include <algorithm>
+#include <mutex>
 
 static void load_resources() { Q_INIT_RESOURCE(cusp_translations); }
 
 namespace cusp::ui {
 namespace {
 
-constexpr const char* kProperty = "cusp_language";
-constexpr const char* kOfExercises = "cusp_exercise_language";
+/// What background tasks read while the window may change it.
+struct Chosen {
+  std::mutex mutex;  // guards what follows; held for a copy
+  QString program, exercises;
+};
+Chosen& chosen() {
+  static Chosen codes;
+  return codes;
+}
+void put(QString& code, const QString& value) {
+  const std::lock_guard lock(chosen().mutex);
+  code = value;
+}
+QString copy_of(const QString& code) {
+  const std::lock_guard lock(chosen().mutex);
+  return code;
+}
 
 /// With a capital letter, as in a list.
 QString own_name(const QLocale& locale) {
@@ -83,16 +99,16 @@ void install_language(QCoreApplication& app, const QString& wanted) {
   }
   auto* own = new QTranslator(&app);
   if (own->load(u":/i18n/cusp_"_qs + code + u".qm"_qs)) app.installTranslator(own);
-  app.setProperty(kProperty, code);
+  put(chosen().program, code);
   if (qobject_cast<QGuiApplication*>(&app)) QGuiApplication::setLayoutDirection(plain.textDirection());
 }
 
-QString exercise_language() { return qApp ? qApp->property(kOfExercises).toString() : QString(); }
+QString exercise_language() { return copy_of(chosen().exercises); }
 
-void choose_exercise_language(const QString& code) { qApp->setProperty(kOfExercises, code); }
+void choose_exercise_language(const QString& code) { put(chosen().exercises, code); }
 
 QString current_language() {
-  const QString code = qApp ? qApp->property(kProperty).toString() : QString();
+  const QString code = copy_of(chosen().program);
   return code.isEmpty() ? QStringLiteral("en") : code;
 }
 

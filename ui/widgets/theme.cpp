@@ -22,6 +22,7 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,7 @@ static void load_resources() { Q_INIT_RESOURCE(cusp_widgets); }
 namespace cusp::ui {
 namespace {
 
-constexpr const char* kScaleProperty = "cusp_scale_percent";
+std::atomic<int> g_scale_percent{100};  // a task that writes a PDF reads it
 
 Tokens make_light() {
   Tokens t;
@@ -264,7 +265,7 @@ void apply_theme(QApplication& app, ColourScheme scheme, int percent) {
   const bool system_dark = of_the_system.color(QPalette::Window).lightness() < 128;
   const bool dark = scheme == ColourScheme::dark || (scheme == ColourScheme::system && system_dark);
   const Tokens& t = dark ? Tokens::dark_theme() : Tokens::light();
-  app.setProperty(kScaleProperty, std::clamp(percent, 100, 200));
+  g_scale_percent = std::clamp(percent, 100, 200);
   if (!app.findChild<QObject*>(u"cusp_focus_ring"_qs)) {
     QApplication::setStyle(new PageStyle);
     new FocusRing(&app);
@@ -278,10 +279,7 @@ const Tokens& tokens() {
   return QGuiApplication::palette().color(QPalette::Window).lightness() < 128 ? Tokens::dark_theme() : Tokens::light();
 }
 
-int scale_percent() {
-  const QVariant v = qApp ? qApp->property(kScaleProperty) : QVariant();
-  return v.isValid() ? v.toInt() : 100;
-}
+int scale_percent() { return g_scale_percent; }
 int px(int at_100) { return (at_100 * scale_percent() + 50) / 100; }
 double px(double at_100) { return at_100 * scale_percent() / 100.0; }
 

@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
+#include <atomic>
+#include <thread>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
@@ -54,6 +56,20 @@ QVector<Message> read_ts(const QString& name) {
     if (xml.isEndElement() && xml.name() == u"message") messages += m;
   }
   return messages;
+}
+
+TEST(Languages, ATaskReadsAnExercisesTextWhileItsLanguageIsChosen) {
+  const LocalText texts{{"en", "Channel"}};
+  const QString one(64, u'a'), other(64, u'b');
+  choose_exercise_language(one);
+  std::atomic<bool> over{false};
+  std::jthread task([&] {
+    while (!over) EXPECT_EQ(local(texts), QStringLiteral("Channel"));
+  });
+  for (int i = 0; i < 200'000; ++i) choose_exercise_language(i % 2 == 0 ? other : one);
+  over = true;
+  task.join();
+  choose_exercise_language({});
 }
 
 TEST(Languages, german_is_complete) {
