@@ -158,7 +158,10 @@ Result<void, PortFailure> InversePort::open() {
   in.origin_mm = in.settings.origin_mm;
   in.held = in.pressed = false;
   in.last = Sample{};
-  in.view = {};
+  {
+    const std::lock_guard lock(in.mutex);
+    in.view = {};
+  }
   in.open = true;
   in.thread = std::thread([&in] { in.exchange(); });
   const auto until = std::chrono::steady_clock::now() + kLongestOpen;

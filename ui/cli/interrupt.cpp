@@ -1,14 +1,16 @@
 #include "ui/cli/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace cusp::ui {
 
 namespace {
 
-volatile std::sig_atomic_t g_interrupted = 0;
+std::atomic<bool> g_interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler stores it
 
-void on_interrupt(int) { g_interrupted = 1; }
+void on_interrupt(int) { g_interrupted = true; }
 
 }  // namespace
 
@@ -17,6 +19,6 @@ void catch_interrupt() noexcept {
   std::signal(SIGTERM, on_interrupt);
 }
 
-bool interrupted() noexcept { return g_interrupted != 0; }
+bool interrupted() noexcept { return g_interrupted; }
 
 }  // namespace cusp::ui

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numbers>
 #include <thread>
 
@@ -47,6 +48,21 @@ bool eventually(InversePort& port, Condition&& condition, Vec3 force_n = Vec3(0.
 }
 
 bool close_to(Vec3 a, Vec3 b) { return glm::length(a - b) < 1e-6; }
+
+TEST(InversePort, it_may_be_looked_at_while_it_is_opened) {
+  FakeService service;
+  auto port = make_inverse_port(settings_for(service));
+  std::atomic<bool> looked{false}, opened{false};
+  std::jthread window([&] {
+    while (!opened) {
+      static_cast<void>(port->view());
+      looked = true;
+    }
+  });
+  while (!looked) std::this_thread::yield();
+  EXPECT_TRUE(port->open());
+  opened = true;
+}
 
 TEST(InversePort, follows_the_hand_and_gives_it_force) {
   FakeService service;
@@ -248,7 +264,7 @@ TEST(InversePort, silence_garbage_and_a_service_that_goes_are_loss_and_it_is_fou
     InverseSettings settings = settings_for(service);
     settings.session.answer = 50ms;
     settings.session.repeat = 60ms;
-    settings.session.give_up = 300ms;
+    settings.session.give_up = 2s;
     auto port = make_inverse_port(settings);
     ASSERT_TRUE(port->open());
     ASSERT_TRUE(eventually(*port, [&](const Sample&) { return glm::length(service.force_n()) > 0.9; }, {1, 0, 0}));
