@@ -281,15 +281,16 @@ TEST(HapticLoop, ALostDeviceKeepsThePaceAndComesBack) {
   HapticLoop loop(port, StepState(test::block_scene()), quiet());
   loop.start();
   ASSERT_TRUE(eventually([&] { return loop.hand_over().phase.load() == LoopPhase::held; }));
-  const auto before = port.writes();
   const auto start = std::chrono::steady_clock::now();
+  const auto before = port.writes();
   ASSERT_TRUE(eventually([&] { return port.writes() >= before + 20; }));
   EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(18)) << "it must not spin";
   port.find();
   ASSERT_TRUE(eventually([&] { return loop.hand_over().latest.read().device == Sample::Status::fresh; }));
   EXPECT_EQ(loop.hand_over().phase.load(), LoopPhase::held) << "it does not go on by itself";
   loop.resume();
-  EXPECT_TRUE(eventually([&] { return loop.hand_over().phase.load() == LoopPhase::running; }));  loop.stop();
+  EXPECT_TRUE(eventually([&] { return loop.hand_over().phase.load() == LoopPhase::running; }));
+  loop.stop();
 }
 
 TEST(HapticLoop, TheLatestValueIsNeverTorn) {

@@ -79,7 +79,7 @@ def clock_s(program):
 def drill(program, until_s):
     x, y = program.find(None, "Tooth").middle()
     program.screen.x("mousemove", x, y, "mousedown", 1)
-    desk.until(f"the clock to show {until_s} s", lambda: clock_s(program) >= until_s)
+    desk.until(f"the clock to show {until_s} s", lambda: (school.resume_if_held(program), clock_s(program) >= until_s)[1])
     program.screen.x("mouseup", 1)
 
 

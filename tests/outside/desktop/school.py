@@ -134,6 +134,16 @@ def removed_mm3(program):
     return sum(bar.value for bar in program.all("progress bar") if bar.name in tissues)
 
 
+def resume_if_held(program):
+    """To the loop a stall of a busy machine is a device that answered too late. Resumes, and presses the mouse anew."""
+    button = program.here("push button", "Resume")
+    if button is None:
+        return
+    button.press()
+    until("the attempt to go on", lambda: program.here("push button", "Resume") is None)
+    program.screen.x("mouseup", 1, "mousedown", 1)
+
+
 def drill(program, least_mm3):
     """Holds the left button on the middle of the target and moves about until the panel shows that `least_mm3` are gone."""
     x, y = program.find(None, "Tooth").middle()
@@ -142,6 +152,7 @@ def drill(program, least_mm3):
     step = iter(range(1 << 30))
 
     def enough():
+        resume_if_held(program)
         program.screen.x("mousemove", x + sway[next(step) % len(sway)], y)
         return removed_mm3(program) >= least_mm3
     until(f"{least_mm3} mm3 to be drilled away", enough)

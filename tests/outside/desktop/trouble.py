@@ -41,8 +41,8 @@ def broken_off(own, program):
     x, y = program.find(None, "Tooth").middle()
     program.screen.x("mousemove", x, y, "mousedown", 1)
     # A second of the attempt lies in the file: what is killed now was being kept.
-    desk.until("something to be drilled away", lambda: school.removed_mm3(program) >= 0.05)
-    desk.until("the clock to pass two seconds", lambda: clock_s(program) >= 2)
+    desk.until("something to be drilled away", lambda: (school.resume_if_held(program), school.removed_mm3(program) >= 0.05)[1])
+    desk.until("the clock to pass two seconds", lambda: (school.resume_if_held(program), clock_s(program) >= 2)[1])
     program.kill()
     own.screen.x("mouseup", 1)
 

@@ -62,7 +62,7 @@ TEST_F(DamagedRecords, offer_a_way_back_to_a_backup_and_stay_beside_it) {
   ASSERT_NE(page, nullptr);
   EXPECT_EQ(std::filesystem::file_size(file), 5000u) << "looking changes nothing";
   page->act()->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<SignIn*>(desktop->page()) != nullptr; }, 60'000));
   EXPECT_TRUE(bands().contains(QStringLiteral("What was damaged is kept in")));
   const auto again = desktop->store()->accounts.sign_in_with_pin("1", "271828");
   ASSERT_TRUE(again);
@@ -85,7 +85,7 @@ TEST_F(DamagedRecords, stay_where_they_are_if_the_backup_is_damaged_too) {
   WayBack page(file, backup->folder.parent_path(), {QStringLiteral("Damaged"), {}}, ports);
   page.show();
   page.act()->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.message().isEmpty(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.message().isEmpty(); }, 60'000));
   EXPECT_TRUE(page.message().contains(QStringLiteral("The backup was not put in place."))) << page.message().toStdString();
   EXPECT_EQ(std::filesystem::file_size(file), 5000u);
   EXPECT_TRUE(std::filesystem::exists(file.string() + ".key"));

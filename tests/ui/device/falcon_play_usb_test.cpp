@@ -76,7 +76,7 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_resumes_and_keeps_the_sess
   other.plug();
   device.plug();
   const std::string out = (folder / "out").string(), json = (folder / "report.json").string();
-  Child child({program, "play", "channel-1", "--device", "falcon:FT000002", "--seconds", "3", "--out", out, "--json", json});
+  Child child({program, "play", "channel-1", "--device", "falcon:FT000002", "--seconds", "8", "--out", out, "--json", json});
 
   enum class Plug { in_first, pulled, in_again } plug = Plug::in_first;
   double y = 0.0;
@@ -105,7 +105,7 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_resumes_and_keeps_the_sess
   const auto report = nlohmann::json::parse(in, nullptr, false);
   ASSERT_FALSE(report.is_discarded());
   EXPECT_NE(report["state"], "interrupted");
-  EXPECT_GE(report["duration_s"].get<double>(), 3.0);
+  EXPECT_GE(report["duration_s"].get<double>(), 8.0);
   EXPECT_GE(report["live"]["holds"].get<int>(), 1);
   const std::uint64_t answers = report["live"]["answers"];
   const std::uint64_t after = device.with([](Emulator& falcon) { return falcon.frames(); }) - at_unplug;

@@ -56,6 +56,7 @@ struct LandmarksOnThePage : EditorPages {
     const QString name = EditorPage::tr("Change the tooth");
     for (QPushButton* button : page->findChildren<QPushButton*>())
       if (button->accessibleName() == name) button->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !page->stage()->view()->store().empty(); }, kGrowsWithinMs));
     while (shown.wait(kRestMs)) continue;
     return page;
   }
