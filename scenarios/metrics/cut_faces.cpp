@@ -89,7 +89,7 @@ class TreeFaces final : public FaceSink {
  private:
   void take(const CutFace& face, double mm2) override {
     const std::optional<Facing> facing = reference_.shape().facing(face.middle_mm, face.area_mm2 / mm2);
-    if (!facing || facing->beyond_mm > kWallReachMm || facing->beside_mm > kWallReachMm) return;
+    if (!facing || (facing->beyond_mm > kWallReachMm && !is_floor(facing->face)) || facing->beside_mm > kWallReachMm) return;
     if (is_floor(facing->face) && (facing->wall_mm > -floor_inset_mm(reference_) || !reference_.shape().bounded_by(*facing, face.middle_mm))) return;
     candidates_.push_back({face, mm2, facing->beyond_mm, facing->floor_mm, facing->face, facing->floor});
   }

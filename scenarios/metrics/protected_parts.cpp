@@ -23,6 +23,7 @@ class RegionDamage final : public RegionClassifier {
   RegionDamage(const TargetShape& shape, const Leeway& none, double least_mm) : RegionClassifier(shape, none), least_mm_(least_mm) {}
   double mm3 = 0, face_mm2 = 0;
   double depth_mm = -1e9;  // of the cut surface below the region's own; below 0 outside
+  double gone_mm = -1e9;   // of what was removed: a region that is gone wholly has no cut surface within
   Vec3 at_mm{0.0};
   struct Face {
     Triangle corners;
@@ -41,8 +42,19 @@ class RegionDamage final : public RegionClassifier {
     depth_mm = -d;
     at_mm = middle;
   }
+  void box(Vec3 low, Vec3 high, Tissue tissue) override {
+    note_gone(0.5 * (low + high));
+    RegionClassifier::box(low, high, tissue);
+  }
+  void tetrahedron(const std::array<Vec3, 4>& corners, double volume, Tissue tissue) override {
+    note_gone(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
+    RegionClassifier::tetrahedron(corners, volume, tissue);
+  }
 
  private:
+  void note_gone(Vec3 p) noexcept {
+    if (!whole() || wholly_in_target()) gone_mm = std::max(gone_mm, -near_at(p).distance_mm);
+  }
   void solid(Place place, double volume, Tissue) override {
     if (place == Place::target) mm3 += volume;
   }
@@ -63,7 +75,7 @@ Damaged damage_of_region(const Reference& reference, const Volume& volume, const
   RegionDamage sum(*part.shape, none, least);
   for (const int brick : bricks_to_measure(volume)) emit_removed_by_place(volume, brick, sum);
   Damaged out{sum.mm3, reference.surface_sigma_mm() * sum.face_mm2, false, std::nullopt, {}, {}};
-  out.damaged = part.severity == Damage::removal ? out.mm3 > out.sigma_mm3 : sum.depth_mm > least;
+  out.damaged = part.severity == Damage::removal ? out.mm3 > out.sigma_mm3 : std::max(sum.depth_mm, sum.gone_mm) > least;
   if (out.damaged) out.at_mm = sum.at_mm;
   for (const RegionDamage::Face& face : sum.faces) {
     if (face.within) out.removed_faces.push_back(face.corners);

@@ -1,7 +1,9 @@
 #include "scenarios/metrics/remaining.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -91,17 +93,73 @@ bool is_of_cavity(const Volume& volume, Vec3 wall_at, int direction) noexcept {
   return removed(kLeastWallMm) || removed(-kLeastWallMm);
 }
 
+/// A place of the wall towards the ridge.
+struct Wall {
+  Vec3 at_mm{0.0};
+  bool through = false;  // the cut runs out of the tooth there
+};
+
+/// The last removed voxel of a row towards the ridge, if removed tissue joins it to the target over more than kWallReachMm.
+/// `v`: the row's outermost voxel of the tooth.
+std::optional<IVec3> far_end(const Reference& reference, const Volume& volume, IVec3 v, int direction) {
+  const Grid& grid = volume.grid();
+  std::optional<IVec3> end;
+  int length = 0;
+  for (; v.x >= 0 && v.x < grid.size.x; v.x -= direction) {
+    if (volume.specimen().s(v) < kHalf || volume.occupied(v)) {
+      end.reset();
+      length = 0;
+      continue;
+    }
+    if (!end) end = v;
+    if (reference.shape().distance_mm(grid.centre_mm(v)) < 0.0) return (length + 1) * grid.voxel_mm > kWallReachMm ? end : std::nullopt;
+    ++length;
+  }
+  return std::nullopt;
+}
+
+/// Of each buccolingual place of the target the wall and the way through that lie furthest out, beyond the reach of the walls' faces.
+std::vector<Wall> far_walls(const Reference& reference, const Volume& volume, int direction) {
+  const TargetShape& shape = reference.shape();
+  const Grid& grid = volume.grid();
+  const IVec3 last = grid.size - 1;
+  const IVec3 low = glm::clamp(nearest_voxel(grid, {0, shape.low().y, shape.floor_mm()}), IVec3(0), last);
+  const IVec3 high = glm::clamp(nearest_voxel(grid, {0, shape.high().y, 0}), IVec3(0), last);
+  const Vec3 outwards(direction * grid.voxel_mm, 0, 0);
+  SurfaceSearch search(volume, Solid::remaining);
+  std::vector<Wall> out;
+  for (int y = low.y; y <= high.y; ++y) {
+    std::array<std::optional<Wall>, 2> furthest;  // [through]
+    for (int z = low.z; z <= last.z; ++z) {
+      const std::optional<IVec3> v = outermost_own(volume.specimen(), y, z, direction);
+      const std::optional<IVec3> end = v ? far_end(reference, volume, *v, direction) : std::nullopt;
+      if (!end) continue;
+      const bool through = *end == *v;
+      if (!through && !volume.occupied(*end + IVec3(direction, 0, 0))) continue;  // it opens into a fossa
+      const Vec3 at = grid.centre_mm(*end);
+      const Wall wall{through ? at : search.between(at, at + outwards), through};
+      if (!is_of_cavity(volume, wall.at_mm, direction)) continue;
+      std::optional<Wall>& so_far = furthest[through ? 1 : 0];
+      if (!so_far || direction * (wall.at_mm.x - so_far->at_mm.x) > 0.0) so_far = wall;
+    }
+    for (const std::optional<Wall>& one : furthest)
+      if (one) out.push_back(*one);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Reference& reference, const Volume& volume,
                                               FaceName wall) {
-  if (reference.mesial_x() == 0 || faces.of(wall).empty()) return std::nullopt;
+  if (reference.mesial_x() == 0 || reference.shape().empty() || volume.cut_bricks().empty() || volume.specimen().reading() == Reading::filled)
+    return std::nullopt;
   const int direction = wall == FaceName::mesial_wall ? reference.mesial_x() : -reference.mesial_x();
   if (opened_by_target(reference, direction)) return std::nullopt;
   // The wall's outermost place in each strip of half a voxel: no other of that strip can be nearer to the contour.
   std::map<int, Vec3> outermost;
   const double strip = 0.5 * volume.grid().voxel_mm;
-  double low = faces.of(wall).front().middle_mm.z;
+  double low = std::numeric_limits<double>::max();
   for (const CutFace& face : faces.of(wall)) {
     if (!is_of_cavity(volume, face.middle_mm, direction)) continue;
     const int key = static_cast<int>(std::floor(face.middle_mm.y / strip));
@@ -109,17 +167,22 @@ std::optional<RidgeThickness> ridge_thickness(const CutFaces& faces, const Refer
     if (!first && direction * (face.middle_mm.x - it->second.x) > 0.0) it->second = face.middle_mm;
     low = std::min(low, face.middle_mm.z);
   }
+  const std::vector<Wall> far = far_walls(reference, volume, direction);
+  for (const Wall& one : far) low = std::min(low, one.at_mm.z);
   ProximalContour contour(volume, direction);
   std::optional<RidgeThickness> best;
-  for (const auto& [key, at] : outermost) {
-    const Contour edge = contour.at(at.y, low);
-    if (!edge.found) continue;
-    const double mm = direction * (edge.x - at.x);
-    if (best && mm >= best->mm) continue;
+  const auto offer = [&](const Wall& one) {
+    const Contour edge = contour.at(one.at_mm.y, low);
+    if (!edge.found) return;
+    const double left = direction * (edge.x - one.at_mm.x);
+    const double mm = one.through && left <= kRidgeMm ? 0.0 : left;  // further in, a cusp is cut off
+    if (best && mm >= best->mm) return;
     const double sigma = edge.sharp ? std::sqrt(2.0) * reference.point_sigma_mm()
                                     : reference.point_sigma_mm() + 0.5 * volume.grid().voxel_mm;
-    best = RidgeThickness{mm, sigma, at, edge.at_mm};
-  }
+    best = RidgeThickness{mm, sigma, one.at_mm, edge.at_mm};
+  };
+  for (const auto& [key, at] : outermost) offer({at});
+  for (const Wall& one : far) offer(one);
   return best;
 }
 

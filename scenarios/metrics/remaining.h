@@ -2,7 +2,8 @@
 ///
 /// ridge_mesial, ridge_distal (mm): least mesiodistal distance from the wall to the tooth's greatest proximal contour at
 /// the same buccolingual place, as a calliper held across the marginal ridge measures it. A scratch on the ridge is no wall.
-/// Needs: a tooth whose sides are known, a banded volume, the wall of that side, a target that leaves that ridge.
+/// A ridge that is cut through has 0.
+/// Needs: a tooth whose sides are known, a banded volume, a cut towards that side, a target that leaves that ridge.
 #pragma once
 
 #include <optional>

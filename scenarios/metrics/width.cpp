@@ -35,12 +35,9 @@ Side side_of(FaceName wall) noexcept {
 /// The wall below the margin: by its name in the target, else by its normal.
 Side side_of(const MarginPoint& m, const Reference& reference) {
   const TargetShape& shape = reference.shape();
-  if (shape.upright() != nullptr) {
-    if (shape.outline_mm({m.at_mm.x, m.at_mm.y}) > kWallReachMm) return Side::none;
-    return reference.mesial_x() == 0 ? Side::any : side_of(wall_by_normal(m.into_void, reference.mesial_x()));
-  }
+  if (shape.upright() != nullptr) return reference.mesial_x() == 0 ? Side::any : side_of(wall_by_normal(m.into_void, reference.mesial_x()));
   const std::optional<Facing> facing = shape.facing(m.at_mm, m.into_void);
-  if (!facing || facing->beyond_mm > kWallReachMm || facing->beside_mm > kWallReachMm) return Side::none;
+  if (!facing) return Side::none;
   const bool named = facing->face != FaceName::side_wall || reference.mesial_x() == 0;
   return side_of(named ? facing->face : wall_by_normal(m.into_void, reference.mesial_x()));
 }
@@ -74,9 +71,19 @@ std::optional<double> across(const Edge& from, const Edge& to, double voxel_mm) 
   return mm > kNearestVoxels * voxel_mm && mm < kWidestMm ? std::optional(mm) : std::nullopt;
 }
 
+/// Whether the way between two margins passes over the target: a scratch beside the cavity has margins of its own.
+bool over_target(const TargetShape& shape, Vec3 from, Vec3 to, double step_mm) noexcept {
+  const Vec3 way = to - from;
+  const int steps = static_cast<int>(std::ceil(std::sqrt(glm::dot(way, way)) / step_mm));
+  for (int i = 1; i < steps; ++i)
+    if (shape.distance_mm(from + static_cast<double>(i) / steps * way) < 0.0) return true;
+  return false;
+}
+
 }  // namespace
 
 std::optional<Isthmus> isthmus(const std::vector<MarginPoint>& margin, const Reference& reference) {
+  if (reference.shape().empty()) return std::nullopt;
   const std::vector<Edge> edges = occlusal_edges(margin, reference);
   const double voxel = reference.specimen().grid().voxel_mm;
   std::optional<Isthmus> best;
@@ -84,7 +91,8 @@ std::optional<Isthmus> isthmus(const std::vector<MarginPoint>& margin, const Ref
     for (const Edge& to : edges) {
       if (!opposite(from.side, to.side)) continue;
       const std::optional<double> mm = across(from, to, voxel);
-      if (mm && (!best || *mm < best->width_mm)) best = Isthmus{*mm, std::sqrt(2.0) * reference.point_sigma_mm(), from.at_mm, to.at_mm};
+      if (!mm || (best && *mm >= best->width_mm) || !over_target(reference.shape(), from.at_mm, to.at_mm, voxel)) continue;
+      best = Isthmus{*mm, std::sqrt(2.0) * reference.point_sigma_mm(), from.at_mm, to.at_mm};
     }
   return best;
 }

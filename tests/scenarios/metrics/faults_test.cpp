@@ -151,6 +151,39 @@ TEST_F(Faults, AScratchOnARidgeIsNoWallOfTheCavity) {
   }
 }
 
+TEST_F(Faults, ARidgeThatIsCutThroughIsGone) {
+  const Shape cavity = of([](Outline&) {});
+  for (const double half_width : {0.2, 0.5 * kWidth}) {
+    const Grade through = grade_of([&](Vec3 p) { return std::min(cavity(p), box_distance(p, Vec3(2.5, 0, 0), Vec3(1.5, half_width, kDepth))); });
+    EXPECT_TRUE(measure_of(through, "ridge_mesial").measured) << half_width;
+    EXPECT_EQ(measure_of(through, "ridge_mesial").value, 0.0) << half_width;
+    EXPECT_EQ(points_of(through, "ridge_mesial"), 0.0) << half_width;
+  }
+}
+
+TEST_F(Faults, ARidgeIsMeasuredHoweverFarTheCutRunsIntoIt) {
+  const Grade far = grade_of(of([](Outline& t) {
+    t.box_size_mm.x += 1.3;
+    t.paths[0][0].x += 0.65;
+  }));
+  ASSERT_TRUE(measure_of(far, "ridge_mesial").measured);
+  EXPECT_NEAR(measure_of(far, "ridge_mesial").value, 0.8, 0.03);  // 3.5 - 1.4 - 1.3
+}
+
+TEST_F(Faults, AScratchBesideTheCavityIsNoIsthmus) {
+  const Shape cavity = of([](Outline&) {});
+  const Grade scratched = grade_of([&](Vec3 p) { return std::min(cavity(p), box_distance(p, Vec3(0, 1.1, 0), Vec3(0.6, 0.15, 0.15))); });
+  const auto& before = measure_of(exercise().ideal, "isthmus_width");
+  EXPECT_NEAR(measure_of(scratched, "isthmus_width").value, before.value, before.uncertainty);
+}
+
+TEST_F(Faults, AnIsthmusFarTooWideIsStillMeasured) {
+  const Grade wide = grade_of(of([](Outline& t) { t.box_size_mm.y += 2.6; }));  // 1.3 mm on either side
+  ASSERT_TRUE(measure_of(wide, "isthmus_width").measured);
+  EXPECT_NEAR(measure_of(wide, "isthmus_width").value, kWidth + 2.6, 0.03);
+  EXPECT_EQ(points_of(wide, "isthmus_width"), 0.0);
+}
+
 TEST_F(Faults, AnUntouchedToothHasNoPoints) {
   EXPECT_EQ(grade_of([](Vec3) { return 1.0; }).score, 0.0);
 }

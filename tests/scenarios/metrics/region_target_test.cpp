@@ -20,64 +20,11 @@
 #include "tests/engine/volume/carved.h"
 #include "tests/full_run.h"
 #include "tests/modules.h"
-#include "tests/scenarios/metrics/box_exercise.h"
+#include "tests/scenarios/metrics/block_cuts.h"
 #include "tests/scenarios/regions.h"
 
 namespace cusp::test {
 namespace {
-
-using Shape = std::function<double(Vec3)>;
-
-/// 9 x 6 x 6 mm below z = 0, voxels of 0.1 mm or that size times `coarser`; dentine from z = -3 down.
-std::shared_ptr<const Specimen> block(int coarser = 1) {
-  Grid grid;
-  grid.size = IVec3(100, 70, 68) / coarser;
-  grid.voxel_mm = 0.1 * coarser;
-  grid.origin_mm = Vec3(-4.97, -3.44, -6.33);
-  return carved::specimen(
-      grid, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -3), Vec3(4.5, 3, 3)); },
-      [](Vec3 p) { return p.z > -3 ? Tissue::enamel : Tissue::dentine; });
-}
-
-Outline isthmus(double width, double depth) {
-  Outline out;
-  out.paths = {{Vec3(-2, 0, -depth), Vec3(2, 0, -depth)}};
-  out.width_mm = width;
-  out.depth_mm = depth;
-  out.corner_radius_mm = 0.3;
-  return out;
-}
-
-/// A class II: a slot 2 mm deep, and a box at its end whose gingival floor lies at `deep` mm.
-Region class_two(double deep, double width = 1.2) {
-  Region proximal = box_region({3, 0, 0.5 - 0.5 * deep}, {2, 2.4, deep + 1});
-  proximal.faces = {{"z_low", FaceName::gingival_floor}, {"x_low", FaceName::axial_wall}};
-  return node(RegionKind::joined, {region_of(isthmus(width, 2)), proximal});
-}
-
-Scenario exercise(Region target) {
-  Scenario s = box_exercise_on_36({2, 1, 2}, {Tissue::enamel, 3, 0.5});
-  s.tissues.push_back({Tissue::dentine, 2, 2});
-  s.target = std::move(target);
-  return s;
-}
-
-Shape exactly(Region target) {
-  return [shape = TargetShape(std::move(target))](Vec3 p) { return shape.distance_mm(p); };
-}
-
-std::vector<Measure> measured(const Scenario& scenario, const Shape& cut) {
-  static const std::shared_ptr<const Specimen> specimen = block();
-  Volume volume(specimen);
-  carved::carve(volume, cut);
-  return measure(Reference(scenario, specimen), volume, {});
-}
-
-Measure get(const std::vector<Measure>& measures, std::string_view metric) {
-  for (const Measure& m : measures)
-    if (m.metric == metric) return m;
-  return not_measured(std::string(metric), "");
-}
 
 TEST(TreeTarget, ThatIsCutExactlyIsRemovedWholeAndNothingElse) {
   const Region target = class_two(4);
@@ -192,13 +139,13 @@ TEST(TreeTarget, AFloorThatIsHalfCutIsStillItsFloor) {
   EXPECT_NEAR(get(measures, "depth_mean").value, 1.1, 0.005);
 }
 
-/// A slot 3.3 mm deep takes 0.3 mm of the dentine below z = -3.
-std::vector<Measure> slot_into_dentine(Protected part, double depth) {
-  Scenario s = exercise(region_of(isthmus(1.2, 2)));
-  s.protected_parts = {std::move(part)};
-  return measured(s, exactly(region_of(isthmus(1.2, depth))));
+TEST(TreeTarget, AGingivalFloorFarTooDeepIsStillMeasured) {
+  Scenario s = exercise(class_two(4));
+  s.rubric.criteria = {{"box_height", 1, {}}};
+  const Measure m = get(measured(s, exactly(class_two(5.2))), "box_height");
+  ASSERT_TRUE(m.measured);
+  EXPECT_NEAR(m.value, 3.2, m.uncertainty);
 }
-bool damaged(const std::vector<Measure>& measures) { return get(measures, "protected_damage").value > 0; }
 
 /// About the z axis.
 Vec3 turned(Vec3 p, double deg) {
@@ -342,52 +289,6 @@ TEST(TreeTarget, LiveScoresOfABursSweepsAreThoseOfTheWhole) {
       EXPECT_EQ(live.reading().overcut_mm3, whole.reading().overcut_mm3) << n << ball;
     }
   }
-}
-
-TEST(ProtectedPart, ATissueIsDamagedAtItsSeverity) {
-  EXPECT_TRUE(damaged(slot_into_dentine(Tissue::dentine, 3.3)));
-  EXPECT_FALSE(damaged(slot_into_dentine(Tissue::dentine, 2.7)));
-  EXPECT_FALSE(damaged(slot_into_dentine({Tissue::dentine, Damage::touch}, 2.7)));
-  EXPECT_TRUE(damaged(slot_into_dentine({Tissue::dentine, Damage::touch}, 3.05))) << "it lies bare";
-  EXPECT_NEAR(get(slot_into_dentine(Tissue::dentine, 3.3), "protected_removed").value, 0.3 * (4 * 1.2 + 3.14159 * 0.36), 0.3);
-}
-
-TEST(ProtectedPart, ARegionIsDamagedAtItsSeverity) {
-  Region below = sphere({0, 0, -4}, 1.5);  // its top lies at z = -2.5
-  const auto of = [&](Damage severity, double depth_mm, double cut_mm) {
-    Protected part(below, severity);
-    part.depth_mm = depth_mm;
-    return damaged(slot_into_dentine(part, cut_mm));
-  };
-  EXPECT_FALSE(of(Damage::removal, 0, 2.4));
-  EXPECT_TRUE(of(Damage::removal, 0, 2.8));
-  EXPECT_FALSE(of(Damage::touch, 0, 2.4));
-  EXPECT_TRUE(of(Damage::touch, 0, 2.52));
-  EXPECT_FALSE(of(Damage::depth, 0.5, 2.9)) << "0.4 mm into it";
-  EXPECT_TRUE(of(Damage::depth, 0.5, 3.1)) << "0.6 mm into it";
-}
-
-TEST(ProtectedPart, ARegionsRemovedVolumeIsThatOfTheSolid) {
-  // The whole of a ball of 0.5 mm that the slot holds: 4/3 pi r3.
-  const auto measures = slot_into_dentine(Protected(sphere({0, 0, -1}, 0.4)), 2);
-  const Measure m = get(measures, "protected_removed");
-  EXPECT_NEAR(m.value, 4.0 / 3.0 * 3.14159265 * 0.064, 0.005);
-}
-
-TEST(ProtectedPart, DamageFailsTheAttemptWhereTheRubricSaysSo) {
-  Scenario s = exercise(region_of(isthmus(1.2, 3.3)));
-  s.protected_parts = {Tissue::dentine};
-  s.rubric.criteria = {{"target_removed", 10, {80, 90, 97, 100, 100, 100}}};
-  const auto measures = measured(s, exactly(s.target));
-  EXPECT_TRUE(grade(s, measures).passed);
-  s.rubric.critical = {"protected_damage"};
-  EXPECT_FALSE(grade(s, measures).passed);
-  EXPECT_EQ(grade(s, measures).critical, std::vector<std::string>{"protected_damage"});
-}
-
-TEST(ProtectedPart, WithoutOneNothingIsSaidOfDamage) {
-  const Scenario s = exercise(region_of(isthmus(1.2, 2)));
-  EXPECT_FALSE(get(measured(s, exactly(s.target)), "protected_damage").measured);
 }
 
 }  // namespace
