@@ -14,9 +14,9 @@ const CriterionGrade* find(const Grade& grade, const std::string& id) {
 CriterionChange change_of(const std::string& id, const CriterionGrade* before, const CriterionGrade* after) {
   CriterionChange out{id, {}, {}, {}, {}};
   const auto fill = [](const CriterionGrade* from, std::optional<double>& value, std::optional<double>& points) {
-    if (from == nullptr || !from->measure.measured) return;
-    value = from->measure.value;
-    points = from->points;
+    if (from == nullptr) return;
+    if (from->measure.measured) value = from->measure.value;
+    if (from->measure.measured || from->points_max > 0.0) points = from->points;
   };
   fill(before, out.value_before, out.points_before);
   fill(after, out.value_after, out.points_after);

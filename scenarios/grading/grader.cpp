@@ -93,28 +93,33 @@ void scale_to_maximum(Grade& grade, double most) {
   }
 }
 
+/// Of a criterion's target, 0 to 1: what its points are scaled by, and what was removed of it.
+struct Shares {
+  double counted = 1, removed = 1;
+};
+
 /// Whether one of several targets was left out. What was not measured of it costs its points: else fewer points would be graded.
-bool is_left_out(const Criterion& criterion, double share) {
+bool is_left_out(const Criterion& criterion, double removed) {
   constexpr double kHardly = 0.5;  // of the target [M]: of one that was cut, voxels may hide a measure
-  return !split_metric(criterion.metric).target.empty() && counts_with_target(criterion) && share < kHardly;
+  return !split_metric(criterion.metric).target.empty() && counts_with_target(criterion) && removed < kHardly;
 }
 
-CriterionGrade not_measured(const Criterion& criterion, const Measure* measure, double share) {
+CriterionGrade not_measured(const Criterion& criterion, const Measure* measure, Shares shares, int device_dof) {
   CriterionGrade out;
   out.id = criterion.metric;
   if (measure != nullptr) out.measure = *measure;
   out.measure.metric = criterion.metric;
   out.measure.measured = false;
   out.band = out.reason_code = "not_measured";
-  if (!is_left_out(criterion, share)) return out;
+  if (criterion.needs_dof > device_dof || !is_left_out(criterion, shares.removed)) return out;
   out.points_max = criterion.weight;
   out.reason_code = "little_drilled";
-  out.reason_args = {{"share", share}, {"lost", criterion.weight}};
+  out.reason_args = {{"share", shares.removed}, {"lost", criterion.weight}};
   return out;
 }
 
-CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share, int device_dof) {
-  if (measure == nullptr || !measure->measured) return not_measured(criterion, measure, share);
+CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, Shares shares, int device_dof) {
+  if (measure == nullptr || !measure->measured) return not_measured(criterion, measure, shares, device_dof);
   CriterionGrade out;
   out.id = criterion.metric;
   out.measure = *measure;
@@ -128,7 +133,7 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
   const double value = measure->value;
   out.points_max = criterion.weight;
   const double within_bands = criterion.weight * share_of_points(bands, value);
-  out.points = counts_with_target(criterion) ? within_bands * share : within_bands;
+  out.points = counts_with_target(criterion) ? within_bands * shares.counted : within_bands;
   out.band = band_of(bands, value, measure->uncertainty);
   if (out.points == out.points_max) {
     out.reason_code = "full";
@@ -138,7 +143,7 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
   const double lost = out.points_max - out.points;
   if (within_bands - out.points > out.points_max - within_bands) {
     out.reason_code = "little_drilled";
-    out.reason_args = {{"share", share}, {"lost", lost}};
+    out.reason_args = {{"share", shares.counted}, {"lost", lost}};
     return out;
   }
   const bool depth = criterion.metric.starts_with("depth_");
@@ -181,7 +186,9 @@ Grade grade(const Scenario& scenario, const std::vector<Measure>& measures, int 
   for (const Criterion& criterion : scenario.rubric.criteria) {
     const auto removed_of = [&](const std::string& key) { return find(measures, key); };
     const double share = share_of_targets(scenario.rubric, criterion.metric, removed_of, share_drilled);
-    out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), share, device_dof));
+    const Measure* own = find(measures, metric_key("target_removed", split_metric(criterion.metric).target));
+    const Shares shares{share, own != nullptr && own->measured ? own->value / 100.0 : share};
+    out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), shares, device_dof));
     points += out.criteria.back().points;
     most += out.criteria.back().points_max;
   }

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "scenarios/grading/changes.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/grading/report_json.h"
 #include "tests/modules.h"
@@ -250,6 +251,26 @@ TEST(ReportJson, PointsAddUpAndTheirMaximaAreAHundred) {
   double most = 0;
   for (const auto& c : json["criteria"]) most += c["points_max"].get<double>();
   EXPECT_NEAR(most, 100.0, 1e-9);
+}
+
+TEST(Grade, ATargetThatIsLeftOutCostsItsPointsThoughTheRubricAsksForTheWholeAlone) {
+  Scenario s;
+  s.rubric.criteria = {{"target_removed", 10, kMostRemoved}, {"depth_mean@a", 45, kAll}, {"depth_mean@b", 45, kAll}};
+  const std::vector<Measure> cut_one = {{"target_removed", true, 80.0, 0.0, "%", {}}, {"depth_mean@a", true, 2.0, 0.0, "mm", {}},
+                                        {"depth_mean@b", false, 0.0, 0.0, "mm", {}}, {"target_removed@b", true, 0.0, 0.0, "%", {}}};
+  EXPECT_DOUBLE_EQ(grade(s, cut_one).criteria[2].points_max, 45.0);
+  s.rubric.criteria[2].needs_dof = 5;
+  EXPECT_EQ(grade(s, cut_one, 3).criteria[2].points_max, 0.0) << "what the device cannot express is not marked";
+}
+
+TEST(Changes, NameATargetThatNowCostsItsPoints) {
+  Grade before, after;
+  before.criteria.resize(1);
+  before.criteria[0].id = "depth_mean@b";
+  before.criteria[0].measure.measured = false;
+  after = before;
+  after.criteria[0].points_max = 25;
+  EXPECT_EQ(changes(before, after).criteria.size(), 1u);
 }
 
 }  // namespace
