@@ -20,13 +20,12 @@ struct Reached {
   bool in_zone = false;
 };
 
-/// What of each tissue lies in the target and its tolerance zone, by voxels' centres.
-std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Specimen& specimen) {
-  std::array<Reached, kTissueCodes> out;
+/// Calls visit(voxel, centre, near) of each solid voxel in or about the target.
+template <class Visit>
+void each_near(const Scenario& scenario, const Specimen& specimen, Visit&& visit) {
   const TargetShape shape(scenario.target, lent(specimen));
-  if (shape.empty()) return out;
+  if (shape.empty()) return;
   const Grid& grid = specimen.grid();
-  const double voxel_mm3 = grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
   const double side = scenario.leeway.most() + grid.voxel_mm;
   const auto voxel = [&](Vec3 p) { return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm)); };
   const IVec3 low = glm::max(voxel({shape.low().x - side, shape.low().y - side, shape.floor_mm() - side}), IVec3(0));
@@ -34,25 +33,42 @@ std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Spe
   for (int y = low.y; y <= high.y; ++y)
     for (int x = low.x; x <= high.x; ++x) {
       const Vec3 foot = grid.centre_mm({x, y, low.z});
-      const bool upright = shape.upright() != nullptr;
-      const double u = upright ? shape.outline_mm({foot.x, foot.y}) : 0.0;
-      if (upright && u > side) continue;
+      if (shape.upright() != nullptr && shape.outline_mm({foot.x, foot.y}) > side) continue;
       for (int z = low.z; z < grid.size.z; ++z) {
-        if (specimen.s({x, y, z}) < kHalf) continue;
-        const Vec3 centre = grid.centre_mm({x, y, z});
-        const Near near = shape.near(centre);
-        Reached& here = out[index_of(specimen.tissue({x, y, z}))];
-        const double d = near.distance_mm;
-        here.nearest_mm = std::min(here.nearest_mm, d);
-        if (d < 0.0) {
-          here.target_mm3 += voxel_mm3;
-          here.deepest_mm = std::max(here.deepest_mm, -near.floor_mm);
-        } else {
-          const Place place = place_of(near, scenario.leeway);
-          here.in_zone = here.in_zone || place == Place::tolerated_floor || place == Place::tolerated_side;
-        }
+        const IVec3 v(x, y, z);
+        if (specimen.s(v) >= kHalf) visit(v, grid.centre_mm(v), shape.near(grid.centre_mm(v)));
       }
     }
+}
+
+void add(Reached& to, const Near& near, const Scenario& scenario, double voxel_mm3) {
+  const double d = near.distance_mm;
+  to.nearest_mm = std::min(to.nearest_mm, d);
+  if (d < 0.0) {
+    to.target_mm3 += voxel_mm3;
+    to.deepest_mm = std::max(to.deepest_mm, -near.floor_mm);
+  } else {
+    const Place place = place_of(near, scenario.leeway);
+    to.in_zone = to.in_zone || place == Place::tolerated_floor || place == Place::tolerated_side;
+  }
+}
+
+/// What of each tissue lies in the target and its tolerance zone, by voxels' centres.
+std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Specimen& specimen) {
+  std::array<Reached, kTissueCodes> out;
+  const double voxel_mm3 = std::pow(specimen.grid().voxel_mm, 3);
+  each_near(scenario, specimen, [&](IVec3 v, Vec3, const Near& near) { add(out[index_of(specimen.tissue(v))], near, scenario, voxel_mm3); });
+  return out;
+}
+
+/// The same of a protected region, of what lies deep enough in it to be damage.
+Reached reached_of(const Protected& one, const Scenario& scenario, const Specimen& specimen) {
+  const TargetShape region(*one.region, lent(specimen));
+  const double least = one.severity == Damage::depth ? one.depth_mm : 0.0, voxel_mm3 = std::pow(specimen.grid().voxel_mm, 3);
+  Reached out;
+  each_near(scenario, specimen, [&](IVec3, Vec3 centre, const Near& near) {
+    if (near.distance_mm <= scenario.leeway.most() && region.distance_mm(centre) < -least) add(out, near, scenario, voxel_mm3);
+  });
   return out;
 }
 
@@ -100,10 +116,11 @@ std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& spe
   if (!(all > 0.0)) out.push_back({Severity::error, "/target/paths", "target_without_tissue", {}, {}});
   check_speeds(scenario, reached, out);
   for (std::size_t i = 0; i < scenario.protected_parts.size(); ++i) {
-    const Tissue tissue = tissue_of(scenario.protected_parts[i]);
-    if (tissue == Tissue::empty || tissue == Tissue::pulp) continue;
-    const Reached& here = reached[index_of(tissue)];
-    const std::string path = "/protected/" + std::to_string(i), key(key_of_scenario_tissue(tissue));
+    const Protected& one = scenario.protected_parts[i];
+    const Tissue tissue = tissue_of(one);
+    if (tissue == Tissue::pulp || (tissue == Tissue::empty && !one.region)) continue;
+    const Reached here = one.region ? reached_of(one, scenario, specimen) : reached[index_of(tissue)];
+    const std::string path = "/protected/" + std::to_string(i), key(tissue == Tissue::empty ? "region" : key_of_scenario_tissue(tissue));
     if (here.target_mm3 > 0.0)
       out.push_back({Severity::error, path, "target_cuts_protected", {{"value", here.target_mm3}}, key});
     else if (here.in_zone)

@@ -21,6 +21,7 @@ struct CheckText {
 QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
 QString tissue_of(const Finding& f) {
+  if (f.detail == "region") return CheckText::tr("a region");
   const auto tissue = scenario_tissue_from_key(f.detail);
   return tissue ? tissue_name(*tissue) : QString::fromStdString(f.detail);
 }

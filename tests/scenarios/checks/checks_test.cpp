@@ -112,6 +112,20 @@ TEST(Protected, WhatTheTargetTakesIsAnErrorAndWhatItsToleranceZoneTakesAWarning)
   EXPECT_THAT(t.regions(), Contains("warning /protected/1 leeway_cuts_protected"));
 }
 
+TEST(Protected, ARegionIsTakenWhereTheTargetReachesDeeperThanItMay) {
+  Tooth t;
+  Region ball;
+  ball.kind = RegionKind::sphere;
+  ball.from_mm = {0.2, -0.15, 3.2};
+  ball.radius_mm = 0.5;
+  Protected part(ball, Damage::depth);
+  part.depth_mm = 0.1;
+  t.scenario.protected_parts = {Tissue::pulp, part};
+  EXPECT_THAT(t.regions(), ElementsAre("error /protected/1 target_cuts_protected"));
+  t.scenario.protected_parts[1].depth_mm = 2.0;
+  EXPECT_THAT(t.regions(), IsEmpty());
+}
+
 TEST(Target, InTheAirHoldsNothingToCut) {
   Tooth t;
   t.scenario.target.outline.top_mm = 30;
