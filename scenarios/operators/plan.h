@@ -41,7 +41,7 @@ struct PlanErrors {
 /// Of a lone upright outline: layer by layer from the highest tissue within it, each layer as loops inside it so that the
 /// bur's side draws the wall, the last layer at the floor; lifts above the specimen between paths. The largest bur that fits
 /// the width and the corner. Of any other target: region_plan.h, with the widest bur of those that leave about the least of it.
-/// No strokes if target or instruments are missing, or no bur fits into the target.
+/// No strokes if target or instruments are missing. If no bur fits, a lone outline takes the smallest; others get none.
 [[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {},
                                PlanCancel cancel = nullptr);
 

@@ -55,6 +55,12 @@ class Filler {
       for (const Json& one : value.is_array() ? value : Json::array({{{"value", value}}}))
         if (wanted(one, "/names/" + name)) scope_[name] = number(one.at("value"), "/names/" + name);
   }
+  /// Key of the first of a template's needs that its values do not keep.
+  std::optional<std::string> unmet(const Json& needs) {
+    for (const auto& [key, need] : needs.items())
+      if (number(need.at("value"), "/needs/" + key) == 0.0 && !failure_) return key;
+    return std::nullopt;
+  }
   /// Strings at `keys_kept` stay; every other one is an expression.
   Json filled(const Json& node, const std::string& where);
   bool wanted(const Json& node, const std::string& where) {
@@ -261,6 +267,8 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
                                        const Scope& scope) {
   Filler filler(landmarks, scope);
   filler.add_names(body.value("names", Json::object()));
+  const Json needs = body.value("needs", Json::object());
+  if (const auto need = filler.unmet(needs)) return fail(FitError::unmet_need, *need);
   Json target = filler.target(body.at("target"));
   Json out = Json::object();
   out["format"] = 2;

@@ -15,6 +15,7 @@ namespace cusp::scenarios {
 /// "names" are expressions, or several with "when", that others may name. "when" may name has.NAME: 1 where that part is one of several targets, else 0. The rubric may name outline.floor and
 /// outline.wall: mm² of all outlines along lines. A text may stand in parts, which have "when" likewise. In texts "{depth}" is the
 /// parameter with one or two digits after the decimal sign, "{tooth}" the number, "{boxes}" MO, MOD, and DO in English, OD elsewhere.
+/// "needs" are expressions by name: a value of 0 refuses the fit (unmet_need).
 [[nodiscard]] Result<nlohmann::ordered_json, FitFailure> fill_template(const nlohmann::ordered_json& body,
                                                                        const nlohmann::ordered_json& common, const FitRequest& request,
                                                                        const ToothLandmarks& landmarks, const Scope& scope);

@@ -1,6 +1,7 @@
 #include "scenarios/templates/other_tooth.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,10 +13,21 @@ namespace {
 
 using Made = Result<Scenario, OtherToothFailure>;
 
+/// What was chosen, without parameters that the template no longer has.
+std::map<std::string, double> values_of(const TemplateUse& use) {
+  std::map<std::string, double> out = use.values;
+  const auto of = std::ranges::find(exercise_templates(), use.key, &ExerciseTemplate::key);
+  if (of == exercise_templates().end()) return out;
+  std::erase_if(out, [&](const auto& one) {
+    return std::ranges::find(of->parameters, one.first, &TemplateParameter::key) == of->parameters.end();
+  });
+  return out;
+}
+
 /// What the exercise's template makes of the tooth that `seed` grows.
 Made fitted(const Scenario& exercise, std::uint64_t seed) {
-  const FitRequest request{.key = exercise.made_with->key, .fdi = exercise.specimen.fdi, .seed = seed, .values = exercise.made_with->values,
-                           .id = exercise.id};
+  const FitRequest request{.key = exercise.made_with->key, .fdi = exercise.specimen.fdi, .seed = seed,
+                           .values = values_of(*exercise.made_with), .id = exercise.id};
   auto made = fit_template(request);
   if (!made) return fail(OtherToothError::does_not_fit, std::string(key_of(made.error().code)));
   return std::move(*made);

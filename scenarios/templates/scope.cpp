@@ -50,6 +50,7 @@ Scope scope_of(const ToothLandmarks& landmarks, int fdi) {
   Scope out;
   out["molar"] = is_molar(fdi) ? 1.0 : 0.0;
   out["upper"] = fdi < 30 ? 1.0 : 0.0;
+  out["beside.distal"] = fdi % 10 < 8 ? 1.0 : 0.0;
   if (landmarks.dims.buccolingual > 0.0) out["bl"] = landmarks.dims.buccolingual;
   if (landmarks.dims.mesiodistal > 0.0) out["md"] = landmarks.dims.mesiodistal;
   const auto place = [&out](const std::string& name, const std::optional<Vec3>& p) {

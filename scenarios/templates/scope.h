@@ -1,8 +1,8 @@
 /// What the expressions of a template may name of a tooth. Frame: that of the table, mesial along +x, buccal along +y; a
 /// tooth of quadrants 2 and 4 is mirrored into it. Millimetres.
 ///
-/// molar (1 or 0), upper (1 or 0), bl, md (extents of the crown), central.x .y .z (the central pit, or the middle of the
-/// central groove), fossa.z (the lowest pit), contact.mesial.x .y .z, contact.distal.x .y .z, cej.mesial.z, cej.distal.z,
+/// molar (1 or 0), upper (1 or 0), beside.distal (0 of a third molar, behind which no tooth stands, else 1), bl, md (extents
+/// of the crown), central.x .y .z (the central pit, or the middle of the central groove), fossa.z (the lowest pit), contact.mesial.x .y .z, contact.distal.x .y .z, cej.mesial.z, cej.distal.z,
 /// pit.mesial.x .y, pit.distal.x .y. A tooth from a file has those that its landmarks say.
 #pragma once
 

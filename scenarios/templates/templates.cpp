@@ -45,6 +45,8 @@ Entry entry_of(std::string_view text) {
     out.head.parameters.push_back({one.at("key").get<std::string>(), text_of(one.at("name")), one.at("unit").get<std::string>(),
                                    one.at("range").at(0).get<double>(), one.at("range").at(1).get<double>(),
                                    one.at("default").get<std::string>(), one.at("source").get<std::string>()});
+  const Json needs = out.body.value("needs", Json::object());
+  for (const auto& [key, one] : needs.items()) out.head.needs.push_back({key, text_of(one.at("text"))});
   return out;
 }
 

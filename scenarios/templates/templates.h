@@ -27,10 +27,17 @@ struct TemplateParameter {
   bool is_choice() const noexcept { return unit.empty() && least == 0 && most == 1; }
 };
 
+/// What a template's values have to keep together.
+struct TemplateNeed {
+  std::string key;  // "box"
+  LocalText text;   // what to change where they do not keep it
+};
+
 struct ExerciseTemplate {
   std::string key;  // "class-2-adhesive"
   LocalText name, about;
   std::vector<TemplateParameter> parameters;
+  std::vector<TemplateNeed> needs;
 };
 
 /// In the order in which they are offered. The first call reads them.
@@ -45,13 +52,15 @@ enum class FitError : std::uint8_t {
   missing_tissue,     // a tooth from a file; where: tissue or surroundings that it lacks
   turned_tooth,       // a tooth from a file; where: degrees that it is turned or tilted from its frame
   does_not_fit,       // where: JSON pointer into the exercise; detail: code of the format's refusal
+  unmet_need,         // where: its key in ExerciseTemplate::needs
   bad_template,       // a broken build; where: JSON pointer or expression
 };
 using FitFailure = Failure<FitError>;
 inline constexpr std::string_view key_of(FitError error) noexcept {
   constexpr std::string_view kKeys[] = {"unknown_template", "unsuitable_tooth", "unknown_parameter", "out_of_range",
                                         "missing_landmark", "missing_tissue",
-                                        "turned_tooth",     "does_not_fit",     "bad_template"};
+                                        "turned_tooth",     "does_not_fit",     "unmet_need",
+                                        "bad_template"};
   return kKeys[static_cast<std::size_t>(error)];
 }
 

@@ -140,12 +140,13 @@ def databases(desk):
     narrow = desk.small_exercise("narrow.json", too_narrow)
     refused(desk, "target that no bur fits", "grade", narrow, "--operator", "reference")
     refused(desk, "fault that a block cannot have", "grade", scenario, "--operator", "exposed_pulp:small", names=("exposed_pulp:small",))
+    refused(desk, "pulp that a block has not", "grade", scenario, "--operator", "pulp", names=("pulp",))
     refused(desk, "target that no bur fits, played", "play", narrow, "--script", "expert", "--out", desk.path("o"))
     for what, arguments, names in (("unknown template", ("class-9", "--tooth", "36"), ("class-9",)),
                                    ("incisor", ("class-1-adhesive", "--tooth", "11"), ("11",)),
                                    ("unknown parameter", ("class-1-adhesive", "--tooth", "36", "--set", "dept=2"), ("dept",)),
                                    ("parameter out of range", ("class-1-adhesive", "--tooth", "36", "--set", "depth=9"), ("depth", "2.6")),
-                                   ("class II without a box", ("class-2-adhesive", "--tooth", "36", "--set", "mesial=0"), ("/target",))):
+                                   ("class II without a box", ("class-2-adhesive", "--tooth", "36", "--set", "mesial=0"), ("mesial box",))):
         refused(desk, what, "template", "fit", *arguments, "--out", desk.path("fitted"), names=names)
     check(not os.path.exists(desk.path("fitted", "scenario.json")), "a refused template was written")
     for what, arguments, names in (("a volume that is none", ("class-1-adhesive", "--tooth", "36", "--volume", desk.path("text.db")), ("text.db",)),
@@ -154,6 +155,11 @@ def databases(desk):
                                    ("a volume for no tooth", ("class-1-adhesive", "--tooth", "99", "--volume", desk.path("paper.nrrd")), ("99",))):
         refused(desk, what, "template", "fit", *arguments, "--out", desk.path("fitted"), names=names)
     check(not os.path.exists(desk.path("fitted", "tooth.nrrd")), "a refused template left a volume")
+    os.makedirs(desk.path("half", "tooth.nrrd"))
+    check(desk.run("specimen", "tooth", "--voxel-mm", "0.4", "-o", desk.path("own.nrrd"))[0] == 0, "a tooth is grown")
+    refused(desk, "a tooth that cannot be written", "template", "fit", "class-1-adhesive", "--tooth", "36", "--volume", desk.path("own.nrrd"),
+            "--out", desk.path("half"))
+    check(not os.path.exists(desk.path("half", "scenario.json")), "an exercise without its tooth")
     refused(desk, "template into a file", "template", "fit", "class-1-adhesive", "--tooth", "36", "--out", desk.path("text.db"))
     refused(desk, "missing exercise", "grade", desk.path("none.json"), "--operator", "reference", names=("none.json",))
     refused(desk, "folder that is a file", "play", scenario, "--script", script, "--out", desk.path("text.db"), names=("text.db",))
@@ -173,6 +179,7 @@ def usage(desk):
                       ("grade", "channel-1", "--operator", "reference", "--volume", "x.nrrd"), ("template",), ("template", "fit"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36"), ("template", "fit", "class-1-adhesive", "--out", "x"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth", "--out", "x"),
+                      ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth=1.4", "--set", "depth=2", "--out", "x"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36", "--seed", "2", "--volume", "x.nrrd", "--out", "x"),
                       ("template", "fit", "class-1-adhesive", "--tooth", "36", "--set", "depth=2mm", "--out", "x"),
                       ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--operator", "reference")):

@@ -266,8 +266,18 @@ def named_twice(desk, database):
     exercise = desk.small_exercise("twice.json")
     with open(exercise, "rb") as f:
         content = f.read()
+    os.mkdir(desk.path("mine"))
+    own = desk.path("mine", "tooth.nrrd")
+    check(desk.run("specimen", "tooth", "--voxel-mm", "0.4", "-o", own)[0] == 0, "a tooth is grown")
+    with open(own, "rb") as f:
+        tooth = f.read().replace(b"\n", b"\n# mine\n", 1)
+    with open(own, "wb") as f:
+        f.write(tooth)
+    fit = ("template", "fit", "class-1-adhesive", "--tooth", "36", "--volume", own, "--out")
     cases = [
         ("restore", folder, desk.path("twice.db"), "--json", description),
+        (*fit, desk.path("mine")),
+        (*fit, desk.path("elsewhere"), "--json", own),
         ("export", database, "-o", new, "--json", new, *as_admin),
         ("exchange", "out", "--results", new, "--db", database, "--json", os.path.join(desk.folder, ".", "twice.file"), *as_admin),
         ("exchange", "key", new, "--db", database, "--json", new, *as_admin),
@@ -278,8 +288,9 @@ def named_twice(desk, database):
         check(status == 1 and out == "" and "named twice" in err, f"{case}: exit {status}: {out}{err}")
         one_sentence(err, str(case))
     check(not os.path.exists(new) and not os.path.exists(desk.path("twice.db")), "what was refused left a file")
-    with open(exercise, "rb") as f:
-        check(f.read() == content, "the exercise was written over")
+    for file, whole in ((exercise, content), (own, tooth)):
+        with open(file, "rb") as f:
+            check(f.read() == whole, f"{file} was written over")
     status, _, err = desk.run("export", database, "-o", "/dev/null", "--json", "/dev/null", *as_admin, **secret)
     check(status == 0, f"a device takes both: {err}")
     status, _, err = desk.run("restore", folder, desk.path("twice.db"))

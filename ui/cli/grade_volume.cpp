@@ -101,12 +101,14 @@ Result<Cut, Message> cut_of(const FaultCut& cut, std::shared_ptr<const Specimen>
 
 Result<Cut, Message> cut_of_operator(const std::string& name, const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
   const auto fault = sized_fault_by_name(name);
+  const Message cannot{CliText::tr("This exercise cannot have the fault %1: it has nothing to make it on.").arg(QString::fromStdString(name)), {}};
+  if (name == "pulp" && std::ranges::find(scenario.tissues, Tissue::pulp, &ScenarioTissue::tissue) == scenario.tissues.end())
+    return std::unexpected(cannot);
   const auto plan = plan_by_name(fault ? "reference" : name, scenario, *specimen);
   if (!plan || plan->strokes.empty()) return std::unexpected(Message{no_plan_text(), {}});
   if (!fault) return cut_of({{{*plan, scenario.instruments[plan->bur]}}, 0.0}, std::move(specimen));
   const auto faulty = fault_cut(*fault, scenario, *specimen, *plan);
-  if (!faulty)
-    return std::unexpected(Message{CliText::tr("This exercise cannot have the fault %1: it has nothing to make it on.").arg(QString::fromStdString(name)), {}});
+  if (!faulty) return std::unexpected(cannot);
   return cut_of(*faulty, std::move(specimen));
 }
 

@@ -1,5 +1,6 @@
 // cusp template list, cusp template fit KEY --tooth N [--volume FILE] [--set name=value ...] --out DIR
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -29,27 +30,6 @@ struct TemplateOptions {
   std::vector<std::string> set;  // name=value
   JsonOption json;
 };
-
-QString describe_fit(const FitFailure& failure) {
-  const QString where = QString::fromStdString(failure.where), detail = QString::fromStdString(failure.detail);
-  switch (failure.code) {
-    case FitError::unknown_template: return CliText::tr("%1 is no template: cusp template list names them.").arg(where);
-    case FitError::unsuitable_tooth: return CliText::tr("Tooth %1 is no premolar or molar.").arg(where);
-    case FitError::unknown_parameter: return CliText::tr("The template has no parameter %1.").arg(where);
-    case FitError::out_of_range:
-      if (detail == u"0, 1"_qs) return CliText::tr("%1 has to be 0 or 1.").arg(where);
-      return CliText::tr("%1 has to be within %2.").arg(where, detail);
-    case FitError::missing_landmark:
-      if (detail == u"no_room"_qs)
-        return CliText::tr("With these values nothing is left of the fissures that the preparation follows. A narrower marginal ridge leaves more.");
-      return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
-    case FitError::missing_tissue: return CliText::tr("The file does not hold what the template needs: %1.").arg(where);
-    case FitError::turned_tooth: return CliText::tr("The tooth lies %1 degrees off: x has to be mesial or distal, y buccal, z occlusal.").arg(where);
-    case FitError::does_not_fit: return CliText::tr("These values make no exercise: %1 (%2).").arg(where, detail);
-    case FitError::bad_template: break;
-  }
-  return CliText::tr("The template is broken at %1 (%2).").arg(where, detail);
-}
 
 /// "depth=1.6".
 std::optional<std::pair<std::string, double>> assignment_of(const std::string& text) {
@@ -83,6 +63,30 @@ QString bound_text(double value) {
 QString range_text_of(const TemplateParameter& p) {
   if (p.is_choice()) return CliText::tr("0 or 1");
   return u"%1 … %2 %3"_qs.arg(bound_text(p.least), bound_text(p.most), QString::fromStdString(p.unit)).trimmed();
+}
+
+QString describe_fit(const FitFailure& failure, const std::string& key) {
+  const QString where = QString::fromStdString(failure.where), detail = QString::fromStdString(failure.detail);
+  const auto of = std::ranges::find(exercise_templates(), key, &ExerciseTemplate::key);
+  switch (failure.code) {
+    case FitError::unknown_template: return CliText::tr("%1 is no template: cusp template list names them.").arg(where);
+    case FitError::unsuitable_tooth: return CliText::tr("Tooth %1 is no premolar or molar.").arg(where);
+    case FitError::unknown_parameter: return CliText::tr("The template has no parameter %1.").arg(where);
+    case FitError::out_of_range:
+      if (detail == u"0, 1"_qs) return CliText::tr("%1 has to be 0 or 1.").arg(where);
+      return CliText::tr("%1 has to be within %2.")
+          .arg(where, range_text_of(*std::ranges::find(of->parameters, failure.where, &TemplateParameter::key)));
+    case FitError::unmet_need: return local(std::ranges::find(of->needs, failure.where, &TemplateNeed::key)->text);
+    case FitError::missing_landmark:
+      if (detail == u"no_room"_qs)
+        return CliText::tr("With these values nothing is left of the fissures that the preparation follows. A narrower marginal ridge leaves more.");
+      return CliText::tr("The tooth lacks what the template is laid along: %1.").arg(where);
+    case FitError::missing_tissue: return CliText::tr("The file does not hold what the template needs: %1.").arg(where);
+    case FitError::turned_tooth: return CliText::tr("The tooth lies %1 degrees off: x has to be mesial or distal, y buccal, z occlusal.").arg(where);
+    case FitError::does_not_fit: return CliText::tr("These values make no exercise: %1 (%2).").arg(where, detail);
+    case FitError::bad_template: break;
+  }
+  return CliText::tr("The template is broken at %1 (%2).").arg(where, detail);
 }
 
 int list(const JsonOption& json) {
@@ -129,13 +133,16 @@ nlohmann::ordered_json proposed_json(const SpecimenLandmarks& landmarks) {
 
 int fit(const TemplateOptions& o) {
   const std::filesystem::path file = std::filesystem::path(o.out) / "scenario.json", tooth_file = std::filesystem::path(o.out) / kToothFile;
-  if (const auto no = refuse_outputs({file, tooth_file, o.json.file})) return failed(*no);
+  if (const auto no = refuse_outputs({file, tooth_file, o.json.file}, {}, {o.volume})) return failed(*no);
   FitRequest request;
   request.key = o.key;
   request.fdi = o.tooth;
   request.seed = o.seed;
   request.id = ScenarioId::make();
-  for (const std::string& text : o.set) request.values.insert(assignment_of(text).value());
+  for (const std::string& text : o.set) {
+    const auto [name, value] = assignment_of(text).value();
+    if (!request.values.emplace(name, value).second) return wrong_usage(CliText::tr("%1 is set twice.").arg(QString::fromStdString(name)));
+  }
   std::optional<OwnTooth> own;
   if (!o.volume.empty()) {
     auto read = own_tooth(o.volume, o.tooth);
@@ -144,15 +151,16 @@ int fit(const TemplateOptions& o) {
     request.imported = ImportedTooth{kToothFile, own->volume.grid.voxel_mm, facts_of(own->volume).tissues, own->landmarks};
   }
   const auto scenario = fit_template(request);
-  if (!scenario) return failed(describe_fit(scenario.error()));
-  if (!writable_folder(o.out) || !write_whole(file, write_scenario(*scenario)))
-    return failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())));
+  if (!scenario) return failed(describe_fit(scenario.error(), o.key));
+  const QString unwritable = CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string()));
+  if (!writable_folder(o.out)) return failed(unwritable);
   nlohmann::ordered_json json = {{"scenario", file.string()}, {"id", scenario->id.text()}};
   if (own) {
     if (auto written = write_nrrd(own->volume, tooth_file); !written) return failed(describe(written.error()));
     json["volume"] = tooth_file.string();
     json["proposed"] = proposed_json(own->landmarks);
   }
+  if (!write_whole(file, write_scenario(*scenario))) return failed(unwritable);  // after its volume
   if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) print_line(file.string());
   return kDone;

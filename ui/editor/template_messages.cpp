@@ -69,6 +69,11 @@ QString fit_message(const ExerciseTemplate& chosen, const FitFailure& failure) {
     case FitError::does_not_fit:
       if (failure.where == "/target/paths") return TemplateDialog::tr("With these values nothing is left of the preparation.");
       return TemplateDialog::tr("These values together make no exercise. Values nearer to their defaults do.");
+    case FitError::unmet_need: {
+      const auto need = std::ranges::find(chosen.needs, failure.where, &TemplateNeed::key);
+      if (need == chosen.needs.end()) break;
+      return local(need->text);
+    }
     case FitError::unknown_template:
     case FitError::unknown_parameter:
     case FitError::missing_tissue:  // of a tooth from a file, which this dialog does not offer

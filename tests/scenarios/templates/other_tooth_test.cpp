@@ -95,6 +95,12 @@ TEST(OtherTooth, AnExerciseDrawnByHandOrEditedKeepsItsTooth) {
   EXPECT_EQ(refused(of_a_newer_program).where, "unknown_template");
 }
 
+TEST(OtherTooth, AValueThatItsTemplateNoLongerHasBindsNoExercise) {
+  Scenario older = builtin("class-2-36-do");
+  older.made_with->values["no_more"] = 3.0;
+  EXPECT_FALSE(bound_to_its_tooth(older));
+}
+
 TEST(OtherTooth, AnUpperMolarWithoutRoomForItsSecondTargetIsRefused) {
   const Scenario two = builtin("class-1-16");
   ASSERT_EQ(two.target.parts.size(), 2u);

@@ -131,7 +131,7 @@ TEST(Templates, OpenTheBoxesThatAreAskedFor) {
 TEST(Templates, EndABoxAboveTheJunctionAndBelowThePulpalFloor) {
   for (const int fdi : posterior_teeth()) {
     const auto landmarks = tooth_landmarks({.fdi = fdi});
-    const auto scenario = fitted("class-2-classical", fdi, {{"mesial", 1}, {"distal", 1}});
+    const auto scenario = fitted("class-2-classical", fdi, {{"mesial", 1}, {"distal", fdi % 10 == 8 ? 0.0 : 1.0}});
     ASSERT_TRUE(scenario && landmarks) << fdi;
     const double neck = std::ranges::max(landmarks->cej, {}, [](const Vec3& p) { return p.z; }).z;
     EXPECT_GT(TargetShape(scenario->target).floor_mm(), 0.0) << fdi << ": the buccal CEJ is z = 0";
@@ -333,7 +333,12 @@ TEST(Templates, RefuseWhatTheyCannotFit) {
                                                {"class-1-adhesive", 36, {{"depth", NAN}}, FitError::out_of_range, "depth"},
                                                {"class-2-adhesive", 36, {{"distal", 0.5}}, FitError::out_of_range, "distal"},
                                                {"caries-proximal", 46, {{"distal", 0.5}}, FitError::out_of_range, "distal"},
-                                               {"class-2-adhesive", 36, {{"mesial", 0}}, FitError::does_not_fit, "/target/paths"}}) {
+                                               {"class-2-adhesive", 36, {{"mesial", 0}}, FitError::unmet_need, "box"},
+                                               {"class-2-classical", 36, {{"mesial", 0}}, FitError::unmet_need, "box"},
+                                               {"class-2-adhesive", 36, {{"depth", 2.6}}, FitError::unmet_need, "mesial_step"},
+                                               {"class-2-classical", 36, {{"above_cej", 3}}, FitError::unmet_need, "mesial_step"},
+                                               {"class-2-adhesive", 38, {{"distal", 1}}, FitError::unmet_need, "neighbour"},
+                                               {"caries-proximal", 48, {{"distal", 1}}, FitError::unmet_need, "neighbour"}}) {
     const auto scenario = fitted(r.key, r.fdi, r.values);
     ASSERT_FALSE(scenario) << r.key << " " << r.fdi;
     EXPECT_EQ(scenario.error().code, r.code) << r.key << " " << r.fdi << ": " << text_of(scenario.error());

@@ -156,7 +156,7 @@ TEST_F(TemplateDialogs, refuse_values_that_leave_nothing_of_the_preparation) {
   ASSERT_TRUE(make()->isEnabled());
   named<QCheckBox>(*dialog, "Mesial box")->setChecked(false);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !make()->isEnabled(); }));
-  EXPECT_TRUE(standing().startsWith(QStringLiteral("With these values"))) << standing().toStdString();
+  EXPECT_TRUE(standing().startsWith(QStringLiteral("Choose a mesial box"))) << standing().toStdString();
   dialog->accept();
   EXPECT_EQ(wanted->count(), 0);
   named<QCheckBox>(*dialog, "Distal box")->setChecked(true);
