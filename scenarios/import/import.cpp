@@ -88,6 +88,13 @@ void note_size(const std::vector<MeshPart>& parts, std::vector<ImportRemark>& no
   if (auto remark = odd_size(high - low)) noted.push_back(std::move(*remark));
 }
 
+/// As MeshInfo::left_open.
+double left_open(TriangleMesh mesh) {
+  repair(mesh, 0.0);
+  const std::vector<MeshGap> gaps = gaps_of(mesh);
+  return gaps.empty() ? 0.0 : gaps.front().width();
+}
+
 }  // namespace
 
 double guessed_unit_mm(double longest) noexcept {
@@ -100,16 +107,17 @@ double guessed_unit_mm(double longest) noexcept {
 
 Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path,
                                                          const std::vector<std::filesystem::path>& more) {
-  const auto meshes = read_files(path, more);
+  auto meshes = read_files(path, more);
   if (!meshes) return std::unexpected(meshes.error());
   std::vector<MeshInfo> out;
-  for (const TriangleMesh& m : *meshes) {
+  for (TriangleMesh& m : *meshes) {
     const MeshCheck c = check(m);
-    MeshInfo info{m.name, m.triangles.size(), c.low, c.high, std::abs(c.volume), c.closed, c.oriented, {}, 0, {}};
+    MeshInfo info{m.name, m.triangles.size(), c.low, c.high, std::abs(c.volume), c.closed, c.oriented, {}, 0, {}, 0.0};
     if (!c.closed) {
       info.gaps = gaps_of(m);
       info.gap_count = info.gaps.size();
       if (info.gaps.size() > kMaxGapsListed) info.gaps.resize(kMaxGapsListed);
+      info.left_open = left_open(std::move(m));
     } else if (!c.oriented) {
       info.turned_at = c.bad_edge;
     }

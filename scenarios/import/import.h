@@ -54,6 +54,7 @@ struct MeshInfo {
   std::vector<MeshGap> gaps;  // the widest kMaxGapsListed of them
   std::size_t gap_count = 0;
   Vec3 turned_at{0.0};       // where a closed mesh is not oriented
+  double left_open = 0.0;    // width of the widest gap that joining near points leaves; 0: none
   friend bool operator==(const MeshInfo&, const MeshInfo&) = default;
 };
 

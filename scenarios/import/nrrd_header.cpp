@@ -237,12 +237,14 @@ class Parser {
   }
 
   Result<void, ImportFailure> axes() {
-    if (const std::string* units = field("space units")) {
-      for (const std::string_view word : tokens(*units)) {
-        if (word == "\"mm\"") continue;
-        if (!image_) return refuse(ImportError::bad_spacing, "space units", *units);
-        out_.unit_mm = word == "\"um\"" ? 1e-3 : word == "\"cm\"" ? 10.0 : word == "\"m\"" ? 1000.0 : 0.0;
-      }
+    const std::string* units = field("space units");
+    const std::size_t skipped = units ? 0 : first_;  // `units`, for spacings, has one for the colours too
+    if (!units && image_ && !field("space directions")) units = field("units");
+    const auto words = units ? tokens(*units) : std::vector<std::string_view>();
+    for (std::size_t i = skipped; i < words.size(); ++i) {
+      if (words[i] == "\"mm\"") continue;
+      if (!image_) return refuse(ImportError::bad_spacing, "space units", *units);
+      out_.unit_mm = words[i] == "\"um\"" ? 1e-3 : words[i] == "\"cm\"" ? 10.0 : words[i] == "\"m\"" ? 1000.0 : 0.0;
     }
     const auto signs = space_signs();
     if (!signs) return std::unexpected(signs.error());

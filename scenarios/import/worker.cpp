@@ -18,13 +18,13 @@ namespace {
 class PrivateFolder {
  public:
   PrivateFolder() {
-    std::error_code ec;
-    const auto parent = std::filesystem::temp_directory_path(ec);
-    if (ec) return;
-    const auto path = parent / ("cusp-import-" + Uuid::v7().text());
-    if (!std::filesystem::create_directory(path, ec) || ec) return;
+    parent_ = std::filesystem::temp_directory_path(ec_);
+    if (ec_) return;
+    const auto path = parent_ / ("cusp-import-" + Uuid::v7().text());
+    if (!std::filesystem::create_directory(path, ec_) || ec_) return;
     path_ = path;
-    std::filesystem::permissions(path, std::filesystem::perms::owner_all, ec);
+    std::error_code ignored;
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all, ignored);
   }
   ~PrivateFolder() {
     std::error_code ignored;
@@ -33,9 +33,17 @@ class PrivateFolder {
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;
   const std::filesystem::path& path() const noexcept { return path_; }
+  /// Why there is none.
+  ImportFailure failure() const { return {ImportError::io, parent_.empty() ? "TMPDIR" : parent_.string(), ec_.message()}; }
+  /// A file that the child could not write here is named by the folder above: nobody knows the file.
+  ImportFailure named(ImportFailure f, const std::filesystem::path& file) const {
+    if (f.code == ImportError::io && f.where == file.filename().string()) f.where = parent_.string();
+    return f;
+  }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path parent_, path_;
+  std::error_code ec_;
 };
 
 struct Received {
@@ -119,10 +127,10 @@ Result<VoxelVolume, ImportFailure> volume_from_child(const Job& what, const Work
                                                      std::stop_token stop, std::vector<ImportRemark>* remarks) {
   const std::string where = what.path.filename().string();
   const PrivateFolder folder;
-  if (folder.path().empty()) return fail(ImportError::io, where, "no temporary folder");
-  const std::filesystem::path out = folder.path() / "volume.nrrd";
+  if (folder.path().empty()) return std::unexpected(folder.failure());
+  const std::filesystem::path out = folder.path() / (folder.path().filename().string() + ".nrrd");  // no user's file has its name
   auto received = run(what.path, arguments_of(what, out), settings, progress, stop);
-  if (!received) return std::unexpected(received.error());
+  if (!received) return std::unexpected(folder.named(received.error(), out));
   auto volume = read_nrrd(out, what.limits);
   // What the child wrote is at fault here, not the user's file: it is no more than a crash of the child.
   if (!volume) return fail(ImportError::crashed, where, std::string(key_of(volume.error().code)));
@@ -150,12 +158,12 @@ Result<FileLook, ImportFailure> look_in_child(const std::vector<std::filesystem:
   const std::filesystem::path& path = files.front();
   const std::string where = path.filename().string();
   const PrivateFolder folder;
-  if (folder.path().empty()) return fail(ImportError::io, where, "no temporary folder");
-  const std::filesystem::path preview = folder.path() / "preview";
+  if (folder.path().empty()) return std::unexpected(folder.failure());
+  const std::filesystem::path preview = folder.path() / (folder.path().filename().string() + ".preview");
   std::vector<std::string> arguments = {"look", preview.string()};
   for (const std::filesystem::path& file : files) arguments.push_back(std::filesystem::absolute(file).string());
   auto received = run(path, std::move(arguments), settings, progress, stop);
-  if (!received) return std::unexpected(received.error());
+  if (!received) return std::unexpected(folder.named(received.error(), preview));
   ImagePreview& p = received->look.preview;
   if (p.size.x > 0) {
     p.value.resize(static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y) * static_cast<std::size_t>(p.size.z));

@@ -1,7 +1,9 @@
 // The child's side of worker.h.
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <new>
+#include <system_error>
 
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/worker.h"
@@ -45,10 +47,11 @@ int look(std::span<const std::string_view> a) {
   send(message_of(*seen->image));
   const ImagePreview& p = seen->preview;
   if (p.value.empty()) return 0;
+  errno = 0;
   std::ofstream out(preview, std::ios::binary);
   out.write(reinterpret_cast<const char*>(p.value.data()), static_cast<std::streamsize>(p.value.size() * sizeof(float)));
   out.close();
-  if (!out) return send_failure({ImportError::io, preview.filename().string(), {}});
+  if (!out) return send_failure({ImportError::io, preview.filename().string(), std::generic_category().message(errno)});
   send({"preview", text_of(p.size.x), text_of(p.size.y), text_of(p.size.z), text_of(p.spacing_mm.x), text_of(p.spacing_mm.y),
        text_of(p.spacing_mm.z)});
   return 0;

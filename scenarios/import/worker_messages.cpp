@@ -194,6 +194,7 @@ std::vector<std::string> message_of(const MeshInfo& mesh) {
   add(w, mesh.high);
   w.insert(w.end(), {text_of(mesh.volume), mesh.closed ? "1" : "0", mesh.oriented ? "1" : "0", text_of(mesh.gap_count)});
   add(w, mesh.turned_at);
+  w.push_back(text_of(mesh.left_open));
   for (const MeshGap& gap : mesh.gaps) {
     w.insert(w.end(), {text_of(gap.edges), text_of(gap.length)});
     add(w, gap.low);
@@ -215,6 +216,7 @@ std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& fields) {
   m.oriented = r.flag();
   m.gap_count = r.number<std::size_t>();
   m.turned_at = r.vec();
+  m.left_open = r.number<double>();
   while (r.more()) {
     MeshGap gap;
     gap.edges = r.number<std::size_t>();

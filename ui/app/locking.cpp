@@ -9,6 +9,7 @@
 #include "ui/app/run_marker.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/editor/editor_page.h"
+#include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
 #include "ui/signin/sign_in.h"
@@ -26,6 +27,12 @@ bool has_unsaved_comment(const QWidget& desktop) {
   return std::ranges::any_of(cards, [](const MarkingCard* card) { return card->unsaved(); });
 }
 
+/// Files of a specimen that is no exercise yet.
+bool has_open_import(const QWidget& desktop) {
+  const auto pages = desktop.findChildren<ImportPage*>();
+  return std::ranges::any_of(pages, [](const ImportPage* page) { return page->busy() || page->meshes() || page->volume(); });
+}
+
 }  // namespace
 
 void Desktop::lock_idle() {
@@ -35,8 +42,9 @@ void Desktop::lock_idle() {
   for (const MarkingCard* card : findChildren<MarkingCard*>())
     if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = card->written();
   const int minutes = settings_.idle_minutes();
+  const QString kept = has_open_import(*this) ? tr("What you did is kept, but for the import: begin it anew.") : tr("What you did is kept.");
   sign_out();
-  sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), tr("What you did is kept.")});
+  sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), kept});
 }
 
 void Desktop::give_back_comment(MarkingCard& card) {

@@ -30,6 +30,7 @@ constexpr std::array kTissues = {Tissue::enamel, Tissue::carious_enamel, Tissue:
 constexpr int kNothing = -1;         // the range of grey is left out
 constexpr int kNotUsed = 0;
 constexpr std::size_t kRanges = 4;   // dentine, enamel, metal and one spare
+constexpr double kGreySteps = 200.0;  // of a field between the least and the most value of a file
 constexpr double kMendMm = 1.0;      // a scanner's gaps are smaller, a jaw's open base is far wider
 
 QPixmap swatch(QColor colour) {
@@ -76,7 +77,6 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
   grid->setHorizontalSpacing(px(16));
   grid->setVerticalSpacing(px(8));
   grid->setColumnStretch(4, 1);  // the tissue stands beside its mesh
-  bool faulty = false;
   const bool several = meshes.size() > 1;
   int line = 0;
   for (MeshInfo& info : meshes) {
@@ -86,7 +86,6 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     title->setWordWrap(true);
     QLabel* size = make_label({}, TextRole::body, Weight::regular, "text2");
     const bool sound = info.closed && info.oriented;
-    faulty |= !sound;
     QLabel* state = make_label({}, TextRole::body, Weight::regular, sound ? "good" : "look");
     state->setWordWrap(true);
     QComboBox* tissue = make_tissue_box(tr("Leave out"), tr("What %1 is made of").arg(name));
@@ -97,13 +96,17 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     grid->addWidget(size, line, 1, Qt::AlignVCenter);
     grid->addWidget(state, line, 2, Qt::AlignVCenter);
     grid->addWidget(tissue, line, 3, Qt::AlignVCenter);
-    connect(tissue, &QComboBox::currentIndexChanged, this, &MeshForm::changed);
-    rows_.push_back({std::move(info), size, state, tissue, likely});
+    connect(tissue, &QComboBox::currentIndexChanged, this, [this, n = rows_.size()] {
+      Row& row = rows_[n];
+      if (row.usable) row.wanted = row.tissue->currentData().toInt();
+      Q_EMIT changed();
+    });
+    rows_.push_back({std::move(info), size, state, tissue, likely, likely});
     ++line;
   }
   column->addLayout(grid);
   if (several) add_precedence(*column);
-  if (faulty) add_mending(*column);
+  add_mending(*column);  // a closed mesh needs it too: a tooth can be inside out beside another, or there twice
   show_states();
 }
 
@@ -151,6 +154,19 @@ void MeshForm::set_unit_mm(double unit_mm) {
   show_states();
 }
 
+void MeshForm::take_choices(const MeshForm& before) {
+  const QSignalBlocker quiet(this);
+  mend_->setChecked(before.mend_->isChecked());
+  width_->setValue(before.width_->value());
+  if (before.precedence_) precedence_->setCurrentIndex(before.precedence_->currentIndex());
+  for (std::size_t n = 0; n < before.rows_.size() && n < rows_.size(); ++n) {
+    const Row& was = before.rows_[n];
+    if (was.wanted == was.likely) continue;  // a guess, which other meshes may change
+    rows_[n].wanted = was.wanted;
+    if (rows_[n].usable) rows_[n].tissue->setCurrentIndex(rows_[n].tissue->findData(was.wanted));
+  }
+}
+
 std::optional<double> MeshForm::mend_mm() const {
   return mend_ && mend_->isChecked() ? std::optional(width_->value()) : std::nullopt;
 }
@@ -173,13 +189,16 @@ void MeshForm::show_states() {
     } else if (!m.gaps.empty()) {
       const MeshGap& widest = m.gaps.front();
       const double width = widest.width() * unit_mm_;
-      usable = mend && width <= *mend;
+      usable = mend && m.left_open * unit_mm_ <= *mend;  // a seam of unjoined points is as wide as its mesh
       const QString mm = format_value({.value = width, .unit = QStringLiteral("mm"), .decimals = 2});
       row.state->setText(tr("%n gap(s), the widest of %1 at %2", nullptr, static_cast<int>(m.gap_count))
                              .arg(mm, place_text(widest.middle() * unit_mm_)));
     }
     row.tissue->setEnabled(usable);
-    if (usable != row.usable) row.tissue->setCurrentIndex(usable ? row.tissue->findData(row.likely) : 0);
+    if (usable != row.usable) {
+      row.usable = false;  // what is set here is nobody's choice
+      row.tissue->setCurrentIndex(usable ? row.tissue->findData(row.wanted) : 0);
+    }
     row.usable = usable;
     row.tissue->setToolTip(usable ? QString() : tr("An open surface cannot be made of anything: mend it first."));
   }
@@ -231,7 +250,7 @@ VolumeForm::VolumeForm(const ImageInfo& info, std::shared_ptr<const ImagePreview
   }
   column->addStretch();
   view_ = new SliceView;
-  view_->show_preview(std::move(preview), info_.kind);
+  view_->show_preview(std::move(preview), info_.kind, info_.size);
   row->addWidget(view_, 0, Qt::AlignTop);
   show_tissues();
 }
@@ -272,16 +291,20 @@ QWidget* VolumeForm::make_ranges(const ImagePreview& preview) {
   grid->setColumnStretch(3, 1);
   const auto suggested = suggested_thresholds(preview.value);
   constexpr std::array first = {Tissue::dentine, Tissue::enamel};
+  const double step = (info_.high - info_.low) / kGreySteps;
+  // A µCT holds attenuations below 3, a probability ends at 1.
+  const int decimals = step > 0.0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 9) : 0;
+  const double unit = std::pow(10.0, -decimals);
   for (std::size_t i = 0; i < kRanges; ++i) {
     QComboBox* tissue = make_tissue_box(tr("Not used"), tr("Tissue of range %1").arg(i + 1));
     tissue->insertItem(1, tr("Nothing: left out"), kNothing);
     auto* from = new NumberField;
     from->setLocale(QLocale());
-    from->setDecimals(0);
-    from->setRange(std::floor(info_.low), std::ceil(info_.high) + 1.0);
-    from->setSingleStep(std::max(1.0, std::round((info_.high - info_.low) / 200.0)));
+    from->setDecimals(decimals);
+    from->setRange(std::floor(info_.low / unit) * unit, (std::ceil(info_.high / unit) + 1.0) * unit);
+    from->setSingleStep(std::max(1.0, std::round(step / unit)) * unit);
     from->setAccessibleName(tr("Least value of range %1").arg(i + 1));
-    from->setValue(i < suggested.size() ? std::round(suggested[i]) : info_.high);
+    from->setValue(i < suggested.size() ? suggested[i] : info_.high);
     if (i < first.size()) tissue->setCurrentIndex(tissue->findData(static_cast<int>(first[i])));
     QLabel* label = make_label(tr("from"), TextRole::body, Weight::regular, "text2");
     grid->addWidget(tissue, static_cast<int>(i), 0);

@@ -28,6 +28,8 @@ class MeshForm : public QWidget {
   MeshForm(std::vector<MeshInfo> meshes, QWidget* parent = nullptr);
   /// Millimetres in one unit of the file, for the lengths shown.
   void set_unit_mm(double unit_mm);
+  /// Takes what was chosen in `before`, whose meshes are the first of these.
+  void take_choices(const MeshForm& before);
   std::vector<std::pair<std::string, Tissue>> chosen() const;
   /// Size of the bounding box of the chosen meshes, or of all if none is chosen. Units: of the file.
   Vec3 size() const;
@@ -46,6 +48,7 @@ class MeshForm : public QWidget {
     QLabel *size, *state;
     QComboBox* tissue;
     int likely;           // code of the tissue that its name says; 0: none
+    int wanted;           // code that stands while it is usable
     bool usable = false;  // closed, or mended
   };
   void add_mending(QVBoxLayout& column);

@@ -10,7 +10,10 @@
 #include <QThreadPool>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "scenarios/import/limits.h"
+#include "scenarios/import/size_question.h"
 #include "scenarios/import/up_axis.h"
 #include "scenarios/import/worker.h"
 #include "ui/instructor/import_drop.h"
@@ -38,6 +41,12 @@ void answer_to(const QPointer<ImportPage>& page, const std::shared_ptr<std::stop
         if (page && !work->stop_requested()) answer();
       },
       Qt::QueuedConnection);
+}
+
+/// A stated unit can be wrong too. A whole volume may be longer than a jaw, but its voxels are a scanner's.
+bool no_scan_of_a_tooth(Vec3 size_mm, Vec3 spacing_mm) {
+  return std::min({spacing_mm.x, spacing_mm.y, spacing_mm.z}) > VolumeLimits{}.max_voxel_mm ||
+         std::max({size_mm.x, size_mm.y, size_mm.z}) < kLeastBelievedMm;
 }
 
 }  // namespace
@@ -128,9 +137,8 @@ void ImportPage::build_files(QVBoxLayout* body) {
     first_pick_->setFocus();
   });
   connect(busy_, &Busy::cancelled, this, [this] {
+    take_back_files();
     end_work();
-    if (!mesh_form_ && !volume_form_) files_.clear();
-    show_files();
     band_->show_message(Band::Kind::info, tr("Importing was stopped."), tr("Nothing was kept."));
   });
 }
@@ -162,6 +170,13 @@ void ImportPage::end_work() {
 void ImportPage::show_failure(const ImportFailure& failure) {
   const Message message = describe(failure);
   band_->show_message(Band::Kind::bad, message.what, message.more);
+}
+
+void ImportPage::show_apart(const ImportFailure& failure) {
+  if (failure.code != ImportError::unknown_format) return show_failure(failure);
+  band_->show_message(Band::Kind::bad, tr("These files are not opened together."),
+                      tr("%1 does not go with the others. Surfaces go together, and slices of one CT. Choose any other file alone, and of a header with its data the header.")
+                          .arg(isolate(QString::fromStdString(failure.where))));
 }
 
 void ImportPage::forget_forms() {
@@ -196,20 +211,6 @@ void ImportPage::show_files() {
   show_size();
 }
 
-void ImportPage::open_files(const QStringList& paths) {
-  std::vector<std::filesystem::path> chosen;
-  for (const QString& path : paths) chosen.emplace_back(path.toStdString());
-  const bool meshes = std::ranges::all_of(chosen, [](const auto& f) { return file_kind(f) == FileKind::mesh; });
-  if (meshes && mesh_form_) {
-    for (auto& file : chosen)
-      if (std::ranges::find(files_, file) == files_.end()) files_.push_back(std::move(file));
-  } else {
-    files_ = std::move(chosen);
-  }
-  forget_forms();
-  look();
-}
-
 void ImportPage::look() {
   begin_work(tr("Reading the file"));
   QThreadPool::globalInstance()->start([files = files_, work = work_, self = QPointer<ImportPage>(this)] {
@@ -219,17 +220,19 @@ void ImportPage::look() {
       });
     };
     auto seen = std::make_shared<Result<FileLook, ImportFailure>>(look_in_child(files, {}, progress, work->get_token()));
-    answer_to(self, work, [self, seen] {
+    const bool several = files.size() > 1;
+    answer_to(self, work, [self, seen, several] {
+      if (!*seen) self->take_back_files();
       self->end_work();
-      if (*seen) return self->show_look(std::move(**seen));
-      self->files_.clear();
-      self->show_files();
-      self->show_failure(seen->error());
+      if (!*seen) return several ? self->show_apart(seen->error()) : self->show_failure(seen->error());
+      self->show_look(std::move(**seen));
     });
   });
 }
 
 void ImportPage::show_look(FileLook look) {
+  const std::unique_ptr<MeshForm> before(std::exchange(joins_, false) ? std::exchange(mesh_form_, nullptr) : nullptr);
+  files_before_.reset();
   forget_forms();
   about_->setVisible(look.image.has_value());
   if (look.image) {
@@ -237,7 +240,7 @@ void ImportPage::show_look(FileLook look) {
     const ImageInfo& i = *image_;
     QString text = tr("%1 × %2 × %3 voxels of %4.").arg(i.size.x).arg(i.size.y).arg(i.size.z).arg(size_text(i.spacing_mm, u"mm"_qs, 3));
     if (i.slices > 0) text += u' ' + tr("%n slice(s) of a CT, in the order of their places.", nullptr, static_cast<int>(i.slices));
-    if (i.series > 1) text += u' ' + tr("The largest of %n series was taken.", nullptr, static_cast<int>(i.series));
+    if (i.series > 1) text += u' ' + tr("Its folder holds %n series. Of a slice its own is taken, of a folder the largest.", nullptr, static_cast<int>(i.series));
     if (i.slices > 0) text += u' ' + tr("Nothing about the patient is read.");
     about_->setText(text);
     volume_form_ = new VolumeForm(i, std::make_shared<ImagePreview>(std::move(look.preview)));
@@ -252,7 +255,8 @@ void ImportPage::show_look(FileLook look) {
     parts_card_->body()->addWidget(mesh_form_);
     connect(mesh_form_, &MeshForm::changed, this, &ImportPage::forget_made);
     const Vec3 size = mesh_form_->whole_size();
-    size_->begin({.unit_mm = guessed_unit_mm(std::max({size.x, size.y, size.z}))});
+    if (before) mesh_form_->take_choices(*before);
+    if (!before || !size_->chosen()) size_->begin({.unit_mm = guessed_unit_mm(std::max({size.x, size.y, size.z}))});
   }
   show_files();
 }
@@ -287,6 +291,7 @@ void ImportPage::show_size() {
     }
   }
   const Vec3 whole = mesh_form_ ? mesh_form_->size() * unit : Vec3(image_->size) * image_->spacing_mm * unit;
+  if (volume_form_ && !own && no_scan_of_a_tooth(whole, image_->spacing_mm * unit)) longest = std::max({whole.x, whole.y, whole.z});
   size_picture_->show_size(glm::abs(turned_up(whole, size_->up())));
   // Only the imported volume shows how much of it is tooth. A specimen of this program has its size.
   if (preview_->volume() && !own) {

@@ -38,7 +38,8 @@ class ImportPage : public QWidget {
  public:
   ImportPage(const Ports& ports, std::filesystem::path database, QWidget* parent = nullptr);
   ~ImportPage() override;
-  /// Opens files as the picker and a drop do. Meshes join the open ones; any other file replaces them.
+  /// Opens files as the picker and a drop do. Meshes join the open ones; any other file replaces them. Until they are read, and if they
+  /// cannot be, the page keeps what it had.
   void open_files(const QStringList& paths);
   /// Shows the answer of a child process about the files; public for pictures and tests.
   void show_look(FileLook look);
@@ -66,6 +67,7 @@ class ImportPage : public QWidget {
   void show_files();
   void show_size();
   void forget_forms();
+  void take_back_files();
   void look();
   void run();
   void begin_work(const QString& what);
@@ -74,10 +76,14 @@ class ImportPage : public QWidget {
   void forget_made();
   void keep();
   void show_failure(const ImportFailure& failure);
+  /// The same of several files.
+  void show_apart(const ImportFailure& failure);
 
   const Ports& ports_;
   std::filesystem::path database_;
   std::vector<std::filesystem::path> files_;
+  std::optional<std::vector<std::filesystem::path>> files_before_;  // those of the forms, while others are read
+  bool joins_ = false;  // the files that are read join those of the form
   std::optional<ImageInfo> image_;
   std::shared_ptr<std::stop_source> work_;
   Band* band_;

@@ -3,6 +3,8 @@
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QUrl>
+#include <algorithm>
+#include <utility>
 
 #include "ui/instructor/import_drop.h"
 #include "ui/instructor/import_page.h"
@@ -36,6 +38,26 @@ void ImportPage::dropEvent(QDropEvent* event) {
   if (work_ || paths.isEmpty()) return;
   event->acceptProposedAction();
   open_files(paths);
+}
+
+void ImportPage::open_files(const QStringList& paths) {
+  std::vector<std::filesystem::path> chosen;
+  for (const QString& path : paths) chosen.emplace_back(path.toStdString());
+  joins_ = mesh_form_ && std::ranges::all_of(chosen, [](const auto& f) { return file_kind(f) == FileKind::mesh; });
+  if (!files_before_) files_before_ = files_;
+  if (joins_) {
+    files_ = *files_before_;
+    for (auto& file : chosen)
+      if (std::ranges::find(files_, file) == files_.end()) files_.push_back(std::move(file));
+  } else {
+    files_ = std::move(chosen);
+  }
+  look();
+}
+
+void ImportPage::take_back_files() {
+  joins_ = false;
+  if (files_before_) files_ = *std::exchange(files_before_, std::nullopt);
 }
 
 void ImportPage::pick_files() {

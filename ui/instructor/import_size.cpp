@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "scenarios/import/import.h"
 #include "scenarios/import/size_question.h"
@@ -82,21 +83,35 @@ ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
   question_->hide();
   const auto unit_changed = [this] {
     forget_answers();
+    follow_unit();
+    chosen_ = true;
     Q_EMIT changed();
   };
   connect(unit_, &QComboBox::currentIndexChanged, this, unit_changed);
   connect(other_unit_, &NumberField::valueChanged, this, unit_changed);
-  connect(voxel_, &NumberField::valueChanged, this, &ImportSize::changed);
+  connect(voxel_, &NumberField::valueChanged, this, [this](double mm) {
+    if (file_voxel_) file_voxel_ = mm / unit_mm();
+    Q_EMIT changed();
+  });
   connect(up_, &QComboBox::currentIndexChanged, this, &ImportSize::changed);
 }
 
 void ImportSize::begin(const FileSize& file) {
   const QSignalBlocker quiet(this);
   unit_unknown_ = file.unit == FileSize::Unit::unknown;
-  own_voxels_ = file.voxel_mm.has_value();
+  const bool was_volume = std::exchange(file_voxel_, std::nullopt).has_value();
   unit_->setCurrentIndex(std::max(0, unit_->findData(file.unit_mm)));
-  if (file.voxel_mm) voxel_->setValue(std::clamp(*file.voxel_mm, voxel_->minimum(), voxel_->maximum()));
   forget_answers();
+  if (!file.voxel_mm && was_volume) voxel_->setValue(kDefaultVoxelMm);
+  file_voxel_ = file.voxel_mm;
+  follow_unit();
+  chosen_ = false;
+}
+
+void ImportSize::follow_unit() {
+  if (!file_voxel_) return;
+  const QSignalBlocker quiet(voxel_);  // a value cut to the field's range is not what was asked for
+  voxel_->setValue(*file_voxel_ * unit_mm());
 }
 
 void ImportSize::set_changeable(bool on) {
@@ -149,15 +164,13 @@ void ImportSize::forget_answers() {
 
 /// Called through a queued connection: it deletes the button that was clicked.
 void ImportSize::answer(double factor) {
+  chosen_ = true;
   if (factor == 1.0) {
     believed_ = true;
     return Q_EMIT confirmed();
   }
   scale_ *= factor;
-  if (own_voxels_) {
-    const QSignalBlocker quiet(voxel_);
-    voxel_->setValue(factor * voxel_->value());
-  }
+  follow_unit();
   Q_EMIT changed();
 }
 

@@ -28,6 +28,8 @@ class ImportSize : public QWidget {
     std::optional<double> voxel_mm{};                          // nullopt for meshes
   };
   void begin(const FileSize& file);
+  /// Whether unit or size was chosen since begin().
+  bool chosen() const { return chosen_; }
   /// Enables voxel size and up axis.
   void set_changeable(bool on);
 
@@ -49,11 +51,14 @@ class ImportSize : public QWidget {
 
  private:
   void ask(double longest_mm);
+  /// The fineness of a volume is its own voxels in the present unit, or what was typed in it.
+  void follow_unit();
   void forget_answers();
   void answer(double factor);
 
-  bool unit_unknown_ = false, own_voxels_ = false, questioned_ = false, believed_ = false;
+  bool unit_unknown_ = false, questioned_ = false, believed_ = false, chosen_ = false;
   double scale_ = 1.0;
+  std::optional<double> file_voxel_;  // edge in the file's unit; nullopt for meshes
   QComboBox *unit_, *up_;
   NumberField *other_unit_, *voxel_;
   QWidget *unit_field_, *other_field_, *question_;

@@ -75,8 +75,9 @@ SliceView::SliceView(QWidget* parent) : QWidget(parent) {
 int SliceView::axis() const { return axes_->chosen(); }
 int SliceView::slice() const { return slider_->value(); }
 
-void SliceView::show_preview(std::shared_ptr<const ImagePreview> preview, ImageKind kind) {
+void SliceView::show_preview(std::shared_ptr<const ImagePreview> preview, ImageKind kind, IVec3 size) {
   preview_ = std::move(preview);
+  size_ = size;
   kind_ = kind;
   if (preview_ && !preview_->value.empty()) {
     std::vector<float> sorted = preview_->value;
@@ -86,7 +87,8 @@ void SliceView::show_preview(std::shared_ptr<const ImagePreview> preview, ImageK
       return *n;
     };
     low_ = at(kOutliers);
-    high_ = std::max(at(1.0 - kOutliers), low_ + 1.0f);
+    high_ = at(1.0 - kOutliers);
+    if (!(high_ > low_)) high_ = low_ + 1.0f;
   }
   change_axis();
 }
@@ -107,7 +109,8 @@ void SliceView::change_axis() {
 
 void SliceView::redraw() {
   if (!preview_) return;
-  where_->setText(tr("Slice %1 of %2").arg(slice() + 1).arg(slider_->maximum() + 1));
+  const int slices = size_[axis()], each = (slices + kPreviewEdge - 1) / kPreviewEdge;
+  where_->setText(tr("Slice %1 of %2").arg(slice() * each + 1).arg(slices));
   pane_->update();
 }
 

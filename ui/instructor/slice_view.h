@@ -23,7 +23,8 @@ class SliceView : public QWidget {
  public:
   explicit SliceView(QWidget* parent = nullptr);
   /// Shows the middle slice from above. Values of ImageKind::colours are drawn as colours, others as grey.
-  void show_preview(std::shared_ptr<const ImagePreview> preview, ImageKind kind);
+  /// `size`: voxels of the file, whose slices are numbered; the preview may have only every second or third.
+  void show_preview(std::shared_ptr<const ImagePreview> preview, ImageKind kind, IVec3 size);
   /// `tissue_of` gives the tissue of a value; redraw() calls it for every pixel.
   void set_tissues(std::function<Tissue(float)> tissue_of);
   /// Direction of view: 0 along x, 1 along y, 2 along z.
@@ -39,6 +40,7 @@ class SliceView : public QWidget {
 
   std::shared_ptr<const ImagePreview> preview_;
   ImageKind kind_ = ImageKind::grey;
+  IVec3 size_{0};
   std::function<Tissue(float)> tissue_of_;
   float low_ = 0.0f, high_ = 1.0f;  // values drawn black and white
   Pane* pane_;

@@ -82,6 +82,18 @@ TEST(NrrdImage, SpacingsThatAreNoNumberAreAskedForAndTheColourAxisIsNoSpace) {
   EXPECT_EQ(unknown->layout.spacing_mm, Vec3(1.0));
 }
 
+TEST(NrrdImage, SpacingsAreInTheUnitsOfTheirAxes) {
+  const auto with = [](const std::string& units) {
+    return nrrd("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 2 2 2\nencoding: raw\nspacings: nan 50 50 50\n" + units + "\n" + std::string(24, '\1'));
+  };
+  const auto um = with("units: \"\" \"um\" \"um\" \"um\"\n");
+  ASSERT_TRUE(um) << um.error().where;
+  EXPECT_TRUE(um->spacing_known);
+  EXPECT_LT(glm::length(um->layout.spacing_mm - Vec3(0.05)), 1e-12);
+  EXPECT_EQ(with("")->layout.spacing_mm, Vec3(50.0));
+  EXPECT_FALSE(with("units: \"\" \"ell\" \"ell\" \"ell\"\n")->spacing_known);
+}
+
 TEST(NrrdImage, SpacingsOfNoLengthAreRefused) {
   const std::string data(8, '\1');
   for (const char* spacings : {"0 0.5 0.5", "0.5 -0.5 0.5", "nan 0.5 0"}) {

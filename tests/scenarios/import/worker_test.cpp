@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <thread>
 
 #include "scenarios/import/child_process.h"
@@ -206,6 +208,28 @@ TEST_F(ImportWorker, NothingIsLeftInTheTemporaryFolder) {
   (void)import_mesh_in_child(what, bad_child("child-abort"));
   EXPECT_EQ(ours(), 0u);
   setenv("TMPDIR", before.c_str(), 1);
+}
+
+TEST_F(ImportWorker, AFolderForTemporaryFilesThatIsGoneIsNamedWithItsCause) {
+  const std::string before = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp";
+  const std::string gone = (folder / "gone").string();
+  setenv("TMPDIR", gone.c_str(), 1);
+  const auto r = import_mesh_in_child(what);
+  setenv("TMPDIR", before.c_str(), 1);
+  ASSERT_FALSE(r);
+  EXPECT_EQ(key_of(r.error().code), "io");
+  EXPECT_EQ(r.error().detail.find("no temporary folder"), std::string::npos) << "no English of our own on a German screen";
+}
+
+TEST(ImportChildMain, APreviewThatCannotBeWrittenIsReportedWithItsCause) {
+  const TempFolder folder;
+  write_text(folder / "v.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\nspacings: 1 1 1\n\n" + std::string(8, '\1'));
+  const std::string preview = (folder / "gone/preview").string(), file = (folder / "v.nrrd").string();
+  const char* look[] = {"cusp", "import-child", "look", preview.c_str(), file.c_str()};
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(import_child_main(5, look), 1);
+  const std::string said = ::testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("io\tpreview\t" + std::generic_category().message(ENOENT)), std::string::npos) << said;
 }
 
 TEST(ImportChildMain, OtherVerbsAreNotIts) {

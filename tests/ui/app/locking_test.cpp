@@ -11,8 +11,10 @@
 #include "tests/ui/desk_records.h"
 #include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
+#include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
@@ -104,6 +106,25 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
   EXPECT_EQ(written_by(other), QString());
   desktop->lock_idle();
   EXPECT_EQ(written_by(berg), QStringLiteral("The floor\nis uneven."));
+}
+
+TEST_F(Locking, does_not_say_that_an_import_is_kept) {
+  sign_in(records.administrator());
+  desktop->import_specimen();
+  auto* page = desktop->findChild<ImportPage*>();
+  ASSERT_NE(page, nullptr);
+  FileLook look;
+  MeshInfo crown;
+  crown.name = "crown";
+  crown.high = Vec3(10.0);
+  crown.closed = crown.oriented = true;
+  look.meshes.push_back(crown);
+  page->show_look(std::move(look));
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  QString text;
+  for (const Band* band : desktop->page()->findChildren<Band*>()) text += band->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("but for the import"))) << text.toStdString();
 }
 
 }  // namespace

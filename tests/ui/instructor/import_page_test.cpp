@@ -119,6 +119,28 @@ TEST_F(ImportPageTest, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_
   EXPECT_TRUE(started.has_value());
 }
 
+TEST_F(ImportPageTest, a_tooth_that_is_inside_out_beside_another_is_turned) {
+  write_text(folder / "teeth.stl", binary_stl(joined(sphere("a", {0, 0, 0}, 4.0, 3), inside_out(sphere("b", {12, 0, 0}, 3.0, 3)))));
+  open({file("teeth.stl")});
+  make();
+  EXPECT_NEAR(page->preview()->size_mm().x, 19.0, 0.3) << "both stand";
+  EXPECT_TRUE(texts().contains(QStringLiteral("were turned round"))) << texts().toStdString();
+}
+
+TEST_F(ImportPageTest, a_seam_that_joining_closes_leaves_its_mesh_usable) {
+  Mesh one = sphere("crown", {0, 0, 0}, 5.0, 3), other = one;
+  const auto half = static_cast<std::ptrdiff_t>(one.triangles.size() / 2);
+  one.triangles.erase(one.triangles.begin() + half, one.triangles.end());
+  other.triangles.erase(other.triangles.begin(), other.triangles.begin() + half);
+  for (Vec3& p : other.points) p.x += 5e-4;  // joined are points nearer than 1.7e-3
+  write_text(folder / "crown.stl", binary_stl(joined(one, other)));
+  open({file("crown.stl")});
+  EXPECT_TRUE(texts().contains(QStringLiteral("gap"))) << texts().toStdString();
+  EXPECT_TRUE(box(QStringLiteral("What crown is made of"))->isEnabled());
+  make();
+  EXPECT_NEAR(page->preview()->size_mm().z, 10.0, 0.3);
+}
+
 TEST_F(ImportPageTest, keeping_can_be_stopped_and_leaves_no_draft) {
   write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
   open({file("a.stl")});
@@ -236,6 +258,44 @@ TEST_F(ImportPageTest, a_file_that_cannot_be_read_is_reported_and_leaves_the_pag
   EXPECT_TRUE(page->files().empty());
   open({file("gone.nrrd")});
   EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("gone.nrrd")));
+}
+
+TEST_F(ImportPageTest, a_file_that_joins_others_leaves_what_was_chosen_for_them) {
+  write_text(folder / "crown.stl", binary_stl(sphere("a", {0, 0, 0}, 0.4, 2)));
+  write_text(folder / "root.stl", binary_stl(sphere("a", {0, 0, 0.5}, 0.3, 2)));
+  write_text(folder / "bad.stl", "solid nothing");
+  open({file("crown.stl")});
+  choose(QStringLiteral("What crown is made of"), Tissue::dentine);
+  QComboBox* unit = nullptr;
+  for (QComboBox* b : page->findChildren<QComboBox*>())
+    if (b->findText(QStringLiteral("Inch")) >= 0) unit = b;
+  ASSERT_NE(unit, nullptr);
+  unit->setCurrentText(QStringLiteral("Inch"));
+  for (const char* next : {"root.stl", "bad.stl"}) {
+    open({file(next)});
+    EXPECT_EQ(page->files().size(), 2u) << next;
+    QComboBox* crown = box(QStringLiteral("What crown is made of"));
+    ASSERT_NE(crown, nullptr) << next;
+    EXPECT_EQ(crown->currentData().toInt(), static_cast<int>(Tissue::dentine)) << next;
+    EXPECT_EQ(unit->currentText(), QStringLiteral("Inch")) << next;
+  }
+  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("cannot be read")));
+  page->open_files({file("bad.stl")});
+  Q_EMIT page->findChild<Busy*>()->cancelled();
+  EXPECT_EQ(page->files().size(), 2u) << "stopped";
+  EXPECT_NE(page->meshes(), nullptr);
+}
+
+TEST_F(ImportPageTest, a_chosen_tissue_outlasts_a_unit_in_which_a_gap_is_too_wide) {
+  Mesh open_ball = sphere("part", {0, 0, 0}, 4.0, 3);
+  open_ball.triangles.erase(open_ball.triangles.begin() + 5);
+  write_obj(folder / "m.obj", {open_ball, sphere("core", {0, 0, 0}, 1.0, 2)});
+  open({file("m.obj")});
+  choose(QStringLiteral("What part is made of"), Tissue::bone);
+  for (const char* unit : {"Metre", "Millimetre"})
+    for (QComboBox* b : page->findChildren<QComboBox*>())
+      if (const int n = b->findText(QString::fromLatin1(unit)); n >= 0) b->setCurrentIndex(n);
+  EXPECT_EQ(box(QStringLiteral("What part is made of"))->currentData().toInt(), static_cast<int>(Tissue::bone));
 }
 
 TEST_F(ImportPageTest, files_can_be_dropped) {

@@ -1,6 +1,7 @@
 // CTs and label maps on the import page.
 
 #include <QSlider>
+#include <cmath>
 
 #include "tests/ui/instructor/import_page_fixture.h"
 #include "ui/instructor/slice_view.h"
@@ -32,6 +33,45 @@ TEST_F(ImportPageTest, a_label_map_of_a_wrong_unit_is_questioned_once_it_is_made
   EXPECT_TRUE(keep()->isEnabled());
 }
 
+/// A block of label 2 of 16 voxels an edge in one of 24.
+std::string block_in_24() {
+  std::string data(24 * 24 * 24, '\0');
+  for (int z = 4; z < 20; ++z)
+    for (int y = 4; y < 20; ++y)
+      for (int x = 4; x < 20; ++x) data[static_cast<std::size_t>(x + 24 * (y + 24 * z))] = 2;
+  return data;
+}
+const std::string kHeadOf24 = "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 24 24 24\nencoding: raw\nspacings: 500 500 500\n";
+
+TEST_F(ImportPageTest, micrometres_that_are_called_millimetres_are_asked_about_before_the_import) {
+  write_text(folder / "um.nrrd", kHeadOf24 + "\n" + block_in_24());
+  open({file("um.nrrd")});
+  EXPECT_TRUE(texts().contains(QStringLiteral("longer than any tooth"))) << texts().toStdString();
+  EXPECT_FALSE(button(QStringLiteral("Make a specimen"))->isEnabled());
+  QPushButton* thousandth = nullptr;
+  for (QPushButton* b : page->findChildren<QPushButton*>())
+    if (b->text().contains(QStringLiteral("0.001"))) thousandth = b;
+  ASSERT_NE(thousandth, nullptr);
+  thousandth->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Make a specimen"))->isEnabled(); }, kPatienceMs));
+  make();
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "500 mm were cut to the 5 of the field before";
+  EXPECT_NEAR(page->preview()->size_mm().z, 8.0, 1e-6);
+}
+
+TEST_F(ImportPageTest, the_fineness_of_a_volume_follows_the_unit_that_is_chosen) {
+  write_text(folder / "v.nrrd", kHeadOf24 + "space units: \"?\" \"?\" \"?\"\n\n" + block_in_24());
+  open({file("v.nrrd")});
+  for (QComboBox* b : page->findChildren<QComboBox*>())
+    if (const int um = b->findText(QStringLiteral("Micrometre")); um >= 0) b->setCurrentIndex(um);
+  make();
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9);
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  open({file("a.stl")});
+  make();
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.1, 1e-9) << "a mesh has no voxels of its own";
+}
+
 TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
   write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
   open({file("map.nrrd")});
@@ -40,6 +80,15 @@ TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
   button_from(QStringLiteral("It is "))->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return keep()->isEnabled(); }, kPatienceMs));
   EXPECT_NE(page->preview()->volume(), nullptr) << "what was made stays";
+}
+
+TEST_F(ImportPageTest, volumes_that_are_dropped_together_are_refused_with_a_way_out) {
+  for (const char* name : {"a.nrrd", "b.nrrd"}) write_text(folder / name, kHeadOf24 + "\n" + block_in_24());
+  open({file("a.nrrd"), file("b.nrrd")});
+  const QString text = page->findChild<Band*>()->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("not opened together"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral(".nrrd"))) << text.toStdString();
+  EXPECT_FALSE(text.contains(QStringLiteral("not read here")));
 }
 
 TEST_F(ImportPageTest, a_ct_shows_its_tissues_live_and_keeps_no_name) {
@@ -83,6 +132,50 @@ TEST_F(ImportPageTest, a_ct_shows_its_tissues_live_and_keeps_no_name) {
   ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "CT");
   EXPECT_EQ(started->draft.protected_parts, std::vector<Protected>{Tissue::pulp}) << "the hollow";
+}
+
+TEST_F(ImportPageTest, ranges_of_grey_between_0_and_1_part_the_tissues) {
+  // A µCT in attenuations: air, dentine to a radius of 9, enamel to one of 5.
+  std::string data;
+  for (int z = 0; z < 24; ++z)
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) {
+        const double r = std::hypot(x - 12.0, y - 12.0, z - 12.0);
+        const float v = r > 9.0 ? 0.05f : r > 5.0 ? 0.35f : 0.62f;
+        data.append(reinterpret_cast<const char*>(&v), sizeof v);
+      }
+  write_text(folder / "mu.nrrd", "NRRD0005\ntype: float\ndimension: 3\nsizes: 24 24 24\nspacings: 0.5 0.5 0.5\nendian: little\nencoding: raw\n\n" + data);
+  open({file("mu.nrrd")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  const ImageTissues t = page->volume()->tissues();
+  ASSERT_EQ(t.thresholds.size(), 2u);
+  EXPECT_GT(t.thresholds[0].first, 0.05);
+  EXPECT_LT(t.thresholds[0].first, 0.35);
+  EXPECT_GT(t.thresholds[1].first, 0.35);
+  EXPECT_LT(t.thresholds[1].first, 0.62);
+  make();
+  EXPECT_NEAR(page->preview()->size_mm().z, 9.0, 0.8) << "and not the whole box of 12 mm";
+}
+
+TEST_F(ImportPageTest, a_chosen_slice_of_the_smaller_series_is_not_called_the_largest) {
+  write_ct();
+  DicomWish scout;
+  scout.columns = scout.rows = 8;
+  scout.series = "9.9";
+  scout.values.assign(64, 7);
+  write_text(folder / "ct/scout.dcm", dicom_file(scout));
+  open({file("ct/scout.dcm")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QStringLiteral("holds 2 series"))) << texts().toStdString();
+  EXPECT_FALSE(texts().contains(QStringLiteral("largest of 2")));
+}
+
+TEST_F(ImportPageTest, slices_are_numbered_as_those_of_the_file) {
+  write_text(folder / "long.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 8 8 400\nspacings: 1 1 0.1\nencoding: raw\n\n" + std::string(25600, '\2'));
+  open({file("long.nrrd")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  page->volume()->view()->findChild<QSlider*>()->setValue(10);  // every third is shown
+  EXPECT_TRUE(texts().contains(QStringLiteral("Slice 31 of 400"))) << texts().toStdString();
 }
 
 TEST_F(ImportPageTest, reading_can_be_stopped_and_leaves_nothing) {
