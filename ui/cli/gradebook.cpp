@@ -46,9 +46,11 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
     const auto called = is_called(store, version->scenario, wish.exercise);
     if (!called) return std::unexpected(called.error());
     if (!*called || (wish.version && version->number != *wish.version)) continue;
-    if (a.withdrawn || (wish.kind && a.kind != *wish.kind)) continue;
+    if (wish.kind && a.kind != *wish.kind) continue;
     if (!wish.due || is_due(a, *wish.due)) out.push_back(a);
   }
+  // A withdrawn one counts where it is the only one: its results stay.
+  if (!std::ranges::all_of(out, &Assignment::withdrawn)) std::erase_if(out, &Assignment::withdrawn);
   return out;
 }
 

@@ -179,10 +179,10 @@ QWidget* CohortsPage::make_assignments() {
 void CohortsPage::fit_assignment() {
   const int row = assigned_->chosen_row();
   results_->setEnabled(row >= 0 && may(actor_.role, Action::see_all_results));
-  const bool open = row >= 0 && !assignments_->row(row).assignment.withdrawn && may(actor_.role, Action::assign);
-  withdraw_->setEnabled(open);
+  const bool chosen = row >= 0 && may(actor_.role, Action::assign);
+  withdraw_->setEnabled(chosen && !assignments_->row(row).assignment.withdrawn);
   QString code;
-  if (open) {
+  if (chosen) {  // an interrupted attempt of a withdrawn one is resumed with it
     if (const auto known = store_.assignments.start_code(actor_, assignments_->row(row).assignment.id)) code = QString::fromStdString(*known);
   }
   QStringList aside;
