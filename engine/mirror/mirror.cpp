@@ -125,7 +125,9 @@ void Mirror::run() {
     const bool stopping = stop_.load(std::memory_order_acquire);
     const std::uint64_t done = pump();
     if (stopping) break;
-    if (done == 0) std::this_thread::sleep_for(kPoll);
+    if (done > 0) continue;
+    for (MirrorObserver* o : observers_) o->on_idle(state_);
+    std::this_thread::sleep_for(kPoll);
   }
   show(Call::last);
 }

@@ -35,6 +35,8 @@ class MirrorObserver {
   }
   /// About every show_every_us of session time, later if the mirror is late: the whole state, with its volume.
   virtual void on_state(const StepState& state, const StateNews& news) = 0;
+  /// Between inputs, every few milliseconds: the state as it stands. Inputs wait in the ring until it returns.
+  virtual void on_idle(const StepState& state) { static_cast<void>(state); }
 };
 
 /// Loop and mirror have different digests: the session is not deterministic, so its record is not exact.

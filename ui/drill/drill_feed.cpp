@@ -67,7 +67,11 @@ void DrillFeed::on_state(const StepState& state, const StateNews& news) {
     if (changed_) changed_();  // the tooth is drawn while its section is
   }
   changes_.clear();
+  // Running behind, the section waits: the ticks come first.
+  if (news.behind_ticks < 100) draw_sections(state);
+}
 
+void DrillFeed::draw_sections(const StepState& state) {
   std::optional<SectionWish> panel, lid;
   {
     const std::lock_guard lock(mutex_);
@@ -77,8 +81,7 @@ void DrillFeed::on_state(const StepState& state, const StateNews& news) {
   }
   const Clock::time_point now = Clock::now();
   const bool moved = glm::length(state.last().proxy_mm - section_bur_) > 0.02 || state.last().bur != section_bur_number_;
-  // Running behind, the section waits: the ticks come first.
-  if ((panel || lid) && (section_stale_ || moved) && now - section_at_ >= kSectionEvery && news.behind_ticks < 100) {
+  if ((panel || lid) && (section_stale_ || moved) && now - section_at_ >= kSectionEvery) {
     section_at_ = now;
     section_bur_ = state.last().proxy_mm;
     section_bur_number_ = state.last().bur;

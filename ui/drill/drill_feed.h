@@ -39,6 +39,8 @@ class DrillFeed : public Observer {
 
   void on_tick(const StepInput& input, const StepState& after) override;
   void on_state(const StepState& state, const StateNews& news) override;
+  /// Sections that the window wants, also while the session stands.
+  void on_idle(const StepState& state) override { draw_sections(state); }
 
   /// Window's thread. One section for the panel, one as the lid of the cutaway; nullopt: not wanted.
   void want_sections(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid);
@@ -51,6 +53,8 @@ class DrillFeed : public Observer {
   /// When the tick happened in the loop: the mirror sees it later.
   Clock::time_point time_of(std::uint64_t elapsed_us);
   SectionImage draw(const StepState& state, const SectionWish& wish, Vec3 through_mm) const;
+  /// At most every kSectionEvery, where a wish, the tooth or the bur changed.
+  void draw_sections(const StepState& state);
 
   std::shared_ptr<PatchFeed> patches_;
   TargetLook look_;

@@ -14,7 +14,10 @@
 #include "scenarios/library/library.h"
 #include "storage/sqlite/database.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/session/gate.h"
 #include "ui/drill/stop_card.h"
+#include "ui/session/background_task.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/gauge.h"
 
@@ -221,12 +224,33 @@ TEST_F(DrillEnd, an_assessment_that_a_lost_device_stopped_is_resumed) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !card().isVisible() && hand->force_n > 0; }, kComesWithinMs));
 }
 
+TEST_F(DrillEnd, the_cutaway_opens_while_the_attempt_is_paused) {
+  begin(plan());
+  screen->toggle_pause();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return card().isVisible(); }, kComesWithinMs));
+  EXPECT_FALSE(screen->view()->scene().cutaway);
+  QTest::keyClick(screen.get(), Qt::Key_3);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return screen->view()->scene().cutaway.has_value(); }, kComesWithinMs));
+}
+
+TEST_F(DrillEnd, an_attempt_begins_while_work_that_was_left_goes_on) {
+  auto gate = std::make_shared<test::Gate>();
+  BackgroundTask([gate] { gate->pass(); });
+  begin(plan());
+  EXPECT_FALSE(gate->gave_up());
+  gate->open();
+}
+
 TEST_F(DrillEnd, an_open_question_of_an_assessment_takes_cut_and_force_off_and_lets_the_clock_run) {
   begin(plan(Guidance::silent));
   screen->ask_finish();
   ASSERT_TRUE(QTest::qWaitFor([&] { return hand->force_n == 0; }, kComesWithinMs));
-  QTest::qWait(kShownWithinMs);  // what was cut before is shown
-  const double cut = removed();
+  // What was cut before is shown once the bar stands; three rounds are less than the depth that is left.
+  double cut = -1.0;
+  for (int round = 0; round < 3 && cut != removed(); ++round) {
+    cut = removed();
+    let_it_run();
+  }
   const QString before = clock();
   EXPECT_TRUE(QTest::qWaitFor([&] { return clock() != before; }, kComesWithinMs)) << "the clock runs on";
   let_it_run();
