@@ -22,9 +22,10 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kSidePx = 12;                           // at 100 %
-constexpr double kPictureMm = 24.0, kMmPerPx = 0.05;  // a tooth is 25 mm high
-constexpr double kBelowTopMm = 6.0;                   // the picture's middle, which then holds crown and cervix
+constexpr int kSidePx = 12;                                // at 100 %
+constexpr double kLeastPictureMm = 24.0, kMmPerPx = 0.05;  // scenery stands beside a single tooth
+constexpr double kMostPicturePx = 1200.0;                  // of either side: a jaw is drawn coarser
+constexpr double kBelowTopMm = 6.0;                        // the picture's middle, which then holds crown and cervix
 constexpr double kPitch = 0.35;                       // radians: the plane and a little of the floor beyond it
 constexpr double kTurnsOver = 0.1;                    // sine of the angle by which a camera passes the plane before the picture turns
 constexpr double kAtWallMm = 0.8;                     // from the middle: a wall, which the plane then meets at right angles [M]
@@ -52,11 +53,12 @@ std::optional<Vec3> middle_of(const TargetShape& shape) {
   return shape.empty() ? std::nullopt : std::optional(Vec3(0.5 * (shape.low() + shape.high()), shape.top_mm()));
 }
 
-SectionImage picture_of(const SectionBar::Cut& cut, const TargetLook& look, const SectionPlane& plane) {
+SectionImage picture_of(const SectionBar::Cut& cut, const TargetLook& look, const SectionPlane& plane, glm::dvec2 size_mm) {
   SectionSettings settings;
   settings.plane = plane;
-  settings.width = settings.height = static_cast<int>(kPictureMm / kMmPerPx);
-  settings.mm_per_px = kMmPerPx;
+  settings.mm_per_px = std::max(kMmPerPx, std::max(size_mm.x, size_mm.y) / kMostPicturePx);
+  settings.width = static_cast<int>(std::ceil(size_mm.x / settings.mm_per_px));
+  settings.height = static_cast<int>(std::ceil(size_mm.y / settings.mm_per_px));
   settings.scenery = cut.scenery;
   look.put_into(settings);
   if (cut.ideal) {
@@ -141,11 +143,11 @@ void SectionBar::measure() {
   centre_on(middle_of(TargetShape(cut_.target)).value_or(Vec3(0.5 * (low_mm_.x + high_mm_.x), 0.5 * (low_mm_.y + high_mm_.y), high_mm_.z)));
 }
 
-/// A plane that was moved stays where it is.
+/// A plane that was moved stays where it is, within the tooth.
 void SectionBar::centre_on(Vec3 middle_mm) {
   const bool moved = through_mm_ != middle_mm_;
   middle_mm_ = glm::clamp(middle_mm, low_mm_, high_mm_);  // a half-space has no end
-  if (!moved) through_mm_ = middle_mm_;
+  through_mm_ = moved ? glm::clamp(through_mm_, low_mm_, high_mm_) : middle_mm_;
   fit_slider();
 }
 
@@ -165,6 +167,12 @@ SectionPlane SectionBar::plane() const {
   Vec3 centre = middle_mm_ + place_mm() * across();
   centre.z -= kBelowTopMm;
   return {centre, facing_ * along, {0, 0, 1}};
+}
+
+glm::dvec2 SectionBar::picture_mm() const {
+  const SectionPlane at = plane();
+  const Vec3 reach = glm::max(at.centre_mm - low_mm_, high_mm_ - at.centre_mm);
+  return glm::max(2.0 * glm::dvec2(glm::dot(reach, glm::abs(at.right)), reach.z), glm::dvec2(kLeastPictureMm));
 }
 
 void SectionBar::open() {
@@ -269,8 +277,8 @@ void SectionBar::draw() {
   }
   drawing_ = true;
   stale_ = false;
-  QThreadPool::globalInstance()->start([self = QPointer(this), cut = cut_, look = look_, plane = plane()] {
-    auto image = std::make_shared<SectionImage>(picture_of(cut, look->of(cut), plane));
+  QThreadPool::globalInstance()->start([self = QPointer(this), cut = cut_, look = look_, plane = plane(), size_mm = picture_mm()] {
+    auto image = std::make_shared<SectionImage>(picture_of(cut, look->of(cut), plane, size_mm));
     QMetaObject::invokeMethod(qApp, [self, image, look, target_mm = middle_of(look->of(cut).shape())] {
       if (self) self->take(std::move(*image), look, target_mm);
     }, Qt::QueuedConnection);

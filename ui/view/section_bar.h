@@ -56,6 +56,8 @@ class SectionBar : public QFrame {
   /// From the target's middle: towards buccal, or along the frame's x.
   double place_mm() const;
   SectionPlane plane() const;
+  /// Width and height of the picture about plane().centre_mm; the whole specimen lies in it.
+  glm::dvec2 picture_mm() const;
   static constexpr double kStepMm = 0.1;  // of the slider; Page Up and Down: five
 
  Q_SIGNALS:

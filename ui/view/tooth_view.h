@@ -36,7 +36,7 @@ class ToothView : public QWidget {
   void show_volume(const Volume& volume, const FeedSettings& settings = {});
   /// The same with a mesh that another thread has built.
   void show_mesh(WholeMesh mesh);
-  /// Patches come from this feed from now on, a bounded number of bytes a frame. Call feed_changed() when it has news.
+  /// Patches come from this feed from now on, a bounded number of bytes a frame after the first. Call feed_changed() when it has news.
   void set_feed(std::shared_ptr<PatchFeed> feed);
   /// Any thread: asks for a frame. Several askings before it make one.
   void feed_changed();

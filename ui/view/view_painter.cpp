@@ -16,7 +16,7 @@
 namespace cusp::ui {
 namespace {
 
-// What a frame may upload: a bur changes some 40 patches of 5 kB; a whole molar comes over a few frames.
+// What a frame may upload: a bur changes some 40 patches of 5 kB; the first frame of a mesh takes all.
 constexpr std::size_t kUploadBytes = 1u << 20;
 
 QSurfaceFormat wanted_format() {

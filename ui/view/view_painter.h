@@ -26,7 +26,7 @@ struct FrameOrder {
   QSize size_px;
   int mesh = 0;                               // number of the mesh; another one than before begins empty
   std::vector<BakedPatch> patches;            // to put first
-  std::shared_ptr<PatchFeed> feed;            // then what waits there, a bounded number of bytes; may be null
+  std::shared_ptr<PatchFeed> feed;            // then what waits there, a bounded number of bytes after the first frame; may be null
   std::optional<std::shared_ptr<const SceneryLook>> scenery;
   std::optional<std::vector<OverlayLine>> lines;
   std::optional<SurfaceMarks> marks;

@@ -12,6 +12,7 @@
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/target.h"
 #include "tests/modules.h"
+#include "tests/ui/render/ball.h"
 #include "ui/session/scene_builder.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
@@ -142,6 +143,33 @@ TEST_F(SectionOfABlock, shows_its_whole_texts_in_a_narrow_view) {
     for (const QAbstractButton* button : bar.findChildren<QAbstractButton*>()) {
       const QFontMetrics bold(font_of(TextRole::body, Weight::bold));
       EXPECT_GT(button->width(), bold.horizontalAdvance(button->text())) << width << ": " << button->text().toStdString();
+    }
+  }
+}
+
+TEST_F(SectionOfABlock, comes_back_into_a_smaller_tooth) {
+  bar.slider()->setValue(bar.slider()->maximum());
+  SectionBar::Cut small = cut();
+  small.volume = std::make_shared<const Volume>(Specimen::build(ball(1.5), Reading::banded));
+  bar.show_cut(small);
+  EXPECT_NEAR(bar.place_mm(), SectionBar::kStepMm * bar.slider()->value(), SectionBar::kStepMm);
+}
+
+TEST(SectionBetweenNeighbours, closes_all_that_is_cut_open) {
+  Scenario scenario = *load_builtin("class-2-36-do");
+  scenario.specimen.voxel_mm = 0.4;
+  const auto whole = std::make_shared<const Volume>(build_specimen(scenario, {}).value());
+  ToothView view;
+  SectionBar bar(view);
+  bar.show_cut({.volume = whole, .target = scenario.target, .leeway = scenario.leeway, .scenery = nullptr, .ideal = nullptr});
+  const Grid& grid = whole->grid();
+  for (const SectionBar::Way way : {SectionBar::Way::mesiodistal, SectionBar::Way::buccolingual}) {
+    bar.choose(way);
+    const SectionPlane plane = bar.plane();
+    const glm::dvec2 half = 0.5 * bar.picture_mm();
+    for (const Vec3& corner : {grid.centre_mm(IVec3(0)), grid.centre_mm(grid.size - IVec3(1))}) {
+      EXPECT_LE(std::abs(glm::dot(corner - plane.centre_mm, plane.right)), half.x + 1e-9);
+      EXPECT_LE(std::abs(corner.z - plane.centre_mm.z), half.y + 1e-9);
     }
   }
 }
