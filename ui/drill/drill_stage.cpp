@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/teeth/landmarks.h"
 #include "ui/drill/cut_slider.h"
 #include "ui/drill/hand_ghost.h"
 #include "ui/drill/depth_scale.h"
@@ -107,7 +108,7 @@ void DrillStage::connect_tools() {
   connect(turn_, &QPushButton::clicked, this, [this] {
     preset_ = (preset_ + 1) % static_cast<int>(kTurns.size());
     Camera camera = view_->camera();
-    camera.set_preset(kTurns[static_cast<std::size_t>(preset_)]);
+    camera.set_preset(kTurns[static_cast<std::size_t>(preset_)], mesial_x_);
     view_->set_camera(camera);
   });
   connect(above_, &QPushButton::clicked, this, [this] {
@@ -173,6 +174,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   burs_ = scenario.instruments;
   by_mouse_ = setup.by_mouse;
   is_tooth_ = setup.is_tooth;
+  mesial_x_ = scenario.specimen.generator == "tooth" ? mesial_x(scenario.specimen.fdi) : 1;
   wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
   const double depth = required_depth_mm();
   scale_depth(0);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <array>
 
+#include "scenarios/teeth/landmarks.h"
 #include "ui/editor/handle_knob.h"
 #include "ui/editor/target_view.h"
 #include "ui/view/tooth_view.h"
@@ -56,7 +57,8 @@ void TargetView::make_tools() {
   }
   connect(turn, &QPushButton::clicked, this, [this] {
     Camera camera = view_->camera();
-    camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()]);
+    const SpecimenSource& tooth = model_.scenario().specimen;
+    camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()], tooth.generator == "tooth" ? mesial_x(tooth.fdi) : 1);
     view_->set_camera(camera);
   });
   connect(above, &QPushButton::clicked, this, [this] {

@@ -10,7 +10,7 @@
 
 namespace cusp::ui {
 
-/// Triangles of a bur, pivot at the origin, z towards the shank, whose far end is open.
+/// Triangles of a bur, pivot at the origin, z towards the shank, closed at both ends.
 std::vector<BodyVertex> bur_mesh(const Bur& bur);
 
 class BurPass {

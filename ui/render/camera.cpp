@@ -39,14 +39,14 @@ void Camera::pan(glm::dvec2 by_px, double shorter_px) noexcept {
   centre_ += -by_px.x * mm * right() + by_px.y * mm * up();
 }
 
-void Camera::set_preset(PresetView view) noexcept {
+void Camera::set_preset(PresetView view, int mesial_x) noexcept {
   constexpr double kQuarter = std::numbers::pi / 2;
   switch (view) {
     case PresetView::working: set_angles(0.14, 0.98); break;
     case PresetView::occlusal: set_angles(0.0, kMostPitch); break;
     case PresetView::buccal: set_angles(0.0, 0.2); break;
     case PresetView::lingual: set_angles(2 * kQuarter, 0.2); break;
-    case PresetView::distal: set_angles(kQuarter, 0.2); break;
+    case PresetView::distal: set_angles(mesial_x < 0 ? -kQuarter : kQuarter, 0.2); break;
   }
 }
 

@@ -28,7 +28,8 @@ class Camera {
   void zoom(double factor) noexcept;
   /// Moves the centre in the view's plane by pixels of a view whose shorter side has `shorter_px`.
   void pan(glm::dvec2 by_px, double shorter_px) noexcept;
-  void set_preset(PresetView view) noexcept;
+  /// `mesial_x`: the way of mesial along x (scenarios/teeth/landmarks.h).
+  void set_preset(PresetView view, int mesial_x = 1) noexcept;
   void set_centre(Vec3 mm) noexcept { centre_ = mm; }
   void set_angles(double yaw, double pitch) noexcept;
 

@@ -82,6 +82,7 @@ void OverlayPass::draw(const FrameView& view) {
   }
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+  glEnable(GL_CULL_FACE);
 }
 
 }  // namespace cusp::ui

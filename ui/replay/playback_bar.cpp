@@ -101,6 +101,7 @@ bool PlaybackBar::press_key(int key, Qt::KeyboardModifiers modifiers) {
 bool PlaybackBar::eventFilter(QObject* watched, QEvent* event) {
   if ((watched == slider_ || watched == play_) && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<const QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Space && key->isAutoRepeat()) return true;
     const bool pressed = watched == play_ && key->key() == Qt::Key_Space;
     return !pressed && press_key(key->key(), key->modifiers());
   }

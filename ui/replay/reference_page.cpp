@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "scenarios/shapes/target.h"
+#include "scenarios/teeth/landmarks.h"
 #include "ui/replay/playback_bar.h"
 #include "ui/text/bur_text.h"
 #include "ui/text/failure_text.h"
@@ -43,6 +44,7 @@ ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish&
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Reference preparation"));
+  if (wish.scenario.specimen.generator == "tooth") mesial_x_ = mesial_x(wish.scenario.specimen.fdi);
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -184,10 +186,11 @@ void ReferencePage::turn_back() {
 }
 
 void ReferencePage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space && event->isAutoRepeat()) return;
   const int view = event->key() - Qt::Key_2;
   if (show_ && view >= 0 && view < static_cast<int>(kViews.size())) {
     Camera camera = view_->camera();
-    camera.set_preset(kViews[static_cast<std::size_t>(view)]);
+    camera.set_preset(kViews[static_cast<std::size_t>(view)], mesial_x_);
     return view_->set_camera(camera);
   }
   if (event->key() == Qt::Key_Escape) return Q_EMIT back_wanted();

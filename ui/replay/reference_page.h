@@ -64,6 +64,7 @@ class ReferencePage : public QWidget {
   QTimer timer_;
   QElapsedTimer since_;  // the last look
   int shown_ = 0;
+  int mesial_x_ = 1;  // of the tooth
   double expected_time_s_ = 0;
 };
 

@@ -67,6 +67,14 @@ TEST(Camera, panning_moves_what_is_in_the_middle_by_the_pixels_asked) {
   EXPECT_NEAR(px->y, 288, 0.5);
 }
 
+TEST(Camera, the_distal_view_is_from_distal_in_every_quadrant) {
+  for (const int mesial_x : {1, -1}) {
+    Camera camera = Camera::about({0, 0, 0}, 5.0);
+    camera.set_preset(PresetView::distal, mesial_x);
+    EXPECT_LT(mesial_x * camera.eye_mm().x, -1.0);
+  }
+}
+
 TEST(Camera, a_place_behind_the_eye_has_no_pixel) {
   const Camera camera = Camera::about({0, 0, 0}, 5.0);
   EXPECT_FALSE(camera.project(camera.eye_mm() - camera.forward(), {800, 600}));

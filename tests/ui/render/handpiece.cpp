@@ -111,6 +111,20 @@ class DrawnHandpiece : public testing::Test {
   }
 };
 
+TEST_F(DrawnHandpiece, looks_alike_with_a_target_line_elsewhere) {
+  const auto context = EglContext::create(16, 16);
+  const auto picture = ToothPicture::create();
+  Scene3d scene = over_a_ball();
+  scene.show_handpiece = true;
+  for (const PresetView view : {PresetView::working, PresetView::occlusal}) {
+    scene.camera.set_preset(view);
+    picture->set_lines({});
+    const auto alone = drawn(*picture, scene);
+    picture->set_lines({OverlayLine{{{200, 0, 0}, {201, 0, 0}}, {}, kTargetStyle}});  // outside the picture
+    EXPECT_TRUE(drawn(*picture, scene) == alone);
+  }
+}
+
 TEST_F(DrawnHandpiece, hides_nothing_about_the_burs_tip_and_stands_beyond_it) {
   for (const PresetView view : {PresetView::working, PresetView::occlusal, PresetView::buccal}) {
     Scene3d scene = over_a_ball();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QApplication>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -29,6 +31,14 @@ TEST_F(PlaybackBarTest, runs_with_the_watcher_s_time_at_the_chosen_speed) {
   bar.set_playing(false);
   bar.advance(2, 30);
   EXPECT_DOUBLE_EQ(bar.position_s(), 6);
+}
+
+TEST_F(PlaybackBarTest, a_held_space_acts_once) {
+  auto* slider = bar.findChild<QSlider*>();
+  QKeyEvent first(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier), again(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, QString(), true);
+  QApplication::sendEvent(slider, &first);
+  QApplication::sendEvent(slider, &again);
+  EXPECT_TRUE(bar.playing());
 }
 
 TEST_F(PlaybackBarTest, waits_for_what_is_not_ready) {
