@@ -294,7 +294,7 @@ void Performance::show_spread(const Figures& f) {
   spread.title = tr("How scores spread");
   constexpr auto kBelow = static_cast<std::size_t>(kFrom / kSpreadPoints);
   const std::span<const int> all(f.spread);
-  const bool poor = std::ranges::any_of(all.first(kBelow), [](int attempts) { return attempts > 0; });
+  const bool poor = f.pass_mark.value_or(kFrom) < kFrom || std::ranges::any_of(all.first(kBelow), [](int attempts) { return attempts > 0; });
   const double least = poor ? 0 : kFrom;
   const std::span<const int> bars = poor ? all : all.subspan(kBelow);
   const int highest = std::max(4, *std::ranges::max_element(bars));
@@ -345,9 +345,9 @@ void Performance::show_learning(const Figures& f) {
     low.quiet = high.quiet = true;
     low.draw = high.draw = median.draw = ChartSeries::Draw::line;
     for (const LearningPoint& p : f.learning) {
-      low.points += {static_cast<double>(p.attempt), p.middle_half.low, {}, false};
-      high.points += {static_cast<double>(p.attempt), p.middle_half.high, {}, false};
-      median.points += {static_cast<double>(p.attempt), p.median, tr("%n student(s)", nullptr, p.students), false};
+      low.points += {static_cast<double>(p.attempt), p.middle_half.low, tr("Lower end of the middle half"), false};
+      high.points += {static_cast<double>(p.attempt), p.middle_half.high, tr("Upper end of the middle half"), false};
+      median.points += {static_cast<double>(p.attempt), p.median, tr("Median of %n student(s)", nullptr, p.students), false};
     }
     low.name.clear();
     learning.series << high << low << median;

@@ -43,7 +43,7 @@ std::vector<HistoryRow> in_order(const std::vector<HistoryRow>& attempts) {
 }
 
 void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
-  double lowest = 100;
+  double lowest = graded.empty() ? 100 : graded.back().pass_mark.value_or(100);
   for (const HistoryRow& attempt : graded) lowest = std::min(lowest, *attempt.score);
   const double least = lowest < 40 ? 0 : 40;
   d.y = {ChartText::tr("points"), least, 100, 20, 0};

@@ -282,7 +282,7 @@ class ChartCanvas : public QWidget {
     if (lit_.series >= 0) {
       const ChartPoint& p = data_.series[lit_.series].points[lit_.point];
       QString text = p.label.isEmpty() ? data_.series[lit_.series].name : p.label;
-      text += u'\n' + format_number(p.y, p.y == std::floor(p.y) ? 0 : 1) + u' ' + data_.y.title;
+      text += u'\n' + format_points(p.y) + u' ' + data_.y.title;
       QToolTip::showText(at, text, this);
       setAccessibleDescription(text);
     } else {
@@ -335,7 +335,7 @@ void Chart::fill_table() {
     for (const ChartPoint& p : s.points) {
       QList<QStandardItem*> row = {new QStandardItem(p.label.isEmpty() ? s.name : p.label),
                                    new QStandardItem(format_number(p.x, p.x == std::floor(p.x) ? 0 : 1)),
-                                   new QStandardItem(format_number(p.y, p.y == std::floor(p.y) ? 0 : 1))};
+                                   new QStandardItem(format_points(p.y))};
       row[1]->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       row[2]->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       model->appendRow(row);

@@ -76,7 +76,7 @@ void Chip::set(const QString& text, Kind kind) {
   text_ = text;
   kind_ = kind;
   setAccessibleName(text);
-  setVisible(!text.isEmpty());
+  if (parentWidget() != nullptr) setVisible(!text.isEmpty());  // without a parent it would be a window
   updateGeometry();
   update();
 }
@@ -91,6 +91,7 @@ void Chip::paintEvent(QPaintEvent*) {
 
 void Chip::changeEvent(QEvent* event) {
   if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) updateGeometry();
+  if (event->type() == QEvent::ParentChange && text_.isEmpty()) hide();
   QWidget::changeEvent(event);
 }
 

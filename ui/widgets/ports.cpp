@@ -2,6 +2,7 @@
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -58,7 +59,10 @@ Ports Ports::of_the_system() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(wish.saving ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(wish.saving ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    if (wish.saving) dialog->selectFile(wish.name);
+    if (wish.saving) {
+      dialog->selectFile(wish.name);
+      dialog->setDefaultSuffix(QFileInfo(wish.name).suffix());  // the dialog then asks before it replaces that file
+    }
     if (wish.what == FileWish::What::folder) {
       dialog->setAcceptMode(QFileDialog::AcceptOpen);
       dialog->setFileMode(QFileDialog::Directory);

@@ -20,6 +20,7 @@
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
 #include "ui/text/grade_text.h"
+#include "ui/widgets/chart.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -142,6 +143,20 @@ TEST_F(AdminPages, people_are_found_by_role_and_by_cohort) {
   ASSERT_EQ(page.model()->rowCount(), 1);
   EXPECT_EQ(page.model()->account(0).id, lena.id);
   EXPECT_EQ(page.model()->index(0, PeopleModel::kCohort).data().toString(), QStringLiteral("Year 2"));
+}
+
+TEST_F(AdminPages, each_row_of_the_learning_table_says_what_it_is) {
+  for (const char* number : {"1", "2", "3"}) records.attempt(records.student(number, std::string("Student ") + number), "channel-1", 60, 400);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  int named = 0;
+  for (const Chart* chart : page.findChildren<Chart*>()) {
+    if (chart->data().title != QStringLiteral("Learning")) continue;
+    ASSERT_EQ(chart->data().series.size(), 3);
+    for (const ChartSeries& s : chart->data().series)
+      for (const ChartPoint& p : s.points) named += p.label.contains(QStringLiteral("half")) || p.label.contains(QStringLiteral("Median"));
+  }
+  EXPECT_EQ(named, 3);
 }
 
 TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) {

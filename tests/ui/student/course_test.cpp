@@ -39,6 +39,13 @@ TEST(Exercises, a_newer_version_published_here_takes_the_place_of_the_built_in_o
   EXPECT_FALSE(found->version.is_nil());
 }
 
+TEST(HistoryCharts, the_pass_mark_lies_on_the_axis) {
+  HistoryRow row;
+  row.score = 80;
+  row.pass_mark = 30;
+  EXPECT_LE(time_and_score({row}).y.least, 30);
+}
+
 TEST(Course, the_next_exercise_is_the_first_that_was_not_passed_yet) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");

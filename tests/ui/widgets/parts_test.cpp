@@ -4,6 +4,7 @@
 
 #include <QAccessible>
 #include <QApplication>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,12 +13,15 @@
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include "tests/modules.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/chart.h"
+#include "ui/widgets/chip.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/ports.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -164,6 +168,38 @@ TEST(Chart, a_figure_of_full_points_is_drawn_whole) {
     return dark;
   };
   EXPECT_GE(dark_pixels(100), dark_pixels(88));  // one more digit
+}
+
+TEST(Chart, its_table_rounds_no_points_up_to_the_pass_mark) {
+  ChartData d = two_attempts();
+  d.series[0].points[1].y = 69.96;
+  Chart chart;
+  chart.set_data(d);
+  EXPECT_EQ(chart.findChild<QTableView*>()->model()->index(1, 2).data().toString().toStdString(), "69.9");
+}
+
+TEST(Ports, a_name_without_suffix_gets_that_of_the_suggested_one) {
+  QWidget page;
+  Ports::of_the_system().pick_file(&page, {QStringLiteral("Save"), QStringLiteral("molar 1.5.cusp"), QStringLiteral("Exercise (*.cusp)")}, [](const QString&) {});
+  auto* dialog = page.findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->defaultSuffix().toStdString(), "cusp");
+  dialog->reject();
+}
+
+TEST(Chip, is_no_window_before_a_page_takes_it) {
+  auto* chip = new Chip(QStringLiteral("Passed"), Chip::Kind::good);
+  auto* empty = new Chip;
+  EXPECT_FALSE(chip->isVisible());
+  QWidget page;
+  auto* column = new QVBoxLayout(&page);
+  column->addWidget(chip);
+  column->addWidget(empty);
+  page.show();
+  EXPECT_TRUE(chip->isVisible());
+  EXPECT_FALSE(empty->isVisible());
+  empty->set(QStringLiteral("Draft"), Chip::Kind::plain);
+  EXPECT_TRUE(empty->isVisible());
 }
 
 TEST(Table, opens_a_row_with_enter_and_chooses_one_in_right_to_left_too) {
