@@ -78,7 +78,7 @@ QString group_advice(const std::string& m, OffBy off) {
   if (m == "unsupported_enamel") return Text::tr("Let every wall end on dentine: take away enamel that has none beneath it.");
   if (m == "contact_broken") return Text::tr("Open the box until nothing touches the neighbour.");
   if (m.starts_with("clearance_"))
-    return too_little ? Text::tr("Widen the box until half a millimetre lies between the margin and the neighbour.")
+    return too_little ? Text::tr("Widen the box until the margin stands far enough from the neighbour.")
                       : Text::tr("Keep the box narrow: the margin lies far from the neighbour.");
   if (m.starts_with("axial_past_junction_"))
     return too_little ? Text::tr("Carry the axial wall into dentine, along the outer contour.")
@@ -86,6 +86,7 @@ QString group_advice(const std::string& m, OffBy off) {
   if (m == "gingival_above_cej" || m == "box_height" || m == "gingival_floor_mesiodistal")
     return Text::tr("Compare the box with the bur’s length and width before you deepen it.");
   if (m == "caries_left_periphery") return Text::tr("Clear the caries along the dentino-enamel junction until it is hard.");
+  if (m == "caries_left_pulp_firm" && too_little) return {};
   if (m.starts_with("caries_left_")) return Text::tr("Remove what is still carious there.");
   if (m == "sound_lost") return Text::tr("Keep to the lesion and its access.");
   return {};

@@ -148,6 +148,13 @@ TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_ta
   EXPECT_TRUE(advice_text(g).isEmpty());
 }
 
+TEST(Sentences, advice_about_a_clearance_names_no_length_that_the_exercise_does_not_ask_for) {
+  CriterionGrade g;
+  g.id = "clearance_buccal_middle";
+  g.reason_code = "too_little";
+  EXPECT_FALSE(advice_text(g).contains(QStringLiteral("millimetre"))) << advice_text(g).toStdString();
+}
+
 TEST(Sentences, one_point_is_singular_and_fractions_are_not) {
   CriterionGrade g;
   g.id = "time";
