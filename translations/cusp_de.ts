@@ -63,7 +63,7 @@
     </message>
     <message>
         <source>Interrupted: continue it below</source>
-        <translation>Abgebrochen: unten fortsetzen</translation>
+        <translation>Unterbrochen: unten fortsetzen</translation>
     </message>
     <message>
         <source>Handed in: the result is not released yet</source>
@@ -102,7 +102,7 @@
     </message>
     <message>
         <source>time limit %1</source>
-        <translation>Zeit: %1</translation>
+        <translation>Zeitgrenze %1</translation>
     </message>
     <message>
         <source>Start assessment</source>
@@ -142,7 +142,7 @@
     </message>
     <message>
         <source>Until then the exercise cannot be practised. Continue the assessment or hand it in on the start page.</source>
-        <translation>Bis dahin lässt sich die Übung nicht üben. Setzen Sie die Prüfung auf der Startseite fort, oder geben Sie sie dort ab.</translation>
+        <translation>Bis dahin ist zu dieser Übung kein Training möglich. Setzen Sie die Prüfung auf der Startseite fort, oder geben Sie sie dort ab.</translation>
     </message>
 </context>
 <context>
@@ -401,7 +401,7 @@
     </message>
     <message>
         <source>Of the same number, with its target fitted to it. The session keeps which tooth it was.</source>
-        <translation>Mit derselben Nummer und einem Ziel, das ihm angepasst ist. Die Sitzung hält fest, welcher Zahn es war.</translation>
+        <translation>Mit derselben Nummer und einem Ziel, das ihm angepasst ist. Der Versuch hält fest, welcher Zahn es war.</translation>
     </message>
     <message>
         <source>Its title or briefing was edited: figures in them stay those of the exercise’s own tooth.</source>
@@ -574,7 +574,7 @@
     </message>
     <message>
         <source>The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.</source>
-        <translation>Die Auflösung war für die Punkte zu grob; nun ändern halb so große Voxel kein Ergebnis um mehr als %1 Punkte: %2.</translation>
+        <translation>Die Voxel waren für die Punkte zu grob; nun ändern halb so große Voxel kein Ergebnis um mehr als %1 Punkte: %2.</translation>
     </message>
     <message>
         <source>An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.</source>
@@ -586,7 +586,7 @@
     </message>
     <message>
         <source>The audit was stopped.</source>
-        <translation>Die Prüfung wurde angehalten.</translation>
+        <translation>Die Messung des Aufwands wurde angehalten.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
@@ -618,7 +618,7 @@
     </message>
     <message>
         <source>Detail of %1</source>
-        <translation>Detail von %1</translation>
+        <translation>Feinheit %1</translation>
     </message>
     <message>
         <source>Surface band halved</source>
@@ -736,7 +736,7 @@
     </message>
     <message>
         <source>Sessions</source>
-        <translation>Sitzungen</translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Size</source>
@@ -909,7 +909,7 @@
     </message>
     <message>
         <source>The reference operator cuts this exercise in half a minute</source>
-        <translation>Die Referenz präpariert diese Übung in einer halben Minute</translation>
+        <translation>Der Referenzoperateur präpariert diese Übung in einer halben Minute</translation>
     </message>
     <message>
         <source>Own assessment</source>
@@ -1137,7 +1137,7 @@
     </message>
     <message>
         <source>Lift the bur out to change it.</source>
-        <translation>Zum Wechseln den Bohrer herausnehmen.</translation>
+        <translation>Zum Wechseln den Bohrer aus dem Zahn heben.</translation>
     </message>
 </context>
 <context>
@@ -1434,7 +1434,7 @@
     </message>
     <message>
         <source>Change of the score that an audit accepts</source>
-        <translation>Änderung der Punkte, die eine Prüfung des Aufwands hinnimmt</translation>
+        <translation>Änderung der Punkte, die eine Messung des Aufwands hinnimmt</translation>
     </message>
     <message>
         <source>The push at which cutting is fastest</source>
@@ -1487,7 +1487,7 @@
     <name>cusp::ui::Chart</name>
     <message>
         <source>Which</source>
-        <translation>Welcher</translation>
+        <translation>Bezeichnung</translation>
     </message>
 </context>
 <context>
@@ -1498,7 +1498,7 @@
     </message>
     <message>
         <source>The target is made of %1, which this tooth does not have.</source>
-        <translation>Das Ziel besteht aus %1, das dieser Zahn nicht hat.</translation>
+        <translation>Das Ziel besteht aus einem Gewebe, das dieser Zahn nicht hat: %1.</translation>
     </message>
     <message>
         <source>The target follows a carious lesion, and this tooth has none.</source>
@@ -1594,11 +1594,11 @@
     </message>
     <message>
         <source>Vibration needs a handpiece.</source>
-        <translation>Das Zittern braucht ein Handstück.</translation>
+        <translation>Vibration braucht ein Handstück.</translation>
     </message>
     <message>
         <source>%1 is graded, but this exercise does not reckon coolant and heat.</source>
-        <translation>%1 wird bewertet, aber diese Übung rechnet Kühlung und Wärme nicht.</translation>
+        <translation>%1 wird bewertet, aber diese Übung berechnet Kühlung und Wärme nicht.</translation>
     </message>
     <message>
         <source>Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
@@ -1674,11 +1674,11 @@
     </message>
     <message>
         <source>The target takes %1, which is protected.</source>
-        <translation>Das Ziel trägt %1 ab, was geschützt ist.</translation>
+        <translation>Das Ziel trägt Geschütztes ab: %1.</translation>
     </message>
     <message>
         <source>The tolerance zone reaches %1, which is protected.</source>
-        <translation>Die Toleranzzone erreicht %1, was geschützt ist.</translation>
+        <translation>Die Toleranzzone erreicht Geschütztes: %1.</translation>
     </message>
     <message>
         <source>The target holds nothing that could be cut.</source>
@@ -1702,7 +1702,7 @@
     </message>
     <message>
         <source>The briefing in %1 is still that of the exercise it was copied from.</source>
-        <translation>Die Anleitung in der Sprache %1 ist noch die der Übung, von der sie kopiert wurde.</translation>
+        <translation>Die Aufgabe in der Sprache %1 ist noch die der Übung, von der sie kopiert wurde.</translation>
     </message>
     <message>
         <source>The title in %1 names tooth %2; the exercise is on tooth %3.</source>
@@ -1710,7 +1710,7 @@
     </message>
     <message>
         <source>The briefing in %1 names %2, which the target no longer has.</source>
-        <translation>Die Anleitung in der Sprache %1 nennt %2; dieses Maß hat das Ziel nicht mehr.</translation>
+        <translation>Die Aufgabe in der Sprache %1 nennt %2; dieses Maß hat das Ziel nicht mehr.</translation>
     </message>
     <message>
         <source>The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.</source>
@@ -1730,7 +1730,7 @@
     </message>
     <message>
         <source>The tolerance zone reaches the pulp: it lies %1 from the target.</source>
-        <translation>Die Toleranzzone reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
+        <translation>Die Toleranzzone reicht bis in die Pulpa: Diese liegt %1 vom Ziel entfernt.</translation>
     </message>
     <message>
         <source>A shape of the target has no direction: an axis has no length, or two are parallel.</source>
@@ -1788,6 +1788,10 @@
         <source>The lean of a wall</source>
         <translation>Die Neigung einer Wand</translation>
     </message>
+    <message>
+        <source>a region</source>
+        <translation>einen Bereich</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -1838,8 +1842,8 @@
     <message numerus="yes">
         <source>%n session(s) and the audit log are whole.</source>
         <translation>
-            <numerusform>%n Versuch und das Protokoll sind vollständig.</numerusform>
-            <numerusform>%n Versuche und das Protokoll sind vollständig.</numerusform>
+            <numerusform>%n Versuch und das Protokoll sind unversehrt.</numerusform>
+            <numerusform>%n Versuche und das Protokoll sind unversehrt.</numerusform>
         </translation>
     </message>
     <message>
@@ -1868,7 +1872,7 @@
     </message>
     <message>
         <source>closed</source>
-        <translation>geschlossen</translation>
+        <translation>abgeschlossen</translation>
     </message>
     <message>
         <source>open</source>
@@ -1876,7 +1880,7 @@
     </message>
     <message>
         <source>-o VOLUME is missing: the file to write.</source>
-        <translation>-o VOLUMEN fehlt: die Datei, die geschrieben wird.</translation>
+        <translation>-o VOLUME fehlt: die Datei, die geschrieben wird.</translation>
     </message>
     <message>
         <source>%1 is no axis: x, y, z, -x, -y or -z.</source>
@@ -1884,11 +1888,11 @@
     </message>
     <message>
         <source>%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.</source>
-        <translation>%1 ist nicht NETZ=GEWEBE mit einem Gewebe wie enamel, dentine oder pulp.</translation>
+        <translation>%1 ist nicht MESH=TISSUE mit einem Gewebe wie enamel, dentine oder pulp.</translation>
     </message>
     <message>
         <source>--tissue MESH=TISSUE gives the tissue of each mesh; --list names the meshes.</source>
-        <translation>--tissue NETZ=GEWEBE gibt das Gewebe jedes Netzes an; --list nennt die Netze.</translation>
+        <translation>--tissue MESH=TISSUE gibt das Gewebe jedes Netzes an; --list nennt die Netze.</translation>
     </message>
     <message>
         <source>Volume to write (NRRD)</source>
@@ -1924,13 +1928,13 @@
     </message>
     <message>
         <source>The record is whole. It was made by engine %1 and is not computed again by engine %2.</source>
-        <translation>Die Aufzeichnung ist vollständig. Sie stammt von Rechenkern %1 und wird von Rechenkern %2 nicht neu berechnet.</translation>
+        <translation>Die Aufzeichnung ist unversehrt. Sie stammt von Rechenkern %1 und wird von Rechenkern %2 nicht neu berechnet.</translation>
     </message>
     <message numerus="yes">
         <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
         <translation>
-            <numerusform>Die Aufzeichnung ist vollständig; %n Takt ergibt denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
-            <numerusform>Die Aufzeichnung ist vollständig; %n Takte ergeben denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
+            <numerusform>Die Aufzeichnung ist unversehrt; %n Takt ergibt denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
+            <numerusform>Die Aufzeichnung ist unversehrt; %n Takte ergeben denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
         </translation>
     </message>
     <message>
@@ -1979,7 +1983,7 @@
     </message>
     <message>
         <source>Natural variation; 0 = the average tooth</source>
-        <translation>Natürliche Schwankung; 0 = der Durchschnittszahn</translation>
+        <translation>Natürliche Variation; 0 = der Durchschnittszahn</translation>
     </message>
     <message>
         <source>Error: %1</source>
@@ -2236,7 +2240,7 @@
     </message>
     <message>
         <source>%1 is built in: --apply needs -o FILE for the copy.</source>
-        <translation>%1 ist eingebaut: --apply braucht -o FILE für die Kopie.</translation>
+        <translation>%1 ist mitgeliefert: --apply braucht -o FILE für die Kopie.</translation>
     </message>
     <message>
         <source>-o FILE belongs to --apply.</source>
@@ -2264,7 +2268,7 @@
     </message>
     <message>
         <source>A scenario.json, its folder, or a built-in one: %1</source>
-        <translation>Eine scenario.json, ihr Ordner oder eine eingebaute: %1</translation>
+        <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte: %1</translation>
     </message>
     <message>
         <source>--device has to be falcon, falcon:NAME or emulated-falcon.</source>
@@ -2355,7 +2359,7 @@
     </message>
     <message>
         <source>Only up to this moment of the session, in seconds</source>
-        <translation>Nur bis zu diesem Zeitpunkt der Sitzung, in Sekunden</translation>
+        <translation>Nur bis zu diesem Zeitpunkt des Versuchs, in Sekunden</translation>
     </message>
     <message>
         <source>Write the tooth as it is then (NRRD)</source>
@@ -2515,7 +2519,7 @@
     </message>
     <message>
         <source>Database; with --volume or --operator a scenario.json, its folder, or a built-in one</source>
-        <translation>Datenbank; mit --volume oder --operator eine scenario.json, ihr Ordner oder eine eingebaute</translation>
+        <translation>Datenbank; mit --volume oder --operator eine scenario.json, ihr Ordner oder eine mitgelieferte</translation>
     </message>
     <message>
         <source>Cut the scenario&apos;s specimen as this operator would, at once, and grade that: reference, competent, novice, too_deep, too_shallow, off_outline or pulp; or the reference with one fault, small, medium or large, such as too_deep:small. Faults: %1. Shown, not stored</source>
@@ -2611,8 +2615,8 @@
     <message numerus="yes">
         <source>%n session(s) are restored as of %1.</source>
         <translation>
-            <numerusform>%n Sitzung ist wiederhergestellt, Stand %1.</numerusform>
-            <numerusform>%n Sitzungen sind wiederhergestellt, Stand %1.</numerusform>
+            <numerusform>%n Versuch ist wiederhergestellt, Stand %1.</numerusform>
+            <numerusform>%n Versuche sind wiederhergestellt, Stand %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -2805,7 +2809,7 @@
     </message>
     <message>
         <source>Takes the recordings of old practice attempts out; grades and final teeth stay; for administrators</source>
-        <translation>Entfernt die Aufzeichnungen alter Trainingsversuche; Noten und fertige Zähne bleiben; für die Verwaltung</translation>
+        <translation>Entfernt die Aufzeichnungen alter Trainingsversuche; Bewertungen und fertige Zähne bleiben; für die Verwaltung</translation>
     </message>
     <message>
         <source>Days since an attempt ended</source>
@@ -2849,7 +2853,7 @@
     </message>
     <message>
         <source>Attempts with results, cohort and dates as CSV or JSON; for instructors and administrators</source>
-        <translation>Versuche mit Ergebnissen, Kohorte und Daten als CSV oder JSON; für Lehrkräfte und Verwaltung</translation>
+        <translation>Versuche mit Ergebnissen, Kohorte und Datum als CSV oder JSON; für Lehrkräfte und Verwaltung</translation>
     </message>
     <message>
         <source>CSV file to write, or - for stdout, where it also goes without -o and --json</source>
@@ -3076,6 +3080,10 @@
         <source>%1 is named twice.</source>
         <translation>%1 ist zweimal angegeben.</translation>
     </message>
+    <message>
+        <source>%1 is set twice.</source>
+        <translation>%1 ist zweimal gesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3139,7 +3147,7 @@
     </message>
     <message>
         <source>Assigned exercises</source>
-        <translation>Aufgegebene Übungen</translation>
+        <translation>Zugewiesene Übungen</translation>
     </message>
     <message>
         <source>No cohort is chosen.</source>
@@ -3208,7 +3216,7 @@
     </message>
     <message>
         <source>It would be due before it opens.</source>
-        <translation>Es wäre fällig, bevor es offen ist.</translation>
+        <translation>Die Übung wäre fällig, bevor sie offen ist.</translation>
     </message>
     <message>
         <source>Choose a later day for Due.</source>
@@ -3220,7 +3228,7 @@
     </message>
     <message>
         <source>It stands on the start page of its students.</source>
-        <translation>Es steht auf der Startseite ihrer Studierenden.</translation>
+        <translation>Die Übung steht auf der Startseite der Studierenden.</translation>
     </message>
     <message>
         <source>Results</source>
@@ -3256,7 +3264,7 @@
     </message>
     <message>
         <source>An open assignment has the same kind, days, attempts and devices. Change one of them to assign it again.</source>
-        <translation>Eine offene Aufgabe hat dieselbe Art, dieselben Tage, Versuche und Geräte. Ändern Sie etwas davon, um sie erneut zuzuweisen.</translation>
+        <translation>Eine offene Zuweisung hat dieselbe Art, dieselben Tage, Versuche und Geräte. Ändern Sie etwas davon, um die Übung erneut zuzuweisen.</translation>
     </message>
     <message>
         <source>Its time would be over already.</source>
@@ -3331,7 +3339,7 @@
     </message>
     <message>
         <source>none yet</source>
-        <translation>noch keine</translation>
+        <translation>noch keiner</translation>
     </message>
     <message>
         <source>Exercise</source>
@@ -3498,7 +3506,7 @@
     </message>
     <message>
         <source>Own rating</source>
-        <translation>Eigenes Urteil</translation>
+        <translation>Einschätzung</translation>
     </message>
 </context>
 <context>
@@ -3748,6 +3756,10 @@
         <translation>Was Sie getan haben, bleibt erhalten.</translation>
     </message>
     <message>
+        <source>What you did is kept, but for the import: begin it anew.</source>
+        <translation>Was Sie getan haben, bleibt erhalten, nur der Import nicht: Beginnen Sie ihn neu.</translation>
+    </message>
+    <message>
         <source>The next start tries them again.</source>
         <translation>Der nächste Start versucht sie wieder.</translation>
     </message>
@@ -3985,7 +3997,7 @@
     </message>
     <message>
         <source>Growing the tooth: %1</source>
-        <translation>Zahn wächst: %1</translation>
+        <translation>Zahn wird erzeugt: %1</translation>
     </message>
     <message>
         <source>Shaping the tooth’s surface</source>
@@ -3993,7 +4005,7 @@
     </message>
     <message>
         <source>Growing the other teeth of the jaw</source>
-        <translation>Die übrigen Zähne des Kiefers wachsen</translation>
+        <translation>Die übrigen Zähne des Kiefers werden erzeugt</translation>
     </message>
     <message>
         <source>Leave this assessment?</source>
@@ -4016,7 +4028,7 @@
     </message>
     <message>
         <source>Cutaway</source>
-        <translation>Schnittansicht</translation>
+        <translation>Aufschnitt</translation>
     </message>
     <message>
         <source>From above</source>
@@ -4048,7 +4060,7 @@
     </message>
     <message>
         <source>Touch the target and hold the button to drill</source>
-        <translation>Das Ziel berühren und zum Bohren die Taste halten.</translation>
+        <translation>Das Ziel berühren und zum Bohren die Taste halten</translation>
     </message>
     <message>
         <source>The pulp is open</source>
@@ -4064,7 +4076,7 @@
     </message>
     <message>
         <source>Back inside the line: %1 outside</source>
-        <translation>Zurück in die Linie: %1 außerhalb</translation>
+        <translation>%1 außerhalb der Linie: zurück nach innen</translation>
     </message>
     <message>
         <source>%1 deeper</source>
@@ -4116,7 +4128,7 @@
     </message>
     <message>
         <source>Drag the mirror, tilt it with the right button</source>
-        <translation>Den Spiegel ziehen, mit der rechten Taste kippen</translation>
+        <translation>Den Spiegel ziehen, mit der rechten Taste neigen</translation>
     </message>
     <message>
         <source>Mirror (2): drag it, tilt it with the right button, or I J K L; Shift tilts, U and O bring it nearer and away</source>
@@ -4124,7 +4136,7 @@
     </message>
     <message>
         <source>Push %1.</source>
-        <translation>Andruck %1.</translation>
+        <translation>Druck %1.</translation>
     </message>
     <message>
         <source>Handpiece</source>
@@ -4867,7 +4879,7 @@
     </message>
     <message>
         <source>The others are below. Publish them again from the editor.</source>
-        <translation>Die anderen stehen unten. Veröffentlichen Sie sie im Editor erneut.</translation>
+        <translation>Die anderen stehen unten. Veröffentlichen Sie die nicht lesbaren im Editor erneut.</translation>
     </message>
     <message>
         <source>No exercise fits</source>
@@ -4974,7 +4986,7 @@
     </message>
     <message>
         <source>Look at %1, or name another one.</source>
-        <translation>Sehen Sie %1 nach, oder nennen Sie eine andere.</translation>
+        <translation>Sehen Sie bei %1 nach, oder nennen Sie eine andere.</translation>
     </message>
     <message>
         <source>The Falcon is plugged in and does not answer.</source>
@@ -5168,7 +5180,7 @@
     </message>
     <message>
         <source>Save the report…</source>
-        <translation>Bericht sichern …</translation>
+        <translation>Bericht speichern …</translation>
     </message>
     <message>
         <source>Measuring, direction %1 of 3. Keep your hand off.</source>
@@ -5240,7 +5252,7 @@
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Bericht sichern</translation>
+        <translation>Bericht speichern</translation>
     </message>
     <message>
         <source>Report (*.json)</source>
@@ -5330,7 +5342,7 @@
     </message>
     <message>
         <source>The preparation of candidate %1 is kept. The result is shown when your examiner releases it.</source>
-        <translation>Die Präparation von Kandidat %1 ist gespeichert. Das Ergebnis erscheint, wenn es freigegeben wird.</translation>
+        <translation>Die Präparation von Kandidat %1 ist aufbewahrt. Das Ergebnis erscheint, wenn es freigegeben wird.</translation>
     </message>
     <message>
         <source>Next candidate</source>
@@ -5541,7 +5553,7 @@
     </message>
     <message>
         <source>Enter</source>
-        <translation>Eingabe</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Page Up</source>
@@ -5557,7 +5569,7 @@
     </message>
     <message>
         <source>Return</source>
-        <translation>Eingabe</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>hold the depth, let it go (mouse)</source>
@@ -5674,7 +5686,7 @@
     </message>
     <message>
         <source>Labels, colours or ranges of grey become tissues.</source>
-        <translation>Markierungen, Farben oder Graubereiche werden zu Geweben.</translation>
+        <translation>Kennwerte, Farben oder Graubereiche werden zu Geweben.</translation>
     </message>
     <message>
         <source>CT</source>
@@ -5682,7 +5694,7 @@
     </message>
     <message>
         <source>One slice names its series. Nothing about the patient is read.</source>
-        <translation>Eine Schicht nennt ihre Serie. Nichts über den Patienten wird gelesen.</translation>
+        <translation>Eine Schicht nennt ihre Serie. Über die Person auf den Aufnahmen wird nichts gelesen.</translation>
     </message>
 </context>
 <context>
@@ -5714,6 +5726,14 @@
     <message>
         <source>Nothing was kept.</source>
         <translation>Nichts wurde aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>These files are not opened together.</source>
+        <translation>Diese Dateien lassen sich nicht zusammen öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 does not go with the others. Surfaces go together, and slices of one CT. Choose any other file alone, and of a header with its data the header.</source>
+        <translation>%1 passt nicht zu den anderen. Zusammen gehen Oberflächen und die Schichten eines CT. Wählen Sie jede andere Datei allein, und von einem Kopf mit seinen Daten den Kopf.</translation>
     </message>
     <message>
         <source>Reading the file</source>
@@ -5763,10 +5783,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The largest of %n series was taken.</source>
+        <source>Its folder holds %n series. Of a slice its own is taken, of a folder the largest.</source>
         <translation>
-            <numerusform>Die einzige Serie wurde genommen.</numerusform>
-            <numerusform>Die größte von %n Serien wurde genommen.</numerusform>
+            <numerusform>Der Ordner enthält %n Serie.</numerusform>
+            <numerusform>Der Ordner enthält %n Serien. Zu einer Schicht gehört ihre eigene, von einem Ordner wird die größte genommen.</numerusform>
         </translation>
     </message>
     <message>
@@ -6076,11 +6096,11 @@
     </message>
     <message>
         <source>It was cut with: %1. This station drills with: %2, so it cannot be continued here.</source>
-        <translation>Er wurde gearbeitet mit: %1. Diese Station arbeitet mit: %2; hier kann er nicht fortgesetzt werden.</translation>
+        <translation>Präpariert wurde mit: %1. Diese Station präpariert mit: %2; hier kann der Versuch nicht fortgesetzt werden.</translation>
     </message>
     <message>
         <source>A scripted operator cut it, so it cannot be continued by hand.</source>
-        <translation>Ein automatischer Operateur hat ihn gearbeitet; von Hand kann er nicht fortgesetzt werden.</translation>
+        <translation>Ein automatischer Operateur hat ihn ausgeführt; von Hand kann er nicht fortgesetzt werden.</translation>
     </message>
     <message>
         <source>Interrupted attempt</source>
@@ -6115,7 +6135,7 @@
     <name>cusp::ui::InversePanel</name>
     <message>
         <source>It is reached through its maker&apos;s own service on this computer, which you install. Not yet tried with a real device: its directions, forces and rate are not verified.</source>
-        <translation>Es wird über den Dienst seines Herstellers auf diesem Computer erreicht, den Sie installieren. Noch nicht mit einem echten Gerät erprobt: Richtungen, Kräfte und Rate sind nicht überprüft.</translation>
+        <translation>Es wird über den Dienst seines Herstellers auf diesem Rechner erreicht, den Sie installieren. Noch nicht mit einem echten Gerät erprobt: Richtungen, Kräfte und Rate sind nicht überprüft.</translation>
     </message>
     <message>
         <source>Place</source>
@@ -6270,7 +6290,7 @@
     </message>
     <message>
         <source>the only one</source>
-        <translation>der einzige</translation>
+        <translation>die einzige</translation>
     </message>
     <message>
         <source>incisal</source>
@@ -6346,7 +6366,7 @@
     </message>
     <message>
         <source>transverse of the oblique ridge</source>
-        <translation>quer zur schrägen Leiste</translation>
+        <translation>quer zur Crista obliqua</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -6462,7 +6482,7 @@
     </message>
     <message>
         <source>Looking for landmarks</source>
-        <translation>Landmarken suchen</translation>
+        <translation>Landmarken werden gesucht</translation>
     </message>
     <message>
         <source>The landmarks cannot be taken.</source>
@@ -6727,7 +6747,7 @@
     </message>
     <message>
         <source>From a template: %1…</source>
-        <translation>Aus einer Vorlage: %1…</translation>
+        <translation>Aus einer Vorlage: %1 …</translation>
     </message>
     <message>
         <source>%1 is being written.</source>
@@ -6988,7 +7008,7 @@
     </message>
     <message>
         <source>Release to the student</source>
-        <translation>Für den Studierenden freigeben</translation>
+        <translation>Für Student/in freigeben</translation>
     </message>
     <message>
         <source>The result is confirmed as it stands.</source>
@@ -6996,7 +7016,7 @@
     </message>
     <message>
         <source>The student can read the result now.</source>
-        <translation>Das Ergebnis ist jetzt für den Studierenden lesbar.</translation>
+        <translation>Das Ergebnis ist jetzt für Student/in lesbar.</translation>
     </message>
     <message>
         <source>What was said</source>
@@ -7036,7 +7056,7 @@
     </message>
     <message>
         <source>The comment is kept.</source>
-        <translation>Der Kommentar ist gespeichert.</translation>
+        <translation>Der Kommentar ist aufbewahrt.</translation>
     </message>
     <message>
         <source>A change needs a reason.</source>
@@ -7072,7 +7092,7 @@
     </message>
     <message>
         <source>Write it below; the student reads it.</source>
-        <translation>Schreiben Sie sie unten; der Studierende liest sie.</translation>
+        <translation>Schreiben Sie sie unten; sie ist für Student/in lesbar.</translation>
     </message>
     <message>
         <source>These are the points that count already.</source>
@@ -7281,7 +7301,7 @@
     </message>
     <message>
         <source>Its records cannot be read any more.</source>
-        <translation>Ihre Daten sind nicht mehr lesbar.</translation>
+        <translation>Ihre Aufzeichnungen sind nicht mehr lesbar.</translation>
     </message>
 </context>
 <context>
@@ -7806,7 +7826,7 @@
     </message>
     <message>
         <source>number alone</source>
-        <translation>nur der Nummer</translation>
+        <translation>nur Nummer</translation>
     </message>
     <message>
         <source>Switched off</source>
@@ -8224,6 +8244,21 @@
         <source>Version %1</source>
         <translation>Version %1</translation>
     </message>
+    <message>
+        <source>Lower end of the middle half</source>
+        <translation>Unteres Ende der mittleren Hälfte</translation>
+    </message>
+    <message>
+        <source>Upper end of the middle half</source>
+        <translation>Oberes Ende der mittleren Hälfte</translation>
+    </message>
+    <message numerus="yes">
+        <source>Median of %n student(s)</source>
+        <translation>
+            <numerusform>Median von %n Person</numerusform>
+            <numerusform>Median von %n Personen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PinSlips</name>
@@ -8356,7 +8391,7 @@
     </message>
     <message>
         <source>Reference, competent and novice cut it at once; their values mark the bands of each criterion</source>
-        <translation>Referenz, Geübter und Anfänger präparieren die Übung sofort; ihre Werte stehen als Marken an den Stufen jedes Kriteriums</translation>
+        <translation>Referenz-, geübter und unerfahrener Operateur präparieren die Übung sofort; ihre Werte stehen als Marken an den Stufen jedes Kriteriums</translation>
     </message>
     <message>
         <source>Measuring</source>
@@ -8553,7 +8588,7 @@
     </message>
     <message>
         <source>Thinning takes out what a replay needs. Grade, report and final tooth stay, and verify. Assessments and results that an examiner has stated something about stay whole.</source>
-        <translation>Ausdünnen entfernt, was eine Wiedergabe braucht. Note, Bericht und fertiger Zahn bleiben und lassen sich prüfen. Prüfungen und Ergebnisse, zu denen sich jemand geäußert hat, bleiben vollständig.</translation>
+        <translation>Ausdünnen entfernt, was eine Wiedergabe braucht. Bewertung, Bericht und fertiger Zahn bleiben und lassen sich prüfen. Prüfungen und Ergebnisse, zu denen sich jemand geäußert hat, bleiben vollständig.</translation>
     </message>
     <message>
         <source> days</source>
@@ -8596,7 +8631,7 @@
     </message>
     <message>
         <source>%1 on the disk are given free. %2 It cannot be undone; backups made before still hold the recordings.</source>
-        <translation>%1 auf der Festplatte werden frei. %2 Das lässt sich nicht rückgängig machen; frühere Sicherungen enthalten die Aufzeichnungen noch.</translation>
+        <translation>%1 auf dem Datenträger werden frei. %2 Das lässt sich nicht rückgängig machen; frühere Sicherungen enthalten die Aufzeichnungen noch.</translation>
     </message>
     <message numerus="yes">
         <source>Thin %n recording(s)?</source>
@@ -8630,7 +8665,7 @@
     </message>
     <message>
         <source>The tooth while the reference operator cuts it</source>
-        <translation>Der Zahn, während die Referenz ihn präpariert</translation>
+        <translation>Der Zahn, während der Referenzoperateur ihn präpariert</translation>
     </message>
     <message>
         <source>Reference</source>
@@ -8646,7 +8681,7 @@
     </message>
     <message>
         <source>Growing the tooth: %1</source>
-        <translation>Zahn wächst: %1</translation>
+        <translation>Zahn wird erzeugt: %1</translation>
     </message>
     <message>
         <source>Fetching the tooth</source>
@@ -8658,7 +8693,7 @@
     </message>
     <message>
         <source>Growing the other teeth of the jaw</source>
-        <translation>Die übrigen Zähne des Kiefers wachsen</translation>
+        <translation>Die übrigen Zähne des Kiefers werden erzeugt</translation>
     </message>
     <message>
         <source>The reference preparation plays.</source>
@@ -8965,7 +9000,7 @@
     </message>
     <message>
         <source>The report is saved without the picture of the tooth.</source>
-        <translation>Der Bericht ist ohne das Bild des Zahns gesichert.</translation>
+        <translation>Der Bericht ist ohne das Bild des Zahns gespeichert.</translation>
     </message>
     <message>
         <source>The report is printed without the picture of the tooth.</source>
@@ -9301,7 +9336,7 @@
     <message>
         <source>%1 of %2 rated. Keys 1, 2 and 3 rate a row and go on.</source>
         <extracomment>Of an own assessment: %1 of %2 criteria have a rating.</extracomment>
-        <translation>%1 von %2 eingeschätzt. Die Tasten 1, 2 und 3 bewerten eine Zeile und gehen weiter.</translation>
+        <translation>%1 von %2 eingeschätzt. Die Tasten 1, 2 und 3 schätzen eine Zeile ein und gehen weiter.</translation>
     </message>
     <message>
         <source>Go on without it</source>
@@ -9328,7 +9363,7 @@
     </message>
     <message>
         <source>Recording, saved every second</source>
-        <translation>Aufzeichnung, jede Sekunde gesichert</translation>
+        <translation>Aufzeichnung, jede Sekunde gespeichert</translation>
     </message>
     <message>
         <source>Nothing is kept</source>
@@ -9399,7 +9434,7 @@
     </message>
     <message>
         <source>Beginner</source>
-        <translation>Anfang</translation>
+        <translation>Einstieg</translation>
     </message>
     <message>
         <source>Standard</source>
@@ -9849,7 +9884,7 @@
     </message>
     <message>
         <source>Variation</source>
-        <translation>Schwankung</translation>
+        <translation>Variation</translation>
     </message>
     <message>
         <source>average</source>
@@ -9893,7 +9928,7 @@
     </message>
     <message>
         <source>Another number grows another tooth of its kind; 0 is the average</source>
-        <translation>Eine andere Zahl lässt einen anderen Zahn dieser Art wachsen; 0 ist der Durchschnitt</translation>
+        <translation>Eine andere Zahl erzeugt einen anderen Zahn dieser Art; 0 ist der Durchschnitt</translation>
     </message>
 </context>
 <context>
@@ -9940,7 +9975,7 @@
     </message>
     <message>
         <source>none yet</source>
-        <translation>noch keine</translation>
+        <translation>noch keiner</translation>
     </message>
     <message>
         <source>Burs</source>
@@ -10073,8 +10108,8 @@ Ihr bester davor</translation>
     <message numerus="yes">
         <source>%n session(s), %1</source>
         <translation>
-            <numerusform>%n Sitzung, %1</numerusform>
-            <numerusform>%n Sitzungen, %1</numerusform>
+            <numerusform>%n Versuch, %1</numerusform>
+            <numerusform>%n Versuche, %1</numerusform>
         </translation>
     </message>
     <message>
@@ -10099,7 +10134,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>To go back, restore a backup to a new database with &quot;cusp restore FOLDER NEW.db&quot;. Nothing is overwritten.</source>
-        <translation>Um zurückzugehen, stellen Sie eine Sicherung mit „cusp restore ORDNER NEU.db“ als neue Datenbank her. Nichts wird überschrieben.</translation>
+        <translation>Um zurückzugehen, stellen Sie eine Sicherung mit „cusp restore ORDNER NEU.db“ als neue Datenbank wieder her. Nichts wird überschrieben.</translation>
     </message>
     <message>
         <source>One a day, the newest %1 are kept in %2</source>
@@ -10128,8 +10163,8 @@ Ihr bester davor</translation>
     <message numerus="yes">
         <source>%n session(s), %1.</source>
         <translation>
-            <numerusform>%n Sitzung, %1.</numerusform>
-            <numerusform>%n Sitzungen, %1.</numerusform>
+            <numerusform>%n Versuch, %1.</numerusform>
+            <numerusform>%n Versuche, %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -10143,8 +10178,8 @@ Ihr bester davor</translation>
     <message numerus="yes">
         <source>%n session(s) and the audit log are whole.</source>
         <translation>
-            <numerusform>%n Sitzung und das Protokoll sind unversehrt.</numerusform>
-            <numerusform>%n Sitzungen und das Protokoll sind unversehrt.</numerusform>
+            <numerusform>%n Versuch und das Protokoll sind unversehrt.</numerusform>
+            <numerusform>%n Versuche und das Protokoll sind unversehrt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -10352,7 +10387,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>A shape with a name is a target of its own: criteria can ask for its depth, walls and over-cut alone.</source>
-        <translation>Eine Form mit Namen ist ein eigenes Ziel: Kriterien können Tiefe, Wände und Überschnitt für sie allein verlangen.</translation>
+        <translation>Eine Form mit Namen ist ein eigenes Ziel: Kriterien können Tiefe, Wände und Überpräpariertes an ihr allein bewerten.</translation>
     </message>
     <message>
         <source>Name as a target of its own</source>
@@ -10672,7 +10707,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Caries left at the periphery</source>
-        <translation>Karies in der Peripherie belassen</translation>
+        <translation>Karies an der Peripherie belassen</translation>
     </message>
     <message>
         <source>Soft caries left over the pulp</source>
@@ -10745,10 +10780,6 @@ Ihr bester davor</translation>
     <message>
         <source>Open the box until nothing touches the neighbour.</source>
         <translation>Den Kasten öffnen, bis nichts mehr den Nachbarn berührt.</translation>
-    </message>
-    <message>
-        <source>Widen the box until half a millimetre lies between the margin and the neighbour.</source>
-        <translation>Den Kasten erweitern, bis ein halber Millimeter zwischen Rand und Nachbarn liegt.</translation>
     </message>
     <message>
         <source>Keep the box narrow: the margin lies far from the neighbour.</source>
@@ -11112,7 +11143,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>This user may not open the device.</source>
-        <translation>Dieser Benutzer darf das Gerät nicht öffnen.</translation>
+        <translation>Dieses Benutzerkonto darf das Gerät nicht öffnen.</translation>
     </message>
     <message>
         <source>%1 refused.</source>
@@ -11296,7 +11327,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Floor depth, shallowest</source>
-        <translation>Bodentiefe, flachste</translation>
+        <translation>Bodentiefe, geringste</translation>
     </message>
     <message>
         <source>Floor depth, mean</source>
@@ -11491,7 +11522,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The device goes before other programs.</source>
-        <translation>Das Gerät geht vor anderen Programmen.</translation>
+        <translation>Das Gerät hat Vorrang vor anderen Programmen.</translation>
     </message>
     <message>
         <source>Other programs may delay the device.</source>
@@ -11656,7 +11687,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The account %1 is switched off.</source>
-        <translation>Das Konto %1 ist abgeschaltet.</translation>
+        <translation>Das Konto %1 ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>There is no account %1.</source>
@@ -11872,7 +11903,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Unsupported enamel</source>
-        <translation>Ununterstützter Schmelz</translation>
+        <translation>Nicht unterstützter Schmelz</translation>
     </message>
     <message>
         <source>Let every wall end on dentine: take away enamel that has none beneath it.</source>
@@ -11881,7 +11912,7 @@ Ihr bester davor</translation>
     <message>
         <source>Beginner</source>
         <comment>level of an exercise</comment>
-        <translation>Anfang</translation>
+        <translation>Einstieg</translation>
     </message>
     <message>
         <source>Intermediate</source>
@@ -11932,7 +11963,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Ask your instructor. Nothing was changed.</source>
-        <translation>Fragen Sie Ihre Lehrperson. Nichts wurde geändert.</translation>
+        <translation>Fragen Sie Ihre Lehrkraft. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>This result is not released yet.</source>
@@ -12088,15 +12119,15 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The replay comes to another state at tick %1.</source>
-        <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
+        <translation>Die Wiedergabe kommt bei Takt %1 zu einem anderen Zustand.</translation>
     </message>
     <message>
         <source>The replay comes to another tooth than the one that is stored.</source>
-        <translation>Die Wiederholung kommt zu einem anderen Zahn als dem gespeicherten.</translation>
+        <translation>Die Wiedergabe kommt zu einem anderen Zahn als dem gespeicherten.</translation>
     </message>
     <message>
         <source>The replay comes to another grade than the one that is stored (%1).</source>
-        <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
+        <translation>Die Wiedergabe kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
     </message>
     <message>
         <source>Extra time is 0 to 400 % of the time limit.</source>
@@ -12124,11 +12155,11 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Account disabled</source>
-        <translation>Konto gesperrt</translation>
+        <translation>Konto ausgeschaltet</translation>
     </message>
     <message>
         <source>Account enabled</source>
-        <translation>Konto entsperrt</translation>
+        <translation>Konto eingeschaltet</translation>
     </message>
     <message>
         <source>Password changed</source>
@@ -12296,7 +12327,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Attempt closed</source>
-        <translation>Versuch geschlossen</translation>
+        <translation>Versuch abgeschlossen</translation>
     </message>
     <message>
         <source>Sign-ins</source>
@@ -12373,7 +12404,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>File for other stations given out</source>
-        <translation>Datei für andere Stationen ausgegeben</translation>
+        <translation>Datei für andere Stationen herausgegeben</translation>
     </message>
     <message>
         <source>File of another station read in</source>
@@ -12385,7 +12416,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Key of another station trusted</source>
-        <translation>Schlüssel einer anderen Station vertraut</translation>
+        <translation>Schlüssel einer anderen Station bekannt gemacht</translation>
     </message>
     <message>
         <source>Trust in another station’s key changed</source>
@@ -12469,7 +12500,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Station %1 has given out another file under number %2 before. Give it a new key and trust that; nothing was changed.</source>
-        <translation>Station %1 hat unter der Nummer %2 schon eine andere Datei ausgegeben. Geben Sie ihr einen neuen Schlüssel und vertrauen Sie diesem; nichts wurde geändert.</translation>
+        <translation>Station %1 hat unter der Nummer %2 schon eine andere Datei herausgegeben. Geben Sie ihr einen neuen Schlüssel und vertrauen Sie diesem; nichts wurde geändert.</translation>
     </message>
     <message>
         <source>The file says otherwise of something that is here already.</source>
@@ -12477,7 +12508,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Look at %1, %2. Nothing was changed.</source>
-        <translation>Sehen Sie %1, %2 an. Nichts wurde geändert.</translation>
+        <translation>Sehen Sie bei %1, %2 nach. Nichts wurde geändert.</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
@@ -12580,7 +12611,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>It switches off the last administrator here. Make another one first; nothing was changed.</source>
-        <translation>Sie schaltet das letzte Verwaltungskonto hier ab. Legen Sie zuerst ein anderes an; nichts wurde geändert.</translation>
+        <translation>Sie schaltet das letzte Verwaltungskonto hier aus. Legen Sie zuerst ein anderes an; nichts wurde geändert.</translation>
     </message>
     <message>
         <source>A file of this name is there already.</source>
@@ -12640,7 +12671,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Grade, report and final tooth are kept. The attempt can no longer be replayed, graded again or packed for an appeal.</source>
-        <translation>Note, Bericht und fertiger Zahn sind erhalten. Der Versuch lässt sich nicht mehr wiedergeben, neu bewerten oder für einen Einspruch packen.</translation>
+        <translation>Bewertung, Bericht und fertiger Zahn sind erhalten. Der Versuch lässt sich nicht mehr wiedergeben, neu bewerten oder für einen Einspruch packen.</translation>
     </message>
     <message numerus="yes">
         <source>%n recording(s) would be thinned: %1.</source>
@@ -12674,7 +12705,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>%1 without a grade</source>
-        <translation>%1 ohne Note</translation>
+        <translation>%1 ohne Bewertung</translation>
     </message>
     <message>
         <source>%1 that an examiner overrode, confirmed or released</source>
@@ -12742,8 +12773,8 @@ Ihr bester davor</translation>
     <message numerus="yes">
         <source>%n statement(s) about attempts</source>
         <translation>
-            <numerusform>%n Aussage zu Versuchen</numerusform>
-            <numerusform>%n Aussagen zu Versuchen</numerusform>
+            <numerusform>%n Erklärung zu Versuchen</numerusform>
+            <numerusform>%n Erklärungen zu Versuchen</numerusform>
         </translation>
     </message>
     <message>
@@ -12768,7 +12799,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>too wide</source>
-        <translation>zu weit</translation>
+        <translation>zu breit</translation>
     </message>
     <message>
         <source>a tilted wall</source>
@@ -12800,7 +12831,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>caries left at the periphery</source>
-        <translation>Karies am Rand belassen</translation>
+        <translation>Karies an der Peripherie belassen</translation>
     </message>
     <message>
         <source>sound tissue excavated</source>
@@ -12854,7 +12885,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>What is whole can be read and exported. Nothing can be drilled or changed until a backup takes their place.</source>
-        <translation>Was unversehrt ist, kann gelesen und ausgegeben werden. Gebohrt oder geändert wird nichts, bis eine Sicherung an ihre Stelle tritt.</translation>
+        <translation>Was unversehrt ist, kann gelesen und exportiert werden. Gebohrt oder geändert wird nichts, bis eine Sicherung an ihre Stelle tritt.</translation>
     </message>
     <message>
         <source>Tooth warmer by</source>
@@ -12862,7 +12893,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>The tooth was overheated by cutting dry</source>
-        <translation>Der Zahn wurde durch trockenes Schleifen überhitzt</translation>
+        <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt</translation>
     </message>
     <message>
         <source>Margin below 80° or above 110°</source>
@@ -12914,11 +12945,15 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Withdrawal of an assignment sealed as it was found</source>
-        <translation>Zurückziehen einer Zuweisung versiegelt, wie vorgefunden</translation>
+        <translation>Zurückgezogene Zuweisung versiegelt, wie sie vorgefunden wurde</translation>
     </message>
     <message>
         <source>This assignment was withdrawn.</source>
         <translation>Diese Zuweisung wurde zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>Widen the box until the margin stands far enough from the neighbour.</source>
+        <translation>Den Kasten erweitern, bis der Rand weit genug vom Nachbarn entfernt ist.</translation>
     </message>
 </context>
 <context>
@@ -13012,7 +13047,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Bur vibrates in the hand</source>
-        <translation>Bohrer zittert in der Hand</translation>
+        <translation>Bohrer vibriert in der Hand</translation>
     </message>
     <message>
         <source>Drilling sound</source>
@@ -13028,7 +13063,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>How handpieces give way, tremble and warm a tooth is general knowledge, not verified.</source>
-        <translation>Wie Handstücke nachgeben, zittern und einen Zahn erwärmen, ist Allgemeinwissen, nicht gesichert.</translation>
+        <translation>Wie Handstücke nachgeben, zittern und einen Zahn erwärmen, ist allgemeines Wissen, nicht geprüft.</translation>
     </message>
     <message>
         <source>Stiffness of %1</source>
@@ -13225,7 +13260,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Clutch: the grip moves, the bur stays</source>
-        <translation>Kupplung: der Griff geht, der Bohrer bleibt</translation>
+        <translation>Kupplung: der Griff bewegt sich, der Bohrer bleibt</translation>
     </message>
     <message>
         <source>Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the self-test again after it.</source>
@@ -13344,7 +13379,7 @@ Ihr bester davor</translation>
     <name>cusp::ui::VolumeForm</name>
     <message>
         <source>This is a specimen of Cusp’s own: it is taken as it stands.</source>
-        <translation>Das ist ein Volumen von Cusp selbst: Es wird übernommen, wie es ist.</translation>
+        <translation>Das ist ein Präparat von Cusp selbst: Es wird übernommen, wie es ist.</translation>
     </message>
     <message>
         <source>Only the largest component</source>
@@ -13434,8 +13469,8 @@ Ihr bester davor</translation>
     <message numerus="yes">
         <source>It holds %n session(s). No other Cusp may run with these records.</source>
         <translation>
-            <numerusform>Sie enthält %n Sitzung. Kein anderes Cusp darf mit diesen Aufzeichnungen laufen.</numerusform>
-            <numerusform>Sie enthält %n Sitzungen. Kein anderes Cusp darf mit diesen Aufzeichnungen laufen.</numerusform>
+            <numerusform>Sie enthält %n Versuch. Kein anderes Cusp darf mit diesen Aufzeichnungen laufen.</numerusform>
+            <numerusform>Sie enthält %n Versuche. Kein anderes Cusp darf mit diesen Aufzeichnungen laufen.</numerusform>
         </translation>
     </message>
     <message>

@@ -306,10 +306,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The largest of %n series was taken.</source>
+        <source>Its folder holds %n series. Of a slice its own is taken, of a folder the largest.</source>
         <translation>
-            <numerusform>The only series was taken.</numerusform>
-            <numerusform>The largest of %n series was taken.</numerusform>
+            <numerusform>Its folder holds %n series.</numerusform>
+            <numerusform>Its folder holds %n series. Of a slice its own is taken, of a folder the largest.</numerusform>
         </translation>
     </message>
 </context>
@@ -516,6 +516,13 @@
         <translation>
             <numerusform>%n attempt exported.</numerusform>
             <numerusform>%n attempts exported.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Median of %n student(s)</source>
+        <translation>
+            <numerusform>Median of %n student</numerusform>
+            <numerusform>Median of %n students</numerusform>
         </translation>
     </message>
 </context>
