@@ -1,4 +1,5 @@
-"""An administrator imports a list of students, an instructor assigns their cohort an exercise, and one of them finds it due.
+"""An administrator imports a list of students, an instructor assigns their cohort an exercise, one of them finds it due, and no
+longer once it is withdrawn.
 
     /usr/bin/python3 tests/outside/desktop/cohort.py build/release/cusp
 """
@@ -72,12 +73,31 @@ def assign(program):
     return row
 
 
+def withdraw(program, take=school.nothing):
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
+    school.page(program, "Cohorts")
+    school.row_of(program, "Cohorts", COHORT)[0].click()
+    school.row_of(program, "Assigned exercises", EXERCISE)[0].click()
+    program.press("Withdraw")
+    question = program.find("alert")
+    take(program, "withdraw")
+    program.press("Withdraw", within=question)
+    school.row_of(program, "Assigned exercises", EXERCISE, "withdrawn")
+    take(program, "withdrawn")
+    school.sign_out(program)
+
+
 def visit(program):
     import_list(program)
     row = assign(program)
     school.sign_in_student(program, *LENA)
     program.find("label", "Due next")
     school.row_of(program, "Your exercises", EXERCISE)
+    school.sign_out(program)
+    withdraw(program)
+    school.sign_in_student(program, *LENA)
+    program.find(None, "Next exercise")
+    desk.check(program.here("label", "Due next") is None, "what was withdrawn is due")
     school.sign_out(program)
     return row
 
