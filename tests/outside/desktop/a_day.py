@@ -44,7 +44,7 @@ def main():
         done(f"the administrator, after a new start, exported {row}")
         if whole:
             row = cohort.visit(program)
-            done(f"a list of students was imported, and what their cohort was assigned stood on a student's start page: {row}")
+            done(f"a list of students was imported, and what their cohort was assigned stood on a student's start page until it was withdrawn: {row}")
         program, seen = assessment.visit(own, program)
         done(f"two students sat an assessment: {seen}")
         program.close()
