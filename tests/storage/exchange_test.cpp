@@ -18,10 +18,7 @@ struct ExchangeTest : TwoStations {
   Account lena = make_student(*office);
   ScenarioVersion version = keep(*office);
 
-  void SetUp() override {
-    must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
-    must(trust(station->context(), keeper, key_of_station(*office), KeyRole::office));
-  }
+  void SetUp() override { trust_each_other(); }
   fs::path office_file() {
     const fs::path file = next_file();
     must(give_out(office->context(), chief, ExchangeKind::office, file));

@@ -15,8 +15,7 @@ struct ExchangeWithdrawalsTest : TwoStations {
   Assignment practice;
 
   void SetUp() override {
-    must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
-    must(trust(station->context(), keeper, key_of_station(*office), KeyRole::office));
+    trust_each_other();
     const CohortId cohort = must(office->cohorts.create(chief, "Year 2")).id;
     must(office->cohorts.add(chief, cohort, lena.id));
     practice = must(office->assignments.create(instructor, {.version = version.id, .cohort = cohort}));

@@ -22,6 +22,10 @@ struct TwoStations : ::testing::Test {
   static PublicKey key_of_station(Store& store) {
     return must(public_key_from(must(own_key(store.context(), {UserId::make(), Role::administrator}))));
   }
+  void trust_each_other() {
+    must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+    must(trust(station->context(), keeper, key_of_station(*office), KeyRole::office));
+  }
   std::filesystem::path next_file() { return folder / ("file-" + std::to_string(++files)); }
   std::filesystem::path results() {
     const std::filesystem::path file = next_file();
