@@ -115,7 +115,7 @@ Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
   return rest * scene.tilt_cosine + side * (std::sqrt(1.0 - scene.tilt_cosine * scene.tilt_cosine) / length);
 }
 
-/// In a cavity one tick in so many looks whether a wanted bur fits: 16 ms are not felt.
+/// Near tissue one tick in so many looks whether a wanted bur fits: a look costs up to 1 ms.
 constexpr std::uint64_t kTicksALook = 16;
 
 /// The bur in use: the wanted one as soon as it fits at the proxy. Held against tissue, a bur is not changed.
