@@ -45,7 +45,7 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "9";            // version of measuring and marking; rises when a figure changes.
+  std::string evaluator = "10";           // version of measuring and marking; rises when a figure changes.
                                           // 2: what is kept intact counts in proportion to what was drilled
                                           // 3: points are of 100, evidence lies on the cut surface
                                           // 4: so does every depth, width, form and push; walls of a tree by face name
@@ -53,6 +53,8 @@ struct Grade {
                                           // 6: no scratch is a wall of a ridge
                                           // 7: the pulp ends at its smoothed border, not at its voxels' corners
                                           // 8: the margin counts by its length
+                                          // 9: a ridge cut through, a region gone whole and a target left out cost their points
+                                          // 10: a box far off its target is measured
 };
 
 /// In points. Rounding moves a sum of criteria by less than 1e-12; people read tenths of a point. Test:

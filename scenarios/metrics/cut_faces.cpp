@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "engine/volume/cell_field.h"
@@ -89,7 +90,7 @@ class TreeFaces final : public FaceSink {
  private:
   void take(const CutFace& face, double mm2) override {
     const std::optional<Facing> facing = reference_.shape().facing(face.middle_mm, face.area_mm2 / mm2);
-    if (!facing || (facing->beyond_mm > kWallReachMm && !is_floor(facing->face)) || facing->beside_mm > kWallReachMm) return;
+    if (!facing || facing->beyond_mm > reach_mm(facing->face) || facing->beside_mm > kWallReachMm) return;
     if (is_floor(facing->face) && (facing->wall_mm > -floor_inset_mm(reference_) || !reference_.shape().bounded_by(*facing, face.middle_mm))) return;
     candidates_.push_back({face, mm2, facing->beyond_mm, facing->floor_mm, facing->face, facing->floor});
   }
@@ -140,6 +141,11 @@ class TreeDivision {
 };
 
 }  // namespace
+
+double reach_mm(FaceName face) noexcept {
+  if (is_floor(face)) return std::numeric_limits<double>::max();
+  return face == FaceName::axial_wall ? kBoxReachMm : kWallReachMm;
+}
 
 FaceName wall_by_normal(Vec3 into_void, int mesial_x) noexcept {
   if (std::fabs(into_void.x) >= std::fabs(into_void.y)) {

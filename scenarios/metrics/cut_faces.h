@@ -28,8 +28,8 @@ struct CutFace {
 /// target's floor is flat; a wall leans less than 45 degrees from the axis and lies above the rounded line angle, at most
 /// kWallReachMm off the outline. A wall faces away from the side that names it, by the nearer of the two directions.
 ///
-/// In a tree a triangle belongs to the face that it faces (scenarios/shapes/facing.h), at most kWallReachMm beyond it
-/// (a wall) or beside it.
+/// In a tree a triangle belongs to the face that it faces (scenarios/shapes/facing.h), at most reach_mm() beyond it
+/// and kWallReachMm beside it.
 /// A floor lies off the walls of its part by the rounded line angle and where the target is flat; a wall above the floor that was cut
 /// there. What faces a
 /// side_wall, of no named side, is named by its normal; without a tooth's number it stays a side_wall.
@@ -52,5 +52,9 @@ class CutFaces {
 
 /// Further off the target a cut is damage and none of its faces, mm [M].
 inline constexpr double kWallReachMm = 1.0;
+/// The same of an axial wall, and of the margin of a box, mm [M].
+inline constexpr double kBoxReachMm = 2.5;
+/// How far beyond a face of the target what was cut is still that face, mm. A floor is one at any depth.
+[[nodiscard]] double reach_mm(FaceName face) noexcept;
 
 }  // namespace cusp::scenarios

@@ -192,7 +192,7 @@ std::vector<NamedMargin> named_margin(const std::vector<MarginPoint>& margin, co
   std::vector<NamedMargin> out;
   for (const MarginPoint& m : margin) {
     const std::optional<Facing> facing = shape.facing(m.at_mm, m.into_void);
-    if (facing && facing->beside_mm <= kWallReachMm && facing->beyond_mm <= kWallReachMm) out.push_back({m, facing->face});
+    if (facing && facing->beside_mm <= kWallReachMm && facing->beyond_mm <= std::max(kBoxReachMm, reach_mm(facing->face))) out.push_back({m, facing->face});
   }
   return out;
 }

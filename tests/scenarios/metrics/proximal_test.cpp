@@ -67,6 +67,32 @@ TEST(Proximal, OfAKnownBoxIsWithinItsUncertainty) {
   table.expect(kSeed);
 }
 
+TEST(Proximal, ABoxFarOffItsTargetIsStillMeasured) {
+  Draw draw{std::mt19937_64(3)};
+  const auto specimen = two_teeth(0.15, draw, tissue_at);
+  const Reference reference(exercise(), specimen);
+  const auto box_with = [](double Box::* part, double mm) {
+    Box box;
+    box.*part = mm;
+    return box;
+  };
+  const std::pair<Box, std::vector<std::string>> cases[] = {
+      {box_with(&Box::axial_x, 1.6), {"axial_past_junction_least", "axial_past_junction_mean", "axial_past_junction_most", "gingival_floor_mesiodistal"}},
+      {box_with(&Box::buccal, 2.7), {"clearance_buccal_gingival", "clearance_buccal_middle", "clearance_buccal_occlusal"}},
+      {box_with(&Box::gingival, 4.3), {"clearance_gingival", "box_height"}}};
+  for (const auto& [box, keys] : cases) {
+    const auto truth = truth_of(box, 0.15);
+    Volume volume(specimen);
+    carved::carve(volume, [&](Vec3 p) { return box.distance(p); });
+    const auto measures = measure(reference, volume, {});
+    for (const std::string& key : keys) {
+      const Measure m = get(measures, key);
+      ASSERT_TRUE(m.measured) << key;
+      EXPECT_NEAR(m.value, truth.at(key), m.uncertainty) << key;
+    }
+  }
+}
+
 TEST(Proximal, ABoxThatOpensASideLeavesNoRidgeThereToMeasure) {
   Draw draw{std::mt19937_64(1)};
   Scenario s = exercise();
