@@ -40,6 +40,8 @@ struct SpecimenSource {
   std::vector<std::string> around;  // tooth: what stands about it, keys of kAroundKeys
   std::vector<LesionSource> lesions;
   SpecimenLandmarks landmarks;      // of a tooth from a file
+  /// FDI number of a tooth of Cusp's own; 0 of any other specimen.
+  int grown_fdi() const noexcept { return generator == "tooth" ? fdi : 0; }
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 

@@ -39,7 +39,7 @@ TissueSet only(Tissue tissue) noexcept {
 
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
     : specimen_(std::move(specimen)), shape_(scenario.target, specimen_), targets_(scenario, specimen_), leeway_(scenario.leeway), pulp_(specimen_, only(Tissue::pulp)),
-      fdi_(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0), seed_(scenario.specimen.seed),
+      fdi_(scenario.specimen.grown_fdi()), seed_(scenario.specimen.seed),
       marked_(scenario.specimen.landmarks), heat_(has_phenomenon(scenario.phenomena, "heat")),
       mesial_x_(fdi_ != 0 ? scenarios::mesial_x(fdi_) : mesial_x_of(marked_)) {
   for (const Criterion& c : scenario.rubric.criteria)

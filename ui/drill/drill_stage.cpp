@@ -189,7 +189,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   cutaway_->setVisible(guided_);  // a section shows where the pulp lies
   view_->set_camera(Camera::about(setup.start_view.centre_mm, setup.start_view.radius_mm));
   target_->setVisible(!look.empty());
-  compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
+  compass_->set_tooth(scenario.specimen.grown_fdi());
   coach_card_->hide();
   wanted_push_->setVisible(by_mouse_);
   hold_->setVisible(by_mouse_);

@@ -37,7 +37,7 @@ void TargetView::make_section(QPushButton& button) {
 void TargetView::cut_section() {
   if (!grown_ || !preview_) return;
   const SpecimenSource& source = grown_->source;
-  section_->set_tooth(source.generator == "tooth" ? source.fdi : 0);
+  section_->set_tooth(source.grown_fdi());
   section_->show_cut({.volume = preview_,
                       .target = model_.scenario().target,
                       .leeway = model_.scenario().leeway,

@@ -150,7 +150,7 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
   }
   connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
   compass_ = new Compass(*view_, this);
-  compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
+  compass_->set_tooth(scenario.specimen.grown_fdi());
 }
 
 void PinnedTooth::build_mesh(const Scenario& scenario) {

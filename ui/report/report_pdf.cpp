@@ -337,7 +337,7 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
   const double high = fit_to_page(paper, data, advice, t);
   const SpecimenSource& specimen = data.result.scenario.specimen;
-  write_tooth(paper, tooth, advice, high, specimen.generator == "tooth" ? specimen.fdi : 0, t);
+  write_tooth(paper, tooth, advice, high, specimen.grown_fdi(), t);
   write_legend(paper, high, t);
   paper.skip(high + kBelowTooth);
   write_criteria(paper, data, t);

@@ -54,7 +54,7 @@ ReportSection::ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> v
   legend->addStretch();
   column->addLayout(legend);
   reference_line_->hide();
-  bar_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
+  bar_->set_tooth(scenario.specimen.grown_fdi());
   connect(&tooth_, &PinnedTooth::scenery_came, this, &ReportSection::show_cut);
   connect(bar_, &SectionBar::moved, this, &ReportSection::follow_plane);
   show_cut();

@@ -150,7 +150,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role == StandingRole) return standing_text(r);
   if (role == LevelTextRole) return level_and_time_text(r.exercise.scenario);
   if (role == PassedRole) return r.best && r.best->passed.value_or(false);
-  if (role == FdiRole) return r.exercise.scenario.specimen.generator == "tooth" ? r.exercise.scenario.specimen.fdi : 0;
+  if (role == FdiRole) return r.exercise.scenario.specimen.grown_fdi();
   if (role == LevelRole) return level_rank(r.exercise.scenario);
   if (role == Qt::AccessibleDescriptionRole) return description_of(r);
   if (role == StandingKindRole) return static_cast<int>(standing_kind(r));

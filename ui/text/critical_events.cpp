@@ -74,7 +74,7 @@ QString critical_advice(const std::string& key) {
 }
 
 QString side_text(const SpecimenSource& specimen, Vec3 place_mm) {
-  const int toward_mesial = specimen.generator == "tooth" ? mesial_x(specimen.fdi) : 0;
+  const int toward_mesial = mesial_x(specimen.grown_fdi());
   if (toward_mesial == 0) return {};
   const double mesial = toward_mesial * place_mm.x, buccal = place_mm.y;
   if (std::hypot(mesial, buccal) < kMiddleMm) return {};
