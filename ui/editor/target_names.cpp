@@ -41,6 +41,15 @@ void clear_below(Region& region) {
   }
 }
 
+/// Criteria of the one target that is left become those of the whole. A criterion that the whole has already stays as it is.
+void measure_as_whole(Rubric& rubric, const std::string& name) {
+  for (Criterion& c : rubric.criteria) {
+    const auto [metric, target] = scenarios::split_metric(c.metric);
+    const std::string of_whole(metric);
+    if (target == name && std::ranges::find(rubric.criteria, of_whole, &Criterion::metric) == rubric.criteria.end()) c.metric = of_whole;
+  }
+}
+
 }  // namespace
 
 bool can_be_target(const Region& whole, const PartPath& path) {
@@ -60,6 +69,7 @@ void set_target_title(Region& part, const Region& whole, const std::string& lang
 
 void settle_targets(const Scenario& before, Scenario& after) {
   Region& whole = after.target;
+  if (!whole.name.empty()) measure_as_whole(after.rubric, whole.name);  // the one part that is left has become the root
   clear_name(whole);
   if (whole.kind == RegionKind::joined) std::ranges::for_each(whole.parts, clear_below);
   else clear_below(whole);

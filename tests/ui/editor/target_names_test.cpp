@@ -109,6 +109,29 @@ TEST_F(TwoShapes, What_is_no_target_any_more_takes_its_criteria_along_in_one_ste
   EXPECT_TRUE(read_scenario(canonical_json(model->scenario()))) << "a draft opens again";
 }
 
+TEST_F(TwoShapes, The_one_that_is_left_keeps_its_criteria) {
+  ASSERT_TRUE(model->set_target_title(0, "en", kPit));
+  ASSERT_TRUE(model->set_target_title(1, "en", QStringLiteral("Distal pit")));
+  const std::string own = "floor_tilt@mesial_pit", gone = "target_removed@distal_pit";
+  for (const std::string& metric : {own, gone, std::string("depth_mean@mesial_pit")})
+    ASSERT_TRUE(model->add_criterion(metric, first_bands(metric, model->scenario().target)));
+  ASSERT_FALSE(has_criterion("floor_tilt"));
+  const auto criterion_of = [&](const std::string& metric) {
+    return *std::ranges::find(model->scenario().rubric.criteria, metric, &Criterion::metric);
+  };
+  const Bands bands = criterion_of(own).bands, of_whole = criterion_of("depth_mean").bands;
+  const Scenario before = model->scenario();
+  model->end_gesture();
+  model->choose_part({1});
+  ASSERT_TRUE(model->remove_part());
+  ASSERT_TRUE(has_criterion("floor_tilt"));
+  EXPECT_EQ(criterion_of("floor_tilt").bands, bands);
+  EXPECT_EQ(criterion_of("depth_mean").bands, of_whole) << "the whole had its own";
+  EXPECT_EQ(std::ranges::count_if(model->scenario().rubric.criteria, [](const Criterion& c) { return c.metric.contains('@'); }), 0);
+  model->stack().undo();
+  EXPECT_EQ(model->scenario(), before);
+}
+
 TEST_F(TwoShapes, The_depth_of_a_targets_own_outline_moves_its_own_bands) {
   ASSERT_TRUE(model->set_target_title(0, "en", kPit));
   const Bands first = first_bands("depth_mean@mesial_pit", model->scenario().target);
