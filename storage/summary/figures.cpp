@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kZ95 = 1.959963984540054;  // normal quantile of 0.975
 constexpr int kLeastStudents = 3;           // fewer make no group
-constexpr int kMostAttempt = 0xFFFF;        // greater attempt numbers count as this one, as in PackedAttempt
+constexpr int kMostAttempt = 0xFFFF;        // greater attempt numbers count as this one
 
 /// Counts of values in equal steps from the least to the greatest: a quantile is then sought among the values of one step.
 class Steps {

@@ -110,7 +110,7 @@ struct RatedAttempt {
 /// What the newest attempts that fit a filter say of one criterion.
 struct CriterionFigures {
   std::string id;
-  int attempts = 0;       // in which it was measured and could bring points
+  int attempts = 0;       // in which it could bring points: measured, or of a target that was left out
   int full = 0;           // of them with all its points
   double mean_share = 0;  // of its points, 0 to 1
 };
