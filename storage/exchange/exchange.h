@@ -42,7 +42,7 @@ struct ReadIn {
 
 /// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema,
 /// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: the key is not the office's);
-/// duplicate (where = number or name that somebody else has here); last_administrator.
+/// duplicate (where = number that somebody else has here); last_administrator.
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
 
 /// What a file is, before it is read.

@@ -37,7 +37,7 @@ struct Merge {
 void merge_people(Merge& merge);
 void merge_versions(Merge& merge);
 /// Rows that never change. `action`: of the entry about each that was not here. Of a version or assignment that both stations
-/// withdrew, each keeps its own row.
+/// withdrew, each keeps its own row. A cohort whose name is taken here gets another one.
 void merge_rows(Merge& merge, SealedTable table, const char* action);
 /// The members of the file's cohorts become those of the file, unless it is late.
 void merge_members(Merge& merge);

@@ -197,19 +197,33 @@ void merge_versions(Merge& merge) {
   }
 }
 
+namespace {
+
+/// Of two withdrawals each station keeps its own; a cohort's name may be taken here.
+bool may_differ(SealedTable table) {
+  return table == SealedTable::version_withdrawals || table == SealedTable::assignment_withdrawals || table == SealedTable::cohorts;
+}
+
+/// Nobody can rename a cohort: if another one has its name here, the end of its id follows the name.
+std::string columns_to_insert(SealedTable table) {
+  if (table != SealedTable::cohorts) return "*";
+  return "id, iif(name IN (SELECT name FROM main.cohorts), name || ' ' || substr(hex(id), 25), name), created_at";
+}
+
+}  // namespace
+
 void merge_rows(Merge& merge, SealedTable table, const char* action) {
-  const bool withdrawals = table == SealedTable::version_withdrawals || table == SealedTable::assignment_withdrawals;
   for (const RowSeal& theirs : merge.taken(row_seals(merge.from.db, table))) {
     if (!merge.ok()) return;
     const auto here = merge.taken(row_seals(merge.db(), table, theirs.subject));
-    if (!here.empty() && here.front().seal != theirs.seal && !withdrawals) return merge.refuse(StorageError::differs, std::string(name_of(table)), theirs.subject.text());
+    if (!here.empty() && here.front().seal != theirs.seal && !may_differ(table)) return merge.refuse(StorageError::differs, std::string(name_of(table)), theirs.subject.text());
     const bool referred = merge.referred.contains(theirs.subject);
     if (!here.empty()) {
       if (!referred) arrive(merge, theirs.subject);
       continue;
     }
     const std::string name(name_of(table));
-    merge.transaction.run("INSERT INTO main." + name + " SELECT * FROM source." + name + " WHERE " + std::string(key_column(table)) + " = ?1", theirs.subject);
+    merge.transaction.run("INSERT INTO main." + name + " SELECT " + columns_to_insert(table) + " FROM source." + name + " WHERE " + std::string(key_column(table)) + " = ?1", theirs.subject);
     log_row(merge.context, merge.transaction, merge.actor.id, action, table, theirs.subject);
     if (table != SealedTable::assignments) continue;
     if (referred) {

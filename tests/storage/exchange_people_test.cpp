@@ -82,6 +82,16 @@ TEST_F(ExchangePeopleTest, who_has_no_secret_and_was_switched_off_is_erased_too)
   expect_whole();
 }
 
+TEST_F(ExchangePeopleTest, a_cohort_whose_name_another_one_has_here_arrives_under_a_name_of_its_own) {
+  const CohortId theirs = must(office->cohorts.create(chief, "Year 2")).id;
+  must(office->cohorts.add(chief, theirs, lena.id));
+  must(station->cohorts.create(keeper, "year 2"));
+  for (int i = 0; i < 2; ++i) carry_over();
+  ASSERT_EQ(must(station->cohorts.list()).size(), 2u);
+  EXPECT_EQ(must(station->cohorts.students(theirs)), std::vector<UserId>{lena.id});
+  expect_whole();
+}
+
 TEST_F(ExchangePeopleTest, no_byte_of_the_name_stays_in_the_log_of_a_station_that_is_open) {
   carry_over();
   must(station->accounts.sign_in_with_pin("1001", "314159"));
