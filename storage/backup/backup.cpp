@@ -69,8 +69,8 @@ Stored<void> copy_database(Database& from, const fs::path& to) {
 }
 
 /// Opening for writing syncs the file, for it changes its first page. Returns how many sessions it holds.
-Stored<std::uint64_t> check_copy(const fs::path& file) {
-  auto copy = Database::open(file, {.access = DatabaseOptions::Access::existing});
+Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& options) {
+  auto copy = Database::open(file, options);
   if (!copy) return std::unexpected(copy.error());
   const auto damage = copy->integrity_check();
   if (!damage) return std::unexpected(damage.error());
@@ -85,7 +85,8 @@ Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_
   if (auto done = copy_private(context.counter_file, counter_file_of(folder / kBackupKey)); !done) return std::unexpected(done.error());
   if (auto done = copy_private(context.key_file, folder / kBackupKey); !done) return std::unexpected(done.error());
   if (auto done = copy_database(context.db, folder / kBackupDatabase); !done) return std::unexpected(done.error());
-  const auto sessions = check_copy(folder / kBackupDatabase);
+  const auto sessions = check_copy(folder / kBackupDatabase,
+                                   {.access = DatabaseOptions::Access::existing, .on_network_drive = admits_network_drive});
   if (!sessions) return std::unexpected(sessions.error());
   std::error_code error;
   const auto bytes = fs::file_size(folder / kBackupDatabase, error);
@@ -112,7 +113,8 @@ Stored<void> check_key_file(const fs::path& file) {
 Stored<void> copy_back(const Backup& backup, const fs::path& file) {
   const fs::path key = file.string() + ".key";
   if (auto good = check_key_file(backup.folder / kBackupKey); !good) return good;
-  auto from = Database::open(backup.folder / kBackupDatabase, {.access = DatabaseOptions::Access::read_only});
+  auto from = Database::open(backup.folder / kBackupDatabase,
+                             {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
   if (!from) return std::unexpected(from.error());
   const auto damage = from->integrity_check();
   if (!damage) return std::unexpected(damage.error());
@@ -120,7 +122,7 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file) {
   if (auto done = copy_database(*from, file); !done) return done;
   if (auto done = copy_private(counter_file_of(backup.folder / kBackupKey), counter_file_of(key)); !done) return done;
   if (auto done = copy_private(backup.folder / kBackupKey, key); !done) return done;
-  const auto sessions = check_copy(file);
+  const auto sessions = check_copy(file, {.access = DatabaseOptions::Access::existing});
   if (!sessions) return std::unexpected(sessions.error());
   if (*sessions != backup.sessions) return fail(StorageError::corrupt, backup.folder.string(), "sessions");
   return {};
@@ -236,14 +238,15 @@ bool is_abandoned(const fs::path& folder) {
 
 }  // namespace
 
-Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t keep) {
+Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t keep, std::int64_t now_utc_us) {
   std::vector<fs::path> abandoned;
   std::error_code ignored;
   for (fs::directory_iterator it(into, ignored), end; !ignored && it != end; it.increment(ignored))
     if (is_abandoned(it->path())) abandoned.push_back(it->path());
   for (const fs::path& folder : abandoned) remove_new(folder);
-  const auto all = backups_in(into, station);
+  auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
+  std::ranges::stable_partition(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
   for (std::size_t i = keep; i < all->size(); ++i) {
     std::error_code error;
     fs::remove_all((*all)[i].folder, error);

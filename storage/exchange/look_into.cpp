@@ -17,7 +17,7 @@ Stored<std::optional<KeyRole>> role_of(StorageContext& context, const Actor& act
 
 Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
-  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only});
+  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
   if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
   const Snapshot snapshot(*opened);
   const auto checked = read_description(*opened);

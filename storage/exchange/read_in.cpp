@@ -173,7 +173,7 @@ std::string_view key_of(ReadOutcome outcome) noexcept {
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
-  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only});
+  auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
   if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
   StorageContext from{std::move(*opened), context.clock, context.cost, context.station, std::nullopt};
   // Nobody changes the file between its check and its reading.

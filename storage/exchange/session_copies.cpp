@@ -47,7 +47,7 @@ constexpr std::array kCopies = {
 
 /// In the older journal mode the file needs no log beside it.
 Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
-  auto to = Database::open(file);
+  auto to = Database::open(file, {.on_network_drive = admits_network_drive});
   if (!to) return std::unexpected(to.error());
   if (auto done = to->attach_source(from); !done) return done;
   if (auto done = fill(*to); !done) return done;

@@ -37,6 +37,10 @@ struct DatabaseOptions {
   std::function<bool(const std::filesystem::path&)> on_network_drive{};  // empty = ask the system
 };
 
+/// For DatabaseOptions::on_network_drive: a file that one process alone has open, as a backup or a file that travels, may lie on a
+/// drive that machines share.
+inline bool admits_network_drive(const std::filesystem::path&) { return false; }
+
 class Database {
  public:
   /// Checks that the file is Cusp's and not newer, sets WAL, synchronous=FULL and foreign keys, migrates.

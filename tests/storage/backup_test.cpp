@@ -149,17 +149,28 @@ TEST_F(BackupTest, of_one_second_have_folders_of_their_own_and_the_oldest_go_fir
   const Backup newest = make();
   ASSERT_EQ(must(backups_in(into(), station())).size(), 3u);
   EXPECT_EQ(must(backups_in(into(), station())).front().folder, newest.folder);
-  must(thin_backups(into(), station(), 1));
+  must(thin_backups(into(), station(), 1, *now));
   ASSERT_EQ(must(backups_in(into(), station())).size(), 1u);
   EXPECT_EQ(must(backups_in(into(), station())).front().folder, newest.folder);
   EXPECT_TRUE(must(backups_in(folder / "nowhere", station())).empty());
+}
+
+TEST_F(BackupTest, that_a_wrong_clock_dated_in_the_future_goes_before_what_is_made_since) {
+  *now += 400 * std::int64_t{86'400'000'000};
+  make();
+  *now -= 400 * std::int64_t{86'400'000'000};
+  const Backup fresh = make();
+  must(thin_backups(into(), station(), 1, *now));
+  const auto left = must(backups_in(into(), station()));
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left.front().folder, fresh.folder);
 }
 
 TEST_F(BackupTest, of_another_station_in_the_same_folder_are_neither_listed_nor_removed) {
   const Backup own = make();
   const auto other = open(folder / "b.db", quick(now));
   const Backup foreign = must(make_backup(other->context(), make_administrator(*other).actor(), into()));
-  must(thin_backups(into(), station(), 0));
+  must(thin_backups(into(), station(), 0, *now));
   EXPECT_FALSE(fs::exists(own.folder));
   EXPECT_EQ(must(read_backup(foreign.folder)).station, other->context().station);
   EXPECT_TRUE(must(backups_in(into(), station())).empty());
@@ -171,14 +182,14 @@ TEST_F(BackupTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
   fs::create_directories(of_others);
   std::ofstream(of_others / "read me.txt") << "kept";
   fs::remove(cut_off.folder / "backup.json");
-  must(thin_backups(into(), station(), 1));
+  must(thin_backups(into(), station(), 1, *now));
   EXPECT_TRUE(fs::exists(cut_off.folder)) << "somebody may be writing it";
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
   for (const fs::path& one : {cut_off.folder, of_others}) {
     for (const auto& file : fs::directory_iterator(one)) fs::last_write_time(file.path(), long_ago);
     fs::last_write_time(one, long_ago);
   }
-  must(thin_backups(into(), station(), 1));
+  must(thin_backups(into(), station(), 1, *now));
   EXPECT_FALSE(fs::exists(cut_off.folder));
   EXPECT_TRUE(fs::exists(of_others));
 }

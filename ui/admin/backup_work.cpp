@@ -15,7 +15,7 @@ Stored<Backup> back_up_and_thin(const RecordsBeside& records, const std::filesys
   if (!store) return std::unexpected(store.error());
   auto backup = make_backup((*store)->context(), actor, into);
   if (!backup) return backup;
-  if (auto thinned = thin_backups(into, backup->station, kBackupsKept); !thinned) return std::unexpected(thinned.error());
+  if (auto thinned = thin_backups(into, backup->station, kBackupsKept, backup->made_utc_us); !thinned) return std::unexpected(thinned.error());
   return backup;
 }
 
