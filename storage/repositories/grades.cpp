@@ -24,12 +24,21 @@ std::string calibration_of(Transaction& transaction, SessionId session) {
   return {};
 }
 
+/// Links the volume, unless the session has one.
+void keep_volume(Transaction& transaction, ChainWriter& chain, SessionId session, const FinalVolume& volume, const TraceEnd& end) {
+  const auto kept = transaction.first("SELECT 1 FROM final_volumes WHERE session = ?1", [](Row) { return true; }, session);
+  if (!transaction.ok() || kept) return;
+  if (volume.tick != end.tick) return transaction.refuse({StorageError::wrong_state, "final_volumes", session.text()});
+  insert_final_volume(transaction, session, volume);
+  chain.add(SessionTable::final_volumes, 0, end.second());
+}
+
 std::string dump(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 }  // namespace
 
 Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Hash256& rubric_hash,
-                                 const std::optional<Actor>& grader) {
+                                 const std::optional<Actor>& grader, const FinalVolume* volume) {
   if (grader) {
     if (auto allowed = require(*grader, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   }
@@ -43,6 +52,7 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
   const std::uint64_t number = next_row(transaction, SessionTable::grades, session);
   const std::int64_t sequence = c_.next_sequence(transaction);
   ChainWriter chain(c_, transaction, session);
+  if (volume != nullptr) keep_volume(transaction, chain, session, *volume, end);
   transaction.run(
       "INSERT INTO grades (session, row, at, sequence, grader, score, score_max, pass_mark, passed, critical, "
       "rubric_hash, evaluator, engine_version, device_class, calibration) "

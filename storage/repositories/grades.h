@@ -7,6 +7,7 @@
 
 #include "storage/records/context.h"
 #include "storage/records/grade_rows.h"
+#include "storage/repositories/sessions.h"
 #include "storage/modules.h"
 #include "storage/base/rights.h"
 
@@ -16,9 +17,10 @@ class Grades {
  public:
   explicit Grades(StorageContext& context) : c_{context} {}
   /// Grade, criteria and the event "graded", in one transaction. wrong_state while the session runs.
-  /// Without `grader` the program grades; a user as `grader` needs grade_again.
+  /// Without `grader` the program grades; a user as `grader` needs grade_again. `volume`: what an interrupted attempt came to; kept
+  /// with the grade unless the session has one. wrong_state (where = final_volumes) if it is of another tick than the trace's last.
   Stored<StoredGrade> save(SessionId session, const Grade& grade, const Hash256& rubric_hash,
-                           const std::optional<Actor>& grader = std::nullopt);
+                           const std::optional<Actor>& grader = std::nullopt, const FinalVolume* volume = nullptr);
   /// nullopt if the session has no grade.
   Stored<std::optional<StoredGrade>> newest(SessionId session);
   Stored<std::vector<StoredGrade>> all(SessionId session);  // oldest first

@@ -57,18 +57,6 @@ Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
   return transaction.commit();
 }
 
-Stored<void> Traces::save_final_volume(SessionId session, const FinalVolume& volume) {
-  Transaction transaction(c_.db);
-  require_state(transaction, session, Need::not_running);
-  const TraceEnd end = trace_end(transaction, session);
-  if (volume.tick != end.tick) transaction.refuse({StorageError::wrong_state, "final_volumes", session.text()});
-  ChainWriter chain(c_, transaction, session);
-  insert_final_volume(transaction, session, volume);
-  chain.add(SessionTable::final_volumes, 0, end.second());
-  chain.finish();
-  return transaction.commit();
-}
-
 Stored<std::vector<ChunkInfo>> Traces::chunks(SessionId session) {
   auto chunks = c_.db.all(
       "SELECT row, first_tick, inputs, elapsed_us, state_hash FROM trace_chunks WHERE session = ?1 ORDER BY row",

@@ -47,8 +47,6 @@ class Traces {
   /// Chunk, metrics, links and signed head, in one transaction. wrong_state if the session does not run or first_tick
   /// does not follow the last stored tick.
   Stored<void> append(SessionId session, const RecordedSecond& second);
-  /// For an interrupted session: the volume that a replay of its trace computes. Once.
-  Stored<void> save_final_volume(SessionId session, const FinalVolume& volume);
 
   Stored<std::vector<ChunkInfo>> chunks(SessionId session);  // of a thinned recording one, without state hash
   Stored<std::vector<StepInput>> inputs(SessionId session);                       // all of them, in order

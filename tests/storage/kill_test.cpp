@@ -45,8 +45,8 @@ TEST(Killing, at_any_moment_leaves_every_second_that_was_reported_as_stored) {
     EXPECT_GE(chunks, killed.steps) << attempt;  // nothing that was reported is lost
     EXPECT_LE(chunks, killed.steps + 1) << attempt;  // and at most one was stored and not reported
     EXPECT_TRUE(must(verify_session(store->context(), newest.session)).intact()) << attempt;
-    must(store->traces.save_final_volume(newest.session, volume_after(chunks * 12)));
-    must(store->grades.save(newest.session, small_grade(), {}));
+    const FinalVolume volume = volume_after(chunks * 12);
+    must(store->grades.save(newest.session, small_grade(), {}, std::nullopt, &volume));
     EXPECT_EQ(must(store->sessions.state(newest.session)), SessionState::graded);
   }
 }

@@ -211,11 +211,26 @@ TEST_F(SessionsTest, an_interrupted_session_is_resumed_or_graded_as_it_stands) {
   must(store->sessions.resume(id, "student"));
   must(store->traces.append(id, second_from(13)));
   must(store->sessions.interrupt(id, "recorder_full"));
-  must(store->traces.save_final_volume(id, volume_after(24)));
-  EXPECT_EQ(code_of(store->traces.save_final_volume(id, volume_after(24))), StorageError::duplicate);
-  must(store->grades.save(id, small_grade(), {}));
+  const FinalVolume volume = volume_after(24);
+  must(store->grades.save(id, small_grade(), {}, std::nullopt, &volume));
+  must(store->grades.save(id, small_grade(), {}, std::nullopt, &volume));
+  EXPECT_EQ(must(store->traces.final_volume(id))->tick, 24u);
   EXPECT_EQ(must(store->sessions.state(id)), SessionState::graded);
   EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
+}
+
+TEST_F(SessionsTest, an_interrupted_attempt_whose_grade_was_not_kept_is_resumed_and_finished) {
+  const SessionId id = start();
+  must(store->traces.append(id, second_from(1)));
+  must(store->sessions.interrupt(id, "recorder_full"));
+  const FinalVolume volume = volume_after(12);
+  must(store->database().run("CREATE TEMP TRIGGER disk_full BEFORE INSERT ON main.grades BEGIN SELECT RAISE(ABORT, 'full'); END"));
+  EXPECT_FALSE(store->grades.save(id, small_grade(), {}, std::nullopt, &volume));
+  must(store->database().run("DROP TRIGGER disk_full"));
+  EXPECT_FALSE(must(store->traces.final_volume(id)));
+  must(store->sessions.resume(id, "student"));
+  must(store->traces.append(id, second_from(13)));
+  must(store->sessions.finish(id, volume_after(24), "student"));
 }
 
 TEST_F(SessionsTest, one_starts_only_ones_own_and_only_what_is_there) {

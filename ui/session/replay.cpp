@@ -1,6 +1,7 @@
 #include "ui/session/replay.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "scenarios/format/read.h"
 #include "scenarios/grading/grader.h"
@@ -84,13 +85,9 @@ SessionResult result_of(const OpenedSession& opened) {
 
 Outcome<void> keep_grade(Store& store, const SessionResult& result, const Rubric& rubric, std::uint64_t tick,
                      const std::optional<Actor>& grader) {
-  auto volume = store.traces.final_volume(result.session);
-  if (!volume) return storage_failed(volume);
-  if (!*volume && result.interrupted) {
-    const FinalVolume whole{result.volume->save_cuts(), result.volume_hash, tick};
-    if (auto done = store.traces.save_final_volume(result.session, whole); !done) return storage_failed(done);
-  }
-  auto saved = store.grades.save(result.session, result.grade, rubric_hash(rubric), grader);
+  std::optional<FinalVolume> whole;
+  if (result.interrupted) whole = FinalVolume{result.volume->save_cuts(), result.volume_hash, tick};
+  auto saved = store.grades.save(result.session, result.grade, rubric_hash(rubric), grader, whole ? &*whole : nullptr);
   if (!saved) return storage_failed(saved);
   store.key_states.release(result.session);
   return {};

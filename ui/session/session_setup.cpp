@@ -172,8 +172,8 @@ Hash256 rubric_hash(const Rubric& rubric) {
 
 namespace {
 
-/// Final volume, event and grade, each in its own transaction. What passes by itself is waited for; a second try after
-/// any failure continues where the first stopped.
+/// The event, of a finished attempt with its volume; that of an interrupted one is kept with the grade, so that it can be resumed
+/// until then. What passes by itself is waited for; a second try after any failure continues where the first stopped.
 Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume, SessionEnd end) {
   const std::string reason(key_of(end));
   const auto now = write_patiently({}, [&] { return store.sessions.state(session); });
@@ -182,13 +182,8 @@ Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume
     return write_patiently({}, [&] { return store.sessions.finish(session, volume, reason); });
   }
   if (*now == SessionState::running) {
-    const auto done = write_patiently({}, [&] { return store.sessions.interrupt(session, reason); });
-    if (!done) return done;
-  } else if (*now != SessionState::interrupted) {
-    return {};
+    return write_patiently({}, [&] { return store.sessions.interrupt(session, reason); });
   }
-  const auto done = write_patiently({}, [&] { return store.traces.save_final_volume(session, volume); });
-  if (!done && done.error().code != StorageError::duplicate) return done;
   return {};
 }
 
@@ -215,7 +210,7 @@ Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& set
     return session_fail(SessionError::recording_failed, done.error());
   }
   const Hash256 rubric = rubric_hash(plan.scenario.rubric);
-  const auto graded = write_patiently({}, [&] { return store->grades.save(setup.session, result.grade, rubric); });
+  const auto graded = write_patiently({}, [&] { return store->grades.save(setup.session, result.grade, rubric, std::nullopt, &volume); });
   if (!graded) return session_fail(SessionError::recording_failed, graded.error());
   store->key_states.release(setup.session);
   return result;
