@@ -32,11 +32,12 @@ DeviceTest test_in(Row row) {
 
 }  // namespace
 
-Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_view device_class) {
+Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_view device_class,
+                                                       std::int64_t now_utc_us) {
   return db.first(
       "SELECT at, actor, detail FROM audit_log INDEXED BY audit_by_action WHERE action = 'device_tested' AND action <> 'session_sealed' "
-      "AND substr(detail, 1, length(?1) + 1) = ?1 || ' ' ORDER BY at DESC LIMIT 1",
-      test_in, device_class);
+      "AND substr(detail, 1, length(?1) + 1) = ?1 || ' ' AND at <= ?2 ORDER BY at DESC LIMIT 1",
+      test_in, device_class, now_utc_us);
 }
 
 bool is_recent(const std::optional<DeviceTest>& test, int days, std::int64_t now_utc_us) noexcept {

@@ -21,8 +21,9 @@ struct DeviceTest {
   std::int64_t at_utc_us = 0;
 };
 
-/// The newest test of the device class on this station; none before the first. Reads one row by an index.
-Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_view device_class);
+/// The newest test of the device class on this station; none before the first. Reads one row by an index. A test that a wrong clock
+/// dated after `now_utc_us` says nothing of today: it is passed over.
+Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_view device_class, std::int64_t now_utc_us);
 
 /// Whether `test` passed at most `days` days before `now_utc_us`, and not after it.
 bool is_recent(const std::optional<DeviceTest>& test, int days, std::int64_t now_utc_us) noexcept;
@@ -32,7 +33,9 @@ class DeviceTests {
   explicit DeviceTests(StorageContext& context) : c_{context} {}
   /// Sets tester and time. Needs see_all_results, as staff have. bad_value (where = device_class, device).
   Stored<void> add(const Actor& actor, const DeviceTest& test);
-  Stored<std::optional<DeviceTest>> newest(std::string_view device_class) { return newest_device_test(c_.db, device_class); }
+  Stored<std::optional<DeviceTest>> newest(std::string_view device_class) {
+    return newest_device_test(c_.db, device_class, c_.clock());
+  }
 
  private:
   StorageContext& c_;

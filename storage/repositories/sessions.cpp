@@ -64,7 +64,7 @@ struct Admission {
 };
 
 void require_self_test(Transaction& transaction, const std::string& device_class, int days, std::int64_t now) {
-  const auto newest = newest_device_test(transaction.database(), device_class);
+  const auto newest = newest_device_test(transaction.database(), device_class, now);
   if (!newest) return transaction.refuse(newest.error());
   if (!is_recent(*newest, days, now)) transaction.refuse({StorageError::self_test_due, device_class, std::to_string(days)});
 }
