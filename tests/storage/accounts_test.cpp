@@ -79,6 +79,17 @@ TEST_F(AccountsTest, five_wrong_tries_lock_for_half_a_minute_and_each_further_on
   EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));  // counting began anew
 }
 
+TEST_F(AccountsTest, a_lock_of_a_clock_that_was_set_back_ends) {
+  make_student(*store);
+  constexpr std::int64_t year = 365 * std::int64_t{86'400'000'000};
+  *now += year;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+  *now -= 60'000'000;
+  EXPECT_EQ(code_of(accounts.sign_in("20267314", "battery staple")), StorageError::locked);
+  *now -= year;
+  EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));
+}
+
 TEST_F(AccountsTest, a_secret_of_the_wrong_kind_is_no_wrong_try_and_the_failure_names_the_number) {
   const Actor admin = make_administrator(*store).actor();
   must(accounts.create(admin, {.number = "271", .name = "Omar", .pin = "271828"}));
