@@ -80,8 +80,8 @@ std::string csv_text(std::string_view text) {
   char before = '\0';  // the last character but quotes, which a spreadsheet takes off
   for (const char c : text) {
     quote = quote || c == '"' || c == ',' || c == '\r' || c == '\n';
-    // A spreadsheet that parts columns by semicolons or tabs begins a cell here.
-    if ((before == ';' || before == '\t') && begins_formula(c)) out += '\'';
+    // A spreadsheet that parts columns by semicolons or tabs begins a cell here, also after a line's end within quotes.
+    if (std::string_view(";\t\r\n").contains(before) && begins_formula(c)) out += '\'';
     if (c == '"') out += '"';
     out += c;
     if (c != '"') before = c;

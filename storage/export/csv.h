@@ -1,5 +1,5 @@
 /// History as CSV: RFC 4180 (CRLF, doubled quotes), UTF-8, numbers with a point. A text that a spreadsheet would take for
-/// a formula gets an apostrophe in front, also after a semicolon or a tab within. Column names are stable keys.
+/// a formula gets an apostrophe in front, also after a semicolon, a tab or a line's end within. Column names are stable keys.
 #pragma once
 
 #include <cstddef>

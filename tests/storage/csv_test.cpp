@@ -36,6 +36,7 @@ TEST(CsvCells, so_is_what_a_spreadsheet_with_another_separator_would_run) {
   EXPECT_EQ(csv_text("Lena;=1+1"), "Lena;'=1+1");
   EXPECT_EQ(csv_text("Lena\t@SUM(A1)"), "Lena\t'@SUM(A1)");
   EXPECT_EQ(csv_text("a;+1;-2"), "a;'+1;'-2");
+  EXPECT_EQ(csv_text("a\n=1+1\r\n-2"), "\"a\n'=1+1\r\n'-2\"");
   EXPECT_EQ(csv_text("a;\"=1\""), "\"a;\"\"'=1\"\"\"");
   for (const char* plain : {"a; b", "a;b", "1-2", "x = 1; y = 2", "2.5;3", "Brandt-Meier"}) EXPECT_EQ(csv_text(plain), plain);
 }
