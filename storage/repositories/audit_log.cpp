@@ -72,7 +72,8 @@ Stored<void> gather_places(Database& db, const std::string& action, const std::o
   const std::string other = "action = ?5 AND action <> 'session_sealed'";
   if (action == kSealing) return person ? take(sealing_entries(person), *person) : take(sealing_entries(person));
   if (!person) return take({"audit_by_action", other}, action);
-  if (auto done = take({"audit_by_actor", other + " AND actor = ?6"}, action, *person); !done) return done;
+  auto done = take({"audit_by_actor", other + " AND actor = ?6"}, action, *person);
+  if (!done || *person == UserId{}) return done;  // a nil subject is nobody
   return take({"audit_by_subject", other + " AND subject = ?6 AND actor <> ?6"}, action, *person);
 }
 
