@@ -20,6 +20,20 @@ namespace {
 constexpr unsigned long kCifs = 0xFF534D42, kSmb2 = 0xFE534D42, kLustre = 0x0BD00BD0, kGpfs = 0x47504653,
                         kFuse = 0x65735546;
 
+/// mountinfo writes a space, a tab, a line's end and a backslash as three octal digits. Source: proc(5).
+std::string without_octal(const std::string& point) {
+  std::string out;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    if (point[i] != '\\' || i + 3 >= point.size()) {
+      out += point[i];
+      continue;
+    }
+    out += static_cast<char>((point[i + 1] - '0') << 6 | (point[i + 2] - '0') << 3 | (point[i + 3] - '0'));
+    i += 3;
+  }
+  return out;
+}
+
 /// FUSE serves local disks too: the mount's type decides ("fuse.sshfs"). The longest mount point above `folder` counts.
 bool network_fuse(const std::filesystem::path& folder) {
   std::ifstream mounts("/proc/self/mountinfo");
@@ -30,6 +44,7 @@ bool network_fuse(const std::filesystem::path& folder) {
     std::istringstream fields(line);
     std::string skipped, point, dash;
     fields >> skipped >> skipped >> skipped >> skipped >> point;
+    point = without_octal(point);
     while (fields >> dash && dash != "-") continue;
     std::string kind;
     fields >> kind;
