@@ -281,7 +281,8 @@ double share_left(const Plan& plan, const Scenario& scenario, const std::shared_
 }
 
 /// Each bur's plan is cut; the widest bur is taken of those that leave about the least.
-Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetShape& shape, const PlanErrors& errors, PlanCancel cancel) {
+Plan plan_burs(const Scenario& scenario, const Specimen& specimen, const TargetShape& shape, const PlanErrors& errors, Top top,
+               PlanCancel cancel) {
   std::vector<std::uint16_t> burs(scenario.instruments.size());
   std::iota(burs.begin(), burs.end(), std::uint16_t{0});
   std::ranges::stable_sort(burs, std::greater{}, [&](std::uint16_t bur) { return scenario.instruments[bur].radius_mm; });
@@ -292,7 +293,7 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
   Plan best;
   double least = kMuch;
   for (const std::uint16_t bur : burs) {
-    const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm);
+    const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm, top);
     Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style, cancel);
     if (is_cancelled(cancel)) return {};
     if (plan.strokes.empty()) continue;
@@ -304,6 +305,13 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
     if (least <= kLittle) break;
   }
   return best;
+}
+
+/// A target that ends at the surface, moved down, lies under tissue that no bur may pass. It then keeps its top.
+Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetShape& shape, const PlanErrors& errors, PlanCancel cancel) {
+  Plan plan = plan_burs(scenario, specimen, shape, errors, Top::moved, cancel);
+  const bool may_enter = !plan.strokes.empty() || errors.deeper_mm <= 0.0 || is_cancelled(cancel);
+  return may_enter ? plan : plan_burs(scenario, specimen, shape, errors, Top::kept, cancel);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ double air_voxels(const Specimen& specimen, Vec3 p) noexcept {
 
 }  // namespace
 
-Poses::Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm, double wider_mm, double clear_mm)
+Poses::Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm, double wider_mm, double clear_mm, Top top)
     : shape_(&shape), specimen_(&specimen), moved_(moved_mm), wider_(wider_mm), clear_(clear_mm), radius_(bur.radius_mm), low_(-bur.radius_mm),
-      reach_(head_reach(bur)), air_(specimen.reading() == Reading::banded), head_(bur.head) {
+      reach_(head_reach(bur)), top_(top), air_(specimen.reading() == Reading::banded), head_(bur.head) {
   if (bur.head.ball()) sample_ball();
   else sample_head(bur.head);
   // Neck and shank: rings a millimetre apart.

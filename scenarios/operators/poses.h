@@ -2,7 +2,9 @@
 /// Frame: specimen; a pose is the pivot's place (engine/tool/bur.h). Millimetres. Immutable; any thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,13 +18,19 @@ namespace cusp::scenarios {
 /// A place is sampled so densely on the bur that a flat wall lies at most so far from what poses take of it; mm.
 inline constexpr double kPoseErrorMm = 0.004;
 
+/// Where a target that is looked for deeper begins.
+enum class Top : std::uint8_t {
+  moved,  // as much deeper: what is looked for is the target, moved
+  kept    // where it is drawn: the bur enters there
+};
+
 class Poses {
  public:
   /// `moved_mm`: the target is looked for this far from where it is drawn. `wider_mm`: walls and floors may be passed by so
   /// much. `shape` and `specimen` outlive the poses. A filled specimen has no surface to measure air by: there air counts
   /// as tissue. `clear_mm`: the bur keeps so far from tissue that is not the target's.
   Poses(const TargetShape& shape, const Specimen& specimen, const Bur& bur, Vec3 moved_mm = Vec3(0.0), double wider_mm = 0.0,
-        double clear_mm = 0.0);
+        double clear_mm = 0.0, Top top = Top::moved);
 
   /// How far the bur stands out into tissue that is not the target's; 0 or less: nowhere. Never more than the true length,
   /// and changes by no more than the pose.
@@ -34,7 +42,10 @@ class Poses {
   /// Lowest point of the head at a distance from its axis, from the pivot; nothing below it: a large number.
   double underside_mm(double from_axis) const noexcept;
   /// Signed distance of a place from the target, where it is looked for.
-  double target_mm(Vec3 p) const noexcept { return shape_->distance_mm(p - moved_) - wider_; }
+  double target_mm(Vec3 p) const noexcept {
+    const double moved = shape_->distance_mm(p - moved_);
+    return (top_ == Top::moved ? moved : std::min(moved, shape_->distance_mm(p - Vec3(moved_.x, moved_.y, 0.0)))) - wider_;
+  }
   /// Box about it, in plan, and its lowest place.
   Vec2 low() const noexcept { return shape_->low() + Vec2(moved_.x, moved_.y) - wider_; }
   Vec2 high() const noexcept { return shape_->high() + Vec2(moved_.x, moved_.y) + wider_; }
@@ -60,6 +71,7 @@ class Poses {
   const Specimen* specimen_;
   Vec3 moved_;
   double wider_, clear_, radius_, low_, reach_;
+  Top top_;
   std::optional<double> narrows_;  // of a straight flank, mm a mm of height; a head without one has none
   bool air_ = false;
   Profile head_;

@@ -165,6 +165,19 @@ TEST(RegionPlan, MakesTheErrorsThatItIsAskedFor) {
   EXPECT_GT(cut(s, "novice").of("overcut_beyond_floor"), 2.0);
 }
 
+/// A box of 2 mm whose top lies at the block's. Moved down it would lie under tissue.
+TEST(RegionPlan, AnOperatorThatCutsTooDeepEntersATargetThatEndsAtTheSurface) {
+  Region box = box_region({0, 0, -1}, {4, 2.4, 2});
+  box.faces = {{"z_low", FaceName::pulpal_floor}};
+  const Scenario s = exercise(std::move(box));
+  const double right = cut(s).of("overcut_leeway_floor") + cut(s).of("overcut_beyond_floor");
+  for (const char* name : {"competent", "too_deep", "novice"}) {
+    const Cut deep = cut(s, name);
+    ASSERT_FALSE(deep.plan.strokes.empty()) << name;
+    EXPECT_GT(deep.of("overcut_leeway_floor") + deep.of("overcut_beyond_floor"), right + 0.3) << name;  // mm3; 0.12 mm of 8 mm2 are 0.96
+  }
+}
+
 TEST(FastCut, KnowsOperatorsByTheirCutsAlone) {
   const Scenario s = exercise(sphere({0, 0, 0}, 1));
   for (const char* name : {"reference", "competent", "novice", "too_deep", "too_shallow", "off_outline", "pulp"})
