@@ -49,6 +49,7 @@ struct ModelResult {
 enum class AuditError : std::uint8_t {
   cancelled,
   unplayable,   // the exercise as it stands cannot be played; where: the runner's reason
+  no_path,      // an operator has no path to the target, or touches nothing along it; where: the operator
 };
 using AuditFailure = Failure<AuditError>;
 

@@ -19,7 +19,7 @@ class AuditJob : public QObject {
 
   /// Cancels the running audit first. The pool calls `runner`.
   void start(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner);
-  /// No more signals come. The audit ends within a fraction of a second, or when its specimen is grown.
+  /// No more signals come. The audit ends within a second, but for a path that it plans: up to 15 s between neighbours.
   void cancel() { job_.cancel(); }
   bool running() const { return job_.running(); }
 

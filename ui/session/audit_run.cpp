@@ -123,6 +123,7 @@ struct AuditAttempt {
   std::vector<StepInput> path;
   double seconds = 0;
   std::uint64_t lost = 0;
+  bool touched = false;
 };
 
 /// As play_through plays, without mirror and record. nullopt: stopped.
@@ -138,6 +139,7 @@ std::optional<AuditAttempt> play(const Table& table, HapticPort& port, const std
     while (loop.hand_over().inputs.pop(input)) out.path.push_back(input);
     const StepOutput& o = loop.state().last();
     process.add(o);
+    out.touched = out.touched || o.contact;
     out.lost += (o.infeasible || o.overflow) ? 1 : 0;
     if (tick % kAuditTurn == 0) {
       finder.search(loop.state());
@@ -191,8 +193,8 @@ Path path_for_costs(const Table& table) {
   return out;
 }
 
-/// The models take the path in blocks, one after another in turn: whatever slows the machine slows all of a block's.
-void take_costs(const Tables& tables, std::vector<std::optional<ModelResult>>& results) {
+/// The models take the path in blocks, one after another in turn: whatever slows the machine slows all of a block's. False: stopped.
+bool take_costs(const Tables& tables, std::vector<std::optional<ModelResult>>& results, const std::function<bool()>& go_on) {
   const FpGuard fp;
   const Path path = path_for_costs(*tables.front());
   struct Lane {
@@ -215,6 +217,7 @@ void take_costs(const Tables& tables, std::vector<std::optional<ModelResult>>& r
   for (std::size_t begin = path.touched_at; begin + kBlockTicks <= path.inputs.size(); begin += kBlockTicks) {
     for (std::size_t m = 0; m < lanes.size(); ++m) {
       if (!lanes[m]) continue;
+      if (!go_on()) return false;
       Lane& lane = *lanes[m];
       const std::uint64_t counted = counter.read().value_or(0);
       const double at = thread_cpu_s();
@@ -244,6 +247,7 @@ void take_costs(const Tables& tables, std::vector<std::optional<ModelResult>>& r
     cost.start_s = tables[m]->start_s;
     cost.bytes = tables[m]->bytes;
   }
+  return true;
 }
 
 /// Plays the models of one exercise, and keeps each operator's path through the exercise as it is.
@@ -299,7 +303,7 @@ void Player::drop_unused(const AuditRun& run) {
 
 Result<std::optional<AuditAttempt>, AuditFailure> Player::felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on) {
   auto scripted = operator_by_name(who.name, table.scenario, *table.specimen, who.seed);
-  if (!scripted || scripted->plan().strokes.empty()) return fail(AuditError::unplayable, who.name);
+  if (!scripted || scripted->plan().strokes.empty()) return fail(AuditError::no_path, who.name);
   Swaying port(std::move(*scripted), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
   return play(table, port, go_on);
 }
@@ -319,6 +323,7 @@ Result<const AuditAttempt*, AuditFailure> Player::at_home(const Scenario& home, 
   auto attempt = felt(*home_table_, who, go_on);
   if (!attempt) return std::unexpected(attempt.error());
   if (!*attempt) return fail(AuditError::cancelled, {});
+  if (!(*attempt)->touched) return fail(AuditError::no_path, who.name);  // nothing would be compared
   known_.push_back({who, std::move(**attempt)});
   return &known_.back().attempt;
 }
@@ -343,9 +348,9 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
     tables.push_back(table ? *table : nullptr);
     results.push_back(tables.back() ? std::optional<ModelResult>(ModelResult{}) : std::nullopt);
   }
-  if (run.costs) take_costs(tables, results);
   double done = 0;
   const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / std::max(attempts, 1.0)); };
+  if (run.costs && !take_costs(tables, results, go_on)) return stopped();
   for (const AuditOperator& who : run.operators) {
     const bool home_first = !run.models.empty() && run.models.front().scenario == run.home;
     Result<const AuditAttempt*, AuditFailure> home = nullptr;

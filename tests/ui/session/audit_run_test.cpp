@@ -126,6 +126,31 @@ TEST(AuditRun, AnExerciseThatCannotBePlayedIsRefused) {
   EXPECT_EQ(results.error().code, AuditError::unplayable);
 }
 
+/// Its groove lies 30 mm beside the block: no operator touches anything, and every model would grade the same.
+TEST(AuditRun, AnExerciseThatNobodyTouchesIsRefused) {
+  Scenario s = small();
+  for (Vec3& p : s.target.outline.paths[0]) p.x += 30;
+  AuditRun wish;
+  wish.home = s;
+  wish.models = {{s}};
+  wish.operators = {{"expert", 1}};
+  const auto results = audit_runner({})(wish, {});
+  ASSERT_FALSE(results);
+  EXPECT_EQ(results.error().code, AuditError::no_path);
+  EXPECT_EQ(results.error().where, "expert");
+}
+
+/// The second question from the costs on is answered no. Without operators nothing follows them.
+TEST(AuditRun, StopsWhileCostsAreMeasured) {
+  AuditRun wish;
+  wish.home = small();
+  wish.models = {{small()}};
+  int asked = 0;
+  const auto results = audit_runner({})(wish, [&](double share) { return share < 0.1 || ++asked < 2; });
+  ASSERT_FALSE(results);
+  EXPECT_EQ(results.error().code, AuditError::cancelled);
+}
+
 TEST(CpuMeter, CountsWhatTheThreadAndTheHeapTake) {
   const double before = thread_cpu_s();
   volatile double sum = 0;
