@@ -101,6 +101,30 @@ def audits(desk):
         check(sorted(os.listdir(desk.folder)) == there, "a stopped audit left files")
 
 
+def audits_of_what_changes(desk):
+    """An edit that is saved while the exercise is audited stays. A copy is not parted from its volume."""
+    def quick(s):
+        s["phenomena"], s["tolerance"] = ["friction"], {"points": 20}
+        s["tissues"][0]["speed_mm_s"] = 20
+
+    edited = desk.small_exercise("edited.json", quick)
+    with subprocess.Popen([desk.cusp, "audit", edited, "--seeds", "1", "--apply", "--progress"], stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
+        check("%" in run.stderr.readline(), "no progress was printed")
+        desk.small_exercise("edited.json", lambda s: (quick(s), s["title"].update(en="Edited meanwhile")))
+        out, err = run.communicate(timeout=HUNG_S)
+    check(run.returncode == 1 and "Written" not in out and "edited.json" in err, f"audit of what changes: exit {run.returncode}: {out}{err}")
+    with open(edited, encoding="utf-8") as f:
+        check(json.load(f)["title"]["en"] == "Edited meanwhile", "an audit wrote over an edit")
+
+    status, _, err = desk.run("specimen", "block", "--voxel-mm", "0.4", "-o", desk.path("block.nrrd"))
+    check(status == 0, f"a block: {err}")
+    with_volume = desk.small_exercise("own.json", lambda s: s.update(specimen={"volume": "block.nrrd", "voxel_mm": 0.4}))
+    os.mkdir(desk.path("elsewhere"))
+    refused(desk, "a copy without its volume", "audit", with_volume, "--seeds", "1", "--apply", "-o", desk.path("elsewhere", "c.json"),
+            names=("block.nrrd", "folder"))
+
+
 def databases(desk):
     scenario, script = desk.small_exercise(), desk.small_script(1)
     status, out, err = desk.run("play", scenario, "--script", script, "--db", desk.path("good.db"), "--out", desk.path("o"))
@@ -173,6 +197,8 @@ def usage(desk):
     for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
                       ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
                       ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0"),
+                      ("play", "channel-1", "--out", desk.path("o"), "--seconds", "5"),
+                      ("play", "channel-1", "--out", desk.path("o"), "--silence-every", "5"),
                       ("grade", "x.db"), ("grade", "channel-1", "019a9f3c-6a00-7c41-9b1e-000000000000", "--volume", "x.nrrd"),
                       ("grade", "channel-1", "--volume", "x.nrrd", "--as", "demo"), ("grade", "channel-1", "--operator", "nobody"),
                       ("grade", "channel-1", "--operator", "expert"), ("grade", "channel-1", "--operator", "too_deep:huge"), ("grade", "channel-1", "--operator", "reference", "--as", "demo"),
@@ -302,6 +328,7 @@ with Desk(sys.argv[1]) as the_desk:
     usage(the_desk)
     scenarios(the_desk)
     audits(the_desk)
+    audits_of_what_changes(the_desk)
     databases(the_desk)
     outputs(the_desk)
     file_sizes(the_desk)

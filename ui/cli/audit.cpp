@@ -69,6 +69,32 @@ bool can_be_written(const std::filesystem::path& file) {
   return !std::filesystem::exists(there) || std::ofstream(file, std::ios::binary | std::ios::app).good();
 }
 
+/// Writes the leanest as the next version. Refuses if the exercise was saved after `before` was read: that edit would be lost.
+int apply(const AuditOptions& o, const std::filesystem::path& file, const Scenario& before, const AuditReport& report) {
+  Scenario leaner = report.leanest;
+  if (report.changed()) ++leaner.version;
+  if (o.out.empty()) {
+    if (!report.changed()) return kDone;  // nothing to write
+    const auto now = load_scenario(o.scenario);
+    if (!now || !(now->scenario == before))
+      return failed(Message{CliText::tr("%1 was changed while it was audited.").arg(QString::fromStdString(file.string())),
+                            CliText::tr("Nothing was written: audit it again.")});
+  }
+  if (!write_whole(file, write_scenario(leaner)))
+    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  if (!o.json.on_stdout())
+    print_line(plain(CliText::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
+  return kDone;
+}
+
+/// Whether the copy would lack the volume that its exercise names: that lies beside the exercise.
+bool leaves_its_volume(const std::filesystem::path& copy, const LoadedScenario& loaded) {
+  const auto named = [](const std::filesystem::path& folder) { return folder.empty() ? std::filesystem::path(".") : folder; };
+  std::error_code error;
+  return loaded.scenario.specimen.generator.empty() &&
+         !std::filesystem::equivalent(named(copy.parent_path()), named(loaded.folder), error);
+}
+
 int audit_verb(const AuditOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (const auto no = refuse_outputs({o.json.file}, {}, scenario_files(o.scenario))) return failed(*no);
@@ -83,6 +109,9 @@ int audit_verb(const AuditOptions& o) {
   if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";
   if (o.apply && !can_be_written(file))
     return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  if (o.apply && leaves_its_volume(file, *loaded))
+    return failed(Message{CliText::tr("The copy needs %1 beside it.").arg(QString::fromStdString(loaded->scenario.specimen.volume)),
+                          CliText::tr("Write it into the exercise’s folder.")});
   if (o.json.wanted() && !o.json.on_stdout() && !can_be_written(o.json.file))
     return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.json.file)));
 
@@ -103,16 +132,7 @@ int audit_verb(const AuditOptions& o) {
   if (!report) return failed(describe(report.error()));
   if (!o.json.write(nlohmann::ordered_json::parse(audit_json(*report)))) return kFailed;
   if (!o.json.on_stdout()) print(*report);
-  if (!o.apply) return kDone;
-
-  Scenario leaner = report->leanest;
-  if (report->changed()) ++leaner.version;
-  if (o.out.empty() && !report->changed()) return kDone;  // nothing to write
-  if (!write_whole(file, write_scenario(leaner)))
-    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
-  if (!o.json.on_stdout())
-    print_line(plain(CliText::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
-  return kDone;
+  return o.apply ? apply(o, file, loaded->scenario, *report) : kDone;
 }
 
 }  // namespace
@@ -126,7 +146,7 @@ void add_audit(CLI::App& program, Job& job) {
   verb->add_option("--seeds", o->seeds, help(CliText::tr("Attempts of each scripted operator: expert, competent and novice")))
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  verb->add_flag("--detail", o->detail, help(CliText::tr("Only the size of the voxels: seconds to a few minutes")));
+  verb->add_flag("--detail", o->detail, help(CliText::tr("Only the size of the voxels: minutes, between neighbouring teeth hours")));
   verb->add_flag("--apply", o->apply, help(CliText::tr("Write the leanest into the scenario, as its next version")));
   verb->add_option("-o,--out", o->out, help(CliText::tr("With --apply: write a copy there"))) ->type_name("FILE");
   verb->add_flag("--progress", o->progress, help(CliText::tr("Print how far it is to stderr")));

@@ -83,6 +83,8 @@ std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySett
 }
 
 int play(const PlayOptions& o) {
+  if (o.device.empty() && (o.seconds > 0 || o.silence_every_s > 0))
+    return wrong_usage(CliText::tr("--seconds and --silence-every belong to --device."));
   const std::filesystem::path folder(o.out), database = o.db.empty() ? folder / "cusp.db" : std::filesystem::path(o.db);
   std::vector<std::filesystem::path> outputs = report_files_in(folder);
   outputs.emplace_back(o.json.file);
