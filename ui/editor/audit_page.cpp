@@ -53,8 +53,8 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   column->setContentsMargins(px(kSide), px(12), px(kSide), px(16));
   column->setSpacing(px(8));
   column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, Weight::bold));
-  about_ = make_label(tr("Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes some "
-                         "minutes; you can go on working meanwhile."),
+  about_ = make_label(tr("Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes "
+                         "minutes, between neighbouring teeth hours; you can go on working meanwhile."),
                       TextRole::caption, Weight::regular, "text2");
   about_->setWordWrap(true);
   column->addWidget(about_);

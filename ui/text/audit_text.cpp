@@ -47,6 +47,36 @@ QString means_sentence(const AuditReport& report) {
                     .arg(QLocale().toString(half.attempts_per_operator), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
 }
 
+/// Whether other sizes were tried, and each of them too grades otherwise at its half or beside the exercise.
+bool every_size_fails(const AuditReport& report) {
+  bool tried = false;
+  for (const AuditStep& step : report.steps) {
+    if (step.choice.aspect != Aspect::voxel) continue;
+    if (step.change.within(report.tolerance_points)) return false;
+    tried = true;
+  }
+  return tried;
+}
+
+/// What half the voxels change; empty if they grade the same, or if nothing is known of them.
+QString half_sentence(const AuditReport& report) {
+  if (report.detail_holds()) return {};
+  const GradeChange& half = *report.at_half_voxel;
+  QString out;
+  if (!half.measures_alike) {
+    out = AuditText::tr("Half the voxels change which criteria can be measured.");
+  } else if (!half.passes_alike) {
+    out = AuditText::tr("Half the voxels change whether an attempt passes, or a critical event.");
+  } else if (std::abs(half.score) > report.tolerance_points) {
+    out = AuditText::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows.")
+              .arg(format_number(std::abs(half.score), 1), format_points(report.tolerance_points));
+  } else {
+    out = AuditText::tr("Half the voxels may change a score by more than the %1 points that the exercise allows.")
+              .arg(format_points(report.tolerance_points));
+  }
+  return every_size_fails(report) ? out + u' ' + AuditText::tr("No other size that was tried holds.") : out;
+}
+
 }  // namespace
 
 QString choice_name(const Choice& c) {
@@ -77,11 +107,8 @@ QString verdict_name(Verdict verdict) {
 }
 
 QString leanest_sentence(const AuditReport& report) {
-  if (!report.changed() && !report.detail_holds())
-    return AuditText::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every "
-                     "size that was tried.")
-               .arg(format_number(std::abs(report.at_half_voxel->score), 1), format_points(report.tolerance_points)) +
-           means_sentence(report);
+  const QString half = half_sentence(report);
+  if (!report.changed() && !half.isEmpty()) return half + means_sentence(report);
   if (!report.changed())
     return AuditText::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
                .arg(format_points(report.tolerance_points)) +
@@ -97,11 +124,15 @@ QString leanest_sentence(const AuditReport& report) {
                       .arg(format_number(is.us_a_tick, 0), format_number(is.us_a_tick - is.us_more, 0),
                            format_number(static_cast<double>(is.bytes) / 1e6, 0), format_number(static_cast<double>(was.bytes) / 1e6, 0));
   }
+  if (!half.isEmpty()) out += u' ' + half;
   return out + means_sentence(report) + u' ' + AuditText::tr("One thing after another was tried: a leaner set may exist.");
 }
 
 Message describe(const AuditFailure& failure) {
   if (failure.code == AuditError::cancelled) return {AuditText::tr("The audit was stopped."), AuditText::tr("Nothing was changed.")};
+  if (failure.code == AuditError::no_path)
+    return {AuditText::tr("A scripted operator cannot reach the target (%1), so nothing can be measured.").arg(operator_name(failure.where)),
+            AuditText::tr("Look at its checks first.")};
   return {AuditText::tr("The exercise cannot be played as it stands (%1).").arg(QString::fromStdString(failure.where)),
           AuditText::tr("Look at its checks first.")};
 }

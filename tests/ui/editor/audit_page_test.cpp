@@ -119,6 +119,21 @@ TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
   EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
 }
 
+TEST(AuditText, names_why_half_the_voxels_do_not_hold) {
+  AuditReport report;
+  report.scenario = report.leanest = draft().draft;
+  report.tolerance_points = 2;
+  GradeChange& half = report.at_half_voxel.emplace();
+  half.score = 0.4;
+  half.passes_alike = false;
+  EXPECT_EQ(leanest_sentence(report), QStringLiteral("Half the voxels change whether an attempt passes, or a critical event."));
+  half.passes_alike = true;
+  half.score = 3;
+  EXPECT_EQ(leanest_sentence(report), QStringLiteral("Half the voxels change a score by 3.0 points, more than the 2 that the exercise allows."));
+  report.leanest.phenomena = {"heat"};
+  EXPECT_TRUE(leanest_sentence(report).contains(QStringLiteral("Half the voxels"))) << "a leaner model in voxels that do not hold";
+}
+
 TEST(AuditPage, names_the_rest_by_what_the_share_took) {
   const QChar space(0x00A0);
   EXPECT_EQ(share_and_rest(0.02, 30), QStringLiteral("2%1%").arg(space)) << "too little has run";
