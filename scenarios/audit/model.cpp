@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/volume/specimen.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/target.h"
 
@@ -50,7 +51,9 @@ std::array<Tissue, kTissueCodes> heirs(const VoxelVolume& v, const std::vector<T
 }
 
 VoxelVolume cropped(const VoxelVolume& v, const Scenario& scenario) {
-  const TargetShape shape(scenario.target);
+  // A lesion's or a tissue's shape is of these voxels.
+  const bool of_voxels = needs_voxels(scenario.target);
+  const TargetShape shape(scenario.target, of_voxels ? Specimen::build(v, reading_of(scenario.method)) : nullptr);
   if (shape.empty()) return v;
   double radius = 0;
   for (const Bur& bur : scenario.instruments) radius = std::max(radius, bur.radius_mm);

@@ -87,6 +87,16 @@ TEST(Region, KeepsWhatLiesNearTheTargetAndWhereItLies) {
   EXPECT_EQ(near.s[near.grid.index(at)], whole.s[whole.grid.index(there)]);
 }
 
+/// The target follows the lesion: it has a place only in the specimen's voxels.
+TEST(Region, IsCroppedToATargetThatFollowsALesion) {
+  Scenario s = *load_builtin("caries-26");
+  s.specimen.voxel_mm = 0.4;
+  const VoxelVolume whole = *make_specimen(s.specimen, {});
+  Model m{s};
+  m.near_target_only = true;
+  EXPECT_LT(prepared(whole, m).grid.voxels(), whole.grid.voxels() * 3 / 4);
+}
+
 TEST(With, TakingTheSpindleAwayTakesWhatNeedsIt) {
   Model m;
   m.scenario.phenomena = {"friction", "spindle-slow", "vibration", "sound", "heat"};
