@@ -142,14 +142,18 @@ def coarser_or_finer(key, size, folder):
     """A folder with the exercise in voxels of that size."""
     scenario = folder / f"{key}-{size:g}"
     scenario.mkdir(parents=True, exist_ok=True)
-    (scenario / "scenario.json").write_text(re.sub(r'("voxel_mm": )[0-9.]+', rf"\g<1>{size:g}", text_of(key)))
+    text, file = re.sub(r'("voxel_mm": )[0-9.]+', rf"\g<1>{size:g}", text_of(key)), scenario / "scenario.json"
+    if not file.exists() or file.read_text() != text:
+        for old in scenario.glob("*.json"):  # grades of another version
+            old.unlink()
+        file.write_text(text)
     return scenario
 
 
 def cut_score(cusp, key, size, operator, folder):
-    """Kept in the folder: --keep continues an audit that was cut off."""
+    """Kept in the folder: --keep continues an audit that was cut off. A grade of another exercise or program is made anew."""
     report = coarser_or_finer(key, size, folder) / f"{operator}.json"
-    if not report.exists():
+    if not report.exists() or report.stat().st_mtime < os.stat(cusp).st_mtime:
         subprocess.run([cusp, "grade", str(report.parent), "--operator", operator, "--json", str(report)], check=True,
                        stdout=subprocess.DEVNULL)
     grade = json.loads(report.read_text())
@@ -162,11 +166,12 @@ def cuts_row(cusp, key, folder):
     with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
         pairs = list(pool.map(lambda operator: (cut_score(cusp, key, size, operator, folder), cut_score(cusp, key, size / 2, operator, folder)),
                               ["reference", "competent", "novice"]))
+    engine = pairs[0][0]["engine"]
     changes = [half["score"] - now["score"] for now, half in pairs]
     most = max(changes, key=abs)
     text = f"{most:+.1f}" + ("" if all(now["passed"] == half["passed"] for now, half in pairs) else ", a pass or fail parts")
     scores = ", ".join(f"{now['score']:.0f}" for now, half in pairs)
-    return f"| {key} | {mm(size)}; within {points:g} | {scores} | by cuts alone |  | {text} | as set |"
+    return f"| {key} | {mm(size)}; within {points:g} | {scores} | by cuts alone, engine version {engine} |  | {text} | as set |"
 
 
 def read_table():
@@ -232,7 +237,7 @@ def main():
         "",
         "Change: of the score of the operator that it changes most, in points; over several attempts the mean and its standard error. "
         "A tick: median CPU time over the first 12 s of touch, in ticks of 1 ms (about a tooth most of them are in the air). "
-        "*By cuts alone*: what reference, competent and novice cut at once (`README.md`); no attempt was played. "
+        "*By cuts alone*: what reference, competent and novice cut at once (`README.md`); no attempt was played, and the row names its engine version. "
         "*Would do*: a coarser size that the search found (`README.md`) and that is not set.",
         "",
     ]
