@@ -6,6 +6,7 @@
 #include <spanstream>
 #include <system_error>
 
+#include "engine/base/ids.h"
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
@@ -87,7 +88,8 @@ Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile&
 Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, const std::filesystem::path& path) {
   const auto bytes = exercise_file_bytes(file);
   if (!bytes) return std::unexpected(bytes.error());
-  const std::filesystem::path part = path.string() + ".part";
+  // Another program may write the same name: each has a part of its own. 12 random digits of the id.
+  const std::filesystem::path part = path.string() + ".part-" + Uuid::v7().text().substr(24);
   std::ofstream out(part, std::ios::binary);
   out.write(bytes->data(), static_cast<std::streamsize>(bytes->size()));
   out.close();

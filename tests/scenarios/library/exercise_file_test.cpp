@@ -112,6 +112,13 @@ TEST_F(ExerciseFiles, AreReadFromADiskAndNameTheFileInAFailure) {
   EXPECT_EQ(std::get<FormatFailure>(read_exercise_file(path).error()).code, FormatError::too_large);
 }
 
+TEST_F(ExerciseFiles, AreWrittenBesideWhatBearsTheNameOfAPart) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "a.cusp.part");
+  EXPECT_TRUE(write_exercise_file({*load_builtin("channel-1"), {}}, folder / "a.cusp"));
+  EXPECT_TRUE(read_exercise_file(folder / "a.cusp"));
+}
+
 TEST_F(ExerciseFiles, OfAnotherKindAreRefused) {
   EXPECT_EQ(code_of(""), "foreign_file");
   EXPECT_EQ(code_of("PK\x03\x04"), "foreign_file");
