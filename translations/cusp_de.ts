@@ -565,10 +565,6 @@
         <translation>zu grob</translation>
     </message>
     <message>
-        <source>Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every size that was tried.</source>
-        <translation>Halb so große Voxel ändern ein Ergebnis um %1 Punkte, mehr als die %2, die die Übung zulässt; so war es bei jeder geprüften Größe.</translation>
-    </message>
-    <message>
         <source>Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).</source>
         <translation>Nichts kann wegbleiben: Die Übung ist so schlank, wie es ihre Punkte zulassen (auf %1 Punkte).</translation>
     </message>
@@ -623,6 +619,30 @@
     <message>
         <source>Surface band halved</source>
         <translation>Band der Oberfläche halbiert</translation>
+    </message>
+    <message>
+        <source>Half the voxels change which criteria can be measured.</source>
+        <translation>Halb so große Voxel ändern, welche Kriterien sich messen lassen.</translation>
+    </message>
+    <message>
+        <source>Half the voxels change whether an attempt passes, or a critical event.</source>
+        <translation>Halb so große Voxel ändern, ob ein Versuch besteht, oder ein kritisches Ereignis.</translation>
+    </message>
+    <message>
+        <source>Half the voxels change a score by %1 points, more than the %2 that the exercise allows.</source>
+        <translation>Halb so große Voxel ändern ein Ergebnis um %1 Punkte, mehr als die %2, die die Übung zulässt.</translation>
+    </message>
+    <message>
+        <source>Half the voxels may change a score by more than the %1 points that the exercise allows.</source>
+        <translation>Halb so große Voxel ändern ein Ergebnis womöglich um mehr als die %1 Punkte, die die Übung zulässt.</translation>
+    </message>
+    <message>
+        <source>No other size that was tried holds.</source>
+        <translation>Keine andere geprüfte Größe genügt.</translation>
+    </message>
+    <message>
+        <source>A scripted operator cannot reach the target (%1), so nothing can be measured.</source>
+        <translation>Ein automatischer Operateur erreicht das Ziel nicht (%1); darum lässt sich nichts messen.</translation>
     </message>
 </context>
 <context>
@@ -720,8 +740,8 @@
         <translation>%1, noch etwa %2 min</translation>
     </message>
     <message>
-        <source>Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
-        <translation>Automatische Operateure bohren die Übung zu jeder Wahl unten einmal, wobei diese wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
+        <source>Scripted operators drill the exercise once for each choice below, with that choice left out or halved. That takes minutes, between neighbouring teeth hours; you can go on working meanwhile.</source>
+        <translation>Automatische Operateure bohren die Übung zu jeder Wahl unten einmal, wobei diese wegbleibt oder halbiert wird. Das dauert Minuten, zwischen Nachbarzähnen Stunden; Sie können inzwischen weiterarbeiten.</translation>
     </message>
 </context>
 <context>
@@ -2251,8 +2271,8 @@
         <translation>Als Version %2 nach %1 geschrieben.</translation>
     </message>
     <message>
-        <source>Only the size of the voxels: seconds to a few minutes</source>
-        <translation>Nur die Größe der Voxel: Sekunden bis wenige Minuten</translation>
+        <source>Only the size of the voxels: minutes, between neighbouring teeth hours</source>
+        <translation>Nur die Größe der Voxel: Minuten, zwischen Nachbarzähnen Stunden</translation>
     </message>
     <message>
         <source>Write the leanest into the scenario, as its next version</source>
@@ -3083,6 +3103,26 @@
     <message>
         <source>%1 is set twice.</source>
         <translation>%1 ist zweimal gesetzt.</translation>
+    </message>
+    <message>
+        <source>%1 was changed while it was audited.</source>
+        <translation>%1 wurde während der Messung des Aufwands geändert.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: audit it again.</source>
+        <translation>Nichts wurde geschrieben: Messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The copy needs %1 beside it.</source>
+        <translation>Die Kopie braucht %1 neben sich.</translation>
+    </message>
+    <message>
+        <source>Write it into the exercise’s folder.</source>
+        <translation>Schreiben Sie sie in den Ordner der Übung.</translation>
+    </message>
+    <message>
+        <source>--seconds and --silence-every belong to --device.</source>
+        <translation>--seconds und --silence-every gehören zu --device.</translation>
     </message>
 </context>
 <context>
