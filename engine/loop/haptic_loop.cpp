@@ -9,6 +9,8 @@ namespace cusp::engine {
 
 namespace {
 using Clock = std::chrono::steady_clock;
+/// Late samples that may come before a session's first tick, 2 ms each; after them the guard reports the device.
+constexpr int kLateAtFirst = 50;
 
 std::uint64_t ns_between(Clock::time_point from, Clock::time_point to) noexcept {
   return to > from ? static_cast<std::uint64_t>(std::chrono::nanoseconds(to - from).count()) : 0;
@@ -54,6 +56,7 @@ void HapticLoop::run() noexcept {
   const Clock::time_point start = Clock::now();
   Clock::time_point deadline = start;
   std::uint64_t last_us = 0;
+  int late_at_first = kLateAtFirst;  // still allowed; 0 once a sample has come
   while (!stop_.load(std::memory_order_acquire) && !ticker_.ended()) {
     // A device with its own clock delivers before this deadline; after two periods without a sample, it is late.
     deadline = own_clock_ ? Clock::now() + 2 * settings_.period : deadline + settings_.period;
@@ -67,6 +70,9 @@ void HapticLoop::run() noexcept {
     const std::uint64_t us = ns_between(start, now) / 1000;
     const auto elapsed = std::clamp<std::uint64_t>(us - last_us, 1, std::numeric_limits<std::uint32_t>::max());
     last_us = us;
+    // A late first sample names no position: the step would begin there, and the next sample would be a jump.
+    late_at_first = sample.status == Sample::Status::late ? std::max(late_at_first - 1, 0) : 0;
+    if (late_at_first > 0) continue;
 
     const std::uint64_t cpu = thread_cpu_ns();
     const Feedback feedback = ticker_.tick(sample, static_cast<std::uint32_t>(elapsed));

@@ -293,6 +293,40 @@ TEST(HapticLoop, ALostDeviceKeepsThePaceAndComesBack) {
   loop.stop();
 }
 
+/// As a Falcon after opening: its first samples are late and name the origin, its hand is 9 mm above.
+class RejectingPort final : public DrillingPort {
+ public:
+  RejectingPort() : DrillingPort(1u << 30, Pace::to_deadline) {}
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    Sample sample;
+    if (late_ > 0) {
+      --late_;
+      std::this_thread::sleep_until(deadline);
+      sample.status = Sample::Status::late;
+      return sample;
+    }
+    sample = DrillingPort::wait(deadline);
+    sample.position_mm.z += 9.0;
+    return sample;
+  }
+
+ private:
+  int late_ = 2;
+};
+
+TEST(HapticLoop, BeginsAtTheFirstNewSampleAndNotAtTheOrigin) {
+  RejectingPort port;
+  HapticLoop loop(port, StepState(test::block_scene()), quiet());
+  loop.start();
+  EXPECT_TRUE(eventually([&] { return loop.hand_over().ticks.load() >= 10 || loop.hand_over().phase.load() == LoopPhase::held; }));
+  loop.stop();
+  EXPECT_EQ(loop.state().fault(), Fault::none);
+  const auto inputs = drain(loop.hand_over());
+  ASSERT_FALSE(inputs.empty());
+  EXPECT_EQ(inputs.front().buttons & StepInput::kLate, 0);
+  EXPECT_GT(inputs.front().position_mm().z, 9.0);
+}
+
 TEST(HapticLoop, TheLatestValueIsNeverTorn) {
   DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   LoopSettings settings = quiet();
