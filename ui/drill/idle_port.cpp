@@ -18,7 +18,8 @@ Sample IdlePort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
 }
 
 void IdlePort::write(const Feedback& feedback) noexcept {
-  if (!idle_.load(std::memory_order_acquire)) return port_.write(feedback);
+  // Until the sample that re-arms, the step's force has not ramped in.
+  if (!was_idle_ && !idle_.load(std::memory_order_acquire)) return port_.write(feedback);
   Feedback quiet = feedback;
   quiet.force_n = Vec3(0.0);
   port_.write(quiet);

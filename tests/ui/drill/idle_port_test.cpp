@@ -55,6 +55,19 @@ TEST(IdlePort, RearmsWithTheFirstSampleAfterwardsAlone) {
   EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
 }
 
+TEST(IdlePort, GivesNoForceBeforeTheSampleThatRearms) {
+  PressedPort device;
+  IdlePort port(device, nullptr);
+  port.set_idle(true);
+  port.wait({});
+  port.set_idle(false);  // between the tick's sample and its force
+  port.write({.force_n = {0, 0, 2}});
+  EXPECT_EQ(device.got.force_n, Vec3(0.0));
+  EXPECT_NE(port.wait({}).buttons & StepInput::kRearm, 0);
+  port.write({.force_n = {0, 0, 2}});
+  EXPECT_EQ(device.got.force_n, Vec3(0, 0, 2));
+}
+
 TEST(IdlePort, TakesTheCutOffThePedalToo) {
   PressedPort device;
   IdlePort port(device, std::make_shared<PressedPedal>());
