@@ -9,6 +9,10 @@
 
 namespace cusp::device {
 
+namespace inverse {
+struct ServiceAddress;
+}
+
 struct DeviceKind {
   std::string_view key;           // "pointer", "falcon", "emulated-falcon", "scripted": of settings and command line
   std::string_view device_class;  // of statistics; never mixed
@@ -42,6 +46,8 @@ class DeviceWatch {
 };
 /// Uses libusb. If libusb does not start, list() still has the software devices.
 std::unique_ptr<DeviceWatch> watch_devices();
+/// The same, with the Inverse3's service at another address.
+std::unique_ptr<DeviceWatch> watch_devices_at(const inverse::ServiceAddress& service);
 
 /// Appends the software devices, the emulated Falcon and the pointer, to a list of hardware.
 std::vector<FoundDevice> with_software_devices(std::vector<FoundDevice> hardware);

@@ -10,7 +10,7 @@ namespace {
 
 class Watch final : public DeviceWatch {
  public:
-  Watch() {
+  explicit Watch(const inverse::ServiceAddress& address) : address_(address) {
     if (auto watch = falcon::watch_usb_falcons()) falcons_ = std::move(*watch);
   }
   std::vector<FoundDevice> list() override {
@@ -31,17 +31,18 @@ class Watch final : public DeviceWatch {
   }
 
  private:
-  /// Whether the Inverse3's service listens. Probes every 3 s: on loopback the system answers at once.
+  /// Whether the Inverse3's service listens. Probes every 3 s, each for 0.2 s at most.
   bool service() noexcept {
     const auto now = std::chrono::steady_clock::now();
     if (!probed_ || now - probed_at_ > std::chrono::seconds(3)) {
       probed_ = true;
       probed_at_ = now;
-      listens_ = inverse::service_listens({});
+      listens_ = inverse::service_listens(address_);
     }
     return listens_;
   }
 
+  inverse::ServiceAddress address_;
   std::unique_ptr<falcon::FalconWatch> falcons_;
   bool listens_ = false, listed_service_ = false, probed_ = false;
   std::chrono::steady_clock::time_point probed_at_{};
@@ -50,6 +51,8 @@ class Watch final : public DeviceWatch {
 
 }  // namespace
 
-std::unique_ptr<DeviceWatch> watch_devices() { return std::make_unique<Watch>(); }
+std::unique_ptr<DeviceWatch> watch_devices() { return watch_devices_at({}); }
+
+std::unique_ptr<DeviceWatch> watch_devices_at(const inverse::ServiceAddress& service) { return std::make_unique<Watch>(service); }
 
 }  // namespace cusp::device

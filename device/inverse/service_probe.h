@@ -5,7 +5,8 @@
 
 namespace cusp::device::inverse {
 
-/// Whether a service listens at the address. On loopback the system answers at once. Sends nothing.
+/// Whether a service listens at the address. Sends nothing. On loopback the system answers at once. If the service's queue of
+/// connections is full, the answer is false after 0.2 s.
 bool service_listens(const ServiceAddress& address) noexcept;
 
 }  // namespace cusp::device::inverse

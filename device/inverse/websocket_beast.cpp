@@ -21,6 +21,7 @@ using asio::ip::tcp;
 using inverse::LinkEvent;
 using inverse::LinkTime;
 
+constexpr std::chrono::milliseconds kLongestProbe{200};
 constexpr std::size_t kMostQueued = 8;  // messages that nobody takes: the other side stands still
 
 class BeastLink final : public inverse::InverseLink {
@@ -139,11 +140,13 @@ class BeastLink final : public inverse::InverseLink {
 
 bool inverse::service_listens(const ServiceAddress& address) noexcept {
   try {
+    bool listens = false;
     asio::io_context context;
     tcp::socket socket(context);
-    boost::system::error_code error;
-    socket.connect({asio::ip::address_v4::loopback(), address.port}, error);
-    return !error;
+    socket.async_connect({asio::ip::address_v4::loopback(), address.port},
+                         [&listens](boost::system::error_code error) { listens = !error; });
+    context.run_for(kLongestProbe);
+    return listens;
   } catch (const std::exception&) {
     return false;
   }

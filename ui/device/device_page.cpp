@@ -49,7 +49,13 @@ void rows_first(const QWidget& page, const QWidget& rows) {
 
 struct DevicePage::Inner {
   Inner(const QString& file, Ports world, Role of, MakeWatch make)
-      : device(file), ports(std::move(world)), role(of), make_watch(std::move(make)), watch(make_watch()) {}
+      : device(file), ports(std::move(world)), role(of), make_watch(make ? std::move(make) : own_watch()), watch(make_watch()) {}
+
+  MakeWatch own_watch() {
+    return [this] {
+      return watch_in_background([service = device.inverse().service] { return watch_devices_at(service); });
+    };
+  }
 
   DeviceSettings device;
   Ports ports;
@@ -222,7 +228,8 @@ void DevicePage::fill() {
   in.no_falcon->setText(in.known ? tr("No Falcon is plugged in. One that is plugged in appears here by itself.")
                                  : tr("Looking at what is plugged in."));
   in.no_falcon->setVisible(std::none_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "falcon"; }));
-  in.inverse->setVisible(chosen.kind == "inverse3" ||
+  // Staff name the port of a service that is not found.
+  in.inverse->setVisible(in.staff() || chosen.kind == "inverse3" ||
                          std::any_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "inverse3"; }));
   in.rights->set_command(denied ? QString::fromStdString(falcon::udev_install_command()) : QString());
   // What else comes or goes ends no test of the chosen one.

@@ -24,9 +24,10 @@ class DevicePage : public QWidget {
 
  public:
   using MakeWatch = std::function<std::unique_ptr<DeviceWatch>()>;
-  /// `settings` and `hid` outlive this; `hid` null: no pedal, no SpaceMouse. The watch lasts while the page is seen.
+  /// `settings` and `hid` outlive this; `hid` null: no pedal, no SpaceMouse. The watch lasts while the page is seen; empty: the
+  /// station's own, with the Inverse3's service at the port of the settings.
   DevicePage(Settings& settings, Ports ports, Role role, hid::HidStation* hid = nullptr,
-             MakeWatch watch = [] { return watch_in_background(); }, QWidget* parent = nullptr);
+             MakeWatch watch = {}, QWidget* parent = nullptr);
   ~DevicePage() override;
 
   class FalconPanel* falcon() const;

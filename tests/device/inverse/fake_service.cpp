@@ -17,6 +17,25 @@ namespace websocket = boost::beast::websocket;
 using asio::ip::tcp;
 using boost::system::error_code;
 
+struct FullPort::Inner {
+  asio::io_context context{1};
+  tcp::acceptor acceptor{context};
+  std::vector<tcp::socket> waiting;
+};
+
+FullPort::FullPort() : inner_(std::make_unique<Inner>()) {
+  const tcp::endpoint any(asio::ip::address_v4::loopback(), 0);
+  inner_->acceptor.open(any.protocol());
+  inner_->acceptor.bind(any);
+  inner_->acceptor.listen(0);
+  const tcp::endpoint here = inner_->acceptor.local_endpoint();
+  port_ = here.port();
+  inner_->waiting.reserve(4);
+  for (int i = 0; i < 4; ++i) inner_->waiting.emplace_back(inner_->context).async_connect(here, [](error_code) {});
+}
+
+FullPort::~FullPort() = default;
+
 struct FakeService::Inner {
   struct Line : std::enable_shared_from_this<Line> {
     Line(FakeService& s, tcp::socket socket) : service(s), stream(std::move(socket)) {}

@@ -59,4 +59,17 @@ class FakeService {
   std::unique_ptr<Inner> inner_;
 };
 
+/// A port that listens and takes nobody: its queue of connections is full.
+class FullPort {
+ public:
+  FullPort();
+  ~FullPort();
+  std::uint16_t port() const noexcept { return port_; }
+
+ private:
+  struct Inner;
+  std::uint16_t port_ = 0;
+  std::unique_ptr<Inner> inner_;
+};
+
 }  // namespace cusp::test

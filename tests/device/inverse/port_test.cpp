@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <numbers>
 #include <thread>
 
+#include "device/catalogue.h"
 #include "device/inverse/service_probe.h"
 #include "engine/loop/tick.h"
 #include "tests/device/inverse/fake_service.h"
@@ -284,6 +286,17 @@ TEST(InversePort, a_service_is_found_by_whether_it_listens) {
     EXPECT_TRUE(inverse::service_listens({port}));
   }
   EXPECT_FALSE(inverse::service_listens({port}));
+}
+
+TEST(InversePort, a_service_at_another_port_is_listed_by_a_watch_of_that_port) {
+  FakeService service;
+  const auto found = watch_devices_at({service.port()})->list();
+  EXPECT_TRUE(std::ranges::any_of(found, [](const FoundDevice& one) { return one.kind == "inverse3"; }));
+}
+
+TEST(InversePort, a_service_that_takes_no_connection_is_not_waited_for) {
+  const test::FullPort full;
+  EXPECT_FALSE(inverse::service_listens({full.port()}));  // by itself connect() tries for two minutes
 }
 
 TEST(InversePort, opened_again_it_begins_anew) {

@@ -334,6 +334,13 @@ TEST(DevicePage, a_test_goes_on_while_another_device_comes) {
   page->hide();
 }
 
+TEST(DevicePage, staff_reach_the_port_of_a_service_that_is_not_found) {
+  Desk desk;
+  const auto staff = desk.page(Role::instructor), student = desk.page(Role::student);
+  EXPECT_TRUE(shows(*staff, QStringLiteral("Port of the service")));
+  EXPECT_FALSE(shows(*student, QStringLiteral("Port of the service")));
+}
+
 TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   Desk desk;
   DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
