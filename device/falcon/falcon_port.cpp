@@ -34,7 +34,8 @@ DeviceLimits limits_of(const FalconSettings& settings) {
   DeviceLimits limits;
   limits.name = settings.name;
   limits.device_class = settings.device_class;
-  limits.max_force_n = settings.max_force_n;
+  // A gain above 1 asks the motors for more, and they have no more.
+  limits.max_force_n = settings.max_force_n / std::max(1.0, settings.calibration.force_gain);
   limits.max_stiffness_n_per_mm = settings.max_stiffness_n_per_mm / scale;
   limits.has_own_clock = true;
   limits.closed_loop = settings.closed_loop;

@@ -38,7 +38,7 @@ struct FalconSettings {
   std::uint16_t burs = 1;  // number of burs in the scene; the buttons count from Feedback::bur and stop at the ends
   std::string name = "Novint Falcon";
   std::string device_class = "falcon";
-  double max_force_n = 4.4;             // in any direction, anywhere within 40 mm of the axis and z 0.080 to 0.170 m
+  double max_force_n = 4.4;             // at force_gain 1, in any direction, within 40 mm of the axis and z 0.080 to 0.170 m
   double max_stiffness_n_per_mm = 3.0;  // [M] CHAI3D's figure for a Falcon; a self-test may find less
   bool closed_loop = true;
   std::optional<double> damping_ns_per_m;  // of the device at the grip; none until measured [M]

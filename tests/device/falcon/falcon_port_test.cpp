@@ -98,6 +98,15 @@ TEST(FalconPort, the_force_that_it_promises_is_to_be_had_everywhere) {
   EXPECT_LT(least, promised + 0.3);
 }
 
+TEST(FalconPort, promises_less_where_its_gain_asks_the_motors_for_more) {
+  FalconSettings settings;
+  const double usual = limits_of(settings).max_force_n;
+  settings.calibration.force_gain = 2.0;
+  EXPECT_DOUBLE_EQ(limits_of(settings).max_force_n, usual / 2.0);
+  settings.calibration.force_gain = 0.5;
+  EXPECT_DOUBLE_EQ(limits_of(settings).max_force_n, usual);
+}
+
 /// A hand of 150 g on a spring of 0.5 N/mm, critically damped, stepped with the emulated time.
 struct Hand {
   Emulator& falcon;
