@@ -118,7 +118,6 @@ void InversePort::Inner::exchange() {
     now = link->now();
     session.advance(event, now);
     const SessionState& state = session.state();
-    ready.store(state.phase == Phase::ready, std::memory_order_release);
     if (state.readings != readings) {
       readings = state.readings;
       newest.write({state.reading, readings});
@@ -130,6 +129,8 @@ void InversePort::Inner::exchange() {
       published = now;
       publish(state, now, rate_since, rated);
     }
+    // After the view: open() returns on it, and limits() then reads the view.
+    ready.store(state.phase == Phase::ready, std::memory_order_release);
   }
   ready.store(false, std::memory_order_release);
   if (auto message = session.closing_message()) {
