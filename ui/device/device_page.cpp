@@ -127,7 +127,9 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   body->addWidget(in.firmware_card);
 
   in.inverse = new Card(QStringLiteral("Inverse3"), {}, this);
-  in.inverse->body()->addWidget(new InversePanel(&settings, make_inverse_port, in.inverse));
+  auto* inverse = new InversePanel(&settings, make_inverse_port, in.inverse);
+  if (!in.staff()) inverse->fix_settings();
+  in.inverse->body()->addWidget(inverse);
   body->addWidget(in.inverse);
   if (hid) {
     auto* pedal = new Card(tr("Foot pedal"), {}, this);

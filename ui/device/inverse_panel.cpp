@@ -58,6 +58,7 @@ struct InversePanel::Inner {
   PortFailure failure{PortError::not_found, {}};
   QTimer timer;
   QString announced;
+  bool fixed = false;
 
   Chip* chip;
   QLabel *message, *place, *rate, *handle;
@@ -188,6 +189,11 @@ void InversePanel::connect_all() {
 
 InversePanel::~InversePanel() { release(); }
 
+void InversePanel::fix_settings() {
+  inner_->fixed = true;
+  look();
+}
+
 InverseSettings InversePanel::chosen() const { return inner_->settings; }
 
 void InversePanel::connect_to_it() {
@@ -283,7 +289,7 @@ void InversePanel::look() {
   in.free->setVisible(in.state == State::answers);
   in.cancel->setVisible(in.state == State::asking);
   in.progress->setVisible(in.state == State::asking);
-  const bool still = in.state != State::asking && in.state != State::answers;
+  const bool still = !in.fixed && in.state != State::asking && in.state != State::answers;
   for (QWidget* field : {static_cast<QWidget*>(in.turned), static_cast<QWidget*>(in.scale), static_cast<QWidget*>(in.service)})
     field->setEnabled(still);
   if (const QString now = summary(); now != in.announced) {

@@ -25,6 +25,8 @@ class InversePanel : public QWidget {
   explicit InversePanel(Settings* settings, MakePort make_port = make_inverse_port, QWidget* parent = nullptr);
   ~InversePanel() override;
 
+  /// For students: direction, scale and port of the station are shown and stay.
+  void fix_settings();
   /// "Haply Inverse3: answers", for a list of devices.
   QString summary() const;
   /// What an attempt is to be made with.

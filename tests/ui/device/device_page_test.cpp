@@ -20,6 +20,7 @@
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_panel.h"
 #include "ui/device/falcon_text.h"
+#include "ui/device/inverse_panel.h"
 #include "ui/device/self_test_report.h"
 #include "ui/device/trim_form.h"
 #include "ui/session/background_task.h"
@@ -191,6 +192,13 @@ TEST(DevicePage, a_student_looks_and_feels_and_changes_nothing) {
   EXPECT_TRUE(button(*page, QStringLiteral("Weigh the grip"))->isHidden());
   EXPECT_FALSE(button(*page, QStringLiteral("Feel the force"))->isHidden());
   EXPECT_FALSE(button(*page, QStringLiteral("Name the file…"))->isVisibleTo(page.get()));
+}
+
+TEST(DevicePage, a_student_changes_no_setting_of_the_inverse3) {
+  Desk desk;
+  desk.bus.hardware = {{.kind = "inverse3"}};
+  const auto page = desk.page(Role::student);
+  for (NumberField* field : page->findChild<InversePanel*>()->findChildren<NumberField*>()) EXPECT_FALSE(field->isEnabled());
 }
 
 TEST(DevicePage, a_firmware_file_is_checked_before_it_is_kept) {
