@@ -71,6 +71,7 @@ struct Graded {
   ScenarioId scenario;
   HistoryKey key;
   double score = 0;
+  bool passed = false;
 };
 
 }  // namespace
@@ -241,22 +242,23 @@ Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, Use
       "SELECT scenario, count(*) FROM session_summaries INDEXED BY summaries_of_student "
       "WHERE student = ?1 AND listed = 1 GROUP BY scenario",
       [](Row row) {
-        return ExerciseStanding{row.id<ScenarioId>(0), static_cast<int>(row.integer(1)), std::nullopt, std::nullopt};
+        return ExerciseStanding{row.id<ScenarioId>(0), static_cast<int>(row.integer(1)), std::nullopt, std::nullopt, false};
       },
       student);
   if (!standings) return standings;
   // In the order of the index: by scenario, the oldest first.
   const auto graded = c_.db.all(
-      "SELECT scenario, started_at, sequence, session, score FROM session_summaries INDEXED BY graded_of_student "
+      "SELECT scenario, started_at, sequence, session, score, passed FROM session_summaries INDEXED BY graded_of_student "
       "WHERE student = ?1 AND listed = 1 AND score IS NOT NULL AND (released OR ?2) ORDER BY scenario, started_at, sequence",
       [](Row row) {
-        return Graded{row.id<ScenarioId>(0), {row.integer(1), row.integer(2), row.id<SessionId>(3)}, row.real(4)};
+        return Graded{row.id<ScenarioId>(0), {row.integer(1), row.integer(2), row.id<SessionId>(3)}, row.real(4), row.flag(5)};
       },
       student, sees_withheld(actor));
   if (!graded) return std::unexpected(graded.error());
   for (ExerciseStanding& standing : *standings) {
     const auto of_scenario = std::ranges::equal_range(*graded, standing.scenario, {}, &Graded::scenario);
     if (of_scenario.empty()) continue;
+    standing.passed = std::ranges::any_of(of_scenario, &Graded::passed);
     const Graded& best = *std::ranges::max_element(of_scenario, {}, &Graded::score);
     auto rows = readable_rows(c_.db, actor, {best.key.session, of_scenario.back().key.session});
     if (!rows) return std::unexpected(rows.error());

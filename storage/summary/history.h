@@ -97,6 +97,7 @@ struct ExerciseStanding {
   ScenarioId scenario;
   int attempts = 0;
   std::optional<HistoryRow> best, last;  // graded attempts; best by score, the earlier of two equal ones
+  bool passed = false;  // in any of them: the best may have failed by a critical event
 };
 
 /// A graded attempt that its student has rated.

@@ -183,5 +183,16 @@ TEST_F(HistoryTest, the_newest_comment_is_that_of_the_newest_commented_session) 
   EXPECT_EQ(newest->started_utc_us, kNow + 120'000'000);
 }
 
+TEST_F(HistoryTest, an_exercise_stays_passed_when_an_attempt_with_more_points_fails) {
+  attempt(lena, 78);
+  const SessionId opened_pulp = attempt(lena, 92, false);
+  const auto standings = must(store->history.standings(lena.actor(), lena.id));
+  ASSERT_EQ(standings.size(), 1u);
+  EXPECT_EQ(standings[0].best->session, opened_pulp);
+  EXPECT_TRUE(standings[0].passed);
+  attempt(noah, 92, false);
+  EXPECT_FALSE(must(store->history.standings(noah.actor(), noah.id)).at(0).passed);
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -29,6 +29,7 @@
 #include "ui/settings/device_settings.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
+#include "ui/student/course.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/own_history.h"
 #include "ui/student/thumbnail_cache.h"
@@ -352,9 +353,10 @@ void Desktop::quick_open() {
   for (const NavEntry& entry : shell_->entries()) {
     places += {entry.name, tr("page"), entry.icon, [this, key = entry.key] { shell_->show_page(key); }};
   }
-  if (const auto list = load_exercises(*store_); !reading_only_ && list && may(account_->role, Action::drill)) {
-    for (const Exercise& e : list->exercises) {
-      places += {local(e.scenario.title), tr("exercise"), u"list"_qs, [this, e] { show_briefing(e); }};
+  // In the version that is assigned: an attempt at another one would not count.
+  if (const auto course = load_course(*store_, account_->actor()); !reading_only_ && course && may(account_->role, Action::drill)) {
+    for (const CourseRow& row : course->rows) {
+      places += {local(row.exercise.scenario.title), tr("exercise"), u"list"_qs, [this, e = row.exercise] { show_briefing(e); }};
     }
   }
   (new QuickOpen(places, this))->open();

@@ -13,6 +13,7 @@
 #include "ui/report/report_page.h"
 #include "ui/session/records_task.h"
 #include "ui/session/replay.h"
+#include "ui/student/course.h"
 #include "ui/student/self_assessment_page.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
@@ -70,10 +71,7 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
             show_failure(opened->message);
             return drop(waiting);
           }
-          std::optional<Exercise> exercise;
-          if (const auto list = load_exercises(*store_)) {
-            if (const Exercise* found = list->find(opened->result->scenario.id)) exercise = *found;
-          }
+          const std::optional<Exercise> exercise = exercise_to_drill(*store_, account_->actor(), opened->result->scenario.id);
           if (awaits_own_assessment(*opened->result)) {
             end_attempt(opened->result, exercise);
             return drop(waiting);

@@ -26,7 +26,7 @@ QString standing_text(const CourseRow& row) {
 }
 
 Chip::Kind standing_kind(const CourseRow& row) {
-  if (row.best && row.best->passed.value_or(false)) return Chip::Kind::good;
+  if (row.passed) return Chip::Kind::good;
   return row.due_utc_us ? Chip::Kind::look : Chip::Kind::plain;
 }
 
@@ -46,9 +46,8 @@ QVariant right() { return QVariant(static_cast<int>(Qt::AlignTrailing | Qt::Alig
 int Course::next() const {
   if (rows.empty()) return -1;
   const auto rank = [](const CourseRow& r) {
-    const bool passed = r.best && r.best->passed.value_or(false);
-    return std::tuple(passed, r.due_utc_us.value_or(std::numeric_limits<std::int64_t>::max()),
-                      passed ? r.best->score.value_or(0) : 0.0);
+    constexpr auto kNever = std::numeric_limits<std::int64_t>::max();
+    return std::tuple(r.passed, r.over ? kNever : r.due_utc_us.value_or(kNever), r.passed && r.best ? r.best->score.value_or(0) : 0.0);
   };
   const auto it = std::min_element(rows.begin(), rows.end(),
                                    [&](const CourseRow& a, const CourseRow& b) { return rank(a) < rank(b); });
@@ -87,8 +86,8 @@ bool is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
   return withdrawn && !*withdrawn;
 }
 
-/// Of each exercise the practice that is open and due first, else the one that was over last; the student drills the version that
-/// was assigned, also when a newer one is published. `assigned`: by due date.
+/// Of each exercise the practice that is open and due first, else the one that was over last. The student drills the version of an
+/// open one, also when a newer one is published. `assigned`: by due date.
 void add_assignments(Course& course, Store& store, UserId student, const std::vector<Assignment>& assigned) {
   const std::int64_t now_us = store.context().clock();
   for (const Assignment& a : assigned) {
@@ -97,8 +96,9 @@ void add_assignments(Course& course, Store& store, UserId student, const std::ve
     if (!exercise) continue;
     const auto row = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.scenario.id == exercise->scenario.id; });
     if (row == course.rows.end()) continue;
-    if (const bool over = row->due_utc_us && *row->due_utc_us <= now_us; row->assignment && !over) continue;
-    if (row->exercise.version != a.version) row->exercise = std::move(*exercise);
+    if (row->assignment && !row->over) continue;
+    row->over = a.due_utc_us && *a.due_utc_us <= now_us;
+    if (!row->over && row->exercise.version != a.version) row->exercise = std::move(*exercise);
     row->assignment = a.id;
     row->due_utc_us = a.due_utc_us;
     row->attempts_allowed = a.attempts_allowed;
@@ -127,11 +127,19 @@ Stored<Course> load_course(Store& store, const Actor& student) {
       row.attempts = s.attempts;
       row.best = s.best;
       row.last = s.last;
+      row.passed = s.passed;
     }
     course.rows.push_back(std::move(row));
   }
   add_assignments(course, store, student.id, *assigned);
   return course;
+}
+
+std::optional<Exercise> exercise_to_drill(Store& store, const Actor& student, ScenarioId exercise) {
+  auto course = load_course(store, student);
+  if (!course) return std::nullopt;
+  const auto row = std::ranges::find(course->rows, exercise, [](const CourseRow& r) { return r.exercise.scenario.id; });
+  return row == course->rows.end() ? std::nullopt : std::optional(std::move(row->exercise));
 }
 
 CourseModel::CourseModel(std::vector<CourseRow> rows, QObject* parent)
@@ -149,7 +157,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::AccessibleTextRole && index.column() == kOpen) return tr("Briefing");
   if (role == StandingRole) return standing_text(r);
   if (role == LevelTextRole) return level_and_time_text(r.exercise.scenario);
-  if (role == PassedRole) return r.best && r.best->passed.value_or(false);
+  if (role == PassedRole) return r.passed;
   if (role == FdiRole) return r.exercise.scenario.specimen.grown_fdi();
   if (role == LevelRole) return level_rank(r.exercise.scenario);
   if (role == Qt::AccessibleDescriptionRole) return description_of(r);

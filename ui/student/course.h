@@ -15,7 +15,9 @@ struct CourseRow {
   Exercise exercise;
   int attempts = 0;
   std::optional<HistoryRow> best, last;
+  bool passed = false;  // in any attempt, also with fewer points than the best
   std::optional<std::int64_t> due_utc_us;
+  bool over = false;  // due_utc_us is past: no further attempt counts
   std::optional<int> attempts_allowed;
   int attempts_counted = 0;  // of those allowed
   std::optional<AssignmentId> assignment;
@@ -30,11 +32,15 @@ struct Course {
   std::vector<HistoryRow> interrupted;
   std::vector<HistoryRow> charted;          // graded attempts at the exercise and with the device class of last_graded, newest first
 
-  /// Index of the next exercise: not passed before passed, then by due date, then by the lowest best score; -1 without exercises.
+  /// Index of the next exercise: not passed before passed, then by due date unless it is over, then by the lowest best score;
+  /// -1 without exercises.
   int next() const;
 };
 
 Stored<Course> load_course(Store& store, const Actor& student);
+
+/// In the version in which the student's attempts count: the one that is assigned and open, else the newest. Nullopt: none can be read.
+std::optional<Exercise> exercise_to_drill(Store& store, const Actor& student, ScenarioId exercise);
 
 class CourseModel : public QAbstractTableModel {
   Q_OBJECT

@@ -84,7 +84,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
   bool due = !assessments_.empty();
-  for (const CourseRow& row : course_.rows) due = due || row.due_utc_us.has_value();
+  for (const CourseRow& row : course_.rows) due = due || (row.due_utc_us && !row.over);
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));
@@ -179,7 +179,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->setContentsMargins(px(24), px(16), px(24), px(16));
   text->setSpacing(px(4));
   line->addLayout(text, 1);
-  const QString due = row.due_utc_us ? tr("Next, due %1").arg(format_day(local_time(*row.due_utc_us))) : tr("Next");
+  const QString due = row.due_utc_us && !row.over ? tr("Next, due %1").arg(format_day(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
   QLabel* what = make_label(first_sentence(local(s.briefing)), TextRole::body, Weight::regular, "text2");

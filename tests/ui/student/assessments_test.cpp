@@ -320,5 +320,33 @@ TEST_F(Assessments, AnAssignedAssessmentIsNoPracticeOfTheCourse) {
   for (const CourseRow& row : course.rows) EXPECT_FALSE(row.assignment);
 }
 
+TEST_F(Assessments, AnExerciseIsTriedAgainInTheVersionThatCounts) {
+  ASSERT_TRUE(records.store().assignments.create(examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour}));
+  const auto newer = publish_newer();
+  ASSERT_TRUE(newer);
+  const auto drilled = [&] { return exercise_to_drill(records.store(), lena.actor(), newer->scenario)->version; };
+  EXPECT_EQ(drilled(), assignment.version);
+  records.now_us = kMorning + 2 * kHour;  // over: no version counts
+  EXPECT_EQ(drilled(), newer->id);
+}
+
+TEST_F(Assessments, WhatIsOverIsNotNextBeforeWhatIsDue) {
+  const Scenario other = *load_builtin("paper-block");
+  const auto version = records.store().scenarios.ensure(other, canonical_json(other), content_hash(other).bytes);
+  ASSERT_TRUE(version);
+  const auto assign = [&](const VersionId& id, std::int64_t due_us) {
+    ASSERT_TRUE(records.store().assignments.create(examiner, {.version = id, .cohort = assignment.cohort, .due_utc_us = due_us}));
+  };
+  assign(assignment.version, kMorning + kHour);
+  assign(version->id, kMorning + 9 * kHour);
+  const auto next = [&] {
+    const Course course = *load_course(records.store(), lena.actor());
+    return course.rows[static_cast<std::size_t>(course.next())].exercise.version;
+  };
+  EXPECT_EQ(next(), assignment.version);
+  records.now_us = kMorning + 2 * kHour;
+  EXPECT_EQ(next(), version->id);
+}
+
 }  // namespace
 }  // namespace cusp::test

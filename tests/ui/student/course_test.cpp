@@ -193,5 +193,21 @@ TEST(HistoryCharts, without_an_attempt_there_is_nothing_to_draw) {
   EXPECT_TRUE(score_by_attempt({}).summary.isEmpty());
 }
 
+TEST(Course, an_exercise_that_was_passed_is_not_next_after_an_attempt_with_more_points_that_fails) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  const std::string first(builtin_scenarios()[0]);
+  records.attempt(lena, first, 78, 300);
+  Grade opened_pulp = sample_grade(92);
+  opened_pulp.critical = {"pulp_exposure"};
+  opened_pulp.passed = false;
+  records.graded_attempt(lena, first, opened_pulp, 300);
+  const auto course = load_course(records.store(), lena.actor());
+  ASSERT_TRUE(course);
+  EXPECT_EQ(course->next(), 1);
+  const CourseModel model(course->rows);
+  EXPECT_TRUE(model.index(0, CourseModel::kExercise).data(CourseModel::PassedRole).toBool());
+}
+
 }  // namespace
 }  // namespace cusp::test
