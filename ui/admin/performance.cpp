@@ -2,7 +2,6 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QFile>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -14,11 +13,9 @@
 #include <cmath>
 #include <ranges>
 
-#include "storage/export/csv.h"
 #include "ui/admin/criteria_card.h"
 #include "ui/modules.h"
 #include "ui/student/course.h"
-#include "ui/text/language.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
@@ -27,7 +24,6 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
@@ -255,6 +251,20 @@ void Performance::read() {
   criteria_->show_figures(*by_criterion, target_of(shown));
 }
 
+bool Performance::read_again() {
+  const auto scenarios = store_.history.scenarios(reader_);
+  if (!scenarios || std::ssize(*scenarios) + 1 != exercise_->count()) return false;
+  const int row = table_->chosen_row(), fetched = model_->rowCount();
+  const SessionId kept = row < 0 ? SessionId{} : model_->row(sorted_->mapToSource(sorted_->index(row, 0)).row()).session;
+  read();
+  while (model_->canFetchMore() && model_->rowCount() < fetched) model_->fetchMore();
+  const auto at = std::ranges::find(model_->rows(), kept, &HistoryRow::session);
+  const int found = static_cast<int>(at - model_->rows().begin());
+  if (at != model_->rows().end()) table_->choose_row(sorted_->mapFromSource(model_->index(found, 0)).row());
+  table_->setFocus(Qt::OtherFocusReason);
+  return true;
+}
+
 Region Performance::target_of(const HistoryFilter& shown) {
   const auto versions = store_.scenarios.versions(*shown.scenario);
   if (!versions) return {};
@@ -356,23 +366,6 @@ void Performance::show_learning(const Figures& f) {
   learning.mark = f.pass_mark;
   if (learning.mark) learning.mark_text = tr("pass %1").arg(format_points(*learning.mark));
   learning_->set_data(learning);
-}
-
-void Performance::choose_pack() {
-  FileWish wish;
-  wish.title = tr("Open an appeal pack");
-  wish.filter = tr("Appeal pack (*.cusppack)");
-  wish.saving = false;
-  ports_.pick_file(this, wish, [this](const QString& path) { Q_EMIT pack_wanted(path); });
-}
-
-void Performance::export_csv() {
-  CsvOptions options;
-  options.language = current_language().toStdString();
-  const auto csv = export_history(store_.context(), reader_, filter(), options);
-  if (!csv) return show_failure(csv.error());
-  save_csv(*band_, ports_, {tr("Export CSV"), u"cusp-performance-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs), csv->text,
-                            tr("%n attempt(s) exported.", nullptr, static_cast<int>(csv->rows))});
 }
 
 void Performance::resizeEvent(QResizeEvent* event) {

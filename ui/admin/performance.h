@@ -7,6 +7,7 @@
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
+#include "ui/widgets/rereads.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -25,13 +26,14 @@ class CriteriaCard;
 class AttemptsModel;
 class Table;
 
-class Performance : public QWidget {
+class Performance : public QWidget, public Rereads {
   Q_OBJECT
 
  public:
   Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent = nullptr);
 
   HistoryFilter filter() const;
+  bool read_again() override;
   const AttemptsModel& attempts() const { return *model_; }
   Table* table() const { return table_; }
   QLineEdit* search() const { return search_; }

@@ -299,7 +299,7 @@ void Desktop::back() {
   use_text(TextSize::usual);
   stack_->setCurrentIndex(stack_->count() - 1);
   // What lies below may have new results.
-  if (shell_ && page() == shell_) shell_->show_page(shell_->page_key());
+  if (shell_ && page() == shell_) shell_->show_again();
 }
 
 void Desktop::drop(QWidget* covered) {

@@ -20,6 +20,7 @@
 #include "ui/text/names.h"
 #include "ui/widgets/bar_top.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/rereads.h"
 
 namespace cusp::ui {
 namespace {
@@ -262,6 +263,11 @@ void Shell::show_page(const QString& key) {
     if (fresh->focusProxy()) fresh->setFocus(Qt::OtherFocusReason);
     return;
   }
+}
+
+void Shell::show_again() {
+  auto* below = dynamic_cast<Rereads*>(page());
+  if (below == nullptr || !below->read_again()) show_page(key_);
 }
 
 QWidget* Shell::page() const {

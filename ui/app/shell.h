@@ -22,7 +22,7 @@ namespace cusp::ui {
 class Band;
 struct Message;
 
-/// One line of the sidebar. The page is made when it is first shown, and anew each time it is shown again, so that it
+/// One line of the sidebar. The page is made when it is first shown, and anew each time it is chosen again, so that it
 /// never shows yesterday's results.
 struct NavEntry {
   QString key;   // stable: "start", "people"
@@ -37,6 +37,8 @@ class Shell : public QWidget {
  public:
   Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent = nullptr);
   void show_page(const QString& key);
+  /// The page after another one lay over it: read anew where it can be (Rereads), else made anew.
+  void show_again();
   QString page_key() const { return key_; }
   QWidget* page() const;
   /// What attempts are drilled with, at the foot of the sidebar.

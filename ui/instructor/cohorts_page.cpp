@@ -216,6 +216,14 @@ void CohortsPage::read() {
   if (kept) list_->choose_row(cohorts_->row_of(*kept));
 }
 
+bool CohortsPage::read_again() {
+  const int row = assigned_->chosen_row();
+  read();
+  show_chosen();
+  assigned_->choose_row(row);
+  return true;
+}
+
 void CohortsPage::show_chosen() {
   const int row = list_->chosen_row();
   for (QWidget* part : {static_cast<QWidget*>(numbers_), static_cast<QWidget*>(add_)}) part->setEnabled(row >= 0);
@@ -281,8 +289,7 @@ void CohortsPage::add_numbers(const QString& text) {
   std::vector<UserId> found;
   for (const Account& student : numbers.found) found.push_back(student.id);
   if (const auto added = store_.cohorts.add_all(actor_, cohort->id, found); !added) return show_failure(added.error());
-  read();
-  show_chosen();
+  read_again();
   QStringList more;
   if (numbers.already > 0) more += tr("%n student(s) were in it already.", nullptr, numbers.already);
   if (!numbers.unknown.isEmpty()) {
@@ -308,8 +315,7 @@ void CohortsPage::remove_chosen_student() {
              [this, student, cohort](bool yes) {
                if (!yes) return;
                if (const auto done = store_.cohorts.remove(actor_, cohort->id, student.id); !done) return show_failure(done.error());
-               read();
-               show_chosen();
+               read_again();
                band_->show_message(Band::Kind::good, tr("%1 is taken out.").arg(QString::fromStdString(student.name)), {});
              });
 }

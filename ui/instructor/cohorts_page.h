@@ -9,6 +9,7 @@
 #include "ui/instructor/cohort_models.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
+#include "ui/widgets/rereads.h"
 
 class QGridLayout;
 class QLineEdit;
@@ -21,7 +22,7 @@ namespace cusp::ui {
 class Band;
 class Table;
 
-class CohortsPage : public QWidget {
+class CohortsPage : public QWidget, public Rereads {
   Q_OBJECT
 
  public:
@@ -32,6 +33,7 @@ class CohortsPage : public QWidget {
   AssignmentForm* form() const { return form_; }  // null for a role that assigns nothing
   QString message() const;
 
+  bool read_again() override;
   void make_cohort(const QString& name);
   void add_numbers(const QString& text);
   /// Asks first.

@@ -142,6 +142,17 @@ void LibraryPage::read() {
   filter();
 }
 
+/// A draft that was begun meanwhile stands first, and is chosen.
+bool LibraryPage::read_again() {
+  const int row = table_->chosen_row(), before = model_->rowCount();
+  const ScenarioId kept = row < 0 ? ScenarioId{} : model_->row(row).shown().id;
+  read();
+  if (const int at = row_of(kept); at >= 0 && model_->rowCount() <= before && !table_->isRowHidden(at)) table_->choose_row(at);
+  fit_buttons();
+  table_->setFocus(Qt::OtherFocusReason);
+  return true;
+}
+
 void LibraryPage::make_search() {
   search_ = make_search_field(tr("Find an exercise"), px(280));
   connect(search_, &QLineEdit::textChanged, this, &LibraryPage::filter);

@@ -14,6 +14,7 @@
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
 #include "ui/widgets/ports.h"
+#include "ui/widgets/rereads.h"
 
 class QAction;
 class QLineEdit;
@@ -31,13 +32,14 @@ class Table;
 class ThumbnailCache;
 struct Withdrawal;
 
-class LibraryPage : public QWidget {
+class LibraryPage : public QWidget, public Rereads {
   Q_OBJECT
 
  public:
   /// Volumes of drafts lie beside `database`, those of published versions in `cache`. Without `pictures` no tooth is shown.
   LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
               std::filesystem::path cache, ThumbnailCache* pictures = nullptr, QWidget* parent = nullptr);
+  bool read_again() override;
   Table* table() const { return table_; }
   QLineEdit* search() const { return search_; }
   const LibraryModel& model() const { return *model_; }

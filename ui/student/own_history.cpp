@@ -110,6 +110,19 @@ void OwnHistory::show_attempts() {
   table_->choose_row(0);
 }
 
+bool OwnHistory::read_again() {
+  const auto scenarios = store_.history.scenarios(student_, student_.id);
+  if (exercise_ == nullptr || !scenarios || std::ssize(*scenarios) + 1 != exercise_->count()) return false;
+  const int row = table_->chosen_row(), fetched = model_->rowCount();
+  const SessionId kept = row < 0 ? SessionId{} : model_->row(row).session;
+  show_attempts();
+  while (model_->canFetchMore() && model_->rowCount() < fetched) model_->fetchMore();
+  const auto at = std::ranges::find(model_->rows(), kept, &HistoryRow::session);
+  if (at != model_->rows().end()) table_->choose_row(static_cast<int>(at - model_->rows().begin()));
+  table_->setFocus(Qt::OtherFocusReason);
+  return true;
+}
+
 /// A chart shows one exercise and one device class: those of the newest row with points.
 void OwnHistory::draw(const HistoryRow& newest) {
   charted_->setText(local(newest.title));

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "ui/student/course.h"
+#include "ui/widgets/rereads.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -14,11 +15,12 @@ namespace cusp::ui {
 class Chart;
 class Table;
 
-class OwnHistory : public QWidget {
+class OwnHistory : public QWidget, public Rereads {
   Q_OBJECT
 
  public:
   OwnHistory(Store& store, const Actor& student, QWidget* parent = nullptr);
+  bool read_again() override;
   Table* table() const { return table_; }
   QComboBox* exercise() const { return exercise_; }
 

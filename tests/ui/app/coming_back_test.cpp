@@ -1,0 +1,129 @@
+// What is chosen on a page stays while another page lies over it.
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTemporaryDir>
+
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/admin/performance.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/instructor/cohorts_page.h"
+#include "ui/instructor/library_page.h"
+#include "ui/student/course.h"
+#include "ui/student/own_history.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+struct ComingBack : ::testing::Test {
+  DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  std::unique_ptr<Desktop> desktop;
+  template <class Page>
+  Page* open(const Account& account, const char* key) {
+    desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file());
+    desktop->start();
+    desktop->show();
+    desktop->sign_in(account);
+    desktop->shell()->show_page(QLatin1String(key));
+    return page<Page>();
+  }
+  template <class Page>
+  Page* page() {
+    return qobject_cast<Page*>(desktop->shell()->page());
+  }
+  void cover_and_come_back() {
+    desktop->push(new QWidget);
+    desktop->back();
+  }
+};
+
+TEST_F(ComingBack, performance_keeps_its_filters_order_and_row_and_reads_what_is_new) {
+  const Account lena = records.student("1", "Lena Brandt"), omar = records.student("2", "Omar Said");
+  const SessionId chosen = records.attempt(lena, "channel-1", 40, 100);
+  records.attempt(lena, "channel-1", 90, 100);
+  records.attempt(omar, "channel-1", 50, 100);
+  auto* shown = open<Performance>(records.administrator(), "performance");
+  ASSERT_NE(shown, nullptr);
+  shown->search()->setText(QStringLiteral("brandt"));
+  shown->exercise()->setCurrentIndex(1);
+  shown->table()->sortByColumn(AttemptsModel::kScore, Qt::DescendingOrder);
+  shown->table()->choose_row(1);
+  records.attempt(lena, "channel-1", 95, 100);
+  cover_and_come_back();
+  shown = page<Performance>();
+  EXPECT_EQ(shown->search()->text(), QStringLiteral("brandt"));
+  EXPECT_EQ(shown->exercise()->currentIndex(), 1);
+  EXPECT_EQ(shown->attempts().rowCount(), 3) << "with what was drilled meanwhile";
+  ASSERT_EQ(shown->table()->chosen_row(), 2);
+  std::optional<SessionId> opened;
+  QObject::connect(shown, &Performance::report_wanted, [&](const SessionId& id) { opened = id; });
+  Q_EMIT shown->table()->row_opened(shown->table()->model()->index(2, 0));
+  EXPECT_EQ(opened, chosen);
+}
+
+TEST_F(ComingBack, performance_offers_an_exercise_that_was_drilled_for_the_first_time) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 40, 100);
+  EXPECT_EQ(open<Performance>(records.administrator(), "performance")->exercise()->count(), 2);
+  records.attempt(lena, "paper-block", 40, 100);
+  cover_and_come_back();
+  EXPECT_EQ(page<Performance>()->exercise()->count(), 3);
+}
+
+TEST_F(ComingBack, cohorts_keep_the_chosen_one_and_its_assignment) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  for (const char* name : {"Year 1", "Year 2"}) ASSERT_TRUE(records.store().cohorts.create(berg.actor(), name));
+  const auto table_of = [](const CohortsPage& of, const QAbstractItemModel& model) {
+    Table* out = nullptr;
+    for (Table* table : of.findChildren<Table*>())
+      if (table->model() == &model) out = table;
+    return out;
+  };
+  auto* shown = open<CohortsPage>(berg, "cohorts");
+  ASSERT_NE(shown, nullptr);
+  table_of(*shown, shown->cohorts())->choose_row(1);
+  shown->assign();
+  table_of(*shown, shown->assignments())->choose_row(0);
+  cover_and_come_back();
+  shown = page<CohortsPage>();
+  EXPECT_EQ(table_of(*shown, shown->cohorts())->chosen_row(), 1);
+  EXPECT_EQ(table_of(*shown, shown->assignments())->chosen_row(), 0);
+}
+
+TEST_F(ComingBack, library_keeps_search_and_row) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  auto* shown = open<LibraryPage>(berg, "library");
+  ASSERT_NE(shown, nullptr);
+  shown->search()->setText(QStringLiteral("46"));
+  int last = -1;
+  for (int row = 0; row < shown->model().rowCount(); ++row)
+    if (!shown->table()->isRowHidden(row)) last = row;
+  ASSERT_GT(last, 0);
+  shown->table()->choose_row(last);
+  cover_and_come_back();
+  shown = page<LibraryPage>();
+  EXPECT_EQ(shown->search()->text(), QStringLiteral("46"));
+  EXPECT_EQ(shown->table()->chosen_row(), last);
+}
+
+TEST_F(ComingBack, my_results_keep_the_exercise) {
+  const Account lena = records.student("1", "Lena Brandt");
+  for (const char* key : {"channel-1", "paper-block"}) records.attempt(lena, key, 60, 100);
+  auto* shown = open<OwnHistory>(lena, "results");
+  ASSERT_NE(shown, nullptr);
+  shown->exercise()->setCurrentIndex(2);
+  cover_and_come_back();
+  shown = page<OwnHistory>();
+  EXPECT_EQ(shown->exercise()->currentIndex(), 2);
+  EXPECT_EQ(shown->table()->model()->rowCount(), 1);
+}
+
+}  // namespace
+}  // namespace cusp::test
