@@ -7011,6 +7011,14 @@
 <context>
     <name>cusp::ui::MarkingCard</name>
     <message>
+        <source>The result was changed at another desk meanwhile.</source>
+        <translation>Das Ergebnis wurde inzwischen an einem anderen Platz geändert.</translation>
+    </message>
+    <message>
+        <source>The report shows it as it counts now. Nothing was stated.</source>
+        <translation>Der Bericht zeigt es, wie es jetzt zählt. Es wurde nichts festgehalten.</translation>
+    </message>
+    <message>
         <source>Marking</source>
         <translation>Bewertung</translation>
     </message>

@@ -29,6 +29,12 @@ QWidget* row_of(std::initializer_list<QWidget*> parts) {
   return box;
 }
 
+std::vector<Uuid> changes_in(const EffectiveGrade& grade) {
+  std::vector<Uuid> out;
+  for (const SignedStatement& s : grade.overrides) out.push_back(s.id);
+  return out;
+}
+
 QString short_text(const Remark& remark) {
   QString text = remark.what.isEmpty() ? remark.text : remark.what;
   text.replace(u'\n', u' ');
@@ -122,9 +128,9 @@ QWidget* MarkingCard::make_result() {
   confirm_ = make_button(tr("Confirm the result"), ButtonKind::standard, u"check"_qs);
   release_ = make_button(tr("Release to the student"), ButtonKind::standard, u"eye"_qs);
   connect(confirm_, &QPushButton::clicked, this,
-          [this] { finish(store_.statements.confirm(actor_, session_), tr("The result is confirmed as it stands."), Text::kept); });
+          [this] { if (still_stands()) finish(store_.statements.confirm(actor_, session_), tr("The result is confirmed as it stands."), Text::kept); });
   connect(release_, &QPushButton::clicked, this,
-          [this] { finish(store_.statements.release(actor_, session_), tr("The student can read the result now."), Text::kept); });
+          [this] { if (still_stands()) finish(store_.statements.release(actor_, session_), tr("The student can read the result now."), Text::kept); });
   auto* box = new QWidget;
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
@@ -174,6 +180,7 @@ void MarkingCard::show_data(const ReportData& report) {
   const bool assessed = report.kind == SessionKind::assessment;
   set_aside(!assessed ? QString() : report.released ? tr("released") : tr("withheld from the student"));
   if (points_ == nullptr || !report.counts) return;
+  seen_ = changes_in(*report.counts);
   events_->clear();
   for (const std::string& event : report.counts->grade.critical) events_->addItem(critical_name(event), QString::fromStdString(event));
   events_row_->setVisible(events_->count() > 0);
@@ -200,9 +207,19 @@ void MarkingCard::finish(const Stored<SignedStatement>& result, const QString& d
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
+  seen_.reset();  // until the report is read anew
   if (text == Text::used) text_->clear();
   band_->show_message(Band::Kind::good, done, {});
   Q_EMIT stated();
+}
+
+bool MarkingCard::still_stands() {
+  const auto now = store_.history.details(actor_, session_);
+  if (!seen_ || !now || !now->grade || changes_in(*now->grade) == *seen_) return true;
+  band_->show_message(Band::Kind::look, tr("The result was changed at another desk meanwhile."),
+                      tr("The report shows it as it counts now. Nothing was stated."));
+  Q_EMIT stated();
+  return false;
 }
 
 void MarkingCard::comment() {
@@ -225,6 +242,7 @@ void MarkingCard::change_points() {
     band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it below; the student reads it."));
     return text_->setFocus();
   }
+  if (!still_stands()) return;
   // The field rounds its maximum, which stands for full points.
   const double given = points_->value() >= points_->maximum() ? points_most_ : std::min(points_->value(), points_most_);
   finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString()),
@@ -236,6 +254,7 @@ void MarkingCard::strike() {
     band_->show_message(Band::Kind::look, tr("A change needs a reason."), tr("Write it below; the student reads it."));
     return text_->setFocus();
   }
+  if (!still_stands()) return;
   finish(store_.statements.override_critical(actor_, session_, events_->currentData().toString().toStdString(),
                                              reason().toStdString()),
          tr("The critical event no longer counts."));

@@ -32,7 +32,7 @@ class MarkingCard : public Card {
   const SessionId& session() const { return session_; }
 
  Q_SIGNALS:
-  /// Something was stated or taken back.
+  /// Something was stated or taken back, here or at another desk.
   void stated();
 
  protected:
@@ -49,6 +49,8 @@ class MarkingCard : public Card {
   enum class Text { used, kept };  // what stands in the field
   /// Shows a failure, or tells that it is done.
   void finish(const Stored<SignedStatement>& result, const QString& done, Text text = Text::used);
+  /// False, with a message, if another desk changed the result since the card shows it. True where the records give no answer.
+  bool still_stands();
   void comment();
   void change_points();
   void strike();
@@ -61,6 +63,7 @@ class MarkingCard : public Card {
   Region target_;  // of the exercise: titles of several targets
   std::string criterion_;
   std::optional<Vec3> place_mm_;
+  std::optional<std::vector<Uuid>> seen_;  // changes of the result that the report shows; none while it is read anew
   double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones
   Band* band_;
   QPlainTextEdit* text_;

@@ -365,5 +365,18 @@ TEST_F(Marking, TheKeyboardFollowsReadingBeforeAndAfterAStatement) {
   EXPECT_LT(place(fold), place(page.table()));
 }
 
+TEST_F(Marking, AResultThatAnotherDeskChangedIsNotConfirmedUnseen) {
+  MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
+  QSignalSpy stated(&card, &MarkingCard::stated);
+  ASSERT_TRUE(records.store().statements.override_points(examiner.actor(), session, "depth_most", 1, "Looked at again."));
+  button(card, "Confirm the result")->click();
+  EXPECT_TRUE(message(card).contains(QStringLiteral("at another desk"))) << message(card).toStdString();
+  EXPECT_FALSE(gathered(examiner).counts->confirmation);
+  EXPECT_EQ(stated.count(), 1) << "the report is read anew";
+  card.show_data(gathered(examiner));
+  button(card, "Confirm the result")->click();
+  EXPECT_TRUE(gathered(examiner).counts->confirmation) << message(card).toStdString();
+}
+
 }  // namespace
 }  // namespace cusp::test
