@@ -6,6 +6,7 @@
 #include <queue>
 #include <string>
 
+#include "storage/base/small_letters.h"
 #include "storage/repositories/session_state.h"
 #include "storage/repositories/title.h"
 
@@ -124,6 +125,21 @@ HistoryRow row_of(Row row) {
   return h;
 }
 
+/// Whose name or number has the text. SQLite's lower() knows ASCII alone.
+Stored<std::vector<UserId>> found_by(Database& db, const std::string& text) {
+  const std::string wanted = small_letters(text);
+  const auto people = db.all(
+      "SELECT id, name, number FROM people WHERE guest = 0",
+      [&wanted](Row row) {
+        return std::pair{row.id<UserId>(0), small_letters(row.text(1)).contains(wanted) || small_letters(row.text(2)).contains(wanted)};
+      });
+  if (!people) return std::unexpected(people.error());
+  std::vector<UserId> found;
+  for (const auto& [id, fits] : *people)
+    if (fits) found.push_back(id);
+  return found;
+}
+
 }  // namespace
 
 Stored<HistoryFilter> readable(const Actor& actor, const HistoryFilter& filter) {
@@ -156,11 +172,7 @@ Stored<std::optional<std::vector<UserId>>> students_of(Database& db, const Histo
   };
   const auto id = [](Row row) { return row.id<UserId>(0); };
   if (!f.search.empty()) {
-    auto done = narrow(db.all(
-        "SELECT id FROM people WHERE guest = 0 AND "
-        "(instr(lower(name), lower(?1)) > 0 OR instr(lower(number), lower(?1)) > 0)",
-        id, f.search));
-    if (!done) return std::unexpected(done.error());
+    if (auto done = narrow(found_by(db, f.search)); !done) return std::unexpected(done.error());
   }
   if (f.cohort) {
     auto done = narrow(db.all("SELECT student FROM cohort_students WHERE cohort = ?1", id, *f.cohort));

@@ -183,6 +183,19 @@ TEST_F(HistoryTest, the_newest_comment_is_that_of_the_newest_commented_session) 
   EXPECT_EQ(newest->started_utc_us, kNow + 120'000'000);
 }
 
+TEST_F(HistoryTest, a_name_is_found_in_any_case_also_beyond_ascii) {
+  const Account ozlem = make_student(*store, "20260002", "Özlem Çelik");
+  attempt(ozlem, 80);
+  attempt(make_student(*store, "20260003", "Юлия Ковач"), 70);
+  attempt(lena, 60, false);
+  const auto found = [&](const char* text) { return must(store->history.list(instructor, {.search = text})).size(); };
+  for (const char* text : {"özlem", "ÖZLEM", "Öz", "çELIK", "ковач"}) {
+    EXPECT_EQ(found(text), 1u) << text;
+    EXPECT_EQ(must(store->history.figures(instructor, {.search = text})).attempts, 1) << text;
+  }
+  EXPECT_EQ(found("ozlem"), 0u);
+}
+
 TEST_F(HistoryTest, an_exercise_stays_passed_when_an_attempt_with_more_points_fails) {
   attempt(lena, 78);
   const SessionId opened_pulp = attempt(lena, 92, false);
