@@ -8795,10 +8795,10 @@
         <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
     </message>
     <message numerus="yes">
-        <source>Best before: %1 point(s) on %2; today %3.</source>
+        <source>Best before: %1 point(s) on %2; this attempt %3.</source>
         <translation>
-            <numerusform>Bester davor: %1 Punkt am %2; heute %3.</numerusform>
-            <numerusform>Bester davor: %1 Punkte am %2; heute %3.</numerusform>
+            <numerusform>Bester davor: %1 Punkt am %2; dieser Versuch %3.</numerusform>
+            <numerusform>Bester davor: %1 Punkte am %2; dieser Versuch %3.</numerusform>
         </translation>
     </message>
     <message>

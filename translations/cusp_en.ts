@@ -546,10 +546,10 @@
 <context>
     <name>cusp::ui::Report</name>
     <message numerus="yes">
-        <source>Best before: %1 point(s) on %2; today %3.</source>
+        <source>Best before: %1 point(s) on %2; this attempt %3.</source>
         <translation>
-            <numerusform>Best before: %1 point on %2; today %3.</numerusform>
-            <numerusform>Best before: %1 points on %2; today %3.</numerusform>
+            <numerusform>Best before: %1 point on %2; this attempt %3.</numerusform>
+            <numerusform>Best before: %1 points on %2; this attempt %3.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

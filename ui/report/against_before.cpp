@@ -34,8 +34,10 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region
     for (std::size_t j = 0; j < before.criteria.size(); ++j) {
       const CriterionGrade& b = before.criteria[j];
       if (b.id != c.id || !(b.points_max > 0)) continue;
-      rows_ += {metric_name(c.id, whole), b.points / b.points_max, c.points / c.points_max,
-                points_now[i].points - points_before[j].points};
+      // Another rubric gives the criterion other points: its share before then counts in the points of now.
+      const double most = points_now[i].points_max;
+      const double earlier = points_before[j].points_max == most ? points_before[j].points : most * b.points / b.points_max;
+      rows_ += {metric_name(c.id, whole), b.points / b.points_max, c.points / c.points_max, points_now[i].points - earlier};
       spoken += tr("%1 %2").arg(rows_.last().name, with_sign(rows_.last().points));
     }
   }

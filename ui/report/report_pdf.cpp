@@ -212,10 +212,10 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
   if (shown.empty() && counted.isEmpty()) paper.write(no_advice_text(d), {x, w}, {11, Weight::regular, t.text});
   if (d.before) {
     paper.skip(8);
-    const double apart = d.result.grade.score - d.before->score;
-    paper.write(PdfText::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
+    const double apart = std::round(10 * (shown_points(d.result.grade.score) - shown_points(d.before->score))) / 10;  // as both are shown
+    paper.write(PdfText::tr("Best before: %1 point(s) on %2; this attempt %3.", nullptr, point_forms(d.before->score))
                     .arg(format_points(d.before->score), format_date(d.before_when),
-                         (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)), {x, w}, {11, Weight::regular, t.text2});
+                         (apart > 0 ? u"+"_qs : QString()) + format_points(std::abs(apart) < kShownPoint / 2 ? 0 : apart)), {x, w}, {11, Weight::regular, t.text2});
   }
 }
 

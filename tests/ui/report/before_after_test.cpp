@@ -9,6 +9,8 @@
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/report/against_before.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/session/operator_cut.h"
 #include "ui/session/scene_builder.h"
@@ -81,6 +83,17 @@ TEST_F(BeforeAfterTest, the_tooth_as_it_was_stands_where_reading_begins) {
   teeth->setLayoutDirection(Qt::RightToLeft);
   show_both();
   EXPECT_GT(teeth->before()->x(), tooth->x());
+}
+
+TEST(AgainstBefore, full_points_of_another_rubric_are_no_gain) {
+  Grade before = sample_grade(60);
+  before.criteria[0].points = before.criteria[0].points_max = 5;  // of 15; now 20 of 30
+  const AgainstBefore view(sample_grade(60), before);
+  ASSERT_EQ(view.rows().size(), 2);
+  EXPECT_DOUBLE_EQ(view.rows()[0].before, 1);
+  EXPECT_DOUBLE_EQ(view.rows()[0].now, 1);
+  EXPECT_NEAR(view.rows()[0].points, 0, 1e-9);
+  EXPECT_NEAR(view.rows()[1].points, 0, 0.05);  // 4 of 10 in both
 }
 
 }  // namespace

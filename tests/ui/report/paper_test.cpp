@@ -130,6 +130,19 @@ TEST(ReportPdf, gives_the_year_of_each_date_and_the_time_zone_of_the_attempt) {
   EXPECT_NE(text.find("points on " + day), std::string::npos) << text;
 }
 
+TEST(ReportPdf, compares_with_the_best_before_as_both_are_shown) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample(78.04);  // shown as 78; 81.96 as 81.9
+  data.before_when = data.when;
+  for (const auto& [before, apart] : {std::pair{81.96, "this attempt -3.9."}, {78.0, "this attempt 0."}, {74.06, "this attempt +3.9."}}) {
+    data.before = sample_grade(before);
+    ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+    const QString text = QString::fromStdString(text_in(file)).replace(QChar(0x2212), u'-');
+    EXPECT_TRUE(text.contains(QLatin1String(apart))) << text.toStdString();
+  }
+}
+
 TEST(ReportPdf, marks_a_criterion_whose_points_an_examiner_changed_with_the_reason) {
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
