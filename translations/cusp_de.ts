@@ -8061,6 +8061,13 @@
 </context>
 <context>
     <name>cusp::ui::Performance</name>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Performance</source>
         <translation>Leistungen</translation>

@@ -484,6 +484,13 @@
 <context>
     <name>cusp::ui::Performance</name>
     <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Last %n day(s)</source>
         <translation>
             <numerusform>Last day</numerusform>

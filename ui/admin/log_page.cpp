@@ -125,8 +125,9 @@ QWidget* LogPage::make_table() {
 void LogPage::fill_people() {
   person_->addItem(tr("All people"));
   person_->addItem(u"Cusp"_qs, QString::fromStdString(UserId{}.text()));
-  const auto people = store_.accounts.list(actor_);
+  auto people = store_.accounts.list(actor_);
   if (!people) return show_failure(people.error());
+  std::ranges::sort(*people, stands_before, &Account::name);
   for (const Account& account : *people) {
     const QString name = QString::fromStdString(account.name);
     names_[account.id.uuid] = name;

@@ -151,7 +151,8 @@ QWidget* Performance::make_filters() {
 void Performance::fill_filters() {
   exercise_->addItem(tr("All exercises"));
   device_->addItem(tr("All devices"));
-  if (const auto scenarios = store_.history.scenarios(reader_)) {
+  if (auto scenarios = store_.history.scenarios(reader_)) {
+    std::ranges::sort(*scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
     for (const PractisedScenario& s : *scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
   }
   if (const auto devices = store_.history.device_classes(reader_)) {
@@ -287,7 +288,8 @@ void Performance::fetch_for_order(int column, Qt::SortOrder order) {
 void Performance::show_numbers(const Figures& f) {
   const QString none = QStringLiteral("–");
   figure_[0]->setText(format_number(f.attempts, 0));
-  note_[0]->setText(tr("%n student(s)", nullptr, f.students));
+  const bool students_alone = filter().drilled_by == DrilledBy::students;
+  note_[0]->setText(students_alone ? tr("%n student(s)", nullptr, f.students) : tr("%n person(s)", nullptr, f.students));
   figure_[1]->setText(f.median_score ? format_points(*f.median_score) : none);
   note_[1]->setText(f.attempts < 4 ? QString()
                                : tr("half lie in %1 to %2").arg(format_points(f.middle_half.low), format_points(f.middle_half.high)));
@@ -332,7 +334,8 @@ void Performance::show_spread(const Figures& f) {
 void Performance::show_learning(const Figures& f) {
   ChartData learning;
   learning.title = tr("Learning");
-  const int last_attempt = std::max(4, f.last_attempt);
+  // Numbers that fewer than three students have reached have no median.
+  const int last_attempt = std::max(4, f.learning.empty() ? f.last_attempt : f.learning.back().attempt);
   learning.x = {tr("attempt"), 1, static_cast<double>(last_attempt), std::max(1.0, std::ceil(last_attempt / 10.0)), 0};
   learning.y = {tr("points"), 0, 100, 20, 0};
   if (f.learning.empty()) {

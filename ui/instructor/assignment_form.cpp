@@ -33,6 +33,7 @@ constexpr int kUsualSelfTestDays = 7;
 AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent)
     : Card(tr("Assign an exercise"), {}, parent), exercises_(std::move(exercises)) {
   setFixedWidth(px(300));
+  std::ranges::sort(exercises_, stands_before, [](const Exercise& exercise) { return local(exercise.scenario.title).toStdString(); });
   QFormLayout* form = make_form();
   body()->addLayout(form);
   exercise_ = new QComboBox;

@@ -15,7 +15,7 @@ struct Text {
 }  // namespace
 
 Stored<ExerciseUse> use_of(Store& store, const Actor& actor, ScenarioId exercise, std::int64_t now_utc_us) {
-  const auto figures = store.history.figures(actor, {.scenario = exercise, .scripted = false});
+  const auto figures = store.history.figures(actor, {.scenario = exercise, .drilled_by = DrilledBy::students, .scripted = false});
   if (!figures) return std::unexpected(figures.error());
   const auto versions = store.scenarios.versions(exercise);
   if (!versions) return std::unexpected(versions.error());

@@ -49,7 +49,8 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   setFocusProxy(table_);
 }
 
-void OwnHistory::make_choice(const std::vector<PractisedScenario>& scenarios) {
+void OwnHistory::make_choice(std::vector<PractisedScenario> scenarios) {
+  std::ranges::sort(scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
   exercise_ = new QComboBox;
   exercise_->setAccessibleName(tr("Exercise"));
   exercise_->setMinimumWidth(px(240));

@@ -29,7 +29,7 @@ class OwnHistory : public QWidget, public Rereads {
   void exercises_wanted();
 
  private:
-  void make_choice(const std::vector<PractisedScenario>& scenarios);
+  void make_choice(std::vector<PractisedScenario> scenarios);
   QBoxLayout* make_charts();
   void make_table();
   void show_attempts();

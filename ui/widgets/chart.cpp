@@ -196,7 +196,8 @@ void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Toke
     const ChartSeries& s = d.series[i];
     const bool lined = s.draw == ChartSeries::Draw::line || s.draw == ChartSeries::Draw::line_dots;
     if (lined && s.points.size() > 1) paint_line(p, plot, s, t, unit);
-    const bool dotted = s.draw != ChartSeries::Draw::bars && s.draw != ChartSeries::Draw::line;
+    // A line of one point has no length.
+    const bool dotted = s.draw != ChartSeries::Draw::bars && (s.draw != ChartSeries::Draw::line || s.points.size() == 1);
     if (dotted) paint_points(p, plot, s, t, unit, i == lit.series ? lit.point : -1);
   }
   p.setClipping(false);

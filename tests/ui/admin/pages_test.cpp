@@ -4,11 +4,13 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
@@ -20,6 +22,7 @@
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
 #include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -369,6 +372,28 @@ TEST_F(AdminPages, performance_names_a_criterion_of_one_of_several_targets_by_th
   EXPECT_EQ(title, QStringLiteral("mesial cavity"));
   for (int row = 0; row < model.rowCount(); ++row)
     EXPECT_TRUE(model.index(row, CriterionFiguresModel::kName).data().toString().contains(title));
+}
+
+TEST_F(AdminPages, exercises_stand_by_name_and_staff_are_no_students) {
+  for (const char* key : {"paper-block", "class-2-46-mo", "channel-1", "class-1-36"}) records.attempt(records.administrator(), key, 80, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  const QStringList shown = texts_of(*page.exercise()).mid(1);
+  QStringList sorted = shown;
+  std::ranges::sort(sorted, stands_before, [](const QString& text) { return text.toStdString(); });
+  EXPECT_EQ(shown.size(), 4);
+  EXPECT_EQ(shown, sorted) << shown.join(u'|').toStdString();
+  QStringList texts;
+  for (const QLabel* label : page.findChildren<QLabel*>()) texts << label->text();
+  EXPECT_TRUE(texts.contains(QStringLiteral("1 person"))) << texts.join(u'|').toStdString();
+}
+
+TEST_F(AdminPages, one_student_with_many_attempts_does_not_squeeze_the_medians) {
+  std::vector<Account> students;
+  for (const char* number : {"1", "2", "3"}) records.attempt(students.emplace_back(records.student(number, std::string("Student ") + number)), "channel-1", 60, 10);
+  for (int i = 0; i < 20; ++i) records.attempt(students[0], "channel-1", 70, 10);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  for (const Chart* chart : page.findChildren<Chart*>())
+    if (chart->data().title == QStringLiteral("Learning")) { EXPECT_EQ(chart->data().x.most, 4); }
 }
 
 }  // namespace

@@ -73,5 +73,10 @@ TEST_F(UseOfAnExercise, stands_under_the_list_for_the_chosen_row) {
   }
 }
 
+TEST_F(UseOfAnExercise, counts_no_attempt_of_staff) {
+  records.attempt(berg, "channel-1", 95, 60);
+  EXPECT_EQ(text(channel), QStringLiteral("No student has a graded attempt yet."));
+}
+
 }  // namespace
 }  // namespace cusp::test

@@ -170,6 +170,21 @@ TEST(Chart, a_figure_of_full_points_is_drawn_whole) {
   EXPECT_GE(dark_pixels(100), dark_pixels(88));  // one more digit
 }
 
+TEST(Chart, a_line_of_one_point_is_seen) {
+  ChartData d = two_attempts();
+  d.series[0].draw = ChartSeries::Draw::line;
+  d.series[0].points = {{7.1, 78, QStringLiteral("Median of 30 students"), false}};
+  QImage image(320, 220, QImage::Format_RGB32);
+  image.fill(Tokens::light().surface);
+  QPainter painter(&image);
+  paint_chart(painter, QRectF(0, 0, 320, 220), d, Tokens::light(), 1.0);
+  painter.end();
+  int found = 0;
+  for (int y = 0; y < 220; ++y)
+    for (int x = 0; x < 320; ++x) found += image.pixelColor(x, y) == Tokens::light().accent;
+  EXPECT_GT(found, 0);
+}
+
 TEST(Chart, its_table_rounds_no_points_up_to_the_pass_mark) {
   ChartData d = two_attempts();
   d.series[0].points[1].y = 69.96;
