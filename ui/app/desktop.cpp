@@ -1,6 +1,7 @@
 #include "ui/app/desktop.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -145,6 +146,8 @@ void Desktop::sign_in(const Account& account) {
 void Desktop::begin_idle() { idle_.set_limit(std::chrono::minutes(settings_.idle_minutes())); }
 
 void Desktop::sign_out() {
+  // A dialog of the window outlives the pages, and acts for whoever was signed in.
+  for (QDialog* open : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete open;
   account_.reset();
   use_text(TextSize::usual);
   show_sign_in(new SignIn(*store_));

@@ -1,6 +1,7 @@
 // What is kept, and what is asked, before the station is locked or the window closes.
 #include <gtest/gtest.h>
 
+#include <QDialog>
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
@@ -11,6 +12,8 @@
 #include "tests/ui/desk_records.h"
 #include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
+#include "ui/app/password_dialog.h"
+#include "ui/app/quick_open.h"
 #include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
@@ -106,6 +109,19 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
   EXPECT_EQ(written_by(other), QString());
   desktop->lock_idle();
   EXPECT_EQ(written_by(berg), QStringLiteral("The floor\nis uneven."));
+}
+
+TEST_F(Locking, closes_the_dialogs_of_whoever_was_signed_out) {
+  const Account lena = records.student("1", "Lena Brandt");
+  sign_in(lena);
+  (new QuickOpen({}, desktop.get()))->open();
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  EXPECT_EQ(desktop->findChild<QDialog*>(), nullptr) << "what it offers needs an account";
+  desktop->sign_in(lena);
+  (new PasswordDialog(records.store(), lena, desktop.get()))->open();
+  desktop->lock_idle();
+  EXPECT_EQ(desktop->findChild<QDialog*>(), nullptr);
 }
 
 TEST_F(Locking, does_not_say_that_an_import_is_kept) {
