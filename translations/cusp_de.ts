@@ -3657,6 +3657,14 @@
 <context>
     <name>cusp::ui::Desktop</name>
     <message>
+        <source>There is an administrator by now.</source>
+        <translation>Eine Verwaltung gibt es inzwischen.</translation>
+    </message>
+    <message>
+        <source>Another window of Cusp made one. Sign in as that administrator.</source>
+        <translation>Ein anderes Fenster von Cusp hat sie angelegt. Melden Sie sich damit an.</translation>
+    </message>
+    <message>
         <source>Try again</source>
         <translation>Noch einmal versuchen</translation>
     </message>

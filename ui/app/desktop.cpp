@@ -110,6 +110,11 @@ void Desktop::show_sign_in(SignIn* page) {
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::administrator_made, this, &Desktop::show_quick_start);
+  connect(page, &SignIn::administrator_there, this, [this] {
+    show_sign_in(new SignIn(*store_));
+    sign_in_->set_typed_number({}, SignIn::Who::staff);
+    sign_in_->show_note({tr("There is an administrator by now."), tr("Another window of Cusp made one. Sign in as that administrator.")});
+  });
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
   connect(page, &SignIn::theme_toggled, this,
           [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });

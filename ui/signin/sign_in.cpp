@@ -190,6 +190,7 @@ void SignIn::create_administrator() {
   fresh.password = password_->text().toStdString();
   ask_records([fresh](Accounts& accounts) { return accounts.create_first_administrator(fresh); },
               [this, number = staff_number_->text().trimmed()](const Stored<Account>& account) {
+                if (!account && account.error().code == StorageError::not_allowed) return Q_EMIT administrator_there();
                 if (!account) return refuse(describe_account(account.error(), number, Secret::password));
                 Q_EMIT signed_in(*account);
                 Q_EMIT administrator_made();

@@ -54,6 +54,8 @@ class SignIn : public QWidget {
   void signed_in(const Account& account);
   /// After signed_in() of the first administrator, who was made here.
   void administrator_made();
+  /// Instead: another window has made one meanwhile.
+  void administrator_there();
   void try_it();
   void try_again();
   void way_back_wanted();  // a backup in the place of damaged records

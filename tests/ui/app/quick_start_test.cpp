@@ -1,13 +1,18 @@
-// The quick start: five pictures, whole at every size.
+// What a new station shows: the first start, and the quick start, whose five pictures are whole at every size.
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/modules.h"
 #include "tests/ui/looks.h"
+#include "ui/app/desktop.h"
 #include "ui/app/quick_start.h"
+#include "ui/signin/sign_in.h"
 
 namespace cusp::test {
 namespace {
@@ -42,6 +47,28 @@ TEST(QuickStartTest, its_five_pictures_are_whole_and_named_at_every_size) {
   expect_whole(200, QStringLiteral("quick-start-de-dark-200"));
   install_language(*qApp, QStringLiteral("en"));
   apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST(FirstStart, leads_to_sign_in_once_another_window_has_made_the_administrator) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  Desktop desktop(settings, Ports::of_the_system(), folder.filePath(QStringLiteral("new.db")).toStdString());
+  desktop.start();
+  desktop.show();
+  const QList<QLineEdit*> fields = desktop.page()->findChildren<QLineEdit*>();
+  ASSERT_EQ(fields.size(), 4);
+  ASSERT_TRUE(desktop.store()->accounts.create_first_administrator({"berg", "Mara Berg", Role::administrator, "correct horse", ""}));
+  const char* const typed[] = {"Anna Weber", "anna", "correct horse", "correct horse"};
+  for (int i = 0; i < 4; ++i) fields[i]->setText(QLatin1String(typed[i]));
+  QTest::keyClick(fields[3], Qt::Key_Return);
+  const SignIn* page = nullptr;
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    page = qobject_cast<SignIn*>(desktop.page());
+    return page != nullptr && !page->waiting() && !page->message().isEmpty();
+  }, 60'000));
+  ASSERT_NE(page, nullptr);
+  EXPECT_EQ(page->who(), SignIn::Who::staff) << "the page signs in and makes nobody";
+  EXPECT_TRUE(page->message().contains(QStringLiteral("Another window"))) << page->message().toStdString();
 }
 
 }  // namespace
