@@ -1,53 +1,21 @@
 // Output through Qt Multimedia. The sink asks for samples on a thread of its own choice: what is to be heard crosses by
 // a triple buffer.
 #include <QAudioSink>
-#include <QIODevice>
 #include <QMediaDevices>
 #include <algorithm>
-#include <vector>
 
-#include "engine/base/triple_buffer.h"
 #include "ui/sound/drill_sound.h"
+#include "ui/sound/drill_source.h"
 
 namespace cusp::ui {
 namespace {
 
 constexpr int kBufferMs = 100;  // a frame under software OpenGL takes 30
 
-/// Makes samples as they are asked for, without end.
-class Source : public QIODevice {
- public:
-  explicit Source(const QAudioFormat& format) : format_(format), synth_(format.sampleRate()) {}
-  TripleBuffer<DrillHeard>& heard() { return heard_; }
-
-  bool isSequential() const override { return true; }
-  qint64 bytesAvailable() const override { return 1 << 16; }
-
- protected:
-  qint64 readData(char* data, qint64 most) override {
-    const int channels = format_.channelCount();
-    const auto frames = static_cast<std::size_t>(most / format_.bytesPerFrame());
-    mono_.resize(frames);
-    synth_.follow(heard_.read());
-    synth_.render(mono_);
-    auto* out = reinterpret_cast<qint16*>(data);
-    for (const float sample : mono_)
-      for (int c = 0; c < channels; ++c) *out++ = static_cast<qint16>(sample * 32767.0f);
-    return static_cast<qint64>(frames) * format_.bytesPerFrame();
-  }
-  qint64 writeData(const char*, qint64) override { return -1; }
-
- private:
-  QAudioFormat format_;
-  DrillSynth synth_;
-  TripleBuffer<DrillHeard> heard_;
-  std::vector<float> mono_;
-};
-
 }  // namespace
 
 struct DrillSound::Inner {
-  std::unique_ptr<Source> source;
+  std::unique_ptr<DrillSource> source;
   std::unique_ptr<QAudioSink> sink;
   int volume = 50;
   bool muted = false;
@@ -68,8 +36,7 @@ bool DrillSound::start() {
   QAudioFormat format = device.preferredFormat();
   format.setSampleFormat(QAudioFormat::Int16);
   if (!format.isValid() || !device.isFormatSupported(format)) return false;
-  inner_->source = std::make_unique<Source>(format);
-  inner_->source->open(QIODevice::ReadOnly);
+  inner_->source = std::make_unique<DrillSource>(format.sampleRate(), format.channelCount());
   inner_->sink = std::make_unique<QAudioSink>(device, format);
   inner_->sink->setBufferSize(format.bytesForDuration(kBufferMs * 1000));
   inner_->apply();
