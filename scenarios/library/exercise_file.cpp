@@ -72,6 +72,12 @@ void put_name_first(ExerciseFileFailure& failure, const std::filesystem::path& p
 
 }  // namespace
 
+bool names_exercise_file(std::string_view name) noexcept {
+  const auto small = [](char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return name.size() >= kExerciseFileSuffix.size() &&
+         std::ranges::equal(name.substr(name.size() - kExerciseFileSuffix.size()), kExerciseFileSuffix, {}, small);
+}
+
 Result<std::string, ExerciseFileFailure> exercise_file_bytes(const ExerciseFile& file) {
   if (auto fits = check(file); !fits) return std::unexpected(fits.error());
   const std::string mark = mark_text(content_of(file)), json = canonical_json(file.scenario);

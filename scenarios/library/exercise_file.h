@@ -23,6 +23,8 @@ namespace cusp::scenarios {
 
 inline constexpr int kExerciseFileFormat = 1;
 inline constexpr std::string_view kExerciseFileSuffix = ".cusp";
+/// Whether a name ends so, in letters of either case: cusp.xml gives NAME.CUSP the type, too.
+bool names_exercise_file(std::string_view name) noexcept;
 /// As much as the largest volume takes without packing: VolumeLimits::max_voxels, 4 bytes each.
 inline constexpr std::size_t kMaxExerciseFileBytes = std::size_t{512} << 20;
 

@@ -61,6 +61,7 @@ def scenarios(desk):
 
         refused(desk, "missing volume", *verb(desk.small_exercise("volume.json", lost_volume)), names=("none.nrrd",))
     refused(desk, "no exercise file", "validate", broken("notes.cusp", "not an exercise"), names=("notes.cusp",))
+    refused(desk, "no exercise file in capitals", "validate", broken("NOTES.CUSP", "not an exercise"), names=("not an exercise that Cusp saved",))
     refused(desk, "missing exercise file", "validate", desk.path("none.cusp"), names=("none.cusp",))
     refused(desk, "missing script", "play", "channel-1", "--script", desk.path("none.csv"), "--db", desk.path("s.db"),
             "--out", desk.path("o"), names=("none.csv",))

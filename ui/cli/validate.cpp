@@ -46,7 +46,7 @@ Result<Input, Message> open_file(const std::string& path) {
 Result<Input, Message> open_input(const std::string& path) {
   if (const std::string_view text = builtin_scenario_text(path); !text.empty()) return Input{std::string(text), {}, {}};
   std::filesystem::path file(path);
-  if (file.extension() == kExerciseFileSuffix && !std::filesystem::is_directory(file)) return open_file(path);
+  if (names_exercise_file(path) && !std::filesystem::is_directory(file)) return open_file(path);
   if (std::filesystem::is_directory(file)) file /= "scenario.json";
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);

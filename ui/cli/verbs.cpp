@@ -70,7 +70,7 @@ bool is_verb(int argc, char** argv) {
   if (argc < 2) return false;
   const std::string_view first = argv[1];
   return std::ranges::find(kVerbs, first) != kVerbs.end() || first == "--help" || first == "-h" || first == "--version" ||
-         (!first.empty() && first.front() != '-' && !first.ends_with(kExerciseFileSuffix));
+         (!first.empty() && first.front() != '-' && !names_exercise_file(first));
 }
 
 int run_verb(int argc, char** argv) {

@@ -6,7 +6,7 @@
 namespace cusp::ui {
 
 /// True when the first argument names a verb, --help or --version: then main() returns run_verb() and opens no window. A name
-/// that ends in .cusp is an exercise file, which the window opens.
+/// that ends in .cusp or .CUSP is an exercise file, which the window opens.
 bool is_verb(int argc, char** argv);
 
 /// Runs the verb. 0 done, 1 failed with one line on stderr, 2 wrong usage. Needs no QApplication; `play` makes an

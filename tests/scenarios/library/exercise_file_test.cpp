@@ -119,6 +119,11 @@ TEST_F(ExerciseFiles, AreWrittenBesideWhatBearsTheNameOfAPart) {
   EXPECT_TRUE(read_exercise_file(folder / "a.cusp"));
 }
 
+TEST_F(ExerciseFiles, AreNamedInLettersOfEitherCase) {
+  for (const char* name : {"molar.cusp", "/media/stick/MOLAR.CUSP", "molar.Cusp"}) EXPECT_TRUE(names_exercise_file(name)) << name;
+  for (const char* name : {"cusp", "molar.cusp.txt", "molar.cusppack", ""}) EXPECT_FALSE(names_exercise_file(name)) << name;
+}
+
 TEST_F(ExerciseFiles, OfAnotherKindAreRefused) {
   EXPECT_EQ(code_of(""), "foreign_file");
   EXPECT_EQ(code_of("PK\x03\x04"), "foreign_file");
