@@ -41,7 +41,11 @@ HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* body = nullptr;
-  outer->addWidget(make_scroll_page(&body));
+  QWidget* area = make_scroll_page(&body);
+  area->setFocusPolicy(Qt::StrongFocus);  // its keys scroll: a student's page has no control inside
+  area->setAccessibleName(tr("Help"));
+  outer->addWidget(area);
+  setFocusProxy(area);
   auto* head = new PageHead(tr("Help"));
   body->addWidget(head);
   if (role != Role::student) {

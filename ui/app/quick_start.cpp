@@ -51,7 +51,10 @@ QuickStart::QuickStart(QWidget* parent) : QWidget(parent) {
   top.row->addStretch();
   outer->addWidget(top.bar);
   QVBoxLayout* body = nullptr;
-  outer->addWidget(make_scroll_page(&body), 1);
+  QWidget* area = make_scroll_page(&body);
+  area->setFocusPolicy(Qt::StrongFocus);  // its keys scroll: no control stands inside
+  area->setAccessibleName(tr("Quick start"));
+  outer->addWidget(area, 1);
   body->addWidget(new PageHead(tr("Five steps to the first report")));
   body->addWidget(make_label(tr("You find this page again under Help"), TextRole::body, Weight::regular, "text2"));
   grid_ = new QGridLayout;

@@ -5,6 +5,8 @@
 #include <QButtonGroup>
 #include <QLabel>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +17,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
+#include "ui/app/quick_start.h"
 #include "ui/settings/device_settings.h"
 #include "ui/app/shell.h"
 #include "ui/drill/bur_tray.h"
@@ -100,6 +103,29 @@ TEST_F(Accessible, a_bur_is_taken_from_the_tray_without_a_mouse) {
   EXPECT_EQ(chosen.count(), 1);
   buttons[1]->setChecked(true);  // as Qt's own accessibility does it
   EXPECT_EQ(chosen.count(), 2);
+}
+
+/// Page Down on whatever part of the page takes the focus by Tab.
+void expect_keys_scroll(QWidget& page) {
+  auto* area = page.findChild<QScrollArea*>();
+  ASSERT_NE(area, nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return area->verticalScrollBar()->maximum() > 0; }, kPatienceMs));
+  QWidget* inside = area->focusPolicy() & Qt::TabFocus ? static_cast<QWidget*>(area) : nullptr;
+  for (QWidget* part : area->widget()->findChildren<QWidget*>())
+    if (inside == nullptr && part->isVisible() && (part->focusPolicy() & Qt::TabFocus)) inside = part;
+  ASSERT_NE(inside, nullptr) << "no key reaches what scrolls";
+  QTest::keyClick(inside, Qt::Key_PageDown);
+  EXPECT_GT(area->verticalScrollBar()->value(), 0);
+}
+
+TEST_F(Accessible, help_and_quick_start_are_read_to_their_end_by_the_keyboard) {
+  open(records.student("1", "Lena Brandt"));
+  desktop->showNormal();
+  desktop->resize(960, 540);
+  desktop->shell()->show_page(QStringLiteral("help"));
+  expect_keys_scroll(*desktop->shell()->page());
+  desktop->push(new QuickStart);
+  expect_keys_scroll(*desktop->page());
 }
 
 TEST_F(Accessible, every_button_on_every_page_can_be_acted_on) {
