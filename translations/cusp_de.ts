@@ -10161,6 +10161,14 @@ Ihr bester davor</translation>
 <context>
     <name>cusp::ui::StationPage</name>
     <message>
+        <source>The folder holds until Cusp is closed.</source>
+        <translation>Der Ordner gilt, bis Cusp geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written, so the next start does not know the folder.</source>
+        <translation>%1 kann nicht geschrieben werden, darum kennt der nächste Start den Ordner nicht.</translation>
+    </message>
+    <message>
         <source>Station</source>
         <translation>Station</translation>
     </message>

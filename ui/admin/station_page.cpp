@@ -176,8 +176,9 @@ void StationPage::choose_folder() {
   wish.what = FileWish::What::folder;
   wish.saving = false;
   ports_.pick_file(this, wish, [this](const QString& path) {
-    settings_.set_backup_folder(path);
+    const bool kept = settings_.set_backup_folder(path);
     show_backups();
+    if (!kept) band_->show_message(Band::Kind::bad, tr("The folder holds until Cusp is closed."), tr("%1 cannot be written, so the next start does not know the folder.").arg(settings_.file()));
   });
 }
 

@@ -45,7 +45,11 @@ std::filesystem::path Settings::backup_folder(const std::filesystem::path& datab
   const QString chosen = store_.value("records/backup_folder").toString();
   return chosen.isEmpty() ? database.parent_path() / "backups" : std::filesystem::path(chosen.toStdString());
 }
-void Settings::set_backup_folder(const QString& folder) { store_.setValue("records/backup_folder", folder); }
+bool Settings::set_backup_folder(const QString& folder) {
+  store_.setValue("records/backup_folder", folder);
+  store_.sync();
+  return store_.status() != QSettings::AccessError;
+}
 QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
 void Settings::set_station_name(const QString& station, const QString& name) { store_.setValue("stations/" + station, name.trimmed()); }
 QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }

@@ -47,7 +47,8 @@ class Settings {
   static constexpr int kUsualIdleMinutes = 15, kMostIdleMinutes = 240;
   /// Where the daily backups of a database go; "backups" beside it unless another folder was chosen.
   std::filesystem::path backup_folder(const std::filesystem::path& database) const;
-  void set_backup_folder(const QString& folder);
+  /// False: the file cannot be written, and the choice ends with the program.
+  bool set_backup_folder(const QString& folder);
   /// What people here call a station, this one too. Empty: nothing yet. `station`: its id.
   QString station_name(const QString& station) const;
   void set_station_name(const QString& station, const QString& name);

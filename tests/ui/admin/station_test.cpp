@@ -87,6 +87,18 @@ TEST_F(Station, MakesABackupWhereItWasAskedTo) {
   EXPECT_EQ(all->front().sessions, 1u);
 }
 
+TEST_F(Station, ReportsAFolderThatTheNextStartDoesNotKnow) {
+  QFile file(folder.filePath(QStringLiteral("a file")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  Settings lost(folder.filePath(QStringLiteral("a file/Cusp.ini")));  // root may write a read-only folder, and nobody this one
+  StationPage shown(records.store(), admin.actor(), lost, ports);
+  shown.choose_folder();
+  EXPECT_TRUE(shown.message().contains(QStringLiteral("until Cusp is closed"))) << shown.message().toStdString();
+  const auto kept = page();
+  kept->choose_folder();
+  EXPECT_EQ(kept->message(), QString());
+}
+
 TEST_F(Station, SaysWhyNoBackupWasMade) {
   chosen = folder.filePath(QStringLiteral("a file/backups"));
   QFile file(folder.filePath(QStringLiteral("a file")));
