@@ -2978,6 +2978,10 @@
         <translation>Die Standardausgabe kann nicht geschrieben werden.</translation>
     </message>
     <message>
+        <source>There is no display for the window. A verb needs none (see cusp --help).</source>
+        <translation>Für das Fenster gibt es keine Anzeige. Ein Befehl braucht keine (siehe cusp --help).</translation>
+    </message>
+    <message>
         <source>There is no verb %1 (see cusp --help)</source>
         <translation>Den Befehl %1 gibt es nicht (siehe cusp --help)</translation>
     </message>

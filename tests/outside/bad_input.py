@@ -227,6 +227,14 @@ def usage(desk):
         check(status == 0 and "--json" in out and not err, f"{verb} --help: {status} {err}")
 
 
+def window(desk):
+    nowhere = dict.fromkeys(("DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "QT_QPA_PLATFORM"), "")
+    for arguments in ((), ("--safe",), (desk.path("some.cusp"),)):
+        refused(desk, f"no display: {arguments}", *arguments, names=("no display",), **nowhere)
+    status, _, err = desk.run("--saef", QT_QPA_PLATFORM="offscreen")
+    check(status == 2 and "saef" in err, f"an unknown option of the window: exit {status}: {err}")
+
+
 def outputs(desk):
     """What --json names is written where it leads to, keeps its permissions, and may be a pipe; lost output is no success."""
     target, link, pipe = desk.path("target.json"), desk.path("link.json"), desk.path("pipe.json")
@@ -327,6 +335,7 @@ def disks(desk):
 
 with Desk(sys.argv[1]) as the_desk:
     usage(the_desk)
+    window(the_desk)
     scenarios(the_desk)
     audits(the_desk)
     audits_of_what_changes(the_desk)

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QTimer>
 #include <csignal>
+#include <cstdio>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -38,7 +39,7 @@ void run_in_turns(const Steps& steps, std::size_t next = 0) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the process's file-size limit then fails with EFBIG
-  if (cusp::ui::is_verb(argc, argv)) return cusp::ui::run_verb(argc, argv);
+  if (cusp::ui::is_verb(argc, argv) || cusp::ui::no_display()) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);
   const cusp::ui::TasksEndHere tasks_end;
@@ -51,7 +52,10 @@ int main(int argc, char** argv) {
   const QCommandLineOption safe(QStringLiteral("safe"), QStringLiteral("Start without 3D pictures: grade, replay and administer."));
   line.addOption(safe);
   line.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Exercise file."), QStringLiteral("[FILE]"));
-  line.process(app);
+  if (!line.parse(QCoreApplication::arguments())) {
+    std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(line.errorText()));
+    return 2;  // as a verb's kWrongUsage
+  }
 
   if (line.isSet(safe)) cusp::ui::forbid_opengl();
   const cusp::ui::RunMarker marker(cusp::ui::Desktop::marker_folder());

@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 19> kVerbs = {"play",    "replay",   "gra
                                                      "specimen", "history", "export", "template", "backup", "restore", "erase", "thin", "retain", "appeal", "verify", "exchange", "import-child"};
 
 int run(int argc, char** argv) {
+  if (!is_verb(argc, argv)) return failed(CliText::tr("There is no display for the window. A verb needs none (see cusp --help)."));
   CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb, cusp [--db FILE] [--safe] [NAME.cusp] opens the desktop.")), "cusp");
   program.set_version_flag("--version", build_info());
   program.require_subcommand(1);
@@ -71,6 +72,11 @@ bool is_verb(int argc, char** argv) {
   const std::string_view first = argv[1];
   return std::ranges::find(kVerbs, first) != kVerbs.end() || first == "--help" || first == "-h" || first == "--version" ||
          (!first.empty() && first.front() != '-' && !names_exercise_file(first));
+}
+
+bool no_display() {
+  constexpr std::array kNames = {"DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "QT_QPA_PLATFORM"};
+  return std::ranges::all_of(kNames, [](const char* name) { return qEnvironmentVariableIsEmpty(name); });
 }
 
 int run_verb(int argc, char** argv) {
