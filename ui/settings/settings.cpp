@@ -5,6 +5,16 @@
 #include <algorithm>
 
 namespace cusp::ui {
+namespace {
+
+/// What is no number counts as missing: 0 minutes would never sign out.
+int whole_number(const QSettings& store, const QString& key, int usual) {
+  bool ok = false;
+  const int value = store.value(key, usual).toInt(&ok);
+  return ok ? value : usual;
+}
+
+}  // namespace
 
 QString Settings::usual_file() {
   return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QStringLiteral("/Cusp/Cusp.ini");
@@ -25,10 +35,10 @@ QString Settings::language() const { return store_.value("look/language").toStri
 void Settings::set_language(const QString& code) { store_.setValue("look/language", code); }
 QString Settings::exercise_language() const { return store_.value("look/exercise_language").toString(); }
 void Settings::set_exercise_language(const QString& code) { store_.setValue("look/exercise_language", code); }
-int Settings::scale_percent() const { return std::clamp(store_.value("look/scale", 100).toInt(), 100, 200); }
+int Settings::scale_percent() const { return std::clamp(whole_number(store_, u"look/scale"_qs, 100), 100, 200); }
 void Settings::set_scale_percent(int percent) { store_.setValue("look/scale", std::clamp(percent, 100, 200)); }
 int Settings::volume_percent() const {
-  return std::clamp(store_.value("sound/volume", kUsualVolumePercent).toInt(), 0, 100);
+  return std::clamp(whole_number(store_, u"sound/volume"_qs, kUsualVolumePercent), 0, 100);
 }
 void Settings::set_volume_percent(int percent) { store_.setValue("sound/volume", std::clamp(percent, 0, 100)); }
 bool Settings::muted() const { return store_.value("sound/muted", false).toBool(); }
@@ -38,7 +48,7 @@ void Settings::set_handpiece_shown(bool shown) { store_.setValue("view/handpiece
 bool Settings::left_handed() const { return store_.value("view/left_handed", false).toBool(); }
 void Settings::set_left_handed(bool left) { store_.setValue("view/left_handed", left); }
 int Settings::idle_minutes() const {
-  return std::clamp(store_.value("station/idle_minutes", kUsualIdleMinutes).toInt(), 0, kMostIdleMinutes);
+  return std::clamp(whole_number(store_, u"station/idle_minutes"_qs, kUsualIdleMinutes), 0, kMostIdleMinutes);
 }
 void Settings::set_idle_minutes(int minutes) { store_.setValue("station/idle_minutes", std::clamp(minutes, 0, kMostIdleMinutes)); }
 std::filesystem::path Settings::backup_folder(const std::filesystem::path& database) const {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QDateTime>
+#include <QFile>
 #include <QTemporaryDir>
 #include <set>
 
@@ -308,6 +309,17 @@ TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_r
   EXPECT_EQ(again.scheme(), ColourScheme::dark);
   EXPECT_EQ(again.language().toStdString(), "de");
   EXPECT_EQ(again.scale_percent(), 200);
+}
+
+TEST(SettingsTest, what_is_no_number_counts_as_missing) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("Cusp.ini")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("[sound]\nvolume=loud\n[station]\nidle_minutes=15 min\n");
+  file.close();
+  const Settings settings(file.fileName());
+  EXPECT_EQ(settings.volume_percent(), Settings::kUsualVolumePercent);
+  EXPECT_EQ(settings.idle_minutes(), Settings::kUsualIdleMinutes) << "0 never signs out";
 }
 
 TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
