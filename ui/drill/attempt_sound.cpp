@@ -17,6 +17,7 @@ AttemptSound::AttemptSound(HandpiecePanel& panel, QObject* parent) : QObject(par
     sound_->set_muted(muted);
     if (settings_) settings_->set_muted(muted);
   });
+  connect(sound_, &DrillSound::lost, this, [this] { panel_.set_sound({}); });
 }
 
 void AttemptSound::begin(const Scenario& scenario) {

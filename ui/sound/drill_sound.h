@@ -28,6 +28,10 @@ class DrillSound : public QObject {
   void set_volume(int percent);
   void set_muted(bool muted);
 
+ Q_SIGNALS:
+  /// The output went away, as when the sound server ends: available() is false now.
+  void lost();
+
  private:
   struct Inner;
   std::unique_ptr<Inner> inner_;

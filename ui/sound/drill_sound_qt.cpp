@@ -40,6 +40,12 @@ bool DrillSound::start() {
   inner_->sink = std::make_unique<QAudioSink>(device, format);
   inner_->sink->setBufferSize(format.bytesForDuration(kBufferMs * 1000));
   inner_->apply();
+  // Queued: stop() destroys the sink, which emits this signal.
+  connect(inner_->sink.get(), &QAudioSink::stateChanged, this, [this](QAudio::State state) {
+    if (state != QAudio::StoppedState || !inner_->sink || inner_->sink->error() == QAudio::NoError) return;
+    stop();
+    Q_EMIT lost();
+  }, Qt::QueuedConnection);
   inner_->sink->start(inner_->source.get());
   if (inner_->sink->error() != QAudio::NoError) stop();
   return available();
