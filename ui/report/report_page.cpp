@@ -181,7 +181,11 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   body_->setContentsMargins(side, px(16), side, px(16));
   model_->set_detail(narrow ? CriteriaModel::Detail::narrow : CriteriaModel::Detail::whole);
   // Buttons lose their text to the date and the attempt number, and keep name and tooltip.
-  for (const auto& [button, text] : saves_) button->setText(narrow ? QString() : text);
+  for (const auto& [button, text] : saves_) {
+    const QKeySequence key = button->shortcut();  // a new text takes the shortcut away
+    button->setText(narrow ? QString() : text);
+    button->setShortcut(key);
+  }
   table_->setColumnHidden(CriteriaModel::kPlace, narrow);
   const bool least = width() < px(kLeast);
   table_->setColumnHidden(CriteriaModel::kWanted, least);

@@ -58,6 +58,7 @@ TEST(ReportPage, a_narrow_window_cuts_nothing_off_at_the_side) {
     if (b->accessibleName() != u"Print" && b->accessibleName() != u"Save as PDF") continue;
     ++named;
     EXPECT_TRUE(b->text().isEmpty());
+    EXPECT_FALSE(b->shortcut().isEmpty()) << b->toolTip().toStdString();
     EXPECT_TRUE(b->toolTip().startsWith(b->accessibleName()));
   }
   EXPECT_EQ(named, 2);
