@@ -43,7 +43,8 @@ void QuickOpen::narrow(const QString& text) {
 }
 
 void QuickOpen::open_chosen() {
-  if (!list_->currentItem()) return;
+  // Where a single click activates, the list emits itemClicked and itemActivated.
+  if (!list_->currentItem() || !isVisible()) return;
   const auto attempt = places_[list_->currentItem()->data(Qt::UserRole).toInt()].attempt;
   accept();
   attempt();

@@ -4,6 +4,7 @@
 #include <QAccessible>
 #include <QButtonGroup>
 #include <QLabel>
+#include <QListWidget>
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -17,6 +18,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
+#include "ui/app/quick_open.h"
 #include "ui/app/quick_start.h"
 #include "ui/settings/device_settings.h"
 #include "ui/app/shell.h"
@@ -126,6 +128,17 @@ TEST_F(Accessible, help_and_quick_start_are_read_to_their_end_by_the_keyboard) {
   expect_keys_scroll(*desktop->shell()->page());
   desktop->push(new QuickStart);
   expect_keys_scroll(*desktop->page());
+}
+
+TEST_F(Accessible, a_click_that_activates_too_goes_to_a_place_once) {
+  QWidget window;
+  int times = 0;
+  auto* dialog = new QuickOpen({{QStringLiteral("Help"), QStringLiteral("page"), QStringLiteral("book"), [&times] { ++times; }}}, &window);
+  dialog->open();
+  auto* list = dialog->findChild<QListWidget*>();
+  Q_EMIT list->itemClicked(list->item(0));
+  Q_EMIT list->itemActivated(list->item(0));
+  EXPECT_EQ(times, 1);
 }
 
 TEST_F(Accessible, every_button_on_every_page_can_be_acted_on) {
