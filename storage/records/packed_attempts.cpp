@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::string_view kPacked =
     "SELECT scenario, device_class, started_at >> 39, "
-    "pack_attempts(started_at, student, score, pass_mark, elapsed_us, attempt, passed, operator <> 'person', released, version_number) "
+    "pack_attempts(started_at, student, score, pass_mark, elapsed_us, attempt, passed, operator <> 'person', released, version_number, "
+    "kind = 'assessment') "
     "FROM session_summaries ";
 constexpr std::string_view kGroups = " AND listed = 1 AND score IS NOT NULL GROUP BY 1, 2, 3";
 

@@ -13,7 +13,7 @@ namespace {
 
 using Attempts = std::vector<PackedAttempt>;
 
-constexpr int kWithoutVersion = 9;  // arguments
+constexpr int kWithoutVersion = 9, kWithoutKind = 10;  // arguments
 
 std::uint64_t at_most(std::int64_t value, std::uint64_t most) noexcept {
   return value < 0 ? 0 : std::min(static_cast<std::uint64_t>(value), most);
@@ -34,7 +34,8 @@ PackedAttempt attempt_of(sqlite3_value** values, int count) noexcept {
            at_most(sqlite3_value_int64(values[5]), PackedAttempt::kMostAttempt) << PackedAttempt::kAttemptBit |
            (sqlite3_value_int64(values[6]) != 0 ? PackedAttempt::kPassed : 0) |
            (sqlite3_value_int64(values[7]) != 0 ? PackedAttempt::kScripted : 0) |
-           (sqlite3_value_int64(values[8]) != 0 ? PackedAttempt::kReleased : 0);
+           (sqlite3_value_int64(values[8]) != 0 ? PackedAttempt::kReleased : 0) |
+           (count > kWithoutKind && sqlite3_value_int64(values[kWithoutKind]) != 0 ? PackedAttempt::kAssessment : 0);
   return a;
 }
 
@@ -62,7 +63,7 @@ void finish(sqlite3_context* context) {
 }  // namespace
 
 void add_pack_attempts(sqlite3* connection) noexcept {
-  for (const int arguments : {kWithoutVersion, kWithoutVersion + 1}) {
+  for (const int arguments : {kWithoutVersion, kWithoutKind, kWithoutKind + 1}) {
     sqlite3_create_function_v2(connection, "pack_attempts", arguments, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY, nullptr,
                                nullptr, add, finish, nullptr);
   }

@@ -1,7 +1,7 @@
 /// A graded attempt in 48 bytes, and the SQL aggregate that writes many of them into one BLOB:
-///   pack_attempts(started_at, student, score, pass_mark, elapsed_us, attempt, passed, scripted, released, version_number)
+///   pack_attempts(started_at, student, score, pass_mark, elapsed_us, attempt, passed, scripted, released, version_number, assessment)
 /// gives one PackedAttempt a row, in ascending order of their bytes, so that the same rows give the same BLOB. NULL without a row.
-/// The tenth migration leaves the last argument out; the fourteenth writes its rows anew.
+/// The tenth and the fourteenth migration leave the last arguments out; the eighteenth writes their rows anew.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ struct PackedAttempt {
   double pass_mark = 0;    // NaN = none
   std::uint64_t rest = 0;  // numbers from their bits on, below them flags; a number that is too great counts as the greatest
 
-  static constexpr std::uint64_t kPassed = 1, kScripted = 2, kReleased = 4;
+  static constexpr std::uint64_t kPassed = 1, kScripted = 2, kReleased = 4, kAssessment = 8;
   static constexpr int kAttemptBit = 4, kVersionBit = 16, kElapsedBit = 28;
   static constexpr std::uint64_t kMostAttempt = 0xFFF, kMostVersion = 0xFFF, kMostElapsedUs = (std::uint64_t{1} << 36) - 1;  // 19 h
   std::uint64_t elapsed_us() const noexcept { return rest >> kElapsedBit; }

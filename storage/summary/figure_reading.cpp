@@ -17,19 +17,20 @@ constexpr std::size_t kFewStudents = 20;
 Stored<Figures> of_few(Database& db, const HistoryFilter& f, const std::vector<UserId>& students) {
   std::string sql =
       "SELECT student, attempt, score, pass_mark, passed, elapsed_us FROM session_summaries INDEXED BY graded_of_student "
-      "WHERE listed = 1 AND student = ?1 AND score IS NOT NULL AND started_at >= ?7 AND started_at < ?8";
+      "WHERE listed = 1 AND student = ?1 AND score IS NOT NULL AND started_at >= ?8 AND started_at < ?9";
   if (f.scenario) sql += " AND scenario = ?2";
   if (f.device_class) sql += " AND device_class = ?3";
   if (f.passed) sql += " AND passed = ?4";
   if (f.scripted) sql += " AND (operator <> 'person') = ?5";
   if (f.released_alone) sql += " AND released = 1";
   if (f.version_number) sql += " AND version_number = ?6";
+  if (f.kind) sql += " AND kind = ?7";
   if (f.drilled_by == DrilledBy::students) sql += " AND student NOT IN (SELECT id FROM people WHERE role <> 'student')";
   FigureCount count;
   Statement query = db.prepare(sql);
   for (const UserId student : students) {
-    query.bind(student, f.scenario, f.device_class, f.passed, f.scripted, f.version_number, f.from_utc_us.value_or(-kEnd),
-               f.to_utc_us.value_or(kEnd));
+    query.bind(student, f.scenario, f.device_class, f.passed, f.scripted, f.version_number,
+               f.kind.transform([](SessionKind kind) { return key_of(kind); }), f.from_utc_us.value_or(-kEnd), f.to_utc_us.value_or(kEnd));
     while (true) {
       const auto there = query.step();
       if (!there) return std::unexpected(there.error());
@@ -76,6 +77,7 @@ class Conditions {
     for (const UserId account : left_out) static_cast<void>(left_out_.number(account));
     require(PackedAttempt::kPassed, f.passed);
     require(PackedAttempt::kScripted, f.scripted);
+    require(PackedAttempt::kAssessment, f.kind.transform([](SessionKind kind) { return kind == SessionKind::assessment; }));
     require(PackedAttempt::kReleased, f.released_alone ? std::optional(true) : std::nullopt);
   }
   bool admits(const PackedAttempt& a) const noexcept {

@@ -56,6 +56,7 @@ struct HistoryFilter {
   std::optional<int> version_number{};  // of the scenario
   std::optional<CohortId> cohort{};
   std::optional<DrilledBy> drilled_by{};
+  std::optional<SessionKind> kind{};  // practice or assessment
   std::optional<std::string> device_class{};
   std::optional<std::int64_t> from_utc_us{}, to_utc_us{};  // started at or after, before
   std::optional<bool> passed{};                            // graded only

@@ -18,7 +18,11 @@ constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
 /// Whether the query names one student. Of many students, each is asked for with the same statement.
 enum class Whose : std::uint8_t { everybody, one_student };
 
-/// ?1 student, ?2 scenario, ?3 device class, ?4 passed, ?5 scripted, ?6 from, ?10 number of a version.
+std::optional<std::string_view> key_of_kind(const HistoryFilter& f) {
+  return f.kind.transform([](SessionKind kind) { return key_of(kind); });
+}
+
+/// ?1 student, ?2 scenario, ?3 device class, ?4 passed, ?5 scripted, ?6 from, ?10 number of a version, ?11 kind.
 std::string conditions(const HistoryFilter& f, Whose whose) {
   std::string sql = " WHERE listed = 1";
   if (whose == Whose::one_student) sql += " AND student = ?1";
@@ -29,6 +33,7 @@ std::string conditions(const HistoryFilter& f, Whose whose) {
   if (f.released_alone) sql += " AND released = 1";
   if (f.drilled_by == DrilledBy::students) sql += " AND student NOT IN (SELECT id FROM people WHERE role <> 'student')";
   if (f.version_number) sql += " AND version_number = ?10";
+  if (f.kind) sql += " AND kind = ?11";
   return sql + " AND started_at >= ?6";
 }
 
@@ -37,12 +42,12 @@ const char* index_of(const HistoryFilter& f, Whose whose) {
   return whose == Whose::one_student ? "summaries_of_student" : f.scenario ? "summaries_of_scenario" : "summaries_by_time";
 }
 
-/// Besides the conditions: ?7 to ?9 the key that the rows come after, ?11 most rows.
+/// Besides the conditions: ?7 to ?9 the key that the rows come after, ?12 most rows.
 std::string key_query(const HistoryFilter& f, Whose whose) {
   return "SELECT started_at, sequence, session FROM session_summaries INDEXED BY " + std::string(index_of(f, whose)) +
          conditions(f, whose) +
          " AND (started_at, sequence, session) < (?7, ?8, ?9) "
-         "ORDER BY started_at DESC, sequence DESC, session DESC LIMIT ?11";
+         "ORDER BY started_at DESC, sequence DESC, session DESC LIMIT ?12";
 }
 
 /// Asks one statement again and again.
@@ -51,7 +56,7 @@ class KeyQuery {
   KeyQuery(Database& db, const HistoryFilter& f, Whose whose) : f_{f}, statement_{db.prepare(key_query(f, whose))} {}
   Stored<std::vector<HistoryKey>> after(const HistoryKey& key, int limit, const std::optional<UserId>& student = {}) {
     statement_.bind(student, f_.scenario, f_.device_class, f_.passed, f_.scripted, f_.from_utc_us.value_or(-kEver),
-                    key.started_utc_us, key.sequence, key.session, f_.version_number, limit);
+                    key.started_utc_us, key.sequence, key.session, f_.version_number, key_of_kind(f_), limit);
     std::vector<HistoryKey> keys;
     while (true) {
       const auto more = statement_.step();

@@ -50,8 +50,7 @@ TEST_F(LookTest, a_file_that_was_cut_off_is_no_damage_of_the_records) {
 /// What a program of the schema before would have given out.
 void make_older(const fs::path& file, StorageContext& context) {
   auto db = must(Database::open(file));
-  must(db.run("DROP TABLE assignment_withdrawals"));
-  must(db.run("PRAGMA user_version = 16"));
+  must(db.run("PRAGMA user_version = 17"));
   ExchangeDescription description = must(read_description(db)).description;
   must(db.run("DROP TABLE exchange_description"));
   description.tables = must(table_hashes(db));

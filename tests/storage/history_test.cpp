@@ -183,6 +183,30 @@ TEST_F(HistoryTest, the_newest_comment_is_that_of_the_newest_commented_session) 
   EXPECT_EQ(newest->started_utc_us, kNow + 120'000'000);
 }
 
+TEST_F(HistoryTest, practice_and_assessments_are_listed_and_counted_apart) {
+  const CohortId cohort = must(store->cohorts.create(instructor, "Year 3")).id;
+  must(store->cohorts.add(instructor, cohort, lena.id));
+  const SessionId practised = attempt(lena, 60, false);
+  NewSession wanted = new_session(lena, version);
+  wanted.kind = SessionKind::assessment;
+  wanted.start_code = "4711";
+  wanted.assignment =
+      must(store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, "4711")).id;
+  const SessionId examined = must(store->sessions.start(lena.actor(), wanted)).id;
+  must(store->traces.append(examined, second_from(1)));
+  must(store->sessions.finish(examined, volume_after(12), "student"));
+  must(store->grades.save(examined, small_grade(90), {}));
+  for (const auto& [kind, session] : {std::pair{SessionKind::practice, practised}, {SessionKind::assessment, examined}})
+    for (const std::optional<UserId> student : {std::optional<UserId>{}, std::optional(lena.id)}) {
+      const HistoryFilter filter{.student = student, .kind = kind};
+      const auto rows = must(store->history.list(instructor, filter));
+      ASSERT_EQ(rows.size(), 1u);
+      EXPECT_EQ(rows[0].session, session);
+      EXPECT_EQ(must(store->history.figures(instructor, filter)).attempts, 1);
+    }
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
 TEST_F(HistoryTest, a_name_is_found_in_any_case_also_beyond_ascii) {
   const Account ozlem = make_student(*store, "20260002", "Özlem Çelik");
   attempt(ozlem, 80);

@@ -52,6 +52,7 @@ TEST(Migrations, one_that_has_landed_is_never_edited) {
       "9912c09a9c5470b22951b807eefd4c7d6541f25f1c3db7f88051fbe73794f2d7",
       "936d98617f472c8627609629c39c92e79101c6cfa24b4ea6b9fdb668eea5b881",
       "b85c5f24e4270b0ad30671e520e869aa63cec47b66b512b091bc65c0cb0299ad",
+      "43562222d168702726954e5e7f21ac054a547b30c10ca332a796046594aae7b1",
   };
   ASSERT_EQ(built_in_migrations().size(), landed.size());
   for (std::size_t i = 0; i < landed.size(); ++i)

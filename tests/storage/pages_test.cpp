@@ -30,6 +30,11 @@ std::vector<HistoryFilter> every_filter(const ManySessions& m) {
     if (bits & 128) f.from_utc_us = kNow - 300ll * 86'400 * 1'000'000, f.to_utc_us = kNow - 86'400ll * 1'000'000;
     out.push_back(f);
   }
+  for (const unsigned bits : {0u, 2u, 4u, 16u, 64u, 128u})
+    for (const SessionKind kind : {SessionKind::practice, SessionKind::assessment}) {
+      out.push_back(out[bits]);
+      out.back().kind = kind;
+    }
   return out;
 }
 
@@ -37,7 +42,7 @@ bool fits(const HistoryRow& r, const HistoryFilter& f) {
   const bool in_cohort = std::atoi(r.student_number.c_str()) % ManySessions::kCohorts == 7;
   return (!f.student || *f.student == r.student) && (!f.scenario || *f.scenario == r.scenario) &&
          (!f.cohort || in_cohort) && (!f.device_class || *f.device_class == r.device_class) &&
-         (!f.passed || f.passed == r.passed) && (!f.scripted || !*f.scripted) &&
+         (!f.passed || f.passed == r.passed) && (!f.scripted || !*f.scripted) && (!f.kind || *f.kind == r.kind) &&
          (f.search.empty() || r.student_name.starts_with("Student 7")) &&
          (!f.from_utc_us || (r.started_utc_us >= *f.from_utc_us && r.started_utc_us < *f.to_utc_us));
 }
@@ -238,6 +243,7 @@ std::vector<Screen> exercise_screens() {
          list_and_figures(s, m, {.drilled_by = DrilledBy::students, .from_utc_us = kNow - 30ll * 86'400 * 1'000'000});
        }},
       {"staff", [](Store& s, const ManySessions& m, std::size_t) { list_and_figures(s, m, {.drilled_by = DrilledBy::staff}); }},
+      {"assessments", [](Store& s, const ManySessions& m, std::size_t) { list_and_figures(s, m, {.kind = SessionKind::assessment}); }},
   };
 }
 

@@ -180,7 +180,7 @@ TEST_F(Summaries, a_packed_attempt_holds_what_figures_count) {
   EXPECT_EQ(a.elapsed_us(), 3'000'024u);
   EXPECT_EQ(a.attempt(), 1);
   EXPECT_EQ(a.version_number(), 1);
-  EXPECT_TRUE(a.has(PackedAttempt::kPassed) && a.has(PackedAttempt::kReleased) && !a.has(PackedAttempt::kScripted));
+  EXPECT_TRUE(a.has(PackedAttempt::kPassed) && a.has(PackedAttempt::kReleased) && !a.has(PackedAttempt::kScripted) && !a.has(PackedAttempt::kAssessment));
 }
 
 TEST_F(Summaries, packed_attempts_of_guests_and_of_ungraded_sessions_there_are_none) {

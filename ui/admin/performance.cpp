@@ -86,6 +86,7 @@ QBoxLayout* Performance::make_charts() {
     card->setFixedHeight(px(236));
     card->body()->addWidget(chart);
     charts_->addWidget(card, 1);
+    if (chart == learning_) learning_card_ = card;
   }
   return charts_;
 }
@@ -136,6 +137,10 @@ QWidget* Performance::make_filters() {
   who_->addItem(tr("Everybody"));
   who_->addItem(tr("Students"), static_cast<int>(DrilledBy::students));
   who_->addItem(tr("Staff"), static_cast<int>(DrilledBy::staff));
+  kind_ = make_choice(tr("Kind"));
+  kind_->addItem(tr("Practice and assessments"));
+  kind_->addItem(tr("Practice"), static_cast<int>(SessionKind::practice));
+  kind_->addItem(tr("Assessments"), static_cast<int>(SessionKind::assessment));
   result_ = make_choice(tr("Result"));
   device_ = make_choice(tr("Device"));
   period_ = make_choice(tr("From"));
@@ -185,6 +190,7 @@ HistoryFilter Performance::filter() const {
   if (const QVariant number = version_->currentData(); number.isValid()) f.version_number = number.toInt();
   if (const QString id = cohort_->currentData().toString(); !id.isEmpty()) f.cohort = CohortId::parse(id.toStdString());
   if (const QVariant who = who_->currentData(); who.isValid()) f.drilled_by = static_cast<DrilledBy>(who.toInt());
+  if (const QVariant kind = kind_->currentData(); kind.isValid()) f.kind = static_cast<SessionKind>(kind.toInt());
   if (const QString id = exercise_->currentData().toString(); !id.isEmpty()) f.scenario = ScenarioId::parse(id.toStdString());
   if (const QVariant passed = result_->currentData(); passed.isValid()) f.passed = passed.toBool();
   if (const QString device = device_->currentData().toString(); !device.isEmpty()) f.device_class = device.toStdString();
@@ -334,6 +340,9 @@ void Performance::show_spread(const Figures& f) {
 void Performance::show_learning(const Figures& f) {
   ChartData learning;
   learning.title = tr("Learning");
+  // Later attempts are often those at harder exercises.
+  const bool together = !filter().scenario && exercise_->count() > 2;
+  learning_card_->set_aside(together ? tr("points by attempt, all exercises together") : tr("points by attempt"));
   // Numbers that fewer than three students have reached have no median.
   const int last_attempt = std::max(4, f.learning.empty() ? f.last_attempt : f.learning.back().attempt);
   learning.x = {tr("attempt"), 1, static_cast<double>(last_attempt), std::max(1.0, std::ceil(last_attempt / 10.0)), 0};

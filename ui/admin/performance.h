@@ -22,6 +22,7 @@ namespace cusp::ui {
 
 class Band;
 class Chart;
+class Card;
 class CriteriaCard;
 class AttemptsModel;
 class Table;
@@ -41,6 +42,7 @@ class Performance : public QWidget, public Rereads {
   QComboBox* version() const { return version_; }
   QComboBox* cohort() const { return cohort_; }
   QComboBox* who() const { return who_; }
+  QComboBox* kind() const { return kind_; }
   QComboBox* result() const { return result_; }
   CriteriaCard* criteria() const { return criteria_; }
   QComboBox* period() const { return period_; }
@@ -64,7 +66,7 @@ class Performance : public QWidget, public Rereads {
   QBoxLayout* make_charts();
   QWidget* make_table();
   void fill_filters();
-  std::vector<QComboBox*> choices() const { return {exercise_, version_, cohort_, who_, result_, device_, period_}; }
+  std::vector<QComboBox*> choices() const { return {exercise_, version_, cohort_, who_, kind_, result_, device_, period_}; }
   /// The versions of the chosen exercise.
   void fill_versions();
   std::optional<HistoryPage> page(const HistoryFilter& filter, const std::optional<HistoryKey>& after);
@@ -85,13 +87,14 @@ class Performance : public QWidget, public Rereads {
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
-  QComboBox *exercise_ = nullptr, *version_ = nullptr, *cohort_ = nullptr, *who_ = nullptr;
+  QComboBox *exercise_ = nullptr, *version_ = nullptr, *cohort_ = nullptr, *who_ = nullptr, *kind_ = nullptr;
   QComboBox *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
   QLineEdit* search_ = nullptr;
   static constexpr int kFigures = 4;
   QLabel *figure_[kFigures] = {}, *note_[kFigures] = {};  // each in a card
   QGridLayout* figures_ = nullptr;
   Chart *spread_ = nullptr, *learning_ = nullptr;
+  Card* learning_card_ = nullptr;
   CriteriaCard* criteria_ = nullptr;  // shows with an exercise
   QBoxLayout* charts_ = nullptr;
 };

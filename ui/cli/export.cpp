@@ -82,6 +82,12 @@ Result<std::string, Message> device_in(Store& store, const Actor& actor, const s
   return std::unexpected(Message{CliText::tr("There is no attempt with a device of class “%1”.").arg(typed_text(typed)), {}});
 }
 
+/// The value of --kind, as row_json() and the CSV name kinds.
+std::optional<SessionKind> typed_kind(const std::string& typed) {
+  if (typed.empty()) return std::nullopt;
+  return typed == key_of(SessionKind::assessment) ? SessionKind::assessment : SessionKind::practice;
+}
+
 /// The dates, and what names something in the records.
 Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const ExportOptions& o, HistoryFilter filter) {
   if (o.cohort) {
@@ -100,6 +106,7 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
     filter.device_class = *device;
   }
   filter.version_number = o.version;
+  if (o.gradebook.empty()) filter.kind = typed_kind(o.kind);  // of a gradebook, it is the assignment's
   filter.search = o.student;
   if (!o.drilled_by.empty()) filter.drilled_by = o.drilled_by == "staff" ? DrilledBy::staff : DrilledBy::students;
   if (!o.result.empty()) filter.passed = o.result == "passed";
@@ -116,19 +123,13 @@ bool write_csv(const ExportOptions& o, const std::string& text) {
   return write_out(text);
 }
 
-/// The value of --kind, as row_json() and the CSV name kinds.
-std::optional<SessionKind> assigned_kind(const std::string& typed) {
-  if (typed.empty()) return std::nullopt;
-  return typed == key_of(SessionKind::assessment) ? SessionKind::assessment : SessionKind::practice;
-}
-
 int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
   const auto file = gradebook_of(store, actor,
                                  {.system = o.gradebook == "canvas" ? Gradebook::canvas : Gradebook::moodle,
                                   .cohort = *filter.cohort,
                                   .exercise = *o.exercise,
                                   .version = o.version,
-                                  .kind = assigned_kind(o.kind),
+                                  .kind = typed_kind(o.kind),
                                   .due = o.due,
                                   .cohort_typed = *o.cohort});
   if (!file) return failed(file.error());
@@ -200,9 +201,8 @@ void add_filters(CLI::App& verb, ExportOptions& o) {
                       help(CliText::tr("The best released result of each student in what is assigned to a cohort, as this system reads it")));
   gradebook->check(CLI::IsMember({"moodle", "canvas"}))->needs(cohort)->needs(exercise);
   for (CLI::Option* other : of_attempts) gradebook->excludes(other);
-  verb.add_option("--kind", o.kind, help(CliText::tr("The assignment of this kind, where the exercise is assigned more than once")))
-      ->check(CLI::IsMember({"practice", "assessment"}))
-      ->needs(gradebook);
+  verb.add_option("--kind", o.kind, help(CliText::tr("Only this kind; of a gradebook the assignment, where the exercise is assigned more than once")))
+      ->check(CLI::IsMember({"practice", "assessment"}));
   add_named(verb, "--due", o.due, CliText::tr("The assignment that is due on this day, or none, where the exercise is assigned more than once"))
       ->type_name("DATE")
       ->needs(gradebook);
