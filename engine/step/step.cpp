@@ -207,7 +207,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   if (!state.phenomena) {
     answer(state, asked, anew ? Vec3(0.0) : moved, dt_ms, out);
   } else {
-    turn(*state.phenomena, scene, input, state.last, asked.dt_s, asked);
+    turn(*state.phenomena, scene, input, out.bur, state.last, asked.dt_s, asked);
     answer(state, asked, anew ? Vec3(0.0) : moved, dt_ms, out);
     work(*state.phenomena, scene, input, asked.axis, asked.dt_s, out);
   }

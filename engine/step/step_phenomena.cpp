@@ -31,12 +31,11 @@ PhenomenaState::PhenomenaState(const Scene& scene) noexcept
     if (feel.stiffness_n_per_mm > stiffest_n_per_mm) stiffest_n_per_mm = feel.stiffness_n_per_mm;
 }
 
-void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, const StepOutput& before, double dt_s,
+void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, std::uint16_t bur, const StepOutput& before, double dt_s,
           Tick& tick) noexcept {
   if (scene.phenomena.handpiece == Handpiece::none) return;
   // A device without a pedal has the cut button: pressed is fully down.
   const double pedal = input.pedal > 0 ? static_cast<double>(input.pedal) / 65535.0 : input.cutting() ? 1.0 : 0.0;
-  const std::size_t bur = input.bur < scene.burs.size() ? input.bur : scene.burs.size() - 1;
   if (bur != before.bur) state.spindle = SpindleState{};  // the spindle stops for a bur change
   advance(state.spindle, state.settings, pedal, push_of(before), scene.burs[bur].radius_mm, dt_s);
   tick.cut = state.spindle.rpm > 0.0;

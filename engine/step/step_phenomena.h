@@ -24,7 +24,8 @@ struct PhenomenaState {
 };
 
 /// Before the method. Advances the spindle under the push of the tick before; sets Tick::cut and Tick::removal_factor.
-void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, const StepOutput& before, double dt_s,
+/// bur: the one in use, which a wanted one may not be yet.
+void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, std::uint16_t bur, const StepOutput& before, double dt_s,
           Tick& tick) noexcept;
 
 /// After the guard: heat, drag and vibration. Drag and vibration are at most kDragShare and kMostVibrationShare of the
