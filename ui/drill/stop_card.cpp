@@ -71,6 +71,10 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
       title = tr("The device answers again");
       more = tr("The force is off and the clock stands still. Take the handpiece, then resume.");
       break;
+    case Stop::silent:
+      title = tr("The driver of the device stands still");
+      more = tr("Unplug the device and plug it in again. What was drilled until then is kept.");
+      break;
     case Stop::record:
       title = tr("The record cannot be written");
       more = tr("%1 What you drilled so far is safe while this window stays open. Remove the cause, then resume.").arg(cause);
@@ -91,9 +95,9 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
   return true;
 }
 
-/// A session that is stopped can neither be resumed nor, while it is measured, be left.
+/// A session that is stopped, or has no tick, can neither be resumed nor, while it is measured, be left.
 void StopCard::show_ways() {
-  const bool at_end = stop_ == Stop::record_at_end || stop_ == Stop::behind;
+  const bool at_end = stop_ == Stop::record_at_end || stop_ == Stop::behind || stop_ == Stop::silent;
   leave_->setHidden(at_end);
   go_on_->setHidden(at_end);
   finish_again_->setVisible(stop_ == Stop::record_at_end);

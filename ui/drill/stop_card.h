@@ -20,7 +20,8 @@ class StopCard : public QFrame {
 
  public:
   /// record: while drilling; record_at_end: after Finish, when the session is stopped; behind: the tooth is being measured.
-  enum class Stop { none, paused, fault, device_gone, device_back, record, record_at_end, behind };
+  /// silent: no tick comes, so nothing can be pressed until one does.
+  enum class Stop { none, paused, fault, device_gone, device_back, silent, record, record_at_end, behind };
 
   explicit StopCard(QWidget* parent = nullptr);
   /// `record`: why the record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause

@@ -16,6 +16,8 @@ namespace cusp::ui {
 namespace {
 // Of session time. A frame takes some 30 ms under software OpenGL: what it shows is then a third of one old at most.
 constexpr std::uint32_t kShowUs = 10'000;
+/// A driver that does not come back for so long stands still; USB transfers time out within some ms.
+constexpr std::chrono::seconds kSilent{1};
 }  // namespace
 
 struct ExerciseSession::Inner {
@@ -160,6 +162,8 @@ LiveView ExerciseSession::view() const {
   view.end = latest.end;
   view.fault = latest.fault;
   view.device = latest.device;
+  const bool alive = latest.phase != LoopPhase::ready && latest.phase != LoopPhase::ended;
+  view.silent = alive && in.loop->silence() > kSilent;
   view.wanted_bur = latest.wanted_bur;
   view.ring_warning = latest.ring_warning;
   view.push_n = glm::length(latest.output.force_raw_n);

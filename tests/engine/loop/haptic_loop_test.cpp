@@ -327,6 +327,33 @@ TEST(HapticLoop, BeginsAtTheFirstNewSampleAndNotAtTheOrigin) {
   EXPECT_GT(inputs.front().position_mm().z, 9.0);
 }
 
+/// A driver that takes a wait and does not come back until it is let to.
+class StuckPort final : public DrillingPort {
+ public:
+  StuckPort() : DrillingPort(1u << 30, Pace::to_deadline) {}
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    if (++waits_ == 20) stuck.wait(true);
+    return DrillingPort::wait(deadline);
+  }
+  std::atomic<bool> stuck{true};
+
+ private:
+  int waits_ = 0;
+};
+
+TEST(HapticLoop, SaysHowLongItsDriverHasStoodStill) {
+  StuckPort port;
+  HapticLoop loop(port, StepState(test::block_scene()), quiet());
+  EXPECT_EQ(loop.silence().count(), 0) << "before the first tick";
+  loop.start();
+  const bool still = eventually([&] { return loop.silence() > std::chrono::milliseconds(200); });
+  port.stuck = false;
+  port.stuck.notify_all();
+  EXPECT_TRUE(still);
+  EXPECT_TRUE(eventually([&] { return loop.silence() < std::chrono::milliseconds(50); }));
+  loop.stop();
+}
+
 TEST(HapticLoop, TheLatestValueIsNeverTorn) {
   DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
   LoopSettings settings = quiet();

@@ -328,6 +328,12 @@ TEST(StopCard, a_device_that_answers_again_is_shown_as_back_without_its_cable) {
   live.fault = Fault::jump;
   stage.show_values(live);
   EXPECT_TRUE(shown("jumped"));
+  live.silent = true;
+  stage.show_values(live);
+  EXPECT_TRUE(shown("driver of the device stands still"));
+  live = {};
+  stage.show_values(live);
+  EXPECT_FALSE(shown("stands still"));
 }
 
 }  // namespace
