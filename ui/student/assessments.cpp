@@ -19,6 +19,9 @@ namespace {
 
 using State = AssignedAssessment::State;
 
+/// So long a missed assessment is shown: 30 days.
+constexpr std::int64_t kMissedShownUs = 30 * std::int64_t{86'400'000'000};
+
 /// This station's device, and its newest self-test.
 struct Device {
   std::string device_class;
@@ -121,8 +124,11 @@ Stored<std::vector<AssignedAssessment>> load_assessments(Store& store, const Act
     one.state = state_of(a, *attempts, *here, now.toMSecsSinceEpoch() * 1000, device);
     const bool every_released = !attempts->empty() && std::ranges::all_of(*attempts, &HistoryRow::released);
     if (one.state == State::handed_in && every_released) continue;  // it stands among the results
+    const std::int64_t now_us = now.toMSecsSinceEpoch() * 1000;
+    if (one.state == State::missed && now_us - *a.due_utc_us > kMissedShownUs) continue;
     out.push_back(std::move(one));
   }
+  std::ranges::stable_partition(out, [](const AssignedAssessment& a) { return a.state != State::missed && a.state != State::handed_in; });
   return out;
 }
 

@@ -126,8 +126,8 @@ bool OwnHistory::read_again() {
 
 /// A chart shows one exercise and one device class: those of the newest row with points.
 void OwnHistory::draw(const HistoryRow& newest) {
-  charted_->setText(local(newest.title));
-  charted_->setVisible(exercise_->currentData().toString().isEmpty());
+  const QString device = device_name(newest.device_class);
+  charted_->setText(exercise_->currentData().toString().isEmpty() ? tr("%1, %2", "exercise, device").arg(local(newest.title), device) : device);
   HistoryFilter same = filter();
   same.scenario = newest.scenario;
   same.device_class = newest.device_class;

@@ -40,7 +40,7 @@ class OwnHistory : public QWidget, public Rereads {
   AttemptsModel* model_ = nullptr;
   Table* table_ = nullptr;
   QComboBox* exercise_ = nullptr;
-  QLabel* charted_ = nullptr;  // the exercise of the charts, while the table lists all
+  QLabel* charted_ = nullptr;  // the device of the charts, and their exercise while the table lists all
   Chart *by_attempt_ = nullptr, *by_time_ = nullptr;
   Chart* by_rating_ = nullptr;  // its card shows with an attempt that was rated
 };

@@ -83,7 +83,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
 
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
-  bool due = !assessments_.empty();
+  bool due = std::ranges::any_of(assessments_, [](const auto& a) { return a.state != AssignedAssessment::State::missed && a.state != AssignedAssessment::State::handed_in; });
   for (const CourseRow& row : course_.rows) due = due || (row.due_utc_us && !row.over);
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);

@@ -66,6 +66,17 @@ TEST_F(Assessments, AreLaterThenOpenThenMissed) {
   EXPECT_EQ(at(kMorning - kHour).at(0).state, State::later);
   EXPECT_EQ(at(kMorning + 1000).at(0).state, State::open);
   EXPECT_EQ(at(kMorning + kHour).at(0).state, State::missed);
+  EXPECT_TRUE(at(kMorning + 31 * 24 * kHour).empty()) << "a month later nobody asks for it";
+}
+
+TEST_F(Assessments, ThatCanBeSatStandBeforeThoseThatAreOver) {
+  Assignment later{.version = assignment.version, .cohort = assignment.cohort, .kind = SessionKind::assessment};
+  later.due_utc_us = kMorning + 9 * kHour;
+  later.id = records.store().assignments.create(examiner, later, "4712")->id;
+  const auto all = at(kMorning + 2 * kHour);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].assignment.id, later.id);
+  EXPECT_EQ(all[1].state, State::missed);
 }
 
 TEST_F(Assessments, AreInterruptedThenHandedInAndLeaveTheStartPageWithTheirRelease) {
