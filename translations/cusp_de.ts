@@ -4016,6 +4016,10 @@
         <translation>Der Zahn wird vermessen</translation>
     </message>
     <message>
+        <source>Leaving the attempt</source>
+        <translation>Der Versuch wird verlassen</translation>
+    </message>
+    <message>
         <source>Nothing of it is kept.</source>
         <translation>Nichts davon wird aufbewahrt.</translation>
     </message>

@@ -75,6 +75,7 @@ class DrillScreen : public QWidget {
   void hold_for_question();
   void answered_no();
   void leave_now();
+  void abandoned();
   void finish_now();
   void graded(const std::shared_ptr<Outcome<SessionResult>>& result);
   void enable_controls(bool on);

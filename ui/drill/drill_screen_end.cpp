@@ -97,14 +97,31 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   }
 }
 
+/// The session waits for the mirror and for the disk, on a thread of its own.
 void DrillScreen::leave_now() {
   Inner& in = *inner_;
   in.look_timer.stop();
   in.sound->stop();
   in.stats.write_where_asked();
-  in.over = true;
+  if (in.input) in.input->set_enabled(false);
+  in.over = in.working = true;
+  in.unseen = false;
   in.stage->view()->set_bur_source({});
-  in.attempt->session->abandon();
+  enable_controls(false);
+  in.bar->enable_leave(false);
+  in.stage->show_stopped(DrillStage::Stop::none);
+  in.busy->start(tr("Leaving the attempt"), Busy::Cancel::none);
+  in.worker = std::thread([this, session = in.attempt->session.get()] {
+    session->abandon();
+    QMetaObject::invokeMethod(this, [this] { abandoned(); }, Qt::QueuedConnection);
+  });
+}
+
+void DrillScreen::abandoned() {
+  Inner& in = *inner_;
+  in.worker.join();
+  in.working = false;
+  in.busy->finish();
   in.attempt->session.reset();
   Q_EMIT left();
 }

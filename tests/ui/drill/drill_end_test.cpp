@@ -272,6 +272,26 @@ TEST_F(DrillEnd, the_time_limit_of_an_assessment_ends_it_under_an_open_question)
   EXPECT_TRUE(QTest::qWaitFor([&] { return finished.count() == 1; }, kComesWithinMs));
 }
 
+TEST_F(DrillEnd, leaving_keeps_the_window_alive_while_the_last_second_waits_for_the_disk) {
+  DeskRecords records;
+  SessionPlan kept = plan();
+  kept.kind = SessionKind::practice;
+  kept.database = records.file();
+  kept.student = records.student("20267314", "Lena Brandt").actor();
+  begin(std::move(kept));
+  QSignalSpy left(screen.get(), &DrillScreen::left);
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(database->run("BEGIN IMMEDIATE"));  // as another program may
+  let_it_run();
+  screen->ask_leave();
+  answer(true);
+  EXPECT_FALSE(screen->running());
+  EXPECT_EQ(left.count(), 0);
+  ASSERT_TRUE(database->run("COMMIT"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left.count() == 1; }, kComesWithinMs));
+}
+
 TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is_lost) {
   DeskRecords records;
   SessionPlan kept = plan();
