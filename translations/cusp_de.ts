@@ -4028,6 +4028,10 @@
         <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
     </message>
     <message>
+        <source>It stays in your results as interrupted, without what cannot be written.</source>
+        <translation>Er bleibt als unterbrochen in Ihren Ergebnissen, ohne das, was sich nicht schreiben lässt.</translation>
+    </message>
+    <message>
         <source>Leave this attempt?</source>
         <translation>Diesen Versuch verlassen?</translation>
     </message>

@@ -143,7 +143,8 @@ void DrillScreen::ask_leave() {
     yes ? self->leave_now() : self->answered_no();
   };
   double removed = 0;
-  for (const double mm3 : in.attempt->session->view().removed_mm3) removed += mm3;
+  const LiveView now = in.attempt->session->view();
+  for (const double mm3 : now.removed_mm3) removed += mm3;
   if (removed <= 0 && in.leave_code.isEmpty()) return leave(true);
   hold_for_question();
   if (!in.leave_code.isEmpty()) {
@@ -153,10 +154,13 @@ void DrillScreen::ask_leave() {
                  leave);
     return;
   }
+  const bool kept = !in.attempt->session->session().is_nil();
+  const bool waits = now.recording == RecordingState::behind || now.recording == RecordingState::failed;
   in.ports.ask(this,
                {tr("Leave this attempt?"),
-                in.live.recording == RecordingState::off ? tr("Nothing of it is kept.")
-                                                         : tr("It stays in your results as interrupted."),
+                !kept   ? tr("Nothing of it is kept.")
+                : waits ? tr("It stays in your results as interrupted, without what cannot be written.")
+                        : tr("It stays in your results as interrupted."),
                 tr("Leave"), true},
                leave);
 }

@@ -67,6 +67,7 @@ class DrillEnd : public testing::Test {
   DrillEnd() {
     ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
       asked << question.act;
+      more = question.more;
       pending = std::move(then);
     };
     screen = std::make_unique<DrillScreen>(ports);
@@ -135,6 +136,7 @@ class DrillEnd : public testing::Test {
 
   Ports ports = Ports::of_the_system();
   QStringList asked;
+  QString more;  // of the newest question
   std::function<void(bool)> pending;
   std::shared_ptr<Hand> hand = std::make_shared<Hand>();
   std::unique_ptr<DrillScreen> screen;
@@ -325,6 +327,23 @@ TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is
   const auto chunks = records.store().traces.chunks(result->session);
   ASSERT_TRUE(chunks);
   EXPECT_GE(static_cast<double>(chunks->size()) + 1e-9, result->seconds) << "every second is kept";
+}
+
+TEST_F(DrillEnd, leaving_an_attempt_whose_record_is_refused_names_what_goes) {
+  DeskRecords records;
+  SessionPlan kept = plan();
+  kept.kind = SessionKind::practice;
+  kept.database = records.file();
+  kept.student = records.student("20267314", "Lena Brandt").actor();
+  begin(std::move(kept));
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON trace_chunks BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  ASSERT_TRUE(wait_for_card("then resume"));
+  screen->ask_leave();
+  EXPECT_TRUE(more.contains(QStringLiteral("without what cannot be written"))) << more.toStdString();
+  answer(false);
+  screen.reset();  // before its records
 }
 
 }  // namespace
