@@ -339,7 +339,8 @@ void DrillScreen::toggle_pause() {
 void DrillScreen::keyPressEvent(QKeyEvent* event) {
   Inner& in = *inner_;
   if (event->key() == Qt::Key_Escape) return ask_leave();
-  if (in.input && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+  const bool arrow = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_Down;  // with Ctrl it turns the handpiece
+  if (in.input && !(event->modifiers() & (arrow ? Qt::KeyboardModifiers(Qt::AltModifier) : Qt::ControlModifier | Qt::AltModifier))) {
     using KeyPress = PointerInput::KeyPress;
     if (in.input->press_key(event->key(), event->isAutoRepeat() ? KeyPress::repeated : KeyPress::first)) return;
   }

@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QTest>
 #include <cmath>
 
+#include "scenarios/library/library.h"
 #include "tests/ui/render/ball.h"
+#include "ui/drill/drill_screen.h"
 
 namespace cusp::test {
 namespace {
@@ -186,6 +189,26 @@ TEST_F(Input, while_it_is_switched_off_nothing_is_wished_for) {
   EXPECT_FALSE(input->press_key(Qt::Key_Space));
   Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
   EXPECT_FALSE(hand.wish().cut);
+}
+
+TEST(DrillScreenKeys, control_with_an_arrow_turns_the_handpiece_and_control_with_space_drills_nothing) {
+  DrillScreen screen(Ports::of_the_system());
+  SessionPlan plan;
+  plan.scenario = load_builtin("channel-1").value();
+  plan.kind = SessionKind::try_it;
+  screen.begin(std::move(plan), {});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return screen.running(); }, 60'000));
+  const auto takes = [&screen](int key, Qt::KeyboardModifiers modifiers) {
+    QKeyEvent press(QEvent::KeyPress, key, modifiers), release(QEvent::KeyRelease, key, modifiers);
+    QApplication::sendEvent(&screen, &press);
+    QApplication::sendEvent(&screen, &release);
+    return press.isAccepted();
+  };
+  for (const int key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Right, Qt::Key_Down}) {
+    EXPECT_TRUE(takes(key, Qt::ControlModifier)) << key;
+    EXPECT_FALSE(takes(key, Qt::AltModifier)) << key << ": not drilling's";
+  }
+  EXPECT_FALSE(takes(Qt::Key_Space, Qt::ControlModifier));
 }
 
 }  // namespace
