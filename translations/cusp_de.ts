@@ -9254,17 +9254,12 @@
         <translation>bukkal–lingual</translation>
     </message>
     <message>
+        <source>buccal–palatal</source>
+        <translation>bukkal–palatinal</translation>
+    </message>
+    <message>
         <source>across</source>
         <translation>quer</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <extracomment>First letters of buccal and lingual, at the two sides of a section.</extracomment>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>L</source>
-        <translation>L</translation>
     </message>
     <message>
         <source>open</source>

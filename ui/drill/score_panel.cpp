@@ -14,6 +14,7 @@
 #include "ui/drill/session_foot.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
+#include "ui/text/tooth_sides.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
@@ -248,11 +249,10 @@ void ScorePanel::fold_bars(QGridLayout& grid, const BarRow& row) const {
 }
 
 void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
-  section_aside_->setText(has.tooth ? tr("buccal–lingual") : tr("across"));
-  if (has.tooth) {
-    //: First letters of buccal and lingual, at the two sides of a section.
-    section_->set_sides(tr("B"), tr("L"));
-  }
+  const int fdi = scenario.specimen.grown_fdi();
+  const bool sided = is_tooth_number(fdi);  // of another specimen no side is known
+  section_aside_->setText(!sided ? tr("across") : fdi < 30 ? tr("buccal–palatal") : tr("buccal–lingual"));
+  if (sided) section_->set_sides(tooth_sides(fdi)[2].letter, tooth_sides(fdi)[3].letter);
   const bool guided = has.guidance == Guidance::full;
   task_->setText(local(scenario.briefing));
   task_part_->setVisible(!guided && !task_->text().isEmpty());

@@ -30,7 +30,7 @@ class ScorePanel : public QFrame {
 
   /// What the exercise has besides its tissues.
   struct Has {
-    bool target = false, pulp = false, tooth = false;
+    bool target = false, pulp = false;
     Guidance guidance = Guidance::full;  // silent: the task, no progress, and nothing of what was removed
   };
   /// Called once.

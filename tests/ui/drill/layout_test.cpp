@@ -237,7 +237,7 @@ TEST_F(DrillGauges, the_cutaway_has_a_slider_that_moves_its_plane_towards_the_vi
 
 TEST(ScorePanel, shows_what_is_removed_of_each_of_several_targets) {
   ScorePanel panel;
-  panel.set_exercise(load_builtin("class-1-16").value(), {.target = true, .pulp = true, .tooth = true});
+  panel.set_exercise(load_builtin("class-1-16").value(), {.target = true, .pulp = true});
   LiveView live;
   live.removed_of_percent = {45.2, 7.9};
   panel.show_values(live);
@@ -249,8 +249,24 @@ TEST(ScorePanel, shows_what_is_removed_of_each_of_several_targets) {
   EXPECT_EQ(shown(QStringLiteral("Mesial cavity")), format({45.2, {}, QStringLiteral("%"), 0}));
   EXPECT_EQ(shown(QStringLiteral("Distal cavity")), format({7.9, {}, QStringLiteral("%"), 0}));
   ScorePanel of_one;
-  of_one.set_exercise(load_builtin("class-1-36").value(), {.target = true, .pulp = true, .tooth = true});
+  of_one.set_exercise(load_builtin("class-1-36").value(), {.target = true, .pulp = true});
   EXPECT_EQ(of_one.findChildren<Bar*>().size(), panel.findChildren<Bar*>().size() - 2);
+}
+
+TEST(ScorePanel, names_the_sides_of_the_section_as_the_compass_does) {
+  const auto says = [](const Scenario& scenario, const QString& sides) {
+    ScorePanel panel;
+    panel.set_exercise(scenario, {.target = true, .pulp = true});
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->text() == sides) return true;
+    return false;
+  };
+  EXPECT_TRUE(says(load_builtin("class-1-16").value(), u"buccal–palatal"_qs));
+  EXPECT_TRUE(says(load_builtin("class-1-36").value(), u"buccal–lingual"_qs));
+  Scenario imported = load_builtin("class-1-36").value();
+  imported.specimen = {};
+  imported.specimen.volume = "molar.nrrd";
+  EXPECT_TRUE(says(imported, u"across"_qs)) << "nobody knows where its buccal side lies";
 }
 
 TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
