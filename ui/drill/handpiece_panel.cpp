@@ -91,16 +91,17 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-void HandpiecePanel::set_exercise(const Scenario& scenario) {
+void HandpiecePanel::set_exercise(const Scenario& scenario, Guidance guidance) {
   const Phenomena asked = phenomena_from_keys(scenario.phenomena);
   spindle_ = asked.handpiece != Handpiece::none;
   reckons_heat_ = asked.heat;
+  shows_heat_ = asked.heat && guidance == Guidance::full;
   sounds_ = spindle_ && has_phenomenon(scenario.phenomena, "sound");
   speed_row_->setVisible(spindle_);
   coolant_->setVisible(reckons_heat_);
-  heat_part_->setVisible(reckons_heat_);
-  heat_bar_->setVisible(reckons_heat_ && !folded_);
-  heat_note_->setVisible(reckons_heat_);
+  heat_part_->setVisible(shows_heat_);
+  heat_bar_->setVisible(shows_heat_ && !folded_);
+  heat_note_->setVisible(shows_heat_);
   sound_row_->setVisible(sounds_);
   setVisible(spindle_ || reckons_heat_);
 }
@@ -108,7 +109,7 @@ void HandpiecePanel::set_exercise(const Scenario& scenario) {
 void HandpiecePanel::fold(bool on) {
   folded_ = on;
   head_->setDirection(on ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);  // the button is as wide as the title
-  heat_bar_->setVisible(reckons_heat_ && !on);
+  heat_bar_->setVisible(shows_heat_ && !on);
 }
 
 void HandpiecePanel::set_sound(const Sound& sound) {
@@ -150,7 +151,7 @@ void HandpiecePanel::show_values(const LiveView& live) {
     set_text(speed_, stalled ? tr("stalled, push less") : tr("%1 rpm").arg(format_number(rpm, 0, grouped)));
     set_ink(speed_, stalled ? "look" : "");
   }
-  if (!reckons_heat_) return;
+  if (!shows_heat_) return;
   const double rise = static_cast<double>(out.heat_k);
   set_text(heat_, degrees(rise));
   heat_bar_->set_share(rise / kPulpCriterionK, heat_->text());
@@ -170,7 +171,8 @@ void HandpiecePanel::show_values(const LiveView& live) {
 QString HandpiecePanel::spoken() const {
   QStringList parts;
   if (spindle_) parts << tr("Speed %1.").arg(speed_->text());
-  if (reckons_heat_) parts << coolant_->accessibleName() + u'.' << tr("Tooth warmer by %1.").arg(heat_->text());
+  if (reckons_heat_) parts << coolant_->accessibleName() + u'.';
+  if (shows_heat_) parts << tr("Tooth warmer by %1.").arg(heat_->text());
   return parts.join(u' ');
 }
 

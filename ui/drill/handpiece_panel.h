@@ -6,6 +6,7 @@
 
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
+#include "ui/session/exercise_session.h"
 #include "ui/session/observer.h"
 
 class QBoxLayout;
@@ -24,8 +25,8 @@ class HandpiecePanel : public QFrame {
  public:
   explicit HandpiecePanel(QWidget* parent = nullptr);
 
-  /// Once. Hidden as a whole where the exercise asks for none of it.
-  void set_exercise(const Scenario& scenario);
+  /// Once. Hidden as a whole where the exercise asks for none of it. silent: no warmth, which is a score.
+  void set_exercise(const Scenario& scenario, Guidance guidance = Guidance::full);
   void show_values(const LiveView& live);
   struct Sound {
     bool available = false;  // false: the station has no output, and the panel shows that
@@ -54,7 +55,7 @@ class HandpiecePanel : public QFrame {
   Bar* heat_bar_;
   QToolButton* mute_;
   QSlider* volume_;
-  bool spindle_ = false, reckons_heat_ = false, sounds_ = false, over_ = false, folded_ = false;
+  bool spindle_ = false, reckons_heat_ = false, shows_heat_ = false, sounds_ = false, over_ = false, folded_ = false;
 };
 
 }  // namespace cusp::ui

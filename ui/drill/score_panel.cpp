@@ -260,7 +260,7 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
   removed_part_->setVisible(guided);
   over_pulp_row_->setVisible(has.pulp);
   add_targets(scenario);
-  handpiece_->set_exercise(scenario);
+  handpiece_->set_exercise(scenario, has.guidance);
   handpiece_rule_->setVisible(!handpiece_->isHidden());
   for (const ScenarioTissue& t : scenario.tissues) {
     tissues_.push_back({t.tissue, add_bar(*tissue_grid_, tissue_name(t.tissue), role_of(t.tissue))});

@@ -12,6 +12,7 @@
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/cut_slider.h"
 #include "ui/drill/drill_stage.h"
+#include "ui/drill/handpiece_panel.h"
 #include "ui/drill/score_panel.h"
 #include "ui/drill/section_view.h"
 #include "ui/drill/section_place.h"
@@ -289,6 +290,19 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
     EXPECT_TRUE(text.contains(describe(failure).what)) << text.toStdString();
     EXPECT_FALSE(text.contains(u"room on the disk"_qs) || text.contains(u"disk is full"_qs)) << text.toStdString();
   }
+}
+
+TEST(ScorePanel, shows_no_warmth_in_an_assessment) {
+  ScorePanel panel;
+  panel.set_exercise(load_builtin("class-1-36-wet").value(), {.pulp = true, .guidance = Guidance::silent});
+  LiveView live;
+  live.output.heat_k = 8.0f;
+  panel.show_values(live);
+  const HandpiecePanel& handpiece = *panel.handpiece();
+  for (const QLabel* label : handpiece.findChildren<QLabel*>())
+    EXPECT_FALSE(!label->isHidden() && label->text().contains(u"pulp"_qs)) << label->text().toStdString();
+  EXPECT_FALSE(handpiece.spoken().contains(u"warmer"_qs)) << handpiece.spoken().toStdString();
+  EXPECT_TRUE(handpiece.spoken().contains(u"Coolant is off"_qs));
 }
 
 TEST(Compass, points_mesially_as_the_tooth_of_its_quadrant_lies) {
