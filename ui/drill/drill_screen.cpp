@@ -345,6 +345,7 @@ void DrillScreen::keyPressEvent(QKeyEvent* event) {
     if (in.input->press_key(event->key(), event->isAutoRepeat() ? KeyPress::repeated : KeyPress::first)) return;
   }
   if (!(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) && in.stage->press_key(event->key(), event->modifiers())) return;
+  if (event->modifiers() == Qt::NoModifier && !event->isAutoRepeat() && running() && in.panel->handpiece()->press_key(event->key())) return;
   QWidget::keyPressEvent(event);
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
@@ -47,7 +48,8 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   coolant_->setCheckable(true);
   coolant_->setFocusPolicy(Qt::TabFocus);  // a click must not take Space from drilling
   connect(coolant_, &QPushButton::toggled, this, [this](bool on) {
-    show_coolant(on);
+    pedal_wets_ = false;
+    show_coolant();
     Q_EMIT coolant_changed(on);
   });
   head_->addWidget(coolant_);
@@ -87,7 +89,7 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   no_sound_->setWordWrap(true);
   column->addWidget(no_sound_);
   no_sound_->hide();
-  show_coolant(false);
+  show_coolant();
   hide();
 }
 
@@ -130,8 +132,9 @@ void HandpiecePanel::show_muted() {
   volume_->setEnabled(!muted);
 }
 
-void HandpiecePanel::show_coolant(bool on) {
-  const QString name = on ? tr("Coolant is on") : tr("Coolant is off");
+void HandpiecePanel::show_coolant() {
+  const bool on = coolant_->isChecked();
+  const QString name = on || pedal_wets_ ? tr("Coolant is on") : tr("Coolant is off");
   coolant_->setText(u' ' + name);  // as make_button: the style leaves no space after the sign
   coolant_->setAccessibleName(name);
   coolant_->setToolTip(QStringLiteral("%1 (%2)").arg(on ? tr("Turn the coolant off") : tr("Turn the coolant on"),
@@ -141,6 +144,8 @@ void HandpiecePanel::show_coolant(bool on) {
 
 void HandpiecePanel::show_values(const LiveView& live) {
   const StepOutput& out = live.output;
+  const bool pedal_wets = !coolant_->isChecked() && !stands_still(live) && out.has(PhenomenonSign::coolant);
+  if (std::exchange(pedal_wets_, pedal_wets) != pedal_wets) show_coolant();
   if (spindle_) {
     const bool stands = stands_still(live);
     const bool stalled = !stands && out.has(PhenomenonSign::stalled);
@@ -166,6 +171,13 @@ void HandpiecePanel::show_values(const LiveView& live) {
   set_text(heat_note_, note.arg(degrees(kPulpCriterionK)));
   set_ink(heat_note_, over ? "bad" : "text2");
   if (over) announce(this, heat_note_->text());
+}
+
+bool HandpiecePanel::press_key(int key) {
+  if (key == Qt::Key_W && !coolant_->isHidden()) coolant_->toggle();
+  else if (key == Qt::Key_M && !sound_row_->isHidden()) mute_->toggle();
+  else return false;
+  return true;
 }
 
 QString HandpiecePanel::spoken() const {

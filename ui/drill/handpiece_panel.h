@@ -36,6 +36,8 @@ class HandpiecePanel : public QFrame {
   void set_sound(const Sound& sound);
   /// Titles and numbers alone.
   void fold(bool on);
+  /// W and M of a hidden panel, whose buttons take no key. False for other keys, and where the exercise has no such part.
+  bool press_key(int key);
   /// Speed, coolant and warmth as one sentence; empty where there is none.
   QString spoken() const;
 
@@ -45,9 +47,11 @@ class HandpiecePanel : public QFrame {
   void muted_changed(bool muted);
 
  private:
-  void show_coolant(bool on);
+  /// It runs by this switch or by the pedal's.
+  void show_coolant();
   void show_muted();
 
+  bool pedal_wets_ = false;  // coolant runs that this switch did not ask for
   QBoxLayout* head_;
   QWidget *speed_row_, *heat_part_, *sound_row_;
   QLabel *speed_, *heat_, *heat_note_, *no_sound_;
