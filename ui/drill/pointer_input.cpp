@@ -32,8 +32,7 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
     button_ = false;
     hand_over();
   });
-  connect(&view_, &ToothView::wheel_turned, this,
-          [this](int delta) { change_push(kPushStepN * std::round(delta / 120.0 + (delta > 0 ? 0.4 : -0.4))); });
+  connect(&view_, &ToothView::wheel_turned, this, &PointerInput::turn_wheel);
   timer_.setInterval(8);
   connect(&timer_, &QTimer::timeout, this, &PointerInput::step_keys);
   show_view();
@@ -74,6 +73,16 @@ void PointerInput::slide(QPointF at) {
     plane_at_ = hit->at_mm;
     hand_.move_to(hit->at_mm);
   }
+}
+
+/// A fine wheel and a touchpad send a notch in parts.
+void PointerInput::turn_wheel(int delta) {
+  constexpr int kNotch = 120;
+  if ((delta > 0) != (wheel_ > 0)) wheel_ = 0;
+  wheel_ += delta;
+  const int notches = wheel_ / kNotch;
+  wheel_ -= notches * kNotch;
+  if (notches != 0) change_push(kPushStepN * notches);
 }
 
 void PointerInput::change_push(double by) {

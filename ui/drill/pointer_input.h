@@ -61,12 +61,14 @@ class PointerInput : public QObject {
   void slide(QPointF at);
   void hand_over();
   void step_keys();
+  void turn_wheel(int delta);
   void change_push(double by);
 
   ToothView& view_;
   PointerHand& hand_;
   Vec3 axis_;
   double push_n_;
+  int wheel_ = 0;  // of the next notch, in its parts
   double held_push_n_ = 0;  // of Page Down: rests on the tooth without drilling
   bool button_ = false, space_ = false, enabled_ = true;
   bool held_ = false;

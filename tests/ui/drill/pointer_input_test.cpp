@@ -181,6 +181,13 @@ TEST_F(Input, the_push_stays_between_its_least_and_what_the_pointer_allows) {
   EXPECT_NEAR(input->push_n(), PointerInput::kLeastPushN, 1e-9);
 }
 
+TEST_F(Input, a_notch_that_comes_in_parts_is_one_step_of_the_push) {
+  for (int i = 0; i < 8; ++i) Q_EMIT view.wheel_turned(15);
+  EXPECT_NEAR(input->push_n(), 0.9, 1e-9);
+  for (int i = 0; i < 20; ++i) Q_EMIT view.wheel_turned(-6);
+  EXPECT_NEAR(input->push_n(), 0.8, 1e-9);
+}
+
 TEST_F(Input, while_it_is_switched_off_nothing_is_wished_for) {
   input->press_key(Qt::Key_Space);
   input->set_enabled(false);
