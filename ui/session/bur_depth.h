@@ -6,6 +6,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/step/step.h"
+#include "engine/tool/swept.h"
 #include "scenarios/shapes/target.h"
 #include "ui/modules.h"
 
@@ -13,7 +14,7 @@ namespace cusp::ui {
 
 /// Lowest point of the bur's head below the target's reference plane, mm; negative above the plane.
 inline double bur_depth_mm(const TargetShape& target, const StepOutput& output, const Bur& bur) noexcept {
-  return target.top_mm() - (output.proxy_mm.z - bur.radius_mm);
+  return target.top_mm() - (output.proxy_mm.z + head_furthest(bur, output.axis, {0.0, 0.0, -1.0}).z);
 }
 
 /// Height of the target's floor under a place, mm; of an upright outline its one floor. nullopt beside the target.

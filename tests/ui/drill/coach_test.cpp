@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "ui/session/bur_depth.h"
+
 namespace cusp::test {
 namespace {
 
@@ -24,6 +28,21 @@ LiveView drilling(Vec3 pivot, double radius) {
   live.output.proxy_mm = pivot;
   live.bur_depth_mm = -(pivot.z - radius);
   return live;
+}
+
+TEST(BurDepth, of_a_bur_that_leans_is_that_of_its_lowest_edge) {
+  Bur bur;
+  bur.radius_mm = 0.5;
+  const OnHalf outline[] = {{-0.5, 0.0}, {-0.5, 0.5}, {2.0, 0.5}, {2.0, 0.0}};
+  for (std::size_t i = 0; i < 3; ++i) ASSERT_TRUE(bur.head.add({outline[i], outline[i + 1], {}, 0.0}));
+  StepOutput output;
+  output.proxy_mm = {0, 0, -1};
+  EXPECT_NEAR(bur_depth_mm(slot(), output, bur), 1.5, 1e-12);
+  const double sine = 0.5, cosine = std::sqrt(0.75);  // 30 degrees
+  output.axis = {sine, 0, cosine};
+  EXPECT_NEAR(bur_depth_mm(slot(), output, bur), 1.0 + 0.5 * cosine + 0.5 * sine, 1e-12);
+  bur.head = {};
+  EXPECT_NEAR(bur_depth_mm(slot(), output, bur), 1.5, 1e-12) << "of a ball it is its radius";
 }
 
 const Leeway kLeeway{0.3, 0.3};
