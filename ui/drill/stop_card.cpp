@@ -44,8 +44,9 @@ StopCard::StopCard(QWidget* parent) : QFrame(parent) {
 
 bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
   const QString cause = stop == Stop::record || stop == Stop::record_at_end ? record.line() : QString();
-  if (stop == stop_ && cause == cause_) return false;
+  if (stop == stop_ && cause == cause_ && (stop != Stop::fault || fault == fault_)) return false;
   stop_ = stop;
+  fault_ = fault;
   cause_ = cause;
   setVisible(stop != Stop::none);
   if (stop == Stop::none) return true;

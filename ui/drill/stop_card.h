@@ -47,6 +47,7 @@ class StopCard : public QFrame {
   QString more_text_;    // without it
   QString cause_;  // of Stop::record and Stop::record_at_end, as it is shown
   Stop stop_ = Stop::none;
+  Fault fault_ = Fault::none;  // of Stop::fault
 };
 
 }  // namespace cusp::ui

@@ -358,6 +358,9 @@ TEST(StopCard, a_device_that_answers_again_is_shown_as_back_without_its_cable) {
   live.fault = Fault::jump;
   stage.show_values(live);
   EXPECT_TRUE(shown("jumped"));
+  live.fault = Fault::late;  // resumed and stopped again between two looks
+  stage.show_values(live);
+  EXPECT_TRUE(shown("too late"));
   live.silent = true;
   stage.show_values(live);
   EXPECT_TRUE(shown("driver of the device stands still"));
