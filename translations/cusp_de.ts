@@ -4159,6 +4159,10 @@
         <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
     </message>
     <message>
+        <source>Depth %1, push %2.</source>
+        <translation>Tiefe %1, Druck %2.</translation>
+    </message>
+    <message>
         <source>Tolerance zone</source>
         <translation>Toleranzzone</translation>
     </message>

@@ -321,6 +321,7 @@ bool DrillStage::press_key(int key, Qt::KeyboardModifiers modifiers) {
 
 QString DrillStage::spoken() const {
   if (depth_->isHidden()) return tr("Push %1.").arg(push_->value_text());
+  if (!look_ || look_->empty()) return tr("Depth %1, push %2.").arg(depth_->value_text(), push_->value_text());
   return tr("Depth %1, push %2, %3 of the target removed. %4")
       .arg(depth_->value_text(), push_->value_text(),
            format({live_.target_removed_percent, {}, QStringLiteral("%"), 0}), coach_->text());

@@ -322,6 +322,14 @@ TEST(Compass, points_mesially_as_the_tooth_of_its_quadrant_lies) {
   EXPECT_EQ(letter_of(36, {0, -1, 0}), QStringLiteral("L"));
 }
 
+TEST(DrillStage, speaks_of_no_target_where_there_is_none) {
+  DrillStage stage;
+  stage.set_exercise({}, TargetLook(Region{}, {}, nullptr), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true});
+  stage.show_values({});
+  EXPECT_FALSE(stage.spoken().contains(u"target"_qs)) << stage.spoken().toStdString();
+  EXPECT_TRUE(stage.spoken().startsWith(u"Depth"_qs)) << stage.spoken().toStdString();
+}
+
 TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
   DrillStage stage;
   auto* compass = stage.findChild<Compass*>();
