@@ -18,11 +18,7 @@ namespace {
 
 constexpr int kLeastTitle = 96;  // px at 100 %
 
-struct TimeWarning {
-  double left_s;
-  const char* ink;
-};
-constexpr std::array kTimeWarnings = {TimeWarning{300, "look"}, TimeWarning{60, "bad"}};
+constexpr std::array kTimeWarningsS = {300.0, 60.0};  // of what is left
 
 }  // namespace
 
@@ -137,14 +133,13 @@ void DrillBar::set_time_limit(double seconds) {
 
 void DrillBar::show_time_left(double left_s) {
   int due = 0;
-  for (const TimeWarning& warning : kTimeWarnings) due += left_s < warning.left_s && warning.left_s < limit_s_ ? 1 : 0;
+  for (const double warning_s : kTimeWarningsS) due += left_s < warning_s && warning_s < limit_s_ ? 1 : 0;
   if (due == 0) return;
   const QString text = tr("%1 left").arg(format_clock(left_s));
   if (text != limit_->text()) limit_->setText(text);
   if (due <= warned_) return;
   warned_ = due;
-  const std::size_t last = left_s < kTimeWarnings.back().left_s ? 1 : 0;
-  set_ink(limit_, kTimeWarnings[last].ink);
+  set_ink(limit_, "look");  // an assessment shows no red
   announce(this, text);
   fit();
 }

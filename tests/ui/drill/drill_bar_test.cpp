@@ -41,6 +41,16 @@ TEST(DrillBarTime, ShowsTheLimitThenWhatIsLeftOfTheLastFiveMinutes) {
   EXPECT_EQ(limit_of(bar), QStringLiteral("0:00 left"));
 }
 
+TEST(DrillBarTime, IsNeverRed) {
+  DrillBar bar;
+  bar.set_time_limit(1200);
+  for (const double seconds : {901.0, 1141.0, 1200.0}) {
+    bar.set_seconds(seconds);
+    for (const QLabel* label : bar.findChildren<QLabel*>())
+      EXPECT_NE(label->property("ink").toString(), QStringLiteral("bad")) << label->text().toStdString();
+  }
+}
+
 TEST(DrillBarTime, AShortLimitWarnsInItsLastMinuteAlone) {
   DrillBar bar;
   bar.set_time_limit(240);
