@@ -3054,8 +3054,8 @@
         <translation>%1 gehört zu einem Ziel, das die Übung nicht hat</translation>
     </message>
     <message>
-        <source>The assignment of this kind, where the exercise is assigned more than once</source>
-        <translation>Die Zuweisung dieser Art, falls die Übung mehr als einmal zugewiesen ist</translation>
+        <source>Only this kind; of a gradebook the assignment, where the exercise is assigned more than once</source>
+        <translation>Nur diese Art; bei einem Notenbuch die Zuweisung, falls die Übung mehr als einmal zugewiesen ist</translation>
     </message>
     <message>
         <source>“%1” is not assigned to “%2” with %3.</source>
@@ -7305,6 +7305,11 @@
         <source>Own assessment less measured</source>
         <translation>Selbsteinschätzung minus gemessen</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>exercise, device</comment>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::PackCard</name>
@@ -8219,6 +8224,10 @@
         <translation>Punkte je Versuch</translation>
     </message>
     <message>
+        <source>points by attempt, all exercises together</source>
+        <translation>Punkte je Versuch, alle Übungen zusammen</translation>
+    </message>
+    <message>
         <source>Attempts</source>
         <translation>Versuche</translation>
     </message>
@@ -8310,6 +8319,22 @@
     <message>
         <source>Staff</source>
         <translation>Personal</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Practice and assessments</source>
+        <translation>Training und Prüfungen</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>Assessments</source>
+        <translation>Prüfungen</translation>
     </message>
     <message>
         <source>All cohorts</source>
@@ -10364,6 +10389,14 @@ Ihr bester davor</translation>
     <message>
         <source>The device answers again</source>
         <translation>Das Gerät antwortet wieder</translation>
+    </message>
+    <message>
+        <source>The driver of the device stands still</source>
+        <translation>Der Treiber des Geräts steht still</translation>
+    </message>
+    <message>
+        <source>Unplug the device and plug it in again. What was drilled until then is kept.</source>
+        <translation>Gerät ausstecken und wieder anschließen. Was bis dahin abgetragen wurde, bleibt erhalten.</translation>
     </message>
     <message>
         <source>The force is off and the clock stands still. Take the handpiece, then resume.</source>

@@ -168,6 +168,21 @@ bool translatable(const QString& text, const QStringList& own) {
   return true;
 }
 
+TEST(Languages, german_has_what_no_page_shows_at_first) {
+  install_language(*qApp, QStringLiteral("de"));
+  constexpr std::pair<const char*, const char*> texts[] = {
+      {"cusp::ui::StopCard", "The driver of the device stands still"},
+      {"cusp::ui::StopCard", "Unplug the device and plug it in again. What was drilled until then is kept."},
+      {"cusp::ui::Performance", "Kind"},
+      {"cusp::ui::Performance", "Practice and assessments"},
+      {"cusp::ui::Performance", "Practice"},
+      {"cusp::ui::Performance", "Assessments"},
+      {"cusp::ui::Performance", "points by attempt, all exercises together"},
+      {"cusp::ui::Cli", "Only this kind; of a gradebook the assignment, where the exercise is assigned more than once"}};
+  for (const auto& [context, text] : texts) EXPECT_NE(QCoreApplication::translate(context, text), QString::fromUtf8(text)) << text;
+  install_language(*qApp, QStringLiteral("en"));
+}
+
 TEST(Languages, no_text_on_any_page_was_forgotten) {
   test::DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
