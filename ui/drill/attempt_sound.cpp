@@ -31,7 +31,7 @@ void AttemptSound::begin(const Scenario& scenario) {
 
 void AttemptSound::follow(const LiveView& live, const Scene& scene) {
   if (!sound_->available()) return;
-  sound_->follow(live.phase == LoopPhase::running ? heard_of(live.output, scene) : DrillHeard{});
+  sound_->follow(live.phase == LoopPhase::running && !live.silent ? heard_of(live.output, scene) : DrillHeard{});
 }
 
 void AttemptSound::stop() { sound_->stop(); }

@@ -18,7 +18,7 @@ constexpr double kFirstMm3 = 0.01;       // less is a touch, not a cut
 }  // namespace
 
 bool stands_still(const LiveView& live) noexcept {
-  return live.phase == LoopPhase::paused || live.phase == LoopPhase::held || live.device == Sample::Status::gone;
+  return live.silent || live.phase == LoopPhase::paused || live.phase == LoopPhase::held || live.device == Sample::Status::gone;
 }
 
 CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double bur_radius_mm) {

@@ -32,7 +32,7 @@ void DrillScreen::answered_no() {
 
 void DrillScreen::ask_finish() {
   Inner& in = *inner_;
-  if (!running() || in.working) return;
+  if (!running() || in.working || in.live.silent) return;
   hold_for_question();
   const Question question =
       in.guidance == Guidance::silent
@@ -44,7 +44,7 @@ void DrillScreen::ask_finish() {
     inner.stage->set_asking(false);
     inner.asked = false;
     if (inner.working) return;  // the time limit has finished it meanwhile
-    yes ? self->finish_now() : self->answered_no();
+    yes && !inner.live.silent ? self->finish_now() : self->answered_no();
   });
 }
 
@@ -134,13 +134,14 @@ void DrillScreen::ask_leave() {
     Q_EMIT left();
     return;
   }
+  if (in.live.silent) return;
   const auto leave = [self = QPointer(this)](bool yes) {
     if (!self || !self->running()) return;
     Inner& inner = *self->inner_;
     inner.stage->set_asking(false);
     inner.asked = false;
     if (inner.working && !inner.unseen) return;  // the time limit has finished it meanwhile
-    yes ? self->leave_now() : self->answered_no();
+    yes && !inner.live.silent ? self->leave_now() : self->answered_no();
   };
   double removed = 0;
   const LiveView now = in.attempt->session->view();

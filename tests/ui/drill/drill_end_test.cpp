@@ -30,6 +30,7 @@ constexpr int kShownWithinMs = 500;  // five looks between two of which texts an
 /// What a device in the hand of a test sees and shows; the port reads it on the haptic thread.
 struct Hand {
   std::atomic<bool> plugged{true};
+  std::atomic<bool> stuck{false};  // its driver does not come back
   std::atomic<double> force_n{0};  // as it was written last
   std::atomic<int> ticks{0};
 };
@@ -42,6 +43,7 @@ class SinkingPort final : public HapticPort {
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
     std::this_thread::sleep_until(deadline);
     ++hand_->ticks;
+    hand_->stuck.wait(true);
     if (!hand_->plugged) return {};
     depth_mm_ = std::min(depth_mm_ + 0.001, 6.0);
     return {.status = Sample::Status::fresh, .position_mm = {0, 0, kStartMm - depth_mm_}, .buttons = 1, .pedal = 65535};
@@ -75,7 +77,14 @@ class DrillEnd : public testing::Test {
     screen->show();
     screen->activateWindow();  // shortcuts are the active window's
   }
-  ~DrillEnd() override { screen.reset(); }
+  ~DrillEnd() override {
+    let_driver_go();
+    screen.reset();
+  }
+  void let_driver_go() {
+    hand->stuck = false;
+    hand->stuck.notify_all();
+  }
   static SessionPlan plan(Guidance guidance = Guidance::full) {
     SessionPlan out;
     out.scenario = load_builtin("channel-1").value();
@@ -184,6 +193,19 @@ TEST_F(DrillEnd, cancelling_a_question_continues_an_attempt_that_ran) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n == 0; }, kComesWithinMs));
   answer(false);
   EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n > 0; }, kComesWithinMs));
+}
+
+TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_neither_finished_nor_left) {
+  begin(plan());
+  hand->stuck = true;
+  ASSERT_TRUE(wait_for_card("driver of the device"));
+  screen->ask_finish();
+  QTest::keyClick(screen.get(), Qt::Key_Escape);
+  EXPECT_TRUE(asked.isEmpty()) << "a yes would wait for the driver";
+  let_driver_go();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card_shows("driver of the device"); }, kComesWithinMs));
+  screen->ask_leave();
+  EXPECT_EQ(asked, QStringList({QStringLiteral("Leave")}));
 }
 
 TEST_F(DrillEnd, the_stop_card_is_hidden_while_the_tooth_is_measured) {
