@@ -49,12 +49,19 @@ void rows_first(const QWidget& page, const QWidget& rows) {
 
 struct DevicePage::Inner {
   Inner(const QString& file, Ports world, Role of, MakeWatch make)
-      : device(file), ports(std::move(world)), role(of), make_watch(make ? std::move(make) : own_watch()), watch(make_watch()) {}
+      : device(file), ports(std::move(world)), role(of), make_watch(make ? std::move(make) : own_watch()) {
+    begin_watch();
+  }
 
   MakeWatch own_watch() {
     return [this] {
       return watch_in_background([service = device.inverse().service] { return watch_devices_at(service); });
     };
+  }
+
+  void begin_watch() {
+    watched_port = device.inverse().service.port;
+    watch = make_watch();
   }
 
   DeviceSettings device;
@@ -63,6 +70,7 @@ struct DevicePage::Inner {
   bool staff() const { return role != Role::student; }
   MakeWatch make_watch;
   std::unique_ptr<DeviceWatch> watch;  // none while nobody sees the page
+  std::uint16_t watched_port = 0;      // of the Inverse3's service
   bool known = false;                  // the first answer is there
   std::vector<FoundDevice> found;
   std::optional<FoundDevice> shown;    // the chosen one, as it was found when the Falcon's panel was set; nullopt: it was not
@@ -162,7 +170,7 @@ QStringList DevicePage::listed() const {
 void DevicePage::showEvent(QShowEvent* event) {
   rows_first(*this, *inner_->rows);
   QWidget::showEvent(event);
-  if (!inner_->watch) inner_->watch = inner_->make_watch();
+  if (!inner_->watch) inner_->begin_watch();
   inner_->timer.start();
 }
 
@@ -174,6 +182,7 @@ void DevicePage::hideEvent(QHideEvent* event) {
 
 void DevicePage::look() {
   Inner& in = *inner_;
+  if (in.watch && in.watched_port != in.device.inverse().service.port) in.begin_watch();
   if (!in.watch || !in.watch->changed()) return;
   auto now = in.watch->list();
   if (std::exchange(in.known, true) && now == in.found) return;
