@@ -29,9 +29,9 @@ QWidget* row_of(std::initializer_list<QWidget*> parts) {
   return box;
 }
 
-std::vector<Uuid> changes_in(const EffectiveGrade& grade) {
-  std::vector<Uuid> out;
-  for (const SignedStatement& s : grade.overrides) out.push_back(s.id);
+std::pair<int, std::vector<Uuid>> changes_in(const EffectiveGrade& grade) {
+  std::pair<int, std::vector<Uuid>> out{grade.stored.number, {}};
+  for (const SignedStatement& s : grade.overrides) out.second.push_back(s.id);
   return out;
 }
 

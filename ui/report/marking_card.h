@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "ui/report/report_data.h"
 #include "ui/widgets/parts.h"
@@ -63,7 +64,7 @@ class MarkingCard : public Card {
   Region target_;  // of the exercise: titles of several targets
   std::string criterion_;
   std::optional<Vec3> place_mm_;
-  std::optional<std::vector<Uuid>> seen_;  // changes of the result that the report shows; none while it is read anew
+  std::optional<std::pair<int, std::vector<Uuid>>> seen_;  // grade and changes that the report shows; none while it is read anew
   double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones
   Band* band_;
   QPlainTextEdit* text_;

@@ -378,5 +378,13 @@ TEST_F(Marking, AResultThatAnotherDeskChangedIsNotConfirmedUnseen) {
   EXPECT_TRUE(gathered(examiner).counts->confirmation) << message(card).toStdString();
 }
 
+TEST_F(Marking, AResultThatWasGradedAnewIsNotConfirmedUnseen) {
+  MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
+  ASSERT_TRUE(records.store().grades.save(session, sample_grade(10), Hash256{}));
+  button(card, "Confirm the result")->click();
+  EXPECT_TRUE(message(card).contains(QStringLiteral("at another desk"))) << message(card).toStdString();
+  EXPECT_FALSE(gathered(examiner).counts->confirmation);
+}
+
 }  // namespace
 }  // namespace cusp::test
