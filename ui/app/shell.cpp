@@ -267,7 +267,8 @@ void Shell::show_page(const QString& key) {
 
 void Shell::show_again() {
   auto* below = dynamic_cast<Rereads*>(page());
-  if (below == nullptr || !below->read_again()) show_page(key_);
+  if (below == nullptr || !below->read_again()) return show_page(key_);
+  if (page()->focusProxy() && !page()->isAncestorOf(window()->focusWidget())) page()->setFocus(Qt::OtherFocusReason);
 }
 
 QWidget* Shell::page() const {

@@ -95,6 +95,7 @@ TEST_F(ComingBack, cohorts_keep_the_chosen_one_and_its_assignment) {
   shown = page<CohortsPage>();
   EXPECT_EQ(table_of(*shown, shown->cohorts())->chosen_row(), 1);
   EXPECT_EQ(table_of(*shown, shown->assignments())->chosen_row(), 0);
+  EXPECT_EQ(desktop->focusWidget(), table_of(*shown, shown->cohorts())) << "the keyboard is on the page";
 }
 
 TEST_F(ComingBack, library_keeps_search_and_row) {
