@@ -25,7 +25,7 @@ enum class Tissue : std::uint8_t {
   carious_enamel = 12,
 };
 
-/// Codes a volume may hold: 0 to 31.
+/// One more than the greatest code of a volume. Of those below, is_tissue_code() names the ones that it may hold.
 inline constexpr std::size_t kTissueCodes = 32;
 
 constexpr std::size_t index_of(Tissue tissue) noexcept { return static_cast<std::size_t>(tissue); }
@@ -34,6 +34,12 @@ constexpr std::size_t index_of(Tissue tissue) noexcept { return static_cast<std:
 inline constexpr std::array<std::string_view, 13> kTissueKeys = {
     "empty",   "enamel",   "dentine", "carious_dentine", "cementum", "pulp",          "bone",
     "gingiva", "ligament", "amalgam", "composite",       "plastic",  "carious_enamel"};
+
+/// Whether a code is a key's, 0 of no tissue among them, or a scenario's own. 13 to 15 name nothing.
+constexpr bool is_tissue_code(std::uint64_t code) noexcept {
+  constexpr std::uint64_t kFirstOwn = 16;
+  return code < kTissueKeys.size() || (code >= kFirstOwn && code < kTissueCodes);
+}
 
 constexpr std::optional<Tissue> tissue_from_key(std::string_view key) noexcept {
   for (std::size_t i = 0; i < kTissueKeys.size(); ++i) {

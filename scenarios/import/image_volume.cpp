@@ -24,14 +24,14 @@ Result<void, ImportFailure> check(const ImageTissues& what, const std::string& n
   for (std::size_t i = 0; i < what.thresholds.size(); ++i) {
     const auto& [from, tissue] = what.thresholds[i];
     if (!std::isfinite(from) || (i > 0 && !(from > what.thresholds[i - 1].first))) return fail(ImportError::bad_option, "threshold");
-    if (index_of(tissue) >= kTissueCodes) return fail(ImportError::bad_tissue, "threshold");
+    if (!is_tissue_code(index_of(tissue))) return fail(ImportError::bad_tissue, "threshold");
   }
   std::set<std::uint32_t> named;
   for (const auto& [value, tissue] : what.labels) {
     if (!named.insert(value).second) return fail(ImportError::bad_option, "tissue " + std::to_string(value));
-    if (index_of(tissue) >= kTissueCodes) return fail(ImportError::bad_tissue, std::to_string(value));
+    if (!is_tissue_code(index_of(tissue))) return fail(ImportError::bad_tissue, std::to_string(value));
   }
-  if (what.hollows && (*what.hollows == Tissue::empty || index_of(*what.hollows) >= kTissueCodes))
+  if (what.hollows && (*what.hollows == Tissue::empty || !is_tissue_code(index_of(*what.hollows))))
     return fail(ImportError::bad_tissue, "hollows");
   return {};
 }

@@ -24,7 +24,7 @@ Result<void, ImportFailure> check_options(const MeshImport& what) {
   std::set<std::string> names;
   for (const auto& [name, tissue] : what.tissues) {
     if (!names.insert(name).second) return fail(ImportError::bad_option, "tissue " + name);
-    if (tissue == Tissue::empty || index_of(tissue) >= kTissueCodes)
+    if (tissue == Tissue::empty || !is_tissue_code(index_of(tissue)))
       return fail(ImportError::bad_tissue, "tissue " + name);
   }
   return {};

@@ -61,7 +61,7 @@ Result<VoxelVolume, ImportFailure> read_labels(PackedSource& source, const NrrdH
   std::vector<Tissue> labels(h.grid.voxels(), Tissue::empty);
   const auto r = for_each_voxel(source, h, 1, name, [&](std::size_t i, const std::byte* p) {
     const std::uint64_t code = sample(p, {h.sample_bytes, h.sample_signed, h.big_endian});
-    if (code >= kTissueCodes) return false;
+    if (!is_tissue_code(code)) return false;
     labels[i] = static_cast<Tissue>(code);
     return true;
   });
@@ -83,7 +83,7 @@ Result<VoxelVolume, ImportFailure> read_tissue_and_s(PackedSource& source, const
   const auto r = for_each_voxel(source, h, 2, name, [&](std::size_t i, const std::byte* p) {
     const std::uint64_t code = sample(p, {2, false, h.big_endian});
     const auto s = static_cast<std::uint16_t>(sample(p + 2, {2, false, h.big_endian}));
-    if (code >= kTissueCodes || (code == 0 && s > 0)) return false;
+    if (!is_tissue_code(code) || (code == 0 && s > 0)) return false;
     out.tissue[i] = static_cast<Tissue>(code);
     out.s[i] = s;
     solid |= s >= kHalf;
@@ -114,7 +114,7 @@ Result<void, ImportFailure> check_writable(const VoxelVolume& volume, const std:
     for (v.y = 0; v.y < g.size.y; ++v.y)
       for (v.x = 0; v.x < g.size.x; ++v.x, ++i) {
         const std::size_t code = index_of(volume.tissue[i]);
-        if (code >= kTissueCodes || (code == 0 && volume.s[i] > 0))
+        if (!is_tissue_code(code) || (code == 0 && volume.s[i] > 0))
           return fail(ImportError::bad_tissue, name + " " + text_of(v));
         solid |= volume.s[i] >= kHalf;
       }

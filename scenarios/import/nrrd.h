@@ -28,7 +28,7 @@ namespace cusp::scenarios {
                                                            const VolumeLimits& limits = {});
 
 /// Writes beside the file and renames over it: there is the old file or the whole new one. The same volume gives the
-/// same bytes. Refuses (bad_tissue) what read_nrrd would not give back: codes above 31, s > 0 in an empty voxel, a name
+/// same bytes. Refuses (bad_tissue) what read_nrrd would not give back: codes of no tissue, s > 0 in an empty voxel, a name
 /// for a code below 16.
 [[nodiscard]] Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::filesystem::path& file);
 

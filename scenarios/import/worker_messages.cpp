@@ -43,7 +43,7 @@ class Reader {
   }
   Tissue tissue() {
     const auto code = number<unsigned>();
-    if (code >= kTissueCodes) ok_ = false;
+    if (!is_tissue_code(code)) ok_ = false;
     return ok_ ? static_cast<Tissue>(code) : Tissue::empty;
   }
   UpAxis up() {

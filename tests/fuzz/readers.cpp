@@ -66,7 +66,7 @@ void nrrd_specimen(std::span<const std::uint8_t> bytes) {
   if (!volume) return;
   must(volume->s.size() == volume->grid.voxels() && volume->tissue.size() == volume->s.size(), "as many voxels as the grid");
   for (std::size_t i = 0; i < volume->s.size(); ++i)
-    must(index_of(volume->tissue[i]) < kTissueCodes && (volume->s[i] == 0 || volume->tissue[i] != Tissue::empty), "tissue where it is solid");
+    must(is_tissue_code(index_of(volume->tissue[i])) && (volume->s[i] == 0 || volume->tissue[i] != Tissue::empty), "tissue where it is solid");
 }
 
 void nrrd_image(std::span<const std::uint8_t> bytes) {

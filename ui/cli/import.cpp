@@ -213,7 +213,7 @@ Result<void, ImportFailure> take_codes_as_they_are(const ImportOptions& o, Image
   if (!seen) return std::unexpected(seen.error());
   if (!seen->image || seen->image->specimen || seen->image->kind != ImageKind::labels) return {};
   for (const auto& [value, voxels] : seen->image->values) {
-    if (value >= kTissueCodes) return fail(ImportError::bad_tissue, std::to_string(value));
+    if (!is_tissue_code(value)) return fail(ImportError::bad_tissue, std::to_string(value));
     t.labels.emplace_back(value, static_cast<Tissue>(value));
   }
   return {};

@@ -176,9 +176,9 @@ TEST(NrrdRefusals, TheCallersLimitsHold) {
   EXPECT_EQ(read_nrrd(folder / "good.nrrd", limits).error().code, ImportError::bad_spacing);
 }
 
-TEST(NrrdRefusals, CodesAboveTheTableAndNegativeOnesAreRefusedWithTheirVoxel) {
+TEST(NrrdRefusals, CodesOfNoTissueAndNegativeOnesAreRefusedWithTheirVoxel) {
   const TempFolder folder;
-  for (const auto& [type, value] : {std::pair<std::string, char>{"uint8", 32}, {"int8", -1}}) {
+  for (const auto& [type, value] : {std::pair<std::string, char>{"uint8", 32}, {"uint8", 13}, {"uint8", 15}, {"int8", -1}}) {
     std::string data(27, '\1');
     data[1 + 3 * 2] = value;
     write_text(folder / "v.nrrd",
@@ -188,6 +188,16 @@ TEST(NrrdRefusals, CodesAboveTheTableAndNegativeOnesAreRefusedWithTheirVoxel) {
     EXPECT_EQ(key_of(r.error().code), "bad_tissue");
     EXPECT_EQ(r.error().where, "v.nrrd (1,2,0)");
   }
+}
+
+TEST(NrrdRefusals, ACodeOfNoTissueIsNotWritten) {
+  const TempFolder folder;
+  VoxelVolume volume(Grid{{1, 1, 1}, 0.1, Vec3(0.0)});
+  volume.tissue[0] = static_cast<Tissue>(13);
+  volume.s[0] = kSolid;
+  const auto r = write_nrrd(volume, folder / "v.nrrd");
+  ASSERT_FALSE(r);
+  EXPECT_EQ(r.error().code, ImportError::bad_tissue);
 }
 
 TEST(NrrdRefusals, AnEmptyLabelMapIsRefused) {

@@ -32,7 +32,8 @@ VoxelVolume random_volume(std::uint32_t seed) {
   for (int i = 0; i < 3; ++i) grid.origin_mm[i] = (static_cast<double>(random()) - 2e9) * 1e-8;
   VoxelVolume out(grid);
   for (std::size_t i = 0; i < out.s.size(); ++i) {
-    out.tissue[i] = static_cast<Tissue>(random() % kTissueCodes);
+    const std::size_t code = random() % kTissueCodes;
+    out.tissue[i] = static_cast<Tissue>(is_tissue_code(code) ? code : 0);
     out.s[i] = out.tissue[i] == Tissue::empty ? std::uint16_t{0} : static_cast<std::uint16_t>(random());
   }
   out.tissue[0] = Tissue::enamel;
