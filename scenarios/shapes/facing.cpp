@@ -75,8 +75,11 @@ void RegionShape::offer_faces(const Sought& sought, std::size_t index, double gr
   const Node& node = nodes_[index];
   if (is_node(node.kind)) {
     const double by = node.kind == RegionKind::offset ? node.by : 0.0;
-    for (std::size_t i = 0; i < node.parts.size(); ++i)
-      offer_faces(sought, node.parts[i], grown + by, node.kind == RegionKind::difference && i > 0 ? opposite(sense) : sense, best);
+    for (std::size_t i = 0; i < node.parts.size(); ++i) {
+      // What an offset adds to a difference, the part that is taken off loses.
+      const bool taken = node.kind == RegionKind::difference && i > 0;
+      offer_faces(sought, node.parts[i], taken ? -grown : grown + by, taken ? opposite(sense) : sense, best);
+    }
     return;
   }
   std::array<LeafFace, 6> faces;

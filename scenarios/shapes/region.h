@@ -58,7 +58,7 @@ class RegionShape {
   };
   /// Fills one entry for each face of a leaf; returns how many.
   std::size_t faces_of(const Node& node, Vec3 p, std::array<LeafFace, 6>& out) const noexcept;
-  /// `grown`: by the offsets above the node. `inverted`: it is taken off.
+  /// `grown`: mm by which the offsets above move the node's own faces outwards. `sense`: whether it is taken off.
   enum class Sense : std::uint8_t { added, taken };  // a part that its node adds, or takes away
   static constexpr Sense opposite(Sense sense) noexcept { return sense == Sense::added ? Sense::taken : Sense::added; }
   void offer_faces(const Sought& sought, std::size_t node, double grown, Sense sense, Found& best) const noexcept;

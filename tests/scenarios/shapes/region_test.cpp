@@ -265,6 +265,17 @@ TEST(Facing, OfAnOffsetTheFacesMoveWithIt) {
   EXPECT_NEAR(shape.facing({0, 0, -1.6}, kUp)->beyond_mm, 0.1, 1e-12);
 }
 
+TEST(Facing, AnOffsetShrinksWhatIsTakenOff) {
+  // A ball of 1 mm stays in a box; grown by 0.3 mm the target leaves a ball of 0.7 mm.
+  const Region hollow = node(RegionKind::difference, {box_region({0, 0, 0}, {6, 6, 6}), sphere({0, 0, 0}, 1)});
+  const RegionShape shape(node(RegionKind::offset, {hollow}, 0.3));
+  for (const auto& [p, into_void] : {std::pair{Vec3(0.7, 0, 0), Vec3(1, 0, 0)}, {Vec3(3.3, 0, 0), Vec3(-1, 0, 0)}}) {
+    EXPECT_NEAR(shape.near(p).distance_mm, 0.0, 1e-12);
+    EXPECT_NEAR(shape.facing(p, into_void)->beyond_mm, 0.0, 1e-12) << p.x;
+  }
+  EXPECT_NEAR(shape.facing({0.9, 0, 0}, {1, 0, 0})->beyond_mm, -0.2, 1e-12) << "0.2 mm of the target stand on the ball";
+}
+
 TEST(Facing, EachFaceOfEachLeafIsFound) {
   const auto out = [](const Region& region, Vec3 p, Vec3 into_void) {
     const auto found = RegionShape(region).facing(p, into_void);
