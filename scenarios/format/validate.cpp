@@ -26,6 +26,8 @@ constexpr double kLeastRadiusVoxels = 3.0;
 constexpr double kLeastShare = 0.05;
 /// A landmark lies on the tooth; one placed by eye misses it by less, mm [M].
 constexpr double kBesideMm = 1.0;
+/// Two voxel sizes nearer than this are one, mm: a file may state 0.1 as the nearest 32-bit number, 1.5e-9 more.
+constexpr double kSameVoxelMm = 1e-6;
 
 void errors_first(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
@@ -263,7 +265,7 @@ class Checks {
 
   void specimen() {
     const SpecimenFacts& f = *facts_;
-    if (std::abs(f.voxel_mm - s_.specimen.voxel_mm) > 1e-9) {
+    if (std::abs(f.voxel_mm - s_.specimen.voxel_mm) > kSameVoxelMm) {
       error("/specimen/voxel_mm", "voxel_mismatch", {{"value", s_.specimen.voxel_mm}, {"limit", f.voxel_mm}});
     }
     for (const Tissue tissue : f.tissues) {

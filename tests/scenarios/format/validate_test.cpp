@@ -190,6 +190,14 @@ TEST(Validate, HoldsTheTargetAgainstTheSpecimen) {
               Contains("error /protected/0 protected_missing"));
 }
 
+TEST(Validate, TakesAVoxelSizeThatAFileHoldsIn32Bits) {
+  SpecimenFacts facts = plastic_block();
+  facts.voxel_mm = 0.1f;  // 0.1000000015
+  EXPECT_THAT(after([](Scenario&) {}, &facts), IsEmpty());
+  facts.voxel_mm = 0.1001;
+  EXPECT_THAT(after([](Scenario&) {}, &facts), ::testing::ElementsAre("error /specimen/voxel_mm voxel_mismatch"));
+}
+
 TEST(Validate, KnowsAVolumeByItsOccupiedVoxels) {
   VoxelVolume volume(Grid{IVec3(10, 8, 6), 0.5, Vec3(-1, 0, 2)});
   for (int x = 2; x <= 5; ++x) {
