@@ -112,6 +112,25 @@ TEST(Validate, APassMarkThatNobodyReachesIsAnError) {
               Contains("error /rubric/pass pass_unreachable"));
 }
 
+TEST(Validate, OneCriterionAtLeastSuitsTheSimplestDevice) {
+  using ::testing::Contains;
+  using ::testing::Not;
+  const auto all = [](Scenario& s) {
+    for (Criterion& c : s.rubric.criteria) c.needs_dof = 6;
+  };
+  EXPECT_THAT(after(all), Contains("error /rubric/pass pass_unreachable"));
+  EXPECT_THAT(after([&](Scenario& s) {
+                all(s);
+                s.device.needs_dof = 6;
+              }),
+              Not(Contains("error /rubric/pass pass_unreachable")));
+  EXPECT_THAT(after([&](Scenario& s) {
+                all(s);
+                s.rubric.criteria[0].needs_dof = 3;
+              }),
+              Not(Contains("error /rubric/pass pass_unreachable")));
+}
+
 TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
   using ::testing::ElementsAre;
   // 2.5 voxels of 0.1 mm.
