@@ -14,7 +14,8 @@ namespace cusp::scenarios {
 
 /// A scenario is a page or two of text; more is not one.
 inline constexpr std::size_t kMaxScenarioBytes = 1u << 20;
-/// The format nests 5 deep; more is not a scenario.
+/// Objects and lists within each other. A target's outline fits into 5 nodes, any other leaf into 6; of a protected region
+/// one less.
 inline constexpr int kMaxDepth = 16;
 
 /// UTF-8 text of a scenario.json. The first failure found is returned.

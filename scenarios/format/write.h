@@ -1,5 +1,6 @@
-/// Scenario -> scenario.json. read_scenario(write_scenario(s)) == s for every scenario that validate() passes and whose
-/// fields out of use (fdi and seed of a block, volume beside a generator) stand at their defaults.
+/// Scenario -> scenario.json. read_scenario(write_scenario(s)) == s for every scenario that validate() passes, whose lists, names
+/// and nesting the reader takes (validate() does not see them), and whose fields out of use (fdi and seed of a block, volume
+/// beside a generator) stand at their defaults.
 #pragma once
 
 #include <string>
