@@ -121,16 +121,18 @@ double OutlineShape::distance_mm(Vec3 p) const noexcept {
   return tapered_ ? blended_max(u, v, corner_mm_) : rounded_corner(u, v, corner_mm_);
 }
 
-std::size_t OutlineShape::side_of(Vec2 p) const noexcept {
-  Vec2 off = p - box_centre_;
+std::size_t OutlineShape::side_of(Vec3 p) const noexcept {
+  const Vec2 flat(p.x, p.y);
+  Vec2 off = flat - box_centre_;
   if (box_) {
-    const Vec2 out = glm::abs(off) - box_half_;
-    if (out.x >= out.y) return off.x < 0.0 ? 0 : 1;
-    return off.y < 0.0 ? 2 : 3;
+    const std::size_t x = off.x < 0.0 ? 0 : 1, y = off.y < 0.0 ? 2 : 3;
+    const std::array<double, 4> spread = spread_at(p.z);
+    const Vec2 out = glm::abs(off) - box_half_ - Vec2(spread[x], spread[y]);
+    return out.x >= out.y ? x : y;
   }
   double nearest = std::numeric_limits<double>::max();
   for (const Segment& s : segments_) {
-    const Vec2 from = p - (s.a + nearest_on_segment(p, s.a, s.b) * (s.b - s.a));
+    const Vec2 from = flat - (s.a + nearest_on_segment(flat, s.a, s.b) * (s.b - s.a));
     if (glm::dot(from, from) >= nearest) continue;
     nearest = glm::dot(from, from);
     off = from;
@@ -152,7 +154,7 @@ std::size_t OutlineShape::faces_at(Vec3 p, const std::array<FaceName, 6>& faces,
       off = from;
     }
     if (!(nearest > 0.0)) return 1;  // on the line itself no wall is the nearer
-    out[1] = {faces[1 + side_of(flat)], wall_mm(p), Vec3(off / std::sqrt(nearest), 0.0)};
+    out[1] = {faces[1 + side_of(p)], wall_mm(p), Vec3(off / std::sqrt(nearest), 0.0)};
     return 2;
   }
   const std::array<double, 4> spread = spread_at(p.z);
@@ -168,7 +170,7 @@ std::size_t OutlineShape::faces_at(Vec3 p, const std::array<FaceName, 6>& faces,
 
 Near OutlineShape::near(Vec3 p, const std::array<FaceName, 6>& faces) const noexcept {
   const double u = wall_mm(p), v = below_floor_mm(p.z);
-  const FaceName bottom = faces[0], side = faces[1 + side_of({p.x, p.y})];
+  const FaceName bottom = faces[0], side = faces[1 + side_of(p)];
   Near out{.distance_mm = tapered_ ? blended_max(u, v, corner_mm_) : rounded_corner(u, v, corner_mm_), .wall_mm = u, .floor_mm = v,
            .face = v < u ? side : bottom};
   for (const FaceName one : {bottom, side}) (is_floor(one) ? out.floor : out.wall) = one;

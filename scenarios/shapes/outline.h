@@ -52,7 +52,7 @@ class OutlineShape {
   };
   /// How far the walls on the sides -x, +x, -y, +y stand out at a height, mm; at least 0.
   std::array<double, 4> spread_at(double z) const noexcept;
-  std::size_t side_of(Vec2 p) const noexcept;
+  std::size_t side_of(Vec3 p) const noexcept;
 
   std::vector<Segment> segments_;
   bool box_ = false, tapered_ = false;

@@ -184,6 +184,19 @@ TEST(Region, APlaceBelongsToTheNamedFaceThatItIsNearestTo) {
   }
 }
 
+TEST(Region, BesideALeaningWallAPlaceBelongsToTheWallThatItIsOff) {
+  Outline out = slot(0);
+  out.shape = "box";
+  out.paths = {{Vec3(0, 0, -2)}};
+  out.box_size_mm = {2, 1, 0};
+  out.taper_deg = {20, 20, 0, 0};  // at the top the ends stand 2 tan 20 = 0.73 mm further out
+  Region region = region_of(out);
+  region.faces = {{"x_high", FaceName::mesial_wall}, {"y_high", FaceName::buccal_wall}};
+  const RegionShape shape(region);
+  EXPECT_EQ(shape.near({1.5, 0.6, 0}).face, FaceName::buccal_wall) << "0.1 mm off it, 0.23 mm within the mesial one";
+  EXPECT_EQ(shape.near({1.9, 0.4, 0}).face, FaceName::mesial_wall);
+}
+
 TEST(Region, TheToleranceZoneIsAsWideAsItsFaceSays) {
   const TargetShape shape(region_of(slot(0)));
   Leeway leeway;
