@@ -119,19 +119,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   connect(in.falcon, &FalconPanel::tested, this, &DevicePage::tested);
   body->addWidget(in.falcon);
 
-  in.firmware_card = new Card(tr("Firmware of the Falcon"), {}, this);
-  in.firmware = make_label({});
-  in.firmware->setWordWrap(true);
-  in.licence = make_label(tr("A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the "
-                             "file that the maker’s software brought to this computer; that licence holds for its use."),
-                          TextRole::caption, Weight::regular, "text2");
-  in.licence->setWordWrap(true);
-  in.firmware_card->body()->addWidget(in.firmware);
-  in.firmware_card->body()->addWidget(in.licence);
-  QPushButton* name = make_button(tr("Name the file…"), ButtonKind::standard, QStringLiteral("import"));
-  connect(name, &QPushButton::clicked, this, &DevicePage::name_firmware);
-  in.firmware_card->body()->addWidget(name, 0, Qt::AlignLeft);
-  in.firmware_card->setVisible(in.staff());
+  make_firmware_card();
   body->addWidget(in.firmware_card);
 
   in.inverse = new Card(QStringLiteral("Inverse3"), {}, this);
@@ -155,6 +143,23 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   in.known = in.watch->changed();
   fill();
   show_chosen();
+}
+
+void DevicePage::make_firmware_card() {
+  Inner& in = *inner_;
+  in.firmware_card = new Card(tr("Firmware of the Falcon"), {}, this);
+  in.firmware = make_label({});
+  in.firmware->setWordWrap(true);
+  in.licence = make_label(tr("A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the "
+                             "file that the maker’s software brought to this computer; that licence holds for its use."),
+                          TextRole::caption, Weight::regular, "text2");
+  in.licence->setWordWrap(true);
+  in.firmware_card->body()->addWidget(in.firmware);
+  in.firmware_card->body()->addWidget(in.licence);
+  QPushButton* name = make_button(tr("Name the file…"), ButtonKind::standard, QStringLiteral("import"));
+  connect(name, &QPushButton::clicked, this, &DevicePage::name_firmware);
+  in.firmware_card->body()->addWidget(name, 0, Qt::AlignLeft);
+  in.firmware_card->setVisible(in.staff());
 }
 
 DevicePage::~DevicePage() = default;

@@ -53,6 +53,7 @@ class DevicePage : public QWidget {
   void use(const FoundDevice& device);
   void show_chosen();
   void name_firmware();
+  void make_firmware_card();
   void show_firmware();
 
   struct Inner;
