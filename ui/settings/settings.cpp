@@ -56,9 +56,10 @@ std::filesystem::path Settings::backup_folder(const std::filesystem::path& datab
   return chosen.isEmpty() ? database.parent_path() / "backups" : std::filesystem::path(chosen.toStdString());
 }
 bool Settings::set_backup_folder(const QString& folder) {
-  store_.setValue("records/backup_folder", folder);
-  store_.sync();
-  return store_.status() != QSettings::AccessError;
+  QSettings fresh(store_.fileName(), QSettings::IniFormat);  // its status is of this write alone
+  fresh.setValue("records/backup_folder", folder);
+  fresh.sync();
+  return fresh.status() != QSettings::AccessError;
 }
 QString Settings::station_name(const QString& station) const { return store_.value("stations/" + station).toString(); }
 void Settings::set_station_name(const QString& station, const QString& name) { store_.setValue("stations/" + station, name.trimmed()); }
