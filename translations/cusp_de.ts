@@ -8325,8 +8325,8 @@
         <translation>Art</translation>
     </message>
     <message>
-        <source>Practice and assessments</source>
-        <translation>Training und Prüfungen</translation>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
     </message>
     <message>
         <source>Practice</source>

@@ -138,7 +138,7 @@ QWidget* Performance::make_filters() {
   who_->addItem(tr("Students"), static_cast<int>(DrilledBy::students));
   who_->addItem(tr("Staff"), static_cast<int>(DrilledBy::staff));
   kind_ = make_choice(tr("Kind"));
-  kind_->addItem(tr("Practice and assessments"));
+  kind_->addItem(tr("All kinds"));
   kind_->addItem(tr("Practice"), static_cast<int>(SessionKind::practice));
   kind_->addItem(tr("Assessments"), static_cast<int>(SessionKind::assessment));
   result_ = make_choice(tr("Result"));

@@ -174,7 +174,7 @@ TEST(Languages, german_has_what_no_page_shows_at_first) {
       {"cusp::ui::StopCard", "The driver of the device stands still"},
       {"cusp::ui::StopCard", "Unplug the device and plug it in again. What was drilled until then is kept."},
       {"cusp::ui::Performance", "Kind"},
-      {"cusp::ui::Performance", "Practice and assessments"},
+      {"cusp::ui::Performance", "All kinds"},
       {"cusp::ui::Performance", "Practice"},
       {"cusp::ui::Performance", "Assessments"},
       {"cusp::ui::Performance", "points by attempt, all exercises together"},
