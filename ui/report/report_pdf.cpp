@@ -141,42 +141,49 @@ double height_of_name(Paper& paper, const QString& name, const QRectF& cell) {
   return std::max(paper.u(kRow), paper.painter().boundingRect(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, name).height());
 }
 
-void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
+/// Begins another sheet if what is `needed`, in the painter's units, does not fit above the foot; true if it did.
+using MakeRoom = std::function<bool(double needed)>;
+
+void write_criteria(Paper& paper, const ReportData& d, const Tokens& t, const MakeRoom& make_room) {
   CriteriaModel model(d.result.grade, d.result.scenario, d.changes);
   model.set_own(d.own);
   const bool rated = d.own && !d.own->skipped();
   const QRectF page = paper.page();
   const std::vector<double> widths = rated ? std::vector{0.32, 0.19, 0.17, 0.19, 0.13} : std::vector{0.36, 0.22, 0.2, 0.22};
   constexpr int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints, CriteriaModel::kOwn};
-  double high = paper.u(kRow);
+  double high = 0;
   const auto cell = [&](std::size_t i) {
     double x = page.left();
     for (std::size_t j = 0; j < i; ++j) x += widths[j] * page.width();
     return QRectF(x, paper.y(), widths[i] * page.width() - paper.u(10), high);
   };
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    const bool at_right = i == 1 || i == 3;
-    paper.painter().setFont(paper.font(10.5, Weight::bold));
-    paper.painter().setPen(t.text2);
-    paper.painter().drawText(cell(i), (at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-                             model.headerData(columns[i], Qt::Horizontal, Qt::DisplayRole).toString());
-  }
-  paper.skip(20);
-  paper.rule(t.border);
-  for (int row = 0; row < model.rowCount(); ++row) {
+  const auto write_heads = [&] {
+    high = paper.u(kRow);
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      paper.painter().setFont(paper.font(10.5, Weight::bold));
+      paper.painter().setPen(t.text2);
+      paper.painter().drawText(cell(i), (i == 1 || i == 3 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+                               model.headerData(columns[i], Qt::Horizontal, Qt::DisplayRole).toString());
+    }
+    paper.skip(20);
+    paper.rule(t.border);
     paper.skip(3);
+  };
+  write_heads();
+  for (int row = 0; row < model.rowCount(); ++row) {
     const CriterionGrade& c = model.criterion(row);
-    high = height_of_name(paper, model.index(row, CriteriaModel::kName).data().toString(), cell(0));
+    const QString name = model.index(row, CriteriaModel::kName).data().toString(), change = model.change(row);
+    const double of_name = height_of_name(paper, name, cell(0));
+    if (make_room(of_name + paper.u(change.isEmpty() ? 2 : 16))) write_heads();
+    high = of_name;
     for (std::size_t i = 0; i < widths.size(); ++i) {
       const QModelIndex at = model.index(row, columns[i]);
       QString text = model.data(at, Qt::DisplayRole).toString();
-      const QString second = model.data(at, SecondRole).toString();
-      if (!second.isEmpty()) text += u' ' + second;
+      if (const QString second = model.data(at, SecondRole).toString(); !second.isEmpty()) text += u' ' + second;
       const bool at_right = i == 1 || i == 3;
       paper.painter().setFont(paper.font(11, i == 3 ? Weight::bold : Weight::regular));
       paper.painter().setPen(t.text);
-      const int wrap = i == 0 ? Qt::TextWordWrap : 0;
-      paper.painter().drawText(cell(i), static_cast<int>((at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter) | wrap, text);
+      paper.painter().drawText(cell(i), static_cast<int>((at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter) | (i == 0 ? Qt::TextWordWrap : 0), text);
     }
     if (c.points_max > 0) {
       const QRectF last = cell(3);
@@ -184,7 +191,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
                 c.points / c.points_max, colour_of(model.bar_role(row)), t.sunken);
     }
     paper.skip(high / paper.u(1) + 2);
-    if (const QString change = model.change(row); !change.isEmpty()) {
+    if (!change.isEmpty()) {
       // One line: the remarks have the whole reason.
       const QRectF line(page.left() + paper.u(10), paper.y() - paper.u(3), page.width() - paper.u(20), paper.u(15));
       paper.painter().setFont(paper.font(10));
@@ -193,24 +200,32 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
       paper.skip(14);
     }
     paper.rule(t.line);
+    paper.skip(3);
   }
-  paper.skip(10);
+  paper.skip(7);
 }
 
-void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t) {
+void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t, const MakeRoom& make_room) {
   const double x = paper.page().left(), w = paper.page().width(), indent = paper.u(20);
+  const Paper::Type bold{11, Weight::bold, t.text}, plain{11, Weight::regular, t.text};
+  const auto text_of = [](const Advice& advice) { return (advice.why + u' ' + advice.what_to_do).trimmed(); };
+  const auto height = [&](const Advice& advice) { return paper.height_of(advice.head, w - indent, bold) + paper.height_of(text_of(advice), w - indent, plain); };
+  make_room(paper.u(20) + (shown.empty() ? 0.0 : height(shown.front().advice)));
   paper.write(PdfText::tr("Next time"), {x, w}, {13, Weight::bold, t.text});
   paper.skip(4);
   for (const auto& [advice, at, number] : shown) {
+    make_room(height(advice));
     if (number > 0) paper.number({x + paper.u(kNumberRing), paper.y() + paper.u(8)}, number);
     paper.write(advice.head, {x + indent, w - indent}, {11, Weight::bold, advice.grave ? t.bad : t.text});
-    paper.write((advice.why + u' ' + advice.what_to_do).trimmed(), {x + indent, w - indent}, {11, Weight::regular, t.text});
+    paper.write(text_of(advice), {x + indent, w - indent}, plain);
     paper.skip(4);
   }
-  const QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
-  if (!counted.isEmpty()) paper.write(counted, {x, w}, {11, Weight::regular, t.text});
-  if (shown.empty() && counted.isEmpty()) paper.write(no_advice_text(d), {x, w}, {11, Weight::regular, t.text});
+  QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
+  if (shown.empty() && counted.isEmpty()) counted = no_advice_text(d);
+  if (!counted.isEmpty()) make_room(paper.height_of(counted, w, plain));
+  if (!counted.isEmpty()) paper.write(counted, {x, w}, plain);
   if (d.before) {
+    make_room(paper.u(8 + kRow));
     paper.skip(8);
     const double apart = std::round(10 * (shown_points(d.result.grade.score) - shown_points(d.before->score))) / 10;  // as both are shown
     paper.write(PdfText::tr("Best before: %1 point(s) on %2; this attempt %3.", nullptr, point_forms(d.before->score))
@@ -249,8 +264,9 @@ double height_of_rest(const QRectF& page, double unit, const ReportData& d, cons
   QImage nothing(1, 1, QImage::Format_RGB32);
   QPainter painter(&nothing);
   Paper paper(painter, QRectF(page.left(), page.top(), page.width(), 10 * page.height()), unit);
-  write_criteria(paper, d, t);
-  write_next_time(paper, d, advice, t);
+  const MakeRoom endless = [](double) { return false; };
+  write_criteria(paper, d, t, endless);
+  write_next_time(paper, d, advice, t, endless);
   return (paper.y() - page.top()) / unit;
 }
 
@@ -279,17 +295,22 @@ std::vector<int> numbers_of(const std::vector<PaperAdvice>& advice) {
   return out;
 }
 
-/// How high the picture may be. Leaves out the last advice where the page would still be too short.
-double fit_to_page(Paper& paper, const ReportData& d, std::vector<PaperAdvice>& advice, const Tokens& t) {
-  const QRectF& page = paper.page();
+/// Above the foot, in the painter's units.
+double bottom_of(Paper& paper, const ReportData& d) {
   paper.painter().setFont(paper.font(kFootType));
-  const double foot = paper.painter().boundingRect(page, kFootFlags, foot_text(d)).height();
-  const double unit = paper.u(1), room = (page.bottom() - foot - paper.y()) / unit - kAboveFoot - kBelowTooth;
-  double high = room - height_of_rest(page, unit, d, advice, t);
+  return paper.page().bottom() - paper.painter().boundingRect(paper.page(), kFootFlags, foot_text(d)).height() - paper.u(kAboveFoot);
+}
+
+/// How high the picture may be. Leaves out the last advice where the page would else be too short, none where it stays so.
+double fit_to_page(Paper& paper, const ReportData& d, std::vector<PaperAdvice>& advice, const Tokens& t) {
+  const double unit = paper.u(1), room = (bottom_of(paper, d) - paper.y()) / unit - kBelowTooth;
+  const std::vector<PaperAdvice> all = advice;
+  double high = room - height_of_rest(paper.page(), unit, d, advice, t);
   while (high < kToothLeast && advice.size() > 1) {
     advice.pop_back();
-    high = room - height_of_rest(page, unit, d, advice, t);
+    high = room - height_of_rest(paper.page(), unit, d, advice, t);
   }
+  if (high < kToothLeast) advice = all;
   return std::clamp(high, kToothLeast, kToothHigh);
 }
 
@@ -340,21 +361,31 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   write_tooth(paper, tooth, advice, high, specimen.grown_fdi(), t);
   write_legend(paper, high, t);
   paper.skip(high + kBelowTooth);
-  write_criteria(paper, data, t);
-  write_next_time(paper, data, advice, t);
-  write_foot(paper, data, 1, t);
+  int sheet = 1;
+  const double bottom = bottom_of(paper, data) + paper.u(kAboveFoot / 2);  // fit_to_page() measures fonts of another device
+  const MakeRoom make_room = [&](double needed) {
+    if (paper.y() + needed <= bottom) return false;
+    write_foot(paper, data, sheet++, t);
+    new_page();
+    paper.skip((page.top() - paper.y()) / unit);
+    write_head(paper, data, t);
+    return true;
+  };
+  write_criteria(paper, data, t, make_room);
+  write_next_time(paper, data, advice, t, make_room);
+  write_foot(paper, data, sheet, t);
   if (tooth && !tooth->closeups.empty()) {
     new_page();
     Paper second(painter, page, unit);
     write_head(second, data, t);
     write_closeups(second, data, tooth->closeups, numbers_of(advice));
-    write_foot(second, data, 2, t);
+    write_foot(second, data, sheet + 1, t);
   }
   write_remarks(data.remarks, [&] {
     new_page();
-    Paper sheet(painter, page, unit);
-    write_head(sheet, data, t);
-    return sheet;
+    Paper further(painter, page, unit);
+    write_head(further, data, t);
+    return further;
   });
 }
 

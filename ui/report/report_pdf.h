@@ -1,5 +1,5 @@
-/// The report on paper, always in the light colours: one A4 page, and a second one with a picture of each place where points
-/// were lost.
+/// The report on paper, always in the light colours: one A4 page, further ones if the criteria are many, and one with a picture
+/// of each place where points were lost.
 #pragma once
 
 #include <QRectF>

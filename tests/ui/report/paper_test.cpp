@@ -211,6 +211,25 @@ TEST(ReportPdf, has_room_for_long_names_and_all_advice_of_the_longest_rubric_abo
   EXPECT_NE(text.find("junction"), std::string::npos) << text;
 }
 
+TEST(ReportPdf, continues_a_table_that_is_longer_than_its_page_on_another_one) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  CriterionGrade lost = data.result.grade.criteria.at(1);
+  for (int um = 101; um <= 136; ++um) {
+    lost.id = "surface_within_" + std::to_string(um);
+    data.result.grade.criteria.push_back(lost);
+  }
+  data.before = data.result.grade;
+  data.before_when = data.when;
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  const QString text = QString::fromStdString(text_in(file));  // pdftotext leaves out what lies beyond a page
+  for (int um = 101; um <= 136; ++um) EXPECT_TRUE(text.contains(QStringLiteral("Target within %1").arg(um))) << um;
+  for (const char* part : {"Next time", "Best before", "Page 1", "Page 2"}) EXPECT_TRUE(text.contains(QLatin1String(part))) << part;
+  ASSERT_EQ(pages_in(file), 2u);
+  for (const Edges& page : edges_of_pages(file)) EXPECT_GT(page.foot, page.lowest);
+}
+
 /// The paragraph has more lines than a sheet.
 TEST(ReportPdf, cuts_nothing_off_a_remark_that_is_longer_than_its_sheet) {
   const QTemporaryDir folder;
