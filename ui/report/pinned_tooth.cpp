@@ -49,6 +49,15 @@ constexpr int kClear = 36;  // px at 100 % between a place and its card, at leas
 constexpr int kHead = 64;   // px at 100 %: below the buttons at the view's head
 constexpr int kWideLegend = 190;  // px at 100 %: a shorter bar has numbers at its ends and its middle alone
 constexpr int kToothMargin = 12;  // px at 100 % between the tooth and the edge of the view, where there is room
+constexpr qsizetype kCardText = 160, kCardLines = 6;  // characters and lines of a card, which stands before the tooth
+
+/// Of a longer text its beginning: the remarks have the whole.
+QString card_text(const QString& text) {
+  if (text.size() <= kCardText && text.count(u'\n') < kCardLines) return text;
+  QString out = text.simplified().left(kCardText - 1);
+  if (!out.isEmpty() && out.back().isHighSurrogate()) out.chop(1);
+  return out + u'…';
+}
 
 }  // namespace
 
@@ -237,7 +246,7 @@ void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, 
   const bool same = metric == metric_ && place_mm == place_;
   place_ = place_mm;
   if (!same) compute_patch(metric);
-  text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped().replace(u'\n', u"<br>"_qs));
+  text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), card_text(more).toHtmlEscaped().replace(u'\n', u"<br>"_qs));
   face_place();
 }
 

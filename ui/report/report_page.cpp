@@ -21,7 +21,6 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kChangeShown = 160;    // characters, in the card on the tooth; the remarks have the whole reason
 constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
 constexpr int kLeast = 760;          // px at 100 %; a page below it leaves out what the card on the tooth has as well
 constexpr int kLeastTextPercent = 55, kMostTextPercent = 64;  // of the page; the rest shows the tooth
@@ -325,7 +324,6 @@ void ReportPage::choose(int row) {
   const Measure& m = c.measure;
   const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
   QString why = model_->change(row);
-  if (why.size() > kChangeShown) why = why.left(kChangeShown - 1) + u'…';
   if (why.isEmpty()) why = reason_text(c);
   tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, why, c.id);
   if (section_) section_->go_through(m.where_mm);

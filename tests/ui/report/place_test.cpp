@@ -161,6 +161,20 @@ TEST(PinnedTooth, its_card_stands_clear_of_the_place_and_a_line_leads_to_it) {
   EXPECT_FALSE(tooth.leader());
 }
 
+TEST(PinnedTooth, a_long_comment_leaves_most_of_the_tooth_in_sight) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
+  tooth.resize(600, 600);
+  tooth.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tooth.tooth_shown(); }, 60'000));
+  const auto* card = tooth.findChild<QLabel*>();
+  for (const QString& comment : {QStringLiteral("The floor is uneven. ").repeated(100), QStringLiteral("a\n").repeated(75)}) {
+    tooth.pin(Vec3(0, 0, 0), QStringLiteral("Dr Berg"), comment);
+    EXPECT_LT(card->height(), tooth.height() / 2);
+    EXPECT_TRUE(card->text().contains(QChar(u'…'))) << card->text().toStdString();
+  }
+}
+
 TEST(PinnedTooth, paints_the_patch_of_the_measure_that_is_pinned_and_of_no_other) {
   const Pit pit;
   PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
