@@ -8850,6 +8850,14 @@
         <source>Every criterion has its full points.</source>
         <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
     </message>
+    <message>
+        <source>Every marked criterion has its full points.</source>
+        <translation>Jedes bewertete Kriterium hat die volle Punktzahl.</translation>
+    </message>
+    <message>
+        <source>No criterion could be marked.</source>
+        <translation>Kein Kriterium konnte bewertet werden.</translation>
+    </message>
     <message numerus="yes">
         <source>Best before: %1 point(s) on %2; this attempt %3.</source>
         <translation>

@@ -210,8 +210,11 @@ QString no_advice_text(const ReportData& data) {
   const bool changed = std::ranges::any_of(loss_reasons(grade), [&](const LossReason& reason) {
     return reason.critical.empty() && changed_by_hand(data, grade.criteria[reason.criterion]);
   });
-  return changed ? ReportText::tr("Each criterion without its full points was changed by hand; the remarks give the reasons.")
-                 : ReportText::tr("Every criterion has its full points.");
+  if (changed) return ReportText::tr("Each criterion without its full points was changed by hand; the remarks give the reasons.");
+  const auto brings_points = [](const CriterionGrade& c) { return c.points_max > 0; };
+  if (std::ranges::all_of(grade.criteria, brings_points)) return ReportText::tr("Every criterion has its full points.");
+  return std::ranges::any_of(grade.criteria, brings_points) ? ReportText::tr("Every marked criterion has its full points.")
+                                                            : ReportText::tr("No criterion could be marked.");
 }
 
 QString occasion_text(const ReportData& data, Medium medium) {

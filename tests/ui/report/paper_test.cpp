@@ -143,6 +143,20 @@ TEST(ReportPdf, compares_with_the_best_before_as_both_are_shown) {
   }
 }
 
+TEST(ReportPdf, promises_full_points_of_no_criterion_that_was_not_marked) {
+  ReportData data = sample();
+  for (CriterionGrade& c : data.result.grade.criteria) {
+    c.points = c.points_max = 0;
+    c.measure.measured = false;
+    c.reason_code = "not_measured";
+  }
+  ASSERT_TRUE(next_time(data).empty());
+  EXPECT_EQ(no_advice_text(data), QStringLiteral("No criterion could be marked."));
+  CriterionGrade& first = data.result.grade.criteria.front();
+  first.points = first.points_max = 100;
+  EXPECT_EQ(no_advice_text(data), QStringLiteral("Every marked criterion has its full points."));
+}
+
 TEST(ReportPdf, marks_a_criterion_whose_points_an_examiner_changed_with_the_reason) {
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
