@@ -10901,6 +10901,10 @@ Ihr bester davor</translation>
         <translation>Den Bohrer am Rand im rechten Winkel zur Zahnoberfläche halten.</translation>
     </message>
     <message>
+        <source>End the box short of the neighbour: the contact stays closed.</source>
+        <translation>Den Kasten vor dem Nachbarn enden lassen: Der Kontakt bleibt geschlossen.</translation>
+    </message>
+    <message>
         <source>Open the box until nothing touches the neighbour.</source>
         <translation>Den Kasten öffnen, bis nichts mehr den Nachbarn berührt.</translation>
     </message>
@@ -11999,6 +12003,10 @@ Ihr bester davor</translation>
     <message>
         <source>Compare the width with the bur before you widen the outline.</source>
         <translation>Vergleichen Sie die Breite mit dem Bohrer, bevor Sie den Umriss erweitern.</translation>
+    </message>
+    <message>
+        <source>Carry the outline closer to the marginal ridge; read its thickness from above.</source>
+        <translation>Führen Sie den Umriss näher an die Randleiste; beurteilen Sie ihre Dicke von oben.</translation>
     </message>
     <message>
         <source>Stop short of the marginal ridge; read its thickness from above.</source>

@@ -195,21 +195,25 @@ QString advice_text(const CriterionGrade& g) {
     if (g.reason_code == "too_deep") return Text::tr("Stop pushing at the required depth and move sideways.");
     return Text::tr("Cut to the required depth over the whole floor.");
   }
-  if (m == "remaining_over_pulp") return Text::tr("Keep away from the pulp: stop at the required depth.");
+  const bool too_little = g.reason_code == "too_little", too_much = g.reason_code == "too_much";
+  if (m == "remaining_over_pulp")
+    return too_much ? Text::tr("Cut to the required depth over the whole floor.") : Text::tr("Keep away from the pulp: stop at the required depth.");
   if (m.starts_with("wall_angle_") || m.starts_with("convergence_"))
     return Text::tr("Hold the bur along the axis of the preparation and draw it along the wall without leaning.");
   if (m == "floor_flatness" || m == "floor_tilt") return Text::tr("Go over the whole floor once more at one depth.");
   if (m == "isthmus_width") {
-    if (g.reason_code == "too_little") return Text::tr("Widen the outline until the bur passes freely.");
+    if (too_little) return Text::tr("Widen the outline until the bur passes freely.");
     return Text::tr("Compare the width with the bur before you widen the outline.");
   }
-  if (m.starts_with("ridge_")) return Text::tr("Stop short of the marginal ridge; read its thickness from above.");
-  if (const QString advice = group_advice(m, g.reason_code == "too_little" ? OffBy::too_little : OffBy::too_much); !advice.isEmpty()) return advice;
-  if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");
-  if (m == "time") return Text::tr("Plan the way of the bur before the first cut.");
+  if (m.starts_with("ridge_"))
+    return too_much ? Text::tr("Carry the outline closer to the marginal ridge; read its thickness from above.")
+                    : Text::tr("Stop short of the marginal ridge; read its thickness from above.");
+  if (const QString advice = group_advice(m, too_little ? OffBy::too_little : OffBy::too_much); !advice.isEmpty()) return advice;
+  if (m == "force_peak" || m == "force_mean") return too_little ? QString() : Text::tr("Push less; let the bur do the work.");
+  if (m == "time") return too_little ? QString() : Text::tr("Plan the way of the bur before the first cut.");
   if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");
   if (g.reason_code == "too_warm") return Text::tr("Run the coolant, push less, and lift off now and then.");
-  if (g.reason_code == "too_much") return Text::tr("Take away less of it.");
+  if (too_much) return Text::tr("Take away less of it.");
   return Text::tr("Take away more of it.");
 }
 

@@ -76,7 +76,9 @@ QString group_advice(const std::string& m, OffBy off) {
   if (m.starts_with("surface_")) return Text::tr("Look at the section and even out where the cut leaves the target.");
   if (m.starts_with("cavosurface_")) return Text::tr("Hold the bur at right angles to the tooth’s surface along the margin.");
   if (m == "unsupported_enamel") return Text::tr("Let every wall end on dentine: take away enamel that has none beneath it.");
-  if (m == "contact_broken") return Text::tr("Open the box until nothing touches the neighbour.");
+  if (m == "contact_broken")
+    return too_little ? Text::tr("Open the box until nothing touches the neighbour.")
+                      : Text::tr("End the box short of the neighbour: the contact stays closed.");
   if (m.starts_with("clearance_"))
     return too_little ? Text::tr("Widen the box until the margin stands far enough from the neighbour.")
                       : Text::tr("Keep the box narrow: the margin lies far from the neighbour.");

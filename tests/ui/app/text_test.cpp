@@ -254,6 +254,22 @@ TEST(Sentences, a_narrow_isthmus_is_to_be_widened_and_a_wide_one_to_be_compared_
   EXPECT_TRUE(advice_text(g).contains(QStringLiteral("before you widen"))) << advice_text(g).toStdString();
 }
 
+TEST(Sentences, advice_leads_the_way_that_the_measure_is_off) {
+  CriterionGrade g;
+  const auto advice = [&g](const char* metric, const char* reason) {
+    g.id = metric;
+    g.reason_code = reason;
+    return advice_text(g);
+  };
+  for (const char* metric : {"remaining_over_pulp", "ridge_mesial", "ridge_distal", "contact_broken"}) {
+    EXPECT_FALSE(advice(metric, "too_much").isEmpty()) << metric;
+    EXPECT_NE(advice(metric, "too_much"), advice(metric, "too_little")) << metric;
+  }
+  EXPECT_FALSE(advice("remaining_over_pulp", "too_much").contains(QStringLiteral("Keep away")));
+  EXPECT_TRUE(advice("contact_broken", "too_little").startsWith(QStringLiteral("Open the box")));
+  for (const char* metric : {"force_peak", "force_mean", "time"}) EXPECT_TRUE(advice(metric, "too_little").isEmpty()) << metric;
+}
+
 TEST(Sentences, every_metric_and_tissue_has_a_name) {
   for (const char* metric : {"target_removed", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor",
                              "overcut_beyond_side", "uncut_remainder", "depth_least", "depth_mean", "depth_most",
