@@ -7143,6 +7143,10 @@
         <translation>Das kritische Ereignis zählt nicht mehr.</translation>
     </message>
     <message>
+        <source>Write the reason below.</source>
+        <translation>Schreiben Sie die Begründung unten.</translation>
+    </message>
+    <message>
         <source>Taking back needs a reason.</source>
         <translation>Zurücknehmen braucht eine Begründung.</translation>
     </message>

@@ -264,7 +264,7 @@ void MarkingCard::take_back() {
   const auto statement = Uuid::parse(remarks_->currentData().toString().toStdString());
   if (!statement) return;
   if (reason().isEmpty()) {
-    band_->show_message(Band::Kind::look, tr("Taking back needs a reason."), tr("Write it below."));
+    band_->show_message(Band::Kind::look, tr("Taking back needs a reason."), tr("Write the reason below."));
     return text_->setFocus();
   }
   finish(store_.statements.withdraw(actor_, session_, *statement, reason().toStdString()),

@@ -209,6 +209,9 @@ TEST_F(Marking, ACommentHasThePlaceOfTheChosenCriterionAndCanBeTakenBack) {
   EXPECT_EQ(of_student.remarks[0].place_mm, Vec3(1, 2, 3));
 
   card.show_data(gathered(examiner));
+  say(card, "");
+  button(card, "Take back")->click();
+  EXPECT_TRUE(message(card).contains(QStringLiteral("Write the reason below."))) << message(card).toStdString();
   say(card, "Another one's.");
   button(card, "Take back")->click();
   EXPECT_TRUE(gathered(lena).remarks.empty()) << message(card).toStdString();
