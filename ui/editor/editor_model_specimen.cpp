@@ -32,19 +32,23 @@ bool has_pulp(const std::vector<ScenarioTissue>& tissues) {
   return std::ranges::find(tissues, Tissue::pulp, &ScenarioTissue::tissue) != tissues.end();
 }
 
-/// Protects the critical tissues of the specimen and no others. `before`: the tissues until now. New pulp brings its rule; a rule that was switched off while
-/// there was pulp stays off.
+/// Protects the critical tissues of the specimen, and no tissue that it lacks. `before`: the tissues until now. New pulp brings its
+/// rule; a rule that was switched off while there was pulp stays off. The rule about damage goes with the last protected part.
 void guard(Scenario& s, const std::vector<ScenarioTissue>& before) {
   const auto there = [&s](Tissue t) {
     return std::ranges::any_of(s.tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
   };
-  std::erase_if(s.protected_parts, [&](const Protected& p) { return p.tissue && !there(*p.tissue); });
+  std::erase_if(s.protected_parts, [&](const Protected& p) {
+    if (p.region) return p.region->kind == RegionKind::tissue && !there(p.region->tissue);
+    return p.tissue && !there(*p.tissue);
+  });
   for (const ScenarioTissue& t : s.tissues) {
     const bool guarded = is_protected(s, t.tissue);
     if (tissue_facts(t.tissue).critical.value && !guarded) s.protected_parts.push_back(t.tissue);
   }
   auto& critical = s.rubric.critical;
   if (!has_pulp(s.tissues)) std::erase(critical, "pulp_exposure");
+  if (s.protected_parts.empty()) std::erase(critical, "protected_damage");
   const bool ruled = std::ranges::find(critical, "pulp_exposure") != critical.end();
   if (has_pulp(s.tissues) && !has_pulp(before) && !ruled) critical.push_back("pulp_exposure");
 }

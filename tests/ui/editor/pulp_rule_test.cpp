@@ -1,4 +1,4 @@
-// The rule that opening the pulp fails the attempt, when the editor switches it on or off.
+// What the editor protects as the tooth changes, and the rules that go with it.
 
 #include <gtest/gtest.h>
 
@@ -77,6 +77,32 @@ TEST(editor_model, a_rule_that_the_author_switched_off_stays_off_when_the_tooth_
   other.fdi = 46;
   ASSERT_TRUE(model.set_tooth(other, QStringLiteral("fdi")));
   EXPECT_TRUE(model.scenario().rubric.critical.empty());
+}
+
+TEST(editor_model, neighbours_that_go_take_their_protection_along_and_the_last_one_its_rule) {
+  EditorStart start;
+  start.draft = load_builtin("class-2-46-mo").value();
+  ASSERT_EQ(start.draft.protected_parts.size(), 3u) << "pulp, and both tissues of the neighbours";
+  EditorModel model(start);
+  const auto blames_what_is_gone = [&] {
+    return std::ranges::any_of(model.findings(), [](const Finding& f) {
+      return f.code == "target_tissue_missing" || f.code == "protected_missing" || f.code == "nothing_protected";
+    });
+  };
+  ASSERT_FALSE(blames_what_is_gone());
+  SpecimenSource tooth = start.draft.specimen;
+  tooth.around = {"gingiva"};
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("around")));
+  model.end_gesture();
+  EXPECT_EQ(model.scenario().protected_parts, std::vector<Protected>{Tissue::pulp});
+  EXPECT_FALSE(blames_what_is_gone());
+  tooth.typodont = true;
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("plastic")));
+  EXPECT_TRUE(model.scenario().rubric.critical.empty());
+  EXPECT_FALSE(blames_what_is_gone());
+  model.stack().undo();
+  model.stack().undo();
+  EXPECT_EQ(model.scenario(), start.draft);
 }
 
 TEST(editor_model, a_tooth_that_several_edits_brought_as_one_step_keeps_them_and_its_rule) {
