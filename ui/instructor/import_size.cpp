@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scenarios/format/ranges.h"
 #include "scenarios/import/import.h"
 #include "scenarios/import/size_question.h"
 #include "ui/modules.h"
@@ -56,7 +57,8 @@ ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
   for (std::size_t i = 0; i < kUsualUnitsMm.size(); ++i) unit_->addItem(names[static_cast<qsizetype>(i)], kUsualUnitsMm[i]);
   unit_->addItem(tr("Another"), 0.0);
   other_unit_ = millimetre_box({.least = 0.0001, .most = 1000, .value = 1, .decimals = 4});
-  voxel_ = millimetre_box({.least = 0.02, .most = 5, .value = kDefaultVoxelMm, .decimals = 3});
+  const NumberRange& fineness = *range_of("/specimen/voxel_mm");  // of another an exercise can hold no specimen
+  voxel_ = millimetre_box({.least = fineness.least, .most = fineness.most, .value = kDefaultVoxelMm, .decimals = 3});
   up_ = new QComboBox;
   for (const std::string_view key : kUpAxisKeys) up_->addItem(QString::fromLatin1(key.data(), static_cast<int>(key.size())));
   up_->setMinimumWidth(px(80));

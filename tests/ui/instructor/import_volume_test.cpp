@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/ui/instructor/import_page_fixture.h"
+#include "ui/editor/editor_model.h"
 #include "ui/instructor/slice_view.h"
 #include "ui/widgets/busy.h"
 
@@ -55,7 +56,7 @@ TEST_F(ImportPageTest, micrometres_that_are_called_millimetres_are_asked_about_b
   thousandth->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Make a specimen"))->isEnabled(); }, kPatienceMs));
   make();
-  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "500 mm were cut to the 5 of the field before";
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "500 mm were cut to the range of the field before";
   EXPECT_NEAR(page->preview()->size_mm().z, 8.0, 1e-6);
 }
 
@@ -70,6 +71,17 @@ TEST_F(ImportPageTest, the_fineness_of_a_volume_follows_the_unit_that_is_chosen)
   open({file("a.stl")});
   make();
   EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.1, 1e-9) << "a mesh has no voxels of its own";
+}
+
+TEST_F(ImportPageTest, a_scan_that_is_finer_than_an_exercise_can_be_becomes_one_that_takes_edits) {
+  write_text(folder / "micro.nrrd",
+             "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 200 16 16\nspacings: 0.03 0.03 0.03\nencoding: raw\n\n" + std::string(51'200, '\2'));
+  open({file("micro.nrrd")});
+  make();
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.04, 1e-9);
+  keep_it();
+  ASSERT_TRUE(started);
+  EXPECT_TRUE(EditorModel(*started).set_title("en", QStringLiteral("Scanned tooth")));
 }
 
 TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
