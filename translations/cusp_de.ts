@@ -3851,6 +3851,14 @@
         <source>Close without the comment?</source>
         <translation>Ohne den Kommentar schließen?</translation>
     </message>
+    <message>
+        <source>Close without the last edits?</source>
+        <translation>Ohne die letzten Änderungen schließen?</translation>
+    </message>
+    <message>
+        <source>The draft of the exercise cannot be saved. The editor shows why.</source>
+        <translation>Der Entwurf der Übung lässt sich nicht aufbewahren. Der Editor zeigt, warum.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>

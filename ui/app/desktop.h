@@ -79,7 +79,8 @@ class Desktop : public QMainWindow {
 
   void sign_in(const Account& account);
   void sign_out();
-  /// Signs out after the station's time without input, unless somebody drills. An editor keeps its draft.
+  /// Signs out after the station's time without input, unless somebody drills. An editor keeps its draft; if that fails, nobody is
+  /// signed out.
   void lock_idle();
   const std::optional<Account>& account() const { return account_; }
   Store* store() { return store_.get(); }
@@ -131,7 +132,7 @@ class Desktop : public QMainWindow {
   void begin_idle();
   /// What whoever was signed out had written into the card.
   void give_back_comment(MarkingCard& card);
-  /// True if something would be lost: closing then waits for the answer.
+  /// True if something would be lost: closing then waits for the answer. Drafts are kept.
   bool asks_before_closing();
   void offer_exercise_languages(class Shell& shell);
   void rebuild();

@@ -27,6 +27,12 @@ bool has_unsaved_comment(const QWidget& desktop) {
   return std::ranges::any_of(cards, [](const MarkingCard* card) { return card->unsaved(); });
 }
 
+/// False if a draft cannot be written; its page shows why.
+bool keep_drafts(const QWidget& desktop) {
+  const auto editors = desktop.findChildren<EditorPage*>();
+  return std::ranges::all_of(editors, [](EditorPage* page) { return page->keep_before_closing(); });
+}
+
 /// Files of a specimen that is no exercise yet.
 bool has_open_import(const QWidget& desktop) {
   const auto pages = desktop.findChildren<ImportPage*>();
@@ -36,9 +42,8 @@ bool has_open_import(const QWidget& desktop) {
 }  // namespace
 
 void Desktop::lock_idle() {
-  // A device moves without mouse and keys, and PINs that are not saved stand nowhere else.
-  if (!account_ || findChild<DrillScreen*>() != nullptr || has_unsaved_slips(*this)) return begin_idle();
-  for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
+  // A device moves without mouse and keys; PINs that are not saved and a draft that cannot be stand nowhere else.
+  if (!account_ || findChild<DrillScreen*>() != nullptr || has_unsaved_slips(*this) || !keep_drafts(*this)) return begin_idle();
   for (const MarkingCard* card : findChildren<MarkingCard*>())
     if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = card->written();
   const int minutes = settings_.idle_minutes();
@@ -61,6 +66,9 @@ bool Desktop::asks_before_closing() {
   } else if (has_unsaved_comment(*this)) {
     question.what = tr("Close without the comment?");
     question.more = ReportPage::tr("What is written under Marking is not kept yet.");
+  } else if (!keep_drafts(*this)) {
+    question.what = tr("Close without the last edits?");
+    question.more = tr("The draft of the exercise cannot be saved. The editor shows why.");
   } else {
     return false;
   }
@@ -80,7 +88,7 @@ void Desktop::closeEvent(QCloseEvent* event) {
     if (screen->running()) return event->ignore();
   }
   if (asks_before_closing()) return event->ignore();
-  for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
+  if (closes_anyway_ || ended_by_signal()) keep_drafts(*this);  // asks_before_closing() did, if nothing was asked
   settings_.set_window(saveGeometry());
   QMainWindow::closeEvent(event);
 }

@@ -55,8 +55,9 @@ class EditorPage : public QWidget {
   void try_out_by_reference();
   /// Checks the exercise by attempts at it, off this thread, and opens the sheet that asks before publishing.
   void publish_version();
-  /// Saves the draft while the window closes; as a copy if another window has changed it.
-  void keep_before_closing();
+  /// Saves the draft while the window closes; as a copy if another window has changed it. False if neither can be written: the page
+  /// shows the cause.
+  bool keep_before_closing();
   /// Saves the draft and emits back_wanted(), both once a version that is being published stands. If saving fails, the page stays and
   /// shows the cause.
   void leave();

@@ -109,14 +109,20 @@ void EditorPage::ask_to_replace_theirs() {
              });
 }
 
-void EditorPage::keep_before_closing() {
+bool EditorPage::keep_before_closing() {
   take_typed();
   autosave_.stop();
   // While a version is being published, the draft in the records is that version's: only what was edited since is written.
   const auto kept = keep_draft(store_, actor_, *model_, kept_);
-  if (!kept || *kept == DraftSave::kept) return;
-  // A closing window asks no question: both drafts stay. A failed copy cannot be shown any more.
-  [[maybe_unused]] const auto copy = keep_as_copy(store_, actor_, *model_, title_of_copy(model_->scenario().title));
+  if (kept && *kept == DraftSave::kept) return true;
+  if (!kept) {
+    show_failure(kept.error());
+    return false;
+  }
+  // A closing window asks no question: both drafts stay.
+  const auto copy = keep_as_copy(store_, actor_, *model_, title_of_copy(model_->scenario().title));
+  if (!copy) show_failure(copy.error());
+  return copy.has_value();
 }
 
 void EditorPage::leave() {

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "scenarios/library/library.h"
+#include "storage/sqlite/database.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/admin/people_import.h"
@@ -109,6 +110,30 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
   EXPECT_EQ(written_by(other), QString());
   desktop->lock_idle();
   EXPECT_EQ(written_by(berg), QStringLiteral("The floor\nis uneven."));
+}
+
+TEST_F(Locking, waits_for_a_draft_that_cannot_be_saved) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  sign_in(berg);
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  start.draft.id = ScenarioId::make();
+  start.draft.key.clear();
+  desktop->edit(start);
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  // Refused as on a full disk, but at once.
+  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON scenario_drafts BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  desktop->lock_idle();
+  EXPECT_TRUE(desktop->account()) << "the draft stands nowhere else";
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the last edits?")});
+  answer(false);
+  EXPECT_TRUE(desktop->isVisible());
+  ASSERT_TRUE(database->run("DROP TRIGGER refused"));
+  desktop->lock_idle();
+  EXPECT_FALSE(desktop->account());
+  EXPECT_EQ(records.store().scenarios.drafts(berg.actor())->size(), 1u);
 }
 
 TEST_F(Locking, closes_the_dialogs_of_whoever_was_signed_out) {
