@@ -92,7 +92,8 @@ TextsForm::TextsForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   follow_model();
 }
 
-TextsForm::~TextsForm() = default;
+/// Hidden while it is whole: a field that loses the focus fits the form to the model.
+TextsForm::~TextsForm() { hide(); }
 
 QStringList TextsForm::shown_languages() const {
   QStringList out;
@@ -221,6 +222,7 @@ void TextsForm::fit_target_titles(Section& section) {
   const auto is_titled = [&](std::size_t part) { return can_be_target(whole, {part}) && !whole.parts[part].name.empty(); };
   std::erase_if(section.target_titles, [&](const Section::TargetTitle& one) {
     if (is_titled(one.part)) return false;
+    one.edit->disconnect(this);  // a hidden field loses the focus, and would fit these rows within this loop
     one.row->hide();
     one.row->deleteLater();
     return true;

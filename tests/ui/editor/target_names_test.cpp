@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
@@ -174,6 +175,32 @@ TEST_F(TwoShapes, The_texts_have_a_field_for_each_target_and_language) {
   EXPECT_EQ(part(0).title.at("de"), "Mesiale Grube");
   ASSERT_TRUE(model->clear_target(0));
   EXPECT_EQ(field(german), nullptr);
+}
+
+TEST_F(TwoShapes, A_name_that_is_cleared_with_Return_leaves_the_field_of_the_other) {
+  ASSERT_TRUE(model->set_target_title(0, "en", kPit));
+  ASSERT_TRUE(model->set_target_title(1, "en", QStringLiteral("Distal pit")));
+  TextsForm form(*model);
+  form.show();
+  form.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&form));
+  const auto field = [&](const QString& name) -> QLineEdit* {
+    for (QLineEdit* edit : form.findChildren<QLineEdit*>())
+      if (edit->accessibleName() == name && edit->isVisible()) return edit;
+    return nullptr;
+  };
+  QLineEdit* first = field(QStringLiteral("Name of target 1, English"));
+  ASSERT_NE(first, nullptr);
+  first->setFocus();
+  first->selectAll();
+  QTest::keyClick(first, Qt::Key_Delete);
+  QTest::keyClick(first, Qt::Key_Return);
+  EXPECT_TRUE(part(0).name.empty());
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_EQ(field(QStringLiteral("Name of target 1, English")), nullptr);
+  ASSERT_NE(field(QStringLiteral("Name of target 2, English")), nullptr);
+  ASSERT_TRUE(model->set_target_title(1, "en", QStringLiteral("Other pit")));
+  EXPECT_EQ(field(QStringLiteral("Name of target 2, English"))->text(), QStringLiteral("Other pit"));
 }
 
 TEST_F(TwoShapes, A_name_is_typed_where_the_shape_is_chosen) {
