@@ -30,7 +30,9 @@ TargetNameForm::TargetNameForm(EditorModel& model, QWidget* parent) : QWidget(pa
   name_->setToolTip(tr("A shape with a name is a target of its own: criteria can ask for its depth, walls and over-cut alone."));
   column->addWidget(labelled(tr("Name as a target of its own"), name_));
   connect(name_, &QLineEdit::editingFinished, this, &TargetNameForm::take);
-  connect(&model_, &EditorModel::changed, this, &TargetNameForm::follow_model);
+  connect(&model_, &EditorModel::changed, this, [this] {
+    if (!name_->hasFocus() || !name_->isModified()) follow_model();  // a tooth that has grown leaves a half-typed name
+  });
   connect(&model_, &EditorModel::part_chosen, this, &TargetNameForm::follow_model);
   follow_model();
 }

@@ -237,6 +237,22 @@ TEST_F(TwoShapes, A_name_is_typed_where_the_shape_is_chosen) {
   EXPECT_FALSE(has_criterion("depth_mean@mesial_pit"));
 }
 
+TEST_F(TwoShapes, A_half_typed_name_stays_when_the_tooth_has_grown) {
+  model->choose_part({0});
+  TargetNameForm form(*model);
+  form.show();
+  form.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&form));
+  auto* name = form.findChild<QLineEdit*>();
+  name->setFocus();
+  QTest::keyClicks(name, QStringLiteral("Mesial"));
+  model->set_facts(std::nullopt);  // changed(), as of a tooth that has grown
+  QTest::keyClicks(name, QStringLiteral(" pit"));
+  QTest::keyClick(name, Qt::Key_Return);
+  EXPECT_EQ(name->text(), kPit);
+  EXPECT_EQ(part(0).title.at("en"), "Mesial pit");
+}
+
 TEST_F(TwoShapes, The_points_follow_the_title_of_a_target) {
   ASSERT_TRUE(model->set_target_title(0, "en", kPit));
   ASSERT_TRUE(model->add_criterion("depth_mean@mesial_pit", first_bands("depth_mean@mesial_pit", model->scenario().target)));
