@@ -133,8 +133,7 @@ void EditorPage::leave() {
 }
 
 void EditorPage::publish_version() {
-  if (publish_wait_->running() || has_error(model_->findings())) return;
-  if (!model_->specimen()) return open_sheet();
+  if (publish_wait_->running() || !model_->publishable()) return;
   begin_proof();
 }
 

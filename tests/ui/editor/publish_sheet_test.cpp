@@ -143,6 +143,17 @@ TEST_F(PublishSheets, ShowWhatWasEditedWhileTheExerciseWasChecked) {
   EXPECT_TRUE(text_of(*sheet_of(*page)).contains(QStringLiteral("Depth: 1.70 mm, was 2.00 mm"))) << text_of(*sheet_of(*page)).toStdString();
 }
 
+TEST_F(PublishSheets, DoNotOpenForAToothThatHasNotGrown) {
+  const auto page = open();
+  SpecimenSource lost;
+  lost.volume = "lost.nrrd";  // never grows: there is no such file
+  lost.voxel_mm = 0.4;
+  ASSERT_TRUE(page->model().set_specimen(lost, page->model().scenario().tissues));
+  ASSERT_EQ(page->model().standing(), EditorModel::Standing::unproved);
+  page->publish_version();  // as after a check during which the tooth was changed
+  EXPECT_EQ(sheet_of(*page), nullptr);
+}
+
 TEST_F(PublishSheets, DoNotOpenOnceTheCheckIsStopped) {
   const auto page = open();
   page->model().set_depth_mm(1.5);
