@@ -10030,6 +10030,14 @@
         <translation>Noch keine Datei gewählt.</translation>
     </message>
     <message>
+        <source>The fineness of this volume is %1; an exercise takes %2 to %3.</source>
+        <translation>Die Feinheit dieses Volumens ist %1; eine Übung nimmt %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. The import in the library makes it coarser or finer.</source>
+        <translation>Nichts wurde geändert. Der Import in der Bibliothek macht es gröber oder feiner.</translation>
+    </message>
+    <message>
         <source>This tooth cannot be used.</source>
         <translation>Dieser Zahn ist nicht verwendbar.</translation>
     </message>

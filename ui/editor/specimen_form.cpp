@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "scenarios/format/ranges.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/teeth/tooth.h"
@@ -51,6 +52,14 @@ std::string name_beside_the_draft(const std::filesystem::path& file) {
   std::ranges::replace_if(name, [](char c) { return c == ':' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }, '_');
   name.erase(0, std::min(name.find_first_not_of('.'), name.size()));
   return name.empty() ? "volume.nrrd" : name;
+}
+
+/// Why an exercise cannot hold a volume of these voxels; empty if it can.
+QString fineness_refusal(double voxel_mm) {
+  const NumberRange& edge = *range_of("/specimen/voxel_mm");
+  if (edge.holds(voxel_mm)) return {};
+  const auto mm = [](double value) { return format({value, {}, QStringLiteral("mm"), 3}); };
+  return SpecimenForm::tr("The fineness of this volume is %1; an exercise takes %2 to %3.").arg(mm(voxel_mm), mm(edge.least), mm(edge.most));
 }
 
 /// A box that the panel's width limits, not its longest entry.
@@ -214,6 +223,10 @@ void SpecimenForm::pick() {
     if (!volume) {
       const Message message = describe(volume.error());
       band_->show_message(Band::Kind::bad, message.what, message.more);
+      return;
+    }
+    if (const QString refused = fineness_refusal(volume->grid.voxel_mm); !refused.isEmpty()) {
+      band_->show_message(Band::Kind::bad, refused, tr("Nothing was changed. The import in the library makes it coarser or finer."));
       return;
     }
     // A new name: an earlier step of undo may mean a file of the old one.

@@ -133,6 +133,27 @@ TEST_F(EditorPages, a_volume_is_taken_whatever_its_file_is_called) {
   EXPECT_EQ(page->model().scenario().specimen.volume, "Zähne 12_30.nrrd");
 }
 
+TEST_F(EditorPages, a_volume_of_a_fineness_that_no_exercise_holds_is_refused_with_its_figure) {
+  const auto page = open();
+  const Scenario before = page->model().scenario();
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  auto volume = make_specimen(block, {});
+  ASSERT_TRUE(volume.has_value());
+  volume->grid.voxel_mm = 0.03;
+  file = folder.filePath(QStringLiteral("micro.nrrd"));
+  ASSERT_TRUE(write_nrrd(*volume, file.toStdString()));
+  for (QPushButton* b : page->findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
+  }
+  EXPECT_EQ(page->model().scenario(), before);
+  QString text;
+  for (const Band* band : page->findChildren<Band*>()) text += band->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("0.030"))) << text.toStdString();
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(page->model().folder()) / "micro.nrrd"));
+}
+
 TEST(Briefing, that_is_longer_than_an_exercise_holds_stays_with_a_message_until_it_is_shortened) {
   EditorModel model(class_one());
   TextsForm form(model);
