@@ -3808,6 +3808,10 @@
         <translation>Was Sie getan haben, bleibt erhalten.</translation>
     </message>
     <message>
+        <source>What you did is kept, but for the audit: measure anew.</source>
+        <translation>Was Sie getan haben, bleibt erhalten, nur die Messung des Aufwands nicht: Messen Sie neu.</translation>
+    </message>
+    <message>
         <source>What you did is kept, but for the import: begin it anew.</source>
         <translation>Was Sie getan haben, bleibt erhalten, nur der Import nicht: Beginnen Sie ihn neu.</translation>
     </message>

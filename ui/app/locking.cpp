@@ -8,6 +8,7 @@
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
 #include "ui/drill/drill_screen.h"
+#include "ui/editor/audit_page.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
@@ -39,6 +40,12 @@ bool has_open_import(const QWidget& desktop) {
   return std::ranges::any_of(pages, [](const ImportPage* page) { return page->busy() || page->meshes() || page->volume(); });
 }
 
+/// An audit that runs ends with the editor.
+bool audits(const QWidget& desktop) {
+  const auto pages = desktop.findChildren<AuditPage*>();
+  return std::ranges::any_of(pages, [](const AuditPage* page) { return page->measuring(); });
+}
+
 }  // namespace
 
 void Desktop::lock_idle() {
@@ -47,7 +54,9 @@ void Desktop::lock_idle() {
   for (const MarkingCard* card : findChildren<MarkingCard*>())
     if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = card->written();
   const int minutes = settings_.idle_minutes();
-  const QString kept = has_open_import(*this) ? tr("What you did is kept, but for the import: begin it anew.") : tr("What you did is kept.");
+  const QString kept = has_open_import(*this) ? tr("What you did is kept, but for the import: begin it anew.")
+                       : audits(*this)        ? tr("What you did is kept, but for the audit: measure anew.")
+                                              : tr("What you did is kept.");
   sign_out();
   sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), kept});
 }

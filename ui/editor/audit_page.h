@@ -30,6 +30,8 @@ class AuditPage : public QWidget {
   ~AuditPage() override;
 
   const std::shared_ptr<const AuditReport>& report() const { return report_; }
+  /// An audit runs; it ends with this page.
+  bool measuring() const { return job_->running(); }
 
  private:
   void follow_job();

@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QFile>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -15,6 +16,7 @@
 #include "ui/app/desktop.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/quick_open.h"
+#include "ui/editor/audit_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
@@ -147,6 +149,25 @@ TEST_F(Locking, closes_the_dialogs_of_whoever_was_signed_out) {
   (new PasswordDialog(records.store(), lena, desktop.get()))->open();
   desktop->lock_idle();
   EXPECT_EQ(desktop->findChild<QDialog*>(), nullptr);
+}
+
+TEST_F(Locking, does_not_say_that_a_running_audit_is_kept) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  sign_in(berg);
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  start.draft.id = ScenarioId::make();
+  start.draft.key.clear();
+  desktop->edit(start);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desktop->findChild<AuditPage*>() != nullptr; }, kPatientMs));
+  for (QPushButton* one : desktop->findChild<AuditPage*>()->findChildren<QPushButton*>())
+    if (one->text().trimmed() == QStringLiteral("Measure")) one->click();
+  ASSERT_TRUE(desktop->findChild<AuditPage*>()->measuring());
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  QString text;
+  for (const Band* band : desktop->page()->findChildren<Band*>()) text += band->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("but for the audit"))) << text.toStdString();
 }
 
 TEST_F(Locking, does_not_say_that_an_import_is_kept) {
