@@ -1,5 +1,10 @@
 #include "ui/admin/account_change.h"
 
+#include <array>
+#include <functional>
+
+#include "storage/base/password.h"
+
 namespace cusp::ui {
 
 Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountChange& change) {
@@ -9,15 +14,26 @@ Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountC
     return made ? Stored<void>() : std::unexpected(made.error());
   }
   const Account& before = *change.before;
-  // The secret comes before the role: staff without a password cannot sign in.
-  if (!change.secret.empty()) {
-    const auto done = student ? accounts.set_pin(actor, before.id, change.secret) : accounts.set_password(actor, before.id, {}, change.secret);
-    if (!done) return done;
-  }
-  if (change.role != before.role)
-    if (const auto done = accounts.set_role(actor, before.id, change.role); !done) return done;
-  if (change.name == before.name && change.number == before.number) return {};
-  return accounts.rename(actor, before.id, change.number, change.name);
+  if (!change.secret.empty() && !(student ? storage::acceptable_pin(change.secret) : storage::acceptable_password(change.secret)))
+    return fail(StorageError::weak_password, student ? "pin" : "password");
+  using Step = std::function<Stored<void>()>;
+  const Step secret = [&]() -> Stored<void> {
+    if (change.secret.empty()) return {};
+    return student ? accounts.set_pin(actor, before.id, change.secret) : accounts.set_password(actor, before.id, {}, change.secret);
+  };
+  const Step role = [&]() -> Stored<void> {
+    if (change.role == before.role) return {};
+    return accounts.set_role(actor, before.id, change.role);
+  };
+  const Step name = [&]() -> Stored<void> {
+    if (change.name == before.name && change.number == before.number) return {};
+    return accounts.rename(actor, before.id, change.number, change.name);
+  };
+  // Staff need a password before the role. Only a student has a PIN, and a taken number leaves it as it was.
+  const bool joins_staff = !student && change.role != before.role;
+  for (const Step& step : joins_staff ? std::array{secret, role, name} : std::array{role, name, secret})
+    if (auto done = step(); !done) return done;
+  return {};
 }
 
 }  // namespace cusp::ui

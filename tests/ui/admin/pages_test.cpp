@@ -125,6 +125,38 @@ TEST_F(AdminPages, nothing_is_saved_of_a_person_that_nobody_changed) {
   EXPECT_FALSE(save_button->isEnabled()) << "it is saved";
 }
 
+void choose_role(PeoplePage& page, int role) {
+  for (QComboBox* box : page.findChildren<QComboBox*>())
+    if (box->accessibleName() == QStringLiteral("Role")) box->setCurrentIndex(role);
+}
+
+TEST_F(AdminPages, staff_become_a_student_with_a_pin_at_once) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(berg.id));
+  choose_role(page, 0);
+  field(page, "New PIN, six digits")->setText(QStringLiteral("271828"));
+  save(page, "Save changes");
+  EXPECT_EQ(page.message().toStdString(), "Mara Berg is saved.");
+  EXPECT_EQ(records.store().accounts.find(berg.id)->role, Role::student);
+  EXPECT_TRUE(records.store().accounts.sign_in_with_pin("berg", "271828").has_value());
+}
+
+TEST_F(AdminPages, a_taken_number_leaves_the_pin_as_it_was) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.student("2", "Omar Said");
+  ASSERT_TRUE(records.store().accounts.set_pin(records.administrator().actor(), lena.id, "314159"));
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  field(page, "Number or user name")->setText(QStringLiteral("2"));
+  field(page, "New PIN, six digits")->setText(QStringLiteral("271828"));
+  save(page, "Save changes");
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Nothing was changed."))) << page.message().toStdString();
+  EXPECT_TRUE(records.store().accounts.sign_in_with_pin("1", "314159").has_value());
+}
+
 TEST_F(AdminPages, the_last_administrator_stays_one) {
   PeoplePage page(records.store(), records.administrator().actor(), ports);
   page.show();
