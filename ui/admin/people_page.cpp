@@ -147,7 +147,10 @@ void PeoplePage::fit_secret() {
                                   : tr("Password, at least 8 characters");
   secret_label_->setText(label);
   secret_->setAccessibleName(label);
-  secret_note_->setText(edited_   ? tr("Leave it empty to keep the one there is.")
+  const bool own = edited_ && edited_->id == actor_.id;  // it asks for the old password
+  secret_->setEnabled(!own);
+  secret_note_->setText(own       ? tr("You change your own password under your name at the top.")
+                        : edited_ ? tr("Leave it empty to keep the one there is.")
                         : student ? tr("Without a PIN the number alone signs in.")
                                   : tr("Staff change it themselves under their name at the top."));
 }

@@ -108,6 +108,15 @@ TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) 
   EXPECT_TRUE(records.store().accounts.find_number("2"));
 }
 
+TEST_F(AdminPages, an_own_password_is_not_offered_where_it_cannot_be_changed) {
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(records.administrator().id));
+  EXPECT_FALSE(field(page, "New password, at least 8 characters")->isEnabled());
+  press(page, "Add a person");
+  EXPECT_TRUE(field(page, "PIN, six digits")->isEnabled());
+}
+
 TEST_F(AdminPages, nothing_is_saved_of_a_person_that_nobody_changed) {
   const Account lena = records.student("1", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
