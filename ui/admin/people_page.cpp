@@ -60,8 +60,9 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
 
   connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
   connect(departed_, &DepartedCard::erased, this, [this] {
+    const std::optional<UserId> shown = edited_ ? std::optional(edited_->id) : std::nullopt;
     read();
-    if (table_->chosen_row() < 0) begin_new();
+    if (shown && model_->row_of(*shown) < 0) begin_new();
   });
   connect(add, &QPushButton::clicked, this, &PeoplePage::begin_new);
   connect(import, &QPushButton::clicked, this, &PeoplePage::import_wanted);
@@ -171,12 +172,16 @@ void PeoplePage::begin_new() {
 void PeoplePage::show_chosen() {
   const int row = table_->chosen_row();
   if (row < 0) return;
-  edited_ = model_->account(row);
+  const Account& account = model_->account(row);
+  const bool typed = edited_ && edited_->id == account.id && changed();  // a list that is read anew keeps it
+  edited_ = account;
   form_->set_title(QString::fromStdString(edited_->name));
-  name_->setText(QString::fromStdString(edited_->name));
-  number_->setText(QString::fromStdString(edited_->number));
-  role_->setCurrentIndex(static_cast<int>(edited_->role));
-  secret_->clear();
+  if (!typed) {
+    name_->setText(QString::fromStdString(edited_->name));
+    number_->setText(QString::fromStdString(edited_->number));
+    role_->setCurrentIndex(static_cast<int>(edited_->role));
+    secret_->clear();
+  }
   fit_save();
   const QString act = edited_->disabled ? tr("Switch account on") : tr("Switch account off");
   switch_->setText(act);

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/modules.h"
+#include "tests/ui/admin/admin_pages.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
 #include "ui/admin/departed_card.h"
@@ -65,6 +66,17 @@ TEST_F(Departed, AreErasedAndLeaveTheList) {
   EXPECT_FALSE(there("4712"));
   EXPECT_TRUE(there("4711"));
   EXPECT_TRUE(page.message().contains(QStringLiteral("erased"))) << page.message().toStdString();
+}
+
+TEST_F(Departed, LeaveWhatIsTypedAboutANewPerson) {
+  PeoplePage page(records.store(), admin.actor(), ports);
+  DepartedCard& card = looked(page);
+  press(page, "Add a person");
+  field(page, "Name")->setText(QStringLiteral("Ida Falk"));
+  card.erase();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working(); }, kPatience_ms));
+  EXPECT_FALSE(there("4712"));
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Ida Falk"));
 }
 
 TEST_F(Departed, StandsInEachLook) {

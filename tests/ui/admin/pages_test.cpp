@@ -93,6 +93,19 @@ TEST_F(AdminPages, people_are_found_by_role_and_by_cohort) {
   EXPECT_EQ(page.model()->index(0, PeopleModel::kCohort).data().toString(), QStringLiteral("Year 2"));
 }
 
+TEST_F(AdminPages, a_pin_that_is_typed_stays_when_the_account_is_switched_on) {
+  const Account lena = records.student("1", "Lena Brandt");
+  ASSERT_TRUE(records.store().accounts.disable(records.administrator().actor(), lena.id));
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  field(page, "New PIN, six digits")->setText(QStringLiteral("271828"));
+  press(page, "Switch account on");
+  EXPECT_EQ(field(page, "New PIN, six digits")->text(), QStringLiteral("271828"));
+  save(page, "Save changes");
+  EXPECT_TRUE(records.store().accounts.sign_in_with_pin("1", "271828").has_value());
+}
+
 TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) {
   records.student("1", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
