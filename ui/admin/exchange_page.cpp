@@ -63,7 +63,7 @@ QString ExchangePage::name_in_file() const {
   return out;
 }
 
-ExchangeWork ExchangePage::work() const { return {records_of(store_), file_.toStdString(), actor_}; }
+ExchangeWork ExchangePage::work_on(const QString& file) const { return {records_of(store_), file.toStdString(), actor_}; }
 
 QWidget* ExchangePage::make_head() {
   auto* head = new PageHead(tr("Other stations"));

@@ -76,7 +76,7 @@ class ExchangePage : public QWidget {
   void show_read_in(const Stored<ReadIn>& read);
   void begin(const QString& what);
   void end();
-  ExchangeWork work() const;
+  ExchangeWork work_on(const QString& file) const;
   QString name_of(const Uuid& station) const;
   QString own_name() const;
   QString name_in_file() const;
@@ -87,7 +87,8 @@ class ExchangePage : public QWidget {
   const Ports& ports_;
   Step step_ = Step::stations;
   bool working_ = false;
-  QString file_;                         // that is read or written
+  QString file_;                         // that is read
+  QString given_;                        // that is written
   std::optional<ExchangeLook> waiting_;  // for its key
   BackgroundTask task_;
   StationsModel* model_;

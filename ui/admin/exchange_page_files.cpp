@@ -62,18 +62,18 @@ void ExchangePage::give_out_to(ExchangeKind kind) {
       const StorageFailure taken{StorageError::duplicate, path.toStdString(), {}};
       return show_failure({}, describe_exchange_failure(taken, path));
     }
-    file_ = path;
+    given_ = path;
     begin(tr("Writing the file"));
-    task_ = give_out_file(work(), kind, on_window<Stored<GivenOut>>(this, &ExchangePage::show_given_out));
+    task_ = give_out_file(work_on(given_), kind, on_window<Stored<GivenOut>>(this, &ExchangePage::show_given_out));
   });
 }
 
 void ExchangePage::show_given_out(const Stored<GivenOut>& given) {
   end();
-  if (!given) return show_failure(tr("No file was given out."), describe_exchange_failure(given.error(), file_));
+  if (!given) return show_failure(tr("No file was given out."), describe_exchange_failure(given.error(), given_));
   band_->show_message(Band::Kind::good, tr("File %1 of this station is written: %2.").arg(given->description.number()).arg(counts_text(given->counts)),
-                      given->description.kind == ExchangeKind::office ? tr("%1. Read it in at each station.").arg(isolate(file_))
-                                                                      : tr("%1. Read it in at the office.").arg(isolate(file_)));
+                      given->description.kind == ExchangeKind::office ? tr("%1. Read it in at each station.").arg(isolate(given_))
+                                                                      : tr("%1. Read it in at the office.").arg(isolate(given_)));
 }
 
 void ExchangePage::choose_file() {
@@ -88,7 +88,7 @@ void ExchangePage::choose_file() {
 void ExchangePage::look_into(const QString& path) {
   file_ = path;
   begin(tr("Checking the file"));
-  task_ = look_into_file(work(), on_window<Stored<ExchangeLook>>(this, &ExchangePage::show_look));
+  task_ = look_into_file(work_on(file_), on_window<Stored<ExchangeLook>>(this, &ExchangePage::show_look));
 }
 
 void ExchangePage::show_look(const Stored<ExchangeLook>& look) {
@@ -118,7 +118,7 @@ void ExchangePage::show_file(const ExchangeLook& look) {
 void ExchangePage::read_in() {
   if (working_) return;
   begin(tr("Reading the file in"));
-  task_ = read_file_in(work(), on_window<Stored<ReadIn>>(this, &ExchangePage::show_read_in));
+  task_ = read_file_in(work_on(file_), on_window<Stored<ReadIn>>(this, &ExchangePage::show_read_in));
 }
 
 void ExchangePage::show_read_in(const Stored<ReadIn>& read) {

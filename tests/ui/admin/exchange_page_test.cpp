@@ -271,6 +271,21 @@ TEST_F(FilesBetweenStations, ARevokedKeyIsNoLongerReadAndCanBeMadeKnownAgain) {
   EXPECT_EQ(clinic.known().front().role, KeyRole::station);
 }
 
+TEST_F(FilesBetweenStations, AFileGivenOutMeanwhileIsNotTheOneThatIsReadIn) {
+  office.student("4711", "Lena Brandt");
+  trust_directly(clinic, office, KeyRole::office);
+  const auto shown = page(clinic);
+  choose(*shown, file_of(office, ExchangeKind::office));
+  ASSERT_EQ(shown->step(), ExchangePage::Step::file) << shown->message().toStdString();
+  chosen = stick.filePath(QStringLiteral("own.cuspexchange"));
+  shown->give_out_results();
+  wait_for(*shown);
+  ASSERT_EQ(shown->step(), ExchangePage::Step::file);
+  press(*shown, QStringLiteral("Read it in"));
+  wait_for(*shown);
+  EXPECT_EQ(clinic.people(), 3u) << shown->message().toStdString();
+}
+
 TEST_F(FilesBetweenStations, AFileThatIsThereIsNotOverwritten) {
   chosen = file_of(clinic, ExchangeKind::results);
   const qint64 before = QFileInfo(chosen).size();
