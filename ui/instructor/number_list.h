@@ -17,7 +17,7 @@ struct NumberList {
   QStringList unknown;         // words with a digit that are no student's number, and lines without any number
 };
 
-/// Separators are blanks, commas, semicolons and tabs. Case does not count, as at sign-in.
+/// Separators are commas, semicolons, tabs and, outside a number, blanks. Case does not count, as at sign-in.
 NumberList read_numbers(const QString& text, const std::vector<Account>& students, const std::set<UserId>& inside);
 
 }  // namespace cusp::ui

@@ -47,6 +47,14 @@ TEST_F(Cohorts, NumbersAreReadFromLinesAndListsWithNamesBesideThem) {
   EXPECT_TRUE(list.unknown.isEmpty());
 }
 
+TEST_F(Cohorts, ANumberWithABlankIsReadWhole) {
+  const Account mia = records.student("S 4711", "Mia Falk");
+  const NumberList list = read_numbers(QStringLiteral("s 4711 Falk, Mia\n"), {lena, omar, mia}, {});
+  ASSERT_EQ(list.found.size(), 1u);
+  EXPECT_EQ(list.found[0].name, "Mia Falk") << "4711 is Lena Brandt";
+  EXPECT_TRUE(list.unknown.isEmpty());
+}
+
 TEST_F(Cohorts, WhatIsNoNumberIsNamedAndWhoIsInsideIsCounted) {
   const NumberList list = read_numbers(QStringLiteral("4711\n9999 Nobody\njust words\n\n"), students(), {lena.id});
   EXPECT_TRUE(list.found.empty());
