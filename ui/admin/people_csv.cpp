@@ -4,6 +4,7 @@
 #include <QStringDecoder>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 
@@ -83,10 +84,10 @@ class CsvReader {
 
 enum Head { kNumber, kName, kFirst, kSurname, kPin, kCohort, kHeads };
 
-/// Heads as schools write them, without blanks, dots and case.
+/// Heads as schools write them, without blanks, dots and case; of several the first here counts.
 const std::array<std::vector<QString>, kHeads>& heads() {
   static const std::array<std::vector<QString>, kHeads> kNames = {{
-      {u"number"_qs, u"studentnumber"_qs, u"studentid"_qs, u"id"_qs, u"nummer"_qs, u"matrikelnummer"_qs, u"matrikelnr"_qs, u"matrnr"_qs},
+      {u"studentnumber"_qs, u"studentid"_qs, u"matrikelnummer"_qs, u"matrikelnr"_qs, u"matrnr"_qs, u"number"_qs, u"nummer"_qs, u"id"_qs},
       {u"name"_qs, u"fullname"_qs, u"student"_qs},
       {u"firstname"_qs, u"givenname"_qs, u"forename"_qs, u"vorname"_qs},
       {u"surname"_qs, u"lastname"_qs, u"familyname"_qs, u"nachname"_qs, u"familienname"_qs},
@@ -100,11 +101,17 @@ std::array<int, kHeads> columns_of(const std::vector<QString>& row) {
   static const QRegularExpression kDropped(QStringLiteral("[\\s._-]"));
   std::array<int, kHeads> out;
   out.fill(-1);
+  std::array<std::ptrdiff_t, kHeads> rank;
+  rank.fill(PTRDIFF_MAX);
   for (std::size_t i = 0; i < row.size(); ++i) {
     QString head = row[i].toCaseFolded();
     head.remove(kDropped);
-    for (std::size_t h = 0; h < kHeads; ++h)
-      if (out[h] < 0 && std::ranges::find(heads()[h], head) != heads()[h].end()) out[h] = static_cast<int>(i);
+    for (std::size_t h = 0; h < kHeads; ++h) {
+      const auto at = std::ranges::find(heads()[h], head) - heads()[h].begin();
+      if (at == std::ssize(heads()[h]) || at >= rank[h]) continue;
+      rank[h] = at;
+      out[h] = static_cast<int>(i);
+    }
   }
   return out;
 }

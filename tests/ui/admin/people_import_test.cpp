@@ -55,6 +55,12 @@ TEST(StudentList, takes_its_columns_by_their_heads_in_english_and_german) {
   EXPECT_EQ(german[0].pin, QStringLiteral("123456"));
 }
 
+TEST(StudentList, takes_the_student_number_and_no_id_of_the_line) {
+  const auto list = list_of("ID;Nachname;Vorname;Matrikelnummer\n1;Brandt;Lena;4711\n");
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].number, QStringLiteral("4711"));
+}
+
 TEST(StudentList, a_name_beside_a_first_name_is_the_surname_unless_it_holds_both) {
   const auto surname = list_of("Name;Vorname;Matrikelnummer\nBrandt;Lena;4711\n");
   ASSERT_EQ(surname.size(), 1u);
