@@ -98,8 +98,14 @@ void LibraryPage::save_chosen() {
 }
 
 void LibraryPage::save_row(const LibraryRow& row, const QString& title, const QString& picked) {
-  if (working()) return;
   const QString path = picked.endsWith(suffix(), Qt::CaseInsensitive) ? picked : picked + suffix();
+  if (working()) {
+    ports_.ask(this, {tr("%1 was not written.").arg(QFileInfo(path).fileName()), tr("Another file is still being written or read."), tr("Save again")},
+               [self = QPointer(this), row, title, picked](bool yes) {
+                 if (self && yes) self->save_row(row, title, picked);
+               });
+    return;
+  }
   using Saved = Result<std::monostate, FileFailure>;
   const auto work = [row, path = path.toStdString(), database = database_](Store& store) -> Saved {
     const auto file = file_of(store, row, database);

@@ -219,5 +219,18 @@ TEST_F(LibraryFiles, ADraftThatTheChecksRefuseIsNotSavedAsAFile) {
   EXPECT_TRUE(from.message().contains(QStringLiteral("Choose another folder"))) << from.message().toStdString();
 }
 
+TEST_F(LibraryFiles, ASecondFileIsNotDroppedInSilenceWhileOneIsWritten) {
+  from.answer = false;
+  from.choose(load_builtin("channel-1")->id);
+  from.picked = path("one.cusp");
+  from.page->save_chosen();
+  from.picked = path("two.cusp");
+  from.page->save_chosen();
+  ASSERT_EQ(from.asked.size(), 1);
+  EXPECT_TRUE(from.asked[0].contains(QStringLiteral("two.cusp was not written"))) << from.asked[0].toStdString();
+  from.worked();
+  EXPECT_TRUE(std::filesystem::exists(folder / "one.cusp"));
+}
+
 }  // namespace
 }  // namespace cusp::test
