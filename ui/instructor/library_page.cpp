@@ -41,6 +41,12 @@ constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercis
 constexpr int kFoldsBelow = 560;  // px at 100 % of height: the chosen exercise to its name and use
 constexpr int kGroupFrom = 900;   // px at 100 % of width
 
+/// Whether no instructor has a draft of it: their drafts share a folder.
+bool nobody_drafts(Store& store, ScenarioId id) {
+  const auto drafts = store.database().first("SELECT count(*) FROM scenario_drafts WHERE scenario = ?1", [](Row row) { return row.integer(0); }, id);
+  return drafts && drafts->value_or(1) == 0;
+}
+
 }  // namespace
 
 LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
@@ -258,7 +264,7 @@ void LibraryPage::discard_draft() {
                if (*done == DraftSave::changed_elsewhere) {
                  band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
                                      tr("It was not discarded. The list shows it as it is now."));
-               } else if (!published) {
+               } else if (!published && nobody_drafts(store_, id)) {
                  std::error_code ignored;  // a volume that stays wastes disk space only
                  std::filesystem::remove_all(drafts_folder(database_, id), ignored);
                }

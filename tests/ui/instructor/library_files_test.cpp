@@ -183,6 +183,26 @@ TEST_F(LibraryFiles, AFileThatIsReadWhileAnotherPageCameDoesNotOpen) {
   EXPECT_TRUE(to.drafts().empty());
 }
 
+TEST_F(LibraryFiles, ADiscardedDraftLeavesTheVolumeOfAnotherInstructorsDraft) {
+  send_volume(path("block.cusp"));
+  to.open_file(path("block.cusp"));
+  ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+  const auto volume = std::filesystem::path(to.opened[0].folder) / to.opened[0].draft.specimen.volume;
+  const Account other = *to.records.store().accounts.create(to.records.administrator().actor(), {"falk", "Ida Falk", Role::instructor, "correct horse", ""});
+  LibraryPage theirs(to.records.store(), other.actor(), to.ports, to.records.file(), to.cache.path());
+  theirs.show();
+  theirs.open_file(path("block.cusp"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !theirs.working(); }, 60'000));
+  ASSERT_EQ(to.records.store().scenarios.drafts(other.actor())->size(), 1u);
+  to.choose(to.opened[0].draft.id);
+  to.page->discard_draft();
+  EXPECT_TRUE(to.drafts().empty());
+  EXPECT_TRUE(std::filesystem::exists(volume)) << "Ida Falk's draft needs it";
+  theirs.table()->choose_row(0);
+  theirs.discard_draft();
+  EXPECT_FALSE(std::filesystem::exists(volume)) << "nobody needs it";
+}
+
 TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
   write_text(folder / "notes.cusp", "not an exercise");
   const std::string good = *exercise_file_bytes({from.changed(2.2), {}});
