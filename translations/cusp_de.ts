@@ -10167,6 +10167,14 @@ Ihr bester davor</translation>
         <translation>Nichts: jedes Kriterium hat die volle Punktzahl.</translation>
     </message>
     <message>
+        <source>Not every criterion has its full points: see the report.</source>
+        <translation>Nicht jedes Kriterium hat die volle Punktzahl: siehe Bericht.</translation>
+    </message>
+    <message>
+        <source>The report has the points of each criterion.</source>
+        <translation>Der Bericht enthält die Punkte jedes Kriteriums.</translation>
+    </message>
+    <message>
         <source>Open the report</source>
         <translation>Bericht öffnen</translation>
     </message>

@@ -289,18 +289,17 @@ QWidget* StartPage::make_last(const Account& account) {
   card->body()->addWidget(make_label(local(last->title), TextRole::caption, Weight::regular, "text2"));
   card->body()->addWidget(make_rule());
   card->body()->addWidget(make_label(tr("What to do next time"), TextRole::body, Weight::bold));
-  if (!add_advice(*card, *last, account)) {
-    card->body()->addWidget(make_label(tr("Nothing: every criterion has its full points."), TextRole::body, Weight::regular, "text2"));
-  }
+  add_advice(*card, *last, account);
   QPushButton* report = make_button(tr("Open the report"));
   card->body()->addWidget(report, 0, Qt::AlignLeading);
   connect(report, &QPushButton::clicked, this, [this, session = last->session] { Q_EMIT report_wanted(session); });
   return card;
 }
 
-bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& account) {
+void StartPage::add_advice(Card& card, const HistoryRow& last, const Account& account) {
   const auto details = store_.history.details(account.actor(), last.session);
-  if (!details || !details->grade) return false;
+  const auto say = [&](const QString& text) { card.body()->addWidget(make_paragraph(text)); };
+  if (!details || !details->grade) return say(tr("The report has the points of each criterion."));
   const Grade& grade = details->grade->grade;
   const auto add = [&](const QString& icon_name, Ink ink, const QString& head, const QString& what_to_do) {
     auto* line = new QHBoxLayout;
@@ -330,10 +329,11 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     if (advice.isEmpty() || ++shown > kAdviceShown) continue;
     add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id, scenario ? &scenario->target : nullptr) + u':', advice);
   }
-  if (changed && shown == 0) {
-    card.body()->addWidget(make_paragraph(tr("An examiner changed the points; the remarks in the report give the reasons.")));
-  }
-  return changed || shown > 0 || !grade.critical.empty();
+  const bool marked = std::ranges::all_of(grade.criteria, [](const CriterionGrade& c) { return c.points_max > 0; });
+  const bool full = marked && loss_reasons(grade).size() == grade.critical.size();
+  if (shown > 0 || (full && !grade.critical.empty())) return;
+  if (changed) return say(tr("An examiner changed the points; the remarks in the report give the reasons."));
+  say(full ? tr("Nothing: every criterion has its full points.") : tr("Not every criterion has its full points: see the report."));
 }
 
 QWidget* StartPage::make_chart() {

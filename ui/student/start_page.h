@@ -53,8 +53,8 @@ class StartPage : public QWidget {
   void add_notes(class QVBoxLayout& text, const CourseRow& row);
   QWidget* make_list();
   QWidget* make_last(const Account& account);
-  /// False if no criterion lost points.
-  bool add_advice(Card& card, const HistoryRow& last, const Account& account);
+  /// What to do next time, or why nothing stands there.
+  void add_advice(Card& card, const HistoryRow& last, const Account& account);
   QWidget* make_chart();
   /// The newest comment of an instructor; nullptr without one.
   QWidget* make_comment(const Account& account);

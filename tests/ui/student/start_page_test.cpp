@@ -164,6 +164,28 @@ TEST_F(StartPageCards, what_an_examiner_changed_is_not_advised_about) {
   EXPECT_TRUE(texts_of(*shown).contains(QStringLiteral("An examiner changed the points"))) << texts_of(*shown).toStdString();
 }
 
+TEST_F(StartPageCards, full_points_are_claimed_only_where_every_criterion_has_them) {
+  const QString full = QStringLiteral("Nothing: every criterion has its full points"), not_all = QStringLiteral("Not every criterion has its full points");
+  Grade grade = sample_grade(80);
+  CriterionGrade& second = grade.criteria[1];
+  const auto shows = [&](const QString& text) {
+    records.graded_attempt(lena, "channel-1", grade, 300);
+    return texts_of(*page()).contains(text);
+  };
+  second.id = second.measure.metric = "time";  // too fast: no advice is given
+  second.reason_code = "too_little";
+  ASSERT_TRUE(advice_text(second).isEmpty());
+  EXPECT_TRUE(shows(not_all)) << texts_of(*shown).toStdString();
+  EXPECT_FALSE(texts_of(*shown).contains(full));
+  second.points = second.points_max = 0;
+  second.measure.measured = false;
+  second.reason_code = "not_measured";
+  EXPECT_TRUE(shows(not_all)) << texts_of(*shown).toStdString();
+  second = grade.criteria[0];
+  second.id = second.measure.metric = "depth_most";
+  EXPECT_TRUE(shows(full)) << texts_of(*shown).toStdString();
+}
+
 TEST_F(StartPageCards, the_best_before_is_compared_as_both_are_shown) {
   records.attempt(lena, "channel-1", 5.04, 300);  // shown as 5
   records.attempt(lena, "channel-1", 2.86, 300);  // shown as 2.9; 2.18 less
