@@ -207,7 +207,7 @@ QVector<NavEntry> Desktop::entries() {
   const bool writing = !reading_only_;
   if (writing && role == Role::student) {
     list += {u"start"_qs, tr("Start"), u"home"_qs, [this]() -> QWidget* {
-               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(), device_class());
+               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(), device_class(), volume_folder());
                connect(page, &StartPage::resume_wanted, this, &Desktop::resume_attempt);
                connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);

@@ -61,8 +61,8 @@ QString first_sentence(QString text) {
 }  // namespace
 
 StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
-                     std::string device_class, QWidget* parent)
-    : QWidget(parent), store_(store), pictures_(pictures), device_class_(std::move(device_class)) {
+                     std::string device_class, std::filesystem::path volumes, QWidget* parent)
+    : QWidget(parent), store_(store), pictures_(pictures), device_class_(std::move(device_class)), volumes_(std::move(volumes)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   // A process that died leaves its attempt in the state running. A database that cannot be written keeps it so.
@@ -376,7 +376,8 @@ QWidget* StartPage::make_comment(const Account& account) {
 
 void StartPage::show_picture() {
   if (!picture_ || !next_) return;
-  show_covering(picture_, pictures_.picture(next_->exercise, {}, ThumbnailCache::Use::card), px(7));
+  const auto folder = exercise_folder(store_, next_->exercise, volumes_);
+  show_covering(picture_, folder ? pictures_.picture(next_->exercise, *folder, ThumbnailCache::Use::card) : QImage(), px(7));
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

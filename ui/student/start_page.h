@@ -23,9 +23,9 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `device_class`: of this station's device.
+  /// `device_class`: of this station's device. `volumes`: where exercise_folder() unpacks imported specimens.
   StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
-            std::string device_class = "pointer", QWidget* parent = nullptr);
+            std::string device_class = "pointer", std::filesystem::path volumes = {}, QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
   /// The first card of an interrupted attempt; nullptr without one.
   InterruptedCard* interrupted() const { return interrupted_; }
@@ -63,6 +63,7 @@ class StartPage : public QWidget {
   Store& store_;
   ThumbnailCache& pictures_;
   std::string device_class_;
+  std::filesystem::path volumes_;
   Course course_;
   std::vector<AssignedAssessment> assessments_;
   InterruptedCard* interrupted_ = nullptr;

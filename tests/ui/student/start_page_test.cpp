@@ -98,6 +98,17 @@ TEST_F(StartPageCards, an_interrupted_assessment_stands_above_a_newer_interrupte
   EXPECT_EQ(primary, 1);
 }
 
+TEST_F(StartPageCards, the_picture_of_an_imported_specimen_is_drawn_from_its_unpacked_file) {
+  Store& store = records.store();
+  Scenario imported = *load_builtin("channel-1");
+  imported.expected_time_s += 60;
+  const auto hash = store.blobs.put(std::vector<std::byte>(8));
+  const auto version = store.scenarios.publish(examiner, imported, canonical_json(imported), content_hash(imported).bytes, {{"tooth.nrrd", *hash}});
+  ASSERT_TRUE(version);
+  const StartPage start(store, lena, pictures, now, "pointer", cache.path().toStdString());
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(cache.path().toStdString()) / version->id.text() / "tooth.nrrd"));
+}
+
 TEST_F(StartPageCards, an_interrupted_assessment_is_handed_in_and_shows_no_removed_volume) {
   broken_off();
   const auto* card = page()->interrupted();
