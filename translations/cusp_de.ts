@@ -89,6 +89,10 @@
         <translation>%1 min</translation>
     </message>
     <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
         <source>Assessment</source>
         <translation>Prüfung</translation>
     </message>

@@ -95,7 +95,9 @@ bool knows_code(const StorageFailure& f) {
 QString time_limit_text(const AssignedAssessment& a) {
   const double limit_s = a.exercise.scenario.time_limit_s;
   if (limit_s <= 0) return {};
-  const QString text = AssessmentCard::tr("%1 min").arg(format_clock(extended_limit_s(limit_s, a.adjustment.extra_time_percent)));
+  const double whole_s = extended_limit_s(limit_s, a.adjustment.extra_time_percent);
+  // format_clock() begins with the hours from an hour on.
+  const QString text = (whole_s < 3600 ? AssessmentCard::tr("%1 min") : AssessmentCard::tr("%1 h")).arg(format_clock(whole_s));
   if (a.adjustment.extra_time_percent == 0) return text;
   return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.adjustment.extra_time_percent);
 }

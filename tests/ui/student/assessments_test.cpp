@@ -178,6 +178,8 @@ TEST_F(Assessments, NameTheTimeLimitWithTheStudentsExtraTime) {
   ASSERT_TRUE(records.store().assignments.adjust(examiner, one.assignment.id, lena.id, {.extra_time_percent = 25}));
   one.adjustment = at(kMorning + 1000)[0].adjustment;
   EXPECT_EQ(plain(time_limit_text(one)), "12:30 min (25 % extra time)");
+  one.exercise.scenario.time_limit_s = 3600;
+  EXPECT_EQ(plain(time_limit_text(one)), "1:15:00 h (25 % extra time)");
   one.exercise.scenario.time_limit_s = 0;
   EXPECT_TRUE(time_limit_text(one).isEmpty());
 }
