@@ -97,7 +97,8 @@ Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exer
   if (error) return std::unexpected(write_failure(error.value(), folder));
   for (const auto& [name, hash] : exercise.files) {
     const std::filesystem::path file = folder / std::filesystem::path(name).filename();
-    if (std::filesystem::exists(file, error)) continue;
+    // A power cut can leave an empty file: its name may reach the disk before its bytes.
+    if (const auto size = std::filesystem::file_size(file, error); !error && size > 0) continue;
     const auto bytes = store.blobs.get(hash);
     if (!bytes) return std::unexpected(bytes.error());
     if (auto written = write_beside(file, *bytes); !written) return std::unexpected(written.error());

@@ -187,6 +187,20 @@ TEST_F(Pages, a_file_of_an_exercise_that_cannot_be_written_is_not_called_a_full_
   EXPECT_EQ(folder.error().detail, "Not a directory");
 }
 
+TEST_F(Pages, a_file_of_an_exercise_that_a_power_cut_left_empty_is_written_anew) {
+  Exercise exercise;
+  exercise.version = VersionId::make();
+  const auto hash = records.store().blobs.put(std::vector<std::byte>(8));
+  ASSERT_TRUE(hash);
+  exercise.files["tooth.nrrd"] = *hash;
+  const std::filesystem::path volumes = cache.path().toStdString();
+  const auto folder = exercise_folder(records.store(), exercise, volumes);
+  ASSERT_TRUE(folder);
+  std::filesystem::resize_file(*folder / "tooth.nrrd", 0);
+  ASSERT_TRUE(exercise_folder(records.store(), exercise, volumes));
+  EXPECT_EQ(std::filesystem::file_size(*folder / "tooth.nrrd"), 8u);
+}
+
 TEST_F(Pages, the_exercises_stand_in_groups_teeth_before_blocks) {
   const Account lena = records.student("1", "Lena Brandt");
   ExercisesPage page(records.store(), lena.actor(), pictures, {});
