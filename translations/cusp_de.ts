@@ -6876,6 +6876,18 @@
             <numerusform>%n Übungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Another file is still being written or read.</source>
+        <translation>Eine andere Datei wird noch geschrieben oder gelesen.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Noch einmal speichern</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LogModel</name>
@@ -8106,6 +8118,10 @@
             <numerusform>%n Person</numerusform>
             <numerusform>%n Personen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>You change your own password under your name at the top.</source>
+        <translation>Ihr eigenes Passwort ändern Sie oben unter Ihrem Namen.</translation>
     </message>
 </context>
 <context>
