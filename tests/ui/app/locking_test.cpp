@@ -41,6 +41,17 @@ struct Locking : ::testing::Test {
     desktop->show();
     desktop->sign_in(who);
   }
+  /// Signs an instructor in and opens the editor with a draft that is not saved yet.
+  Account edit_a_draft() {
+    const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+    sign_in(berg);
+    EditorStart start;
+    start.draft = *load_builtin("channel-1");
+    start.draft.id = ScenarioId::make();
+    start.draft.key.clear();
+    desktop->edit(start);
+    return berg;
+  }
   PeopleImport* make_accounts() {
     QFile list(folder.filePath(QStringLiteral("list.csv")));
     EXPECT_TRUE(list.open(QIODevice::WriteOnly));
@@ -115,13 +126,7 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
 }
 
 TEST_F(Locking, waits_for_a_draft_that_cannot_be_saved) {
-  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
-  sign_in(berg);
-  EditorStart start;
-  start.draft = *load_builtin("channel-1");
-  start.draft.id = ScenarioId::make();
-  start.draft.key.clear();
-  desktop->edit(start);
+  const Account berg = edit_a_draft();
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
   // Refused as on a full disk, but at once.
@@ -152,13 +157,7 @@ TEST_F(Locking, closes_the_dialogs_of_whoever_was_signed_out) {
 }
 
 TEST_F(Locking, does_not_say_that_a_running_audit_is_kept) {
-  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
-  sign_in(berg);
-  EditorStart start;
-  start.draft = *load_builtin("channel-1");
-  start.draft.id = ScenarioId::make();
-  start.draft.key.clear();
-  desktop->edit(start);
+  edit_a_draft();
   ASSERT_TRUE(QTest::qWaitFor([&] { return desktop->findChild<AuditPage*>() != nullptr; }, kPatientMs));
   for (QPushButton* one : desktop->findChild<AuditPage*>()->findChildren<QPushButton*>())
     if (one->text().trimmed() == QStringLiteral("Measure")) one->click();

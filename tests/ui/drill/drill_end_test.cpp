@@ -81,6 +81,13 @@ class DrillEnd : public testing::Test {
     let_driver_go();
     screen.reset();
   }
+  void begin_recorded(DeskRecords& records) {
+    SessionPlan kept = plan();
+    kept.kind = SessionKind::practice;
+    kept.database = records.file();
+    kept.student = records.student("20267314", "Lena Brandt").actor();
+    begin(std::move(kept));
+  }
   void let_driver_go() {
     hand->stuck = false;
     hand->stuck.notify_all();
@@ -298,11 +305,7 @@ TEST_F(DrillEnd, the_time_limit_of_an_assessment_ends_it_under_an_open_question)
 
 TEST_F(DrillEnd, leaving_keeps_the_window_alive_while_the_last_second_waits_for_the_disk) {
   DeskRecords records;
-  SessionPlan kept = plan();
-  kept.kind = SessionKind::practice;
-  kept.database = records.file();
-  kept.student = records.student("20267314", "Lena Brandt").actor();
-  begin(std::move(kept));
+  begin_recorded(records);
   QSignalSpy left(screen.get(), &DrillScreen::left);
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
@@ -318,11 +321,7 @@ TEST_F(DrillEnd, leaving_keeps_the_window_alive_while_the_last_second_waits_for_
 
 TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is_lost) {
   DeskRecords records;
-  SessionPlan kept = plan();
-  kept.kind = SessionKind::practice;
-  kept.database = records.file();
-  kept.student = records.student("20267314", "Lena Brandt").actor();
-  begin(std::move(kept));
+  begin_recorded(records);
   QSignalSpy finished(screen.get(), &DrillScreen::finished), failed(screen.get(), &DrillScreen::failed);
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
@@ -353,11 +352,7 @@ TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is
 
 TEST_F(DrillEnd, leaving_an_attempt_whose_record_is_refused_names_what_goes) {
   DeskRecords records;
-  SessionPlan kept = plan();
-  kept.kind = SessionKind::practice;
-  kept.database = records.file();
-  kept.student = records.student("20267314", "Lena Brandt").actor();
-  begin(std::move(kept));
+  begin_recorded(records);
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
   ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON trace_chunks BEGIN SELECT RAISE(FAIL, 'refused'); END"));
