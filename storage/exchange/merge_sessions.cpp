@@ -265,6 +265,12 @@ void merge_statements(Merge& merge) {
     if (!merge.ok()) return;
     merge_statement(merge, statement);
   }
+  // An older program put statements of several stations in another order: their results follow anew.
+  const auto of_several = merge.taken(merge.db().all(
+      "SELECT DISTINCT m.session FROM source.statements s JOIN main.statements m INDEXED BY statements_of_session ON m.session = s.session "
+      "WHERE m.station <> s.station",
+      [](Row row) { return row.id<SessionId>(0); }));
+  for (const SessionId session : of_several) follow_event(merge.transaction, session);
 }
 
 }  // namespace cusp::storage

@@ -21,16 +21,26 @@ std::vector<SignedStatement> newest_overrides(const std::vector<SignedStatement>
   return out;
 }
 
-/// Sequence of the last statement that changed the result: an override, or the withdrawal of one.
-std::int64_t last_change(const std::vector<SignedStatement>& statements) {
-  std::int64_t last = -1;
-  for (const SignedStatement& s : statements) {
-    const bool takes_back = s.kind == StatementKind::withdrawal && std::ranges::any_of(statements, [&](const SignedStatement& o) {
-                              return o.id == s.withdraws && overrides(o);
-                            });
-    if (overrides(s) || takes_back) last = std::max(last, s.sequence);
+/// Whether the statement changed the result: an override, or the withdrawal of one.
+bool changes_result(const SignedStatement& s, const std::vector<SignedStatement>& all) {
+  return overrides(s) || (s.kind == StatementKind::withdrawal &&
+                          std::ranges::any_of(all, [&](const SignedStatement& o) { return o.id == s.withdraws && overrides(o); }));
+}
+
+/// The newest one in force of this grade that follows each change of the result, and was made where each was known: a greater
+/// sequence says so.
+std::optional<SignedStatement> confirmation_of(const std::vector<SignedStatement>& all, const std::vector<SignedStatement>& standing, int grade) {
+  std::optional<SignedStatement> out;
+  std::int64_t changed = -1;
+  for (const SignedStatement& s : all) {
+    if (changes_result(s, all)) {
+      changed = std::max(changed, s.sequence);
+      out.reset();
+    }
+    const bool confirms = s.kind == StatementKind::confirmation && s.grade == grade && s.sequence > changed;
+    if (confirms && std::ranges::find(standing, s.id, &SignedStatement::id) != standing.end()) out = s;
   }
-  return last;
+  return out;
 }
 
 void apply(const SignedStatement& s, Grade& grade) {
@@ -71,10 +81,7 @@ std::optional<EffectiveGrade> effective_grade(const std::vector<StoredGrade>& gr
     out.grade.score = score_of(out.stored.grade, out.grade);
     out.grade.passed = scenarios::reaches(out.grade.score, out.grade.pass_mark) && out.grade.critical.empty();
   }
-  const std::int64_t changed = last_change(statements);
-  for (const SignedStatement& s : standing) {
-    if (s.kind == StatementKind::confirmation && s.grade == out.stored.number && s.sequence > changed) out.confirmation = s;
-  }
+  out.confirmation = confirmation_of(statements, standing, out.stored.number);
   out.release = release_of(statements);
   return out;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <tuple>
 
 #include "storage/base/sodium.h"
 
@@ -55,7 +57,34 @@ Read read_statement(Row row) {
   if (!row.is_null(10) && !row.is_null(11) && !row.is_null(12)) s.place_mm = Vec3(row.real(10), row.real(11), row.real(12));
   if (!row.is_null(13)) s.withdraws = row.uuid(13);
   if (!row.is_null(14)) s.text = row.text(14);
+  s.station = row.uuid(15);
   return out;
+}
+
+/// Numbers of two stations tell nothing of their order, and a clock that was set back nothing of one station's. `statements`: by sequence.
+void put_in_order(std::vector<SignedStatement>& statements) {
+  struct Placed {
+    std::int64_t at_utc_us = 0;
+    SignedStatement statement;
+  };
+  std::map<Uuid, std::int64_t> latest;
+  std::vector<Placed> placed;
+  for (SignedStatement& s : statements) {
+    std::int64_t& at = latest.try_emplace(s.station, s.at_utc_us).first->second;
+    at = std::max(at, s.at_utc_us);
+    placed.push_back({at, std::move(s)});
+  }
+  std::ranges::sort(placed, {}, [](const Placed& p) { return std::tuple(p.at_utc_us, p.statement.sequence, p.statement.id); });
+  for (std::size_t i = 0; i < placed.size(); ++i) statements[i] = std::move(placed[i].statement);
+}
+
+/// The clock of this station may be behind that of another whose statements were read in.
+std::int64_t time_of_next(StorageContext& context, Transaction& transaction, SessionId session) {
+  const std::int64_t now = context.clock();
+  return std::max(now, transaction
+                           .first("SELECT coalesce(max(at), ?2) FROM statements INDEXED BY statements_of_session WHERE session = ?1",
+                                  [](Row row) { return row.integer(0); }, session, now)
+                           .value_or(now));
 }
 
 /// Inserts the columns that the signature covers.
@@ -85,7 +114,7 @@ std::string_view key_of(StatementKind kind) noexcept { return kKinds[static_cast
 Stored<std::vector<SignedStatement>> statements_of(Database& db, SessionId session) {
   const auto rows = db.all(
       "SELECT s.id, s.session, s.author, s.at, s.sequence, s.kind, s.grade, s.criterion, s.points, s.tick, s.where_x_mm, "
-      "s.where_y_mm, s.where_z_mm, s.withdraws, t.text FROM statements s INDEXED BY statements_of_session "
+      "s.where_y_mm, s.where_z_mm, s.withdraws, t.text, s.station FROM statements s INDEXED BY statements_of_session "
       "LEFT JOIN statement_texts t ON t.statement = s.id WHERE s.session = ?1 ORDER BY s.sequence",
       read_statement, session);
   if (!rows) return std::unexpected(rows.error());
@@ -93,6 +122,7 @@ Stored<std::vector<SignedStatement>> statements_of(Database& db, SessionId sessi
   for (const Read& row : *rows) {
     if (row.kind) statements.push_back(row.statement);
   }
+  put_in_order(statements);
   return statements;
 }
 
@@ -112,7 +142,8 @@ void insert_statement(StorageContext& context, Transaction& transaction, SignedS
   if (!context.key) return transaction.refuse({StorageError::read_only, context.db.file().string()});
   ready_sodium();
   statement.id = Uuid::v7();
-  statement.at_utc_us = context.clock();
+  statement.station = context.station;
+  statement.at_utc_us = time_of_next(context, transaction, statement.session);
   statement.sequence = context.next_sequence(transaction);
   Hash256 salt{};
   std::optional<Hash256> hash;

@@ -28,9 +28,10 @@ std::string_view key_of(StatementKind kind) noexcept;
 struct SignedStatement {
   Uuid id{};
   SessionId session{};
+  Uuid station{};  // where it was made
   UserId author{};
-  std::int64_t at_utc_us = 0;
-  std::int64_t sequence = 0;  // the station's
+  std::int64_t at_utc_us = 0;  // not before the statements about the session that were known there
+  std::int64_t sequence = 0;   // the station's; greater than those of all statements that were known there
   StatementKind kind = StatementKind::comment;
   std::optional<int> grade{};      // number of the grade that it speaks of
   std::string criterion{};         // of an override: the criterion's id, or the critical event
@@ -41,7 +42,8 @@ struct SignedStatement {
   std::string text{};  // comment or reason; empty if erased
 };
 
-/// Oldest first. A row of an unknown kind is left out: the verifier reports it.
+/// Oldest first: those of one station by their sequence, those of several by their time, then by sequence and id. A time counts as
+/// the station's latest so far. A row of an unknown kind is left out: the verifier reports it.
 Stored<std::vector<SignedStatement>> statements_of(Database& db, SessionId session);
 /// Without withdrawals and what they take back; oldest first.
 std::vector<SignedStatement> in_force(const std::vector<SignedStatement>& statements);
