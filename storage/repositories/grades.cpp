@@ -26,8 +26,7 @@ std::string calibration_of(Transaction& transaction, SessionId session) {
 
 /// Links the volume, unless the session has one.
 void keep_volume(Transaction& transaction, ChainWriter& chain, SessionId session, const FinalVolume& volume, const TraceEnd& end) {
-  const auto kept = transaction.first("SELECT 1 FROM final_volumes WHERE session = ?1", [](Row) { return true; }, session);
-  if (!transaction.ok() || kept) return;
+  if (keeps_volume(transaction, session) || !transaction.ok()) return;
   if (volume.tick != end.tick) return transaction.refuse({StorageError::wrong_state, "final_volumes", session.text()});
   insert_final_volume(transaction, session, volume);
   chain.add(SessionTable::final_volumes, 0, end.second());

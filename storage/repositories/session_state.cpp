@@ -103,6 +103,10 @@ std::uint64_t insert_event(StorageContext& context, Transaction& transaction, Se
   return row;
 }
 
+bool keeps_volume(Transaction& transaction, SessionId session) {
+  return transaction.first("SELECT 1 FROM final_volumes WHERE session = ?1", [](Row) { return true; }, session).value_or(false);
+}
+
 void insert_final_volume(Transaction& transaction, SessionId session, const FinalVolume& volume) {
   transaction.run("INSERT INTO final_volumes (session, row, tick, volume_hash, cuts) VALUES (?1, 0, ?2, ?3, ?4)",
                   session, volume.tick, volume.hash, pack(volume.cuts));

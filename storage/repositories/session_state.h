@@ -35,6 +35,7 @@ inline constexpr const char* kSelectThinnedEnd =
 /// Inserts the row and returns its number. The caller links it.
 std::uint64_t insert_event(StorageContext& context, Transaction& transaction, SessionId session, EventKind kind,
                            const std::string& reason, const TraceEnd& end);
+bool keeps_volume(Transaction& transaction, SessionId session);
 /// Inserts the session's only volume, as row 0. The caller links it.
 void insert_final_volume(Transaction& transaction, SessionId session, const FinalVolume& volume);
 

@@ -157,6 +157,9 @@ Stored<void> Sessions::add_event(SessionId session, EventKind kind, const std::s
                 kind == EventKind::resumed  ? Need::interrupted
                 : kind == EventKind::closed ? Need::not_running
                                             : Need::running);
+  if (kind == EventKind::resumed && keeps_volume(transaction, session)) {
+    transaction.refuse({StorageError::wrong_state, "volume_kept", session.text()});
+  }
   const TraceEnd end = trace_end(transaction, session);
   ChainWriter chain(c_, transaction, session);
   if (volume != nullptr) {

@@ -133,7 +133,8 @@ Stored<std::optional<KeyState>> Traces::key_state_before(SessionId session, std:
 
 Stored<std::optional<FinalVolume>> Traces::final_volume(SessionId session) {
   const auto found = c_.db.first(
-      "SELECT tick, volume_hash, cuts FROM final_volumes WHERE session = ?1",
+      "SELECT tick, volume_hash, cuts FROM final_volumes v WHERE session = ?1 AND NOT EXISTS (SELECT 1 FROM trace_chunks c "
+      "WHERE c.session = ?1 AND c.row = (SELECT max(row) FROM trace_chunks WHERE session = ?1) AND c.first_tick + c.inputs - 1 > v.tick)",
       [](Row row) { return std::pair{FinalVolume{{}, row.u64(1), row.u64(0)}, unpack(row.bytes(2))}; }, session);
   if (!found) return std::unexpected(found.error());
   if (!*found) return std::optional<FinalVolume>{};
@@ -141,6 +142,12 @@ Stored<std::optional<FinalVolume>> Traces::final_volume(SessionId session) {
   FinalVolume volume = (*found)->first;
   volume.cuts = std::move(*(*found)->second);
   return volume;
+}
+
+Stored<bool> Traces::keeps_volume(SessionId session) {
+  const auto found = c_.db.first("SELECT 1 FROM final_volumes WHERE session = ?1", [](Row) { return true; }, session);
+  if (!found) return std::unexpected(found.error());
+  return found->has_value();
 }
 
 }  // namespace cusp::storage

@@ -55,7 +55,10 @@ class Traces {
   Stored<std::vector<std::uint64_t>> key_state_ticks(SessionId session);
   /// The last of these at or before `tick`; nullopt if there is none.
   Stored<std::optional<KeyState>> key_state_before(SessionId session, std::uint64_t tick);
+  /// nullopt also if the kept one is of an earlier moment: an older program let such an attempt go on. A replay gives the last one.
   Stored<std::optional<FinalVolume>> final_volume(SessionId session);
+  /// Whether one is kept, of any moment: the session is then not resumed.
+  Stored<bool> keeps_volume(SessionId session);
 
  private:
   StorageContext& c_;

@@ -150,7 +150,7 @@ class History {
   /// The attempts of an assignment, by student, oldest first; without see_all_results the actor's own.
   Stored<std::vector<HistoryRow>> of_assignment(const Actor& actor, AssignmentId assignment);
   /// Interrupted sessions of this student on this station, newest first, without a grade and recorded by this engine version. Each can be
-  /// resumed on a device of the row's class, or graded as it stands.
+  /// graded as it stands, and resumed on a device of the row's class unless it keeps a volume.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
   /// The student's graded attempts at a scenario with one device class that have an own assessment which was not skipped; oldest first.

@@ -113,6 +113,15 @@ void add_key_state_row(Store& store, SessionId session, const KeyState& state) {
   must(transaction.commit());
 }
 
+void keep_volume_row(Store& store, SessionId session, const FinalVolume& volume) {
+  Transaction transaction(store.database());
+  insert_final_volume(transaction, session, volume);
+  ChainWriter chain(store.context(), transaction, session);
+  chain.add(SessionTable::final_volumes, 0, trace_end(transaction, session).second());
+  chain.finish();
+  must(transaction.commit());
+}
+
 void add_old_grade(Store& store, SessionId session, const Grade& grade) {
   StorageContext& context = store.context();
   Transaction transaction(store.database());

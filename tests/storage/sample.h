@@ -61,6 +61,8 @@ NewSession new_session(const Account& student, const ScenarioVersion& version);
 RecordedSecond second_from(std::uint64_t first_tick, std::size_t count = 12);
 /// A row of key_states at the end of the trace, chained, as older programs wrote them.
 void add_key_state_row(Store& store, SessionId session, const KeyState& state);
+/// The final volume of a session that has not finished, chained, as older programs wrote it before the grade.
+void keep_volume_row(Store& store, SessionId session, const FinalVolume& volume);
 /// A grade as programs before schema 13 wrote it: each criterion a row of `criteria` with an entry of its own in the chain.
 void add_old_grade(Store& store, SessionId session, const Grade& grade);
 /// A row of the table `comments`, sealed, as older programs wrote it, at tick 12.

@@ -233,6 +233,37 @@ TEST_F(SessionsTest, an_interrupted_attempt_whose_grade_was_not_kept_is_resumed_
   must(store->sessions.finish(id, volume_after(24), "student"));
 }
 
+TEST_F(SessionsTest, an_interrupted_attempt_that_keeps_a_volume_is_graded_and_not_resumed) {
+  const SessionId id = start();
+  must(store->traces.append(id, second_from(1)));
+  must(store->sessions.interrupt(id, "recorder_full"));
+  keep_volume_row(*store, id, volume_after(12));
+  EXPECT_TRUE(must(store->traces.keeps_volume(id)));
+  const auto resumed = store->sessions.resume(id, "student");
+  ASSERT_EQ(code_of(resumed), StorageError::wrong_state);
+  EXPECT_EQ(resumed.error().where, "volume_kept");
+  EXPECT_EQ(must(store->sessions.state(id)), SessionState::interrupted);
+  const FinalVolume volume = volume_after(12);
+  must(store->grades.save(id, small_grade(), {}, std::nullopt, &volume));
+  EXPECT_EQ(must(store->traces.final_volume(id))->tick, 12u);
+  EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
+}
+
+TEST_F(SessionsTest, a_volume_that_the_recording_goes_beyond_is_not_the_final_one) {
+  const SessionId id = start();
+  must(store->traces.append(id, second_from(1)));
+  must(store->sessions.interrupt(id, "recorder_full"));
+  must(store->sessions.resume(id, "student"));
+  must(store->traces.append(id, second_from(13)));
+  must(store->sessions.interrupt(id, "process_gone"));
+  keep_volume_row(*store, id, volume_after(12));
+  EXPECT_FALSE(must(store->traces.final_volume(id)));
+  const FinalVolume volume = volume_after(24);
+  must(store->grades.save(id, small_grade(), {}, std::nullopt, &volume));
+  EXPECT_EQ(must(store->sessions.state(id)), SessionState::graded);
+  EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
+}
+
 TEST_F(SessionsTest, one_starts_only_ones_own_and_only_what_is_there) {
   const Account other = make_student(*store, "2", "B");
   EXPECT_EQ(code_of(store->sessions.start(other.actor(), new_session(student, version))), StorageError::not_allowed);

@@ -30,6 +30,9 @@ QString why_not_on(InterruptedWay way, const HistoryRow& row, const std::string&
     return InterruptedCard::tr("It was cut with: %1. This station drills with: %2, so it cannot be continued here.")
         .arg(device_name(row.device_class), device_name(device_class));
   }
+  if (way == InterruptedWay::volume_kept) {
+    return InterruptedCard::tr("An older version of Cusp ended it without a grade, so it cannot be continued.");
+  }
   return InterruptedCard::tr("A scripted operator cut it, so it cannot be continued by hand.");
 }
 
@@ -40,6 +43,9 @@ Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::st
   if (!session) return std::unexpected(session.error());
   if (session->header.engine_version != kEngineVersion) return InterruptedWay::other_engine;
   if (session->operator_name != kUserOperator) return InterruptedWay::scripted;
+  const auto kept = store.traces.keeps_volume(row.session);
+  if (!kept) return std::unexpected(kept.error());
+  if (*kept) return InterruptedWay::volume_kept;
   return row.device_class == device_class ? InterruptedWay::resume : InterruptedWay::other_device;
 }
 

@@ -11,6 +11,7 @@ namespace cusp::ui {
 enum class InterruptedWay : std::uint8_t {
   resume,        // same student, engine version and device class
   other_device,  // can only be graded: this station has another device class
+  volume_kept,   // can only be graded: an older program has kept its volume, and a session has one
   scripted,      // can only be graded: a scripted operator cut it
   other_engine,  // neither: this engine cannot replay its inputs
 };

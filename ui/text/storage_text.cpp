@@ -157,6 +157,9 @@ Message describe_wrong_state(const StorageFailure& f) {
   if (f.where == "other_station") return {Text::tr("This attempt belongs to another station."), nothing_changed()};
   if (f.where == "thinned") return describe_thinned(f);
   if (f.where == "session") return {Text::tr("This attempt is being drilled in another window."), Text::tr("It opens as soon as it has ended.")};
+  if (f.where == "volume_kept") {
+    return {Text::tr("An older version of Cusp ended this attempt without a grade, so it cannot be continued."), Text::tr("It can be graded as it stands.")};
+  }
   if (f.where == "running") return {Text::tr("An attempt of this person still runs."), nothing_changed()};
   if (f.where == "grade") return {Text::tr("This attempt has no grade yet."), nothing_changed()};
   if (f.where == "released") return {Text::tr("This result is released already."), nothing_changed()};

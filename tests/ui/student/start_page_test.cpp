@@ -119,6 +119,16 @@ TEST_F(StartPageCards, an_interrupted_assessment_is_handed_in_and_shows_no_remov
   EXPECT_EQ(button(*card, QStringLiteral("Grade as it stands")), nullptr);
 }
 
+TEST_F(StartPageCards, an_interrupted_attempt_that_an_older_program_has_ended_is_graded_and_not_continued) {
+  const SessionId session = records.broken_attempt(lena, "paper-block");
+  ASSERT_TRUE(records.store().database().run("INSERT INTO final_volumes VALUES (?1, 0, 1, 1, x'00')", session));
+  const auto* card = page()->interrupted();
+  ASSERT_NE(card, nullptr);
+  EXPECT_EQ(button(*card, QStringLiteral("Continue")), nullptr);
+  EXPECT_EQ(card->primary()->text(), QStringLiteral("Grade as it stands"));
+  EXPECT_TRUE(texts_of(*card).contains(QStringLiteral("An older version of Cusp ended it"))) << texts_of(*card).toStdString();
+}
+
 TEST_F(StartPageCards, an_assessment_that_is_not_handed_in_keeps_its_exercise_from_practice) {
   EXPECT_FALSE(refusal("channel-1"));
   EXPECT_TRUE(page()->start_button()->isEnabled()) << "the next exercise is channel-1";
