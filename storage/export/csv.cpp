@@ -1,5 +1,6 @@
 #include "storage/export/csv.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -50,17 +51,36 @@ Stored<void> note(StorageContext& context, const Actor& actor, std::string_view 
   return AuditLog(context).add({.actor = actor.id, .action = action, .detail = std::to_string(lines)});
 }
 
-/// Needs export_results.
-Stored<std::vector<ExportRow>> dated_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter) {
-  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
-  auto rows = History(context).list(actor, filter);
-  if (!rows) return std::unexpected(rows.error());
-  auto dates = dates_of(context.db, *rows);
+Stored<std::vector<ExportRow>> dated(Database& db, std::vector<HistoryRow> rows) {
+  auto dates = dates_of(db, rows);
   if (!dates) return std::unexpected(dates.error());
   std::vector<ExportRow> out;
-  out.reserve(rows->size());
-  for (std::size_t i = 0; i < rows->size(); ++i) out.push_back({std::move((*rows)[i]), std::move((*dates)[i])});
+  out.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) out.push_back({std::move(rows[i]), std::move((*dates)[i])});
   return out;
+}
+
+/// How many were taken; nullopt: stopped.
+Stored<std::optional<std::size_t>> give_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter, const TakeRows& take) {
+  History history(context);
+  const Snapshot snapshot(context.db);
+  const auto all = history.count(actor, filter);
+  if (!all) return std::unexpected(all.error());
+  std::size_t given = 0, read = 0;
+  std::optional<HistoryKey> after;
+  do {
+    auto page = history.page(actor, filter, after, static_cast<int>(std::clamp<std::size_t>(*all - read, 1, kExportedAtOnce)));
+    if (!page) return std::unexpected(page.error());
+    const auto rows = dated(context.db, std::move(page->rows));
+    if (!rows) return std::unexpected(rows.error());
+    const auto taken = take(*rows, *all);
+    if (!taken) return std::unexpected(taken.error());
+    if (!*taken) return std::optional<std::size_t>{};
+    given += rows->size();
+    read = std::min(*all, read + kExportedAtOnce);
+    after = page->after;
+  } while (after && read < *all);
+  return std::optional(given);
 }
 
 constexpr std::string_view kDatesHead = ",finished_utc,cohort,opens_utc,due_utc";
@@ -121,20 +141,23 @@ std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of) {
   return out;
 }
 
-Stored<std::vector<ExportRow>> rows_to_export(StorageContext& context, const Actor& actor, const HistoryFilter& filter) {
-  auto rows = dated_rows(context, actor, filter);
-  if (!rows) return rows;
-  if (auto noted = note(context, actor, "history_exported", rows->size()); !noted)
-    return std::unexpected(noted.error());
-  return rows;
+Stored<std::optional<std::size_t>> export_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
+                                               const TakeRows& take) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
+  const auto taken = give_rows(context, actor, filter, take);
+  if (!taken || !*taken) return taken;
+  if (auto noted = note(context, actor, "history_exported", **taken); !noted) return std::unexpected(noted.error());
+  return taken;
 }
 
-std::string history_csv(std::span<const ExportRow> rows, const CsvOptions& options) {
-  std::string out =
-      begin(options,
-            "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
-            "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released" +
-                std::string(kDatesHead));
+std::string history_csv(std::span<const ExportRow> rows, CsvPart part, const CsvOptions& options) {
+  std::string out;
+  if (part == CsvPart::beginning) {
+    out = begin(options,
+                "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
+                "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released" +
+                    std::string(kDatesHead));
+  }
   for (const auto& [r, dates] : rows) {
     Line line(out);
     line.text(r.session.text())
@@ -163,16 +186,12 @@ std::string history_csv(std::span<const ExportRow> rows, const CsvOptions& optio
   return out;
 }
 
-Stored<CsvFile> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
-                                   const CsvOptions& options) {
-  const auto rows = rows_to_export(context, actor, filter);
-  if (!rows) return std::unexpected(rows.error());
-  return CsvFile{history_csv(*rows, options), rows->size()};
-}
-
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                     const CsvOptions& options) {
-  const auto rows = dated_rows(context, actor, filter);
+  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
+  auto found = History(context).list(actor, filter);
+  if (!found) return std::unexpected(found.error());
+  const auto rows = dated(context.db, std::move(*found));
   if (!rows) return std::unexpected(rows.error());
   std::string out =
       begin(options,

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,17 +40,17 @@ struct ExportRow {
   HistoryRow attempt;
   AttemptDates dates;
 };
-/// Sessions that match, newest first. Needs export_results; adds an entry to the audit log.
-Stored<std::vector<ExportRow>> rows_to_export(StorageContext& context, const Actor& actor, const HistoryFilter& filter);
+inline constexpr std::size_t kExportedAtOnce = 1000;  // rows
+/// Takes the next rows of `all`; false stops the export.
+using TakeRows = std::function<Stored<bool>(std::span<const ExportRow> rows, std::size_t all)>;
+/// Sessions that match, newest first, as of one moment, at most kExportedAtOnce in one call of `take`; without a session one call
+/// with no rows. Needs export_results; adds an entry to the audit log. Returns how many; nullopt: stopped, and no entry.
+Stored<std::optional<std::size_t>> export_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
+                                               const TakeRows& take);
+/// What history_csv() writes: a file's beginning has the names of the columns.
+enum class CsvPart : std::uint8_t { beginning, further };
 /// One line per session. Times are ISO 8601, UTC; opens_utc and due_utc are the assignment's.
-std::string history_csv(std::span<const ExportRow> rows, const CsvOptions& options = {});
-struct CsvFile {
-  std::string text;
-  std::size_t rows = 0;  // without the head
-};
-/// rows_to_export() as CSV.
-Stored<CsvFile> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
-                                   const CsvOptions& options = {});
+std::string history_csv(std::span<const ExportRow> rows, CsvPart part, const CsvOptions& options = {});
 /// One line per criterion of the newest grade of each session that matches. Needs export_results; adds an entry.
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                     const CsvOptions& options = {});

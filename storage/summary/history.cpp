@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "storage/repositories/title.h"
@@ -104,6 +105,14 @@ Stored<std::vector<HistoryRow>> History::list(const Actor& actor, const HistoryF
     if (!more->after) return rows;
     after = more->after;
   }
+}
+
+Stored<std::size_t> History::count(const Actor& actor, const HistoryFilter& filter) {
+  const auto narrowed = readable(actor, filter);
+  if (!narrowed) return std::unexpected(narrowed.error());
+  const auto keys = keys_of_page(c_.db, *narrowed, std::nullopt, filter.limit < 0 ? std::numeric_limits<int>::max() : filter.limit);
+  if (!keys) return std::unexpected(keys.error());
+  return keys->size();
 }
 
 Stored<Figures> History::figures(const Actor& actor, const HistoryFilter& filter) {

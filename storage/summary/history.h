@@ -133,6 +133,8 @@ class History {
                            int limit);
   /// All pages, or filter.limit rows of them. Newest first.
   Stored<std::vector<HistoryRow>> list(const Actor& actor, const HistoryFilter& filter = {});
+  /// How many list() would give.
+  Stored<std::size_t> count(const Actor& actor, const HistoryFilter& filter);
   /// Of the graded sessions that fit.
   Stored<Figures> figures(const Actor& actor, const HistoryFilter& filter = {});
   /// Of the graded ones among the newest kMostByCriterion sessions that fit, with the points that count; the hardest criterion first.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "storage/base/clock.h"
 #include "tests/modules.h"
@@ -12,6 +13,14 @@
 namespace cusp::test {
 namespace {
 
+std::string exported_text(Store& store, const Actor& actor, const CsvOptions& options = {}) {
+  std::string text;
+  must(export_rows(store.context(), actor, {}, [&](std::span<const ExportRow> rows, std::size_t) -> Stored<bool> {
+    text += history_csv(rows, text.empty() ? CsvPart::beginning : CsvPart::further, options);
+    return true;
+  }));
+  return text;
+}
 
 TEST(CsvCells, text_is_quoted_as_rfc_4180_asks) {
   EXPECT_EQ(csv_text("plain"), "plain");
@@ -55,18 +64,15 @@ TEST(CsvExport, the_history_is_one_line_a_session) {
   const Account student = make_student(*store, "=20267314", "Brandt, \"Lena\"");
   const SessionId id = complete_session(*store, student, keep(*store), 40, false);
   const Actor admin = make_administrator(*store).actor();
-  const CsvFile csv = must(export_history(store->context(), admin, {}, {.language = "de"}));
-  EXPECT_EQ(csv.rows, 1u);
   EXPECT_EQ(
-      csv.text,
+      exported_text(*store, admin, {.language = "de"}),
       "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,device_class,"
       "go,duration_s,state,score,score_max,pass_mark,passed,critical,assignment,released,"
       "finished_utc,cohort,opens_utc,due_utc\r\n" +
           id.text() +
           ",2026-11-20T09:14:03Z,'=20267314,\"Brandt, \"\"Lena\"\"\",Gerader Kanal,channel-1,1,practice,person,"
           "Mouse and keys,pointer,1,3.000024,graded,40,100,70,0,pulp_exposure,,1,2026-11-20T09:14:03Z,,,\r\n");
-  EXPECT_TRUE(
-      must(export_history(store->context(), admin, {}, {.byte_order_mark = true})).text.starts_with("\xEF\xBB\xBFsession"));
+  EXPECT_TRUE(exported_text(*store, admin, {.byte_order_mark = true}).starts_with("\xEF\xBB\xBFsession"));
   EXPECT_EQ(must(store->audit.list(admin, 1))[0].action, "history_exported");
 }
 
@@ -95,7 +101,10 @@ struct ExportOfCohorts : ::testing::Test {
   }
   std::vector<SessionId> exported(const HistoryFilter& filter) {
     std::vector<SessionId> ids;
-    for (const ExportRow& row : must(rows_to_export(store->context(), instructor, filter))) ids.push_back(row.attempt.session);
+    must(export_rows(store->context(), instructor, filter, [&](std::span<const ExportRow> rows, std::size_t) -> Stored<bool> {
+      for (const ExportRow& row : rows) ids.push_back(row.attempt.session);
+      return true;
+    }));
     return ids;
   }
 };
@@ -106,7 +115,7 @@ TEST_F(ExportOfCohorts, a_row_names_assignment_release_cohort_and_dates) {
   const SessionId id = sit(exam, "4711");
   const std::string start = ',' + exam.id.text() + ",0,", cohort = "\"'=Year 2, group \"\"A\"\"\"",
                     dates = ",2026-11-20T08:14:03Z,2026-11-21T09:14:03Z\r\n";
-  const auto text = [&] { return must(export_history(store->context(), instructor, {})).text; };
+  const auto text = [&] { return exported_text(*store, instructor); };
   EXPECT_TRUE(text().ends_with(start + ',' + cohort + dates)) << "not finished: " << text();
   must(store->traces.append(id, second_from(1)));
   *now += kHourUs;
@@ -117,7 +126,7 @@ TEST_F(ExportOfCohorts, a_row_names_assignment_release_cohort_and_dates) {
 TEST_F(ExportOfCohorts, an_assignment_without_dates_leaves_them_empty) {
   const Assignment practice = must(store->assignments.create(instructor, {.version = version.id, .cohort = year_2}));
   sit(practice);
-  const std::string text = must(export_history(store->context(), instructor, {})).text;
+  const std::string text = exported_text(*store, instructor);
   EXPECT_TRUE(text.ends_with(practice.id.text() + ",1,,\"'=Year 2, group \"\"A\"\"\",,\r\n")) << text;
 }
 
@@ -157,12 +166,34 @@ TEST(CsvExport, criteria_are_one_line_each_and_what_was_not_measured_stays_empty
                 "floor_depth_max,1,2.41,0.03,mm,fail,4,10,too_deep,2026-11-20T09:14:03Z,,,\r\n");
 }
 
+TEST(CsvExport, many_attempts_come_piece_by_piece_and_a_stopped_export_leaves_no_entry) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  const Account student = make_student(*store);
+  const ScenarioVersion version = keep(*store);
+  for (std::size_t i = 0; i < kExportedAtOnce + 2; ++i) must(store->sessions.start(student.actor(), new_session(student, version)));
+  const Actor admin = make_administrator(*store).actor();
+  std::vector<std::size_t> pieces;
+  const auto take = [&](std::span<const ExportRow> rows, std::size_t all) -> Stored<bool> {
+    EXPECT_EQ(all, kExportedAtOnce + 2);
+    pieces.push_back(rows.size());
+    return pieces.size() != 3;
+  };
+  EXPECT_EQ(must(export_rows(store->context(), admin, {}, take)), kExportedAtOnce + 2);
+  EXPECT_EQ(pieces, (std::vector<std::size_t>{kExportedAtOnce, 2}));
+  EXPECT_EQ(must(store->audit.list(admin, 1))[0].detail, std::to_string(kExportedAtOnce + 2));
+  const std::int64_t entries = must(store->audit.list(admin, 1))[0].number;
+  EXPECT_FALSE(must(export_rows(store->context(), admin, {}, take)));
+  EXPECT_EQ(pieces.size(), 3u);
+  EXPECT_EQ(must(store->audit.list(admin, 1))[0].number, entries);
+}
+
 TEST(CsvExport, a_student_exports_nothing) {
   const Folder folder;
   const auto store = open(folder / "a.db");
   const Actor student = make_student(*store).actor();
-  EXPECT_EQ(code_of(export_history(store->context(), student, {})), StorageError::not_allowed);
-  EXPECT_EQ(code_of(rows_to_export(store->context(), student, {})), StorageError::not_allowed);
+  const auto rows = export_rows(store->context(), student, {}, [](std::span<const ExportRow>, std::size_t) -> Stored<bool> { return true; });
+  EXPECT_EQ(code_of(rows), StorageError::not_allowed);
   EXPECT_EQ(code_of(export_criteria(store->context(), student, {})), StorageError::not_allowed);
 }
 

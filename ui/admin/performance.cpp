@@ -29,7 +29,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kStackBelow = 1040;       // px at 100 %, of the page
+constexpr int kNarrowBelow = 1040;       // px at 100 %, of the page
 constexpr double kFrom = 40;    // points: least value of the axis unless somebody has fewer
 constexpr int kMostSorted = 5000;  // attempts that another order than the newest first is made of: fetched in 0.2 s
 constexpr int kMostDots = 300;  // attempts drawn one by one
@@ -65,6 +65,7 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   body->addWidget(make_filters());
   band_ = new Band;
   body->addWidget(band_);
+  body->addWidget(make_progress());
   body->addWidget(make_figures());
   body->addLayout(make_charts());
   criteria_ = new CriteriaCard;
@@ -382,7 +383,7 @@ void Performance::show_learning(const Figures& f) {
 
 void Performance::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  const bool narrow = width() < px(kStackBelow);
+  const bool narrow = width() < px(kNarrowBelow);
   charts_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   for (int i = 0; i < kFigures; ++i) {
     figures_->addWidget(figure_[i]->parentWidget(), narrow ? i / 2 : 0, narrow ? i % 2 : i);

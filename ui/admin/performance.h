@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <optional>
 
 #include "storage/store.h"
+#include "ui/admin/export_work.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
@@ -17,10 +19,12 @@ class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 class QStackedWidget;
+class QTimer;
 
 namespace cusp::ui {
 
 class Band;
+class Busy;
 class Chart;
 class Card;
 class CriteriaCard;
@@ -46,10 +50,13 @@ class Performance : public QWidget, public Rereads {
   QComboBox* result() const { return result_; }
   CriteriaCard* criteria() const { return criteria_; }
   QComboBox* period() const { return period_; }
+  bool exporting() const { return progress_ != nullptr; }
 
  public Q_SLOTS:
   void read();
+  /// Asks for the file, then writes what the filters leave in the background.
   void export_csv();
+  void cancel_export();
   /// Asks for the file of an appeal pack.
   void choose_pack();
 
@@ -65,6 +72,7 @@ class Performance : public QWidget, public Rereads {
   QWidget* make_figures();
   QBoxLayout* make_charts();
   QWidget* make_table();
+  QWidget* make_progress();
   void fill_filters();
   std::vector<QComboBox*> choices() const { return {exercise_, version_, cohort_, who_, kind_, result_, device_, period_}; }
   /// The versions of the chosen exercise.
@@ -75,6 +83,9 @@ class Performance : public QWidget, public Rereads {
   /// The target of the filter's exercise in its version, else in its newest one that can be read; for the titles of several.
   Region target_of(const HistoryFilter& shown);
   void show_failure(const StorageFailure& failure);
+  void export_to(const QString& path, const HistoryFilter& shown);
+  void show_progress();
+  void show_exported(const Stored<std::optional<std::size_t>>& rows);
   void show_numbers(const Figures& figures);
   void show_spread(const Figures& figures);
   void show_learning(const Figures& figures);
@@ -87,6 +98,11 @@ class Performance : public QWidget, public Rereads {
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
+  Busy* busy_ = nullptr;
+  QTimer* look_ = nullptr;
+  QString exported_to_;
+  std::shared_ptr<ExportProgress> progress_;  // of an export; null: none runs
+  BackgroundTask task_;
   QComboBox *exercise_ = nullptr, *version_ = nullptr, *cohort_ = nullptr, *who_ = nullptr, *kind_ = nullptr;
   QComboBox *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
   QLineEdit* search_ = nullptr;

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
 
 #include "storage/base/clock.h"
 #include "ui/cli/account.h"
 #include "ui/cli/gradebook.h"
+#include "ui/cli/interrupt.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/row_json.h"
 #include "ui/cli/text.h"
 #include "ui/cli/verb.h"
 #include "ui/modules.h"
+#include "ui/session/whole_file.h"
 #include "ui/text/language.h"
 
 namespace cusp::ui {
@@ -113,15 +117,26 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
   return filter;
 }
 
-/// False: could not be written; stderr has the message, or gets that of after_output().
-bool write_csv(const ExportOptions& o, const std::string& text) {
-  if (!o.csv_on_stdout()) {
-    if (write_whole(o.out, text)) return true;
-    failed(CliText::tr("%1 cannot be written.").arg(typed_text(o.out)));
-    return false;
+/// Where the CSV goes, piece by piece: nowhere if only JSON is wanted. False: could not be written; stderr has the message, or gets
+/// that of after_output().
+class CsvOutput {
+ public:
+  explicit CsvOutput(const ExportOptions& o) : name_{o.out}, on_stdout_{o.csv_on_stdout()} {
+    if (!on_stdout_ && !name_.empty()) file_.emplace(name_);
   }
-  return write_out(text);
-}
+  bool wanted() const { return on_stdout_ || file_; }
+  bool write(const std::string& piece) { return file_ ? settled(file_->write(piece)) : !on_stdout_ || write_out(piece); }
+  bool finish() { return !file_ || settled(file_->finish()); }
+
+ private:
+  bool settled(const Stored<void>& done) const {
+    if (!done) failed(CliText::tr("%1 cannot be written.").arg(typed_text(name_)));
+    return done.has_value();
+  }
+  std::string name_;
+  bool on_stdout_;
+  std::optional<WholeFile> file_;
+};
 
 int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
   const auto file = gradebook_of(store, actor,
@@ -133,10 +148,34 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
                                   .due = o.due,
                                   .cohort_typed = *o.cohort});
   if (!file) return failed(file.error());
-  if (!write_csv(o, file->text)) return kFailed;
+  CsvOutput csv(o);
+  if (!csv.write(file->text) || !csv.finish()) return kFailed;
   if (o.csv_on_stdout()) return kDone;
   print_line(plain(CliText::tr("%n result(s) exported.", nullptr, static_cast<int>(file->students))));
   if (file->withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file->withheld))));
+  return kDone;
+}
+
+int export_rows_of(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
+  const CsvOptions options{.language = current_language().toStdString()};
+  CsvOutput csv(o);
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  CsvPart part = CsvPart::beginning;
+  bool written = true;
+  catch_interrupt();
+  const auto rows = export_rows(store.context(), actor, filter, [&](std::span<const ExportRow> some, std::size_t) -> Stored<bool> {
+    if (csv.wanted()) written = csv.write(history_csv(some, std::exchange(part, CsvPart::further), options));
+    if (o.json.wanted()) {
+      for (const ExportRow& row : some) json.push_back(row_json(row));
+    }
+    return written && !interrupted();
+  });
+  if (!written) return kFailed;
+  if (!rows) return failed(describe(rows.error()));
+  if (!*rows) return failed(CliText::tr("Stopped. No file was written."));
+  if (!csv.finish() || (o.json.wanted() && !o.json.write(json))) return kFailed;
+  if (o.csv_on_stdout() || o.json.on_stdout()) return kDone;
+  print_line(plain(CliText::tr("%n attempt(s) exported.", nullptr, static_cast<int>(**rows))));
   return kDone;
 }
 
@@ -156,19 +195,7 @@ int export_attempts(const ExportOptions& o) {
   const auto filter = filter_in(**store, actor, o, *dates);
   if (!filter) return failed(filter.error());
   if (!o.gradebook.empty()) return export_for_gradebook(**store, actor, o, *filter);
-  const auto rows = rows_to_export((*store)->context(), actor, *filter);
-  if (!rows) return failed(describe(rows.error()));
-
-  const bool csv = !o.out.empty() || o.csv_on_stdout();
-  if (csv && !write_csv(o, history_csv(*rows, {.language = current_language().toStdString()}))) return kFailed;
-  if (o.json.wanted()) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const ExportRow& row : *rows) json.push_back(row_json(row));
-    if (!o.json.write(json)) return kFailed;
-  }
-  if (o.csv_on_stdout() || o.json.on_stdout()) return kDone;
-  print_line(plain(CliText::tr("%n attempt(s) exported.", nullptr, static_cast<int>(rows->size()))));
-  return kDone;
+  return export_rows_of(**store, actor, o, *filter);
 }
 
 /// An empty value is a value: add_option() would take it for none.

@@ -5,13 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/ids.h"
-#include "storage/base/files.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/session/whole_file.h"
 
 namespace cusp::ui {
 
@@ -22,12 +21,6 @@ int g_output_error = 0;
 
 void note_output_error() {
   if (g_output_error == 0) g_output_error = errno != 0 ? errno : EIO;
-}
-
-bool write_and_close(std::ofstream& out, const std::string& bytes) {
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  return !out.fail();
 }
 
 /// The number that all of the text is; nullopt: it is none, or the type does not hold it.
@@ -113,24 +106,8 @@ bool JsonOption::write(const nlohmann::ordered_json& value) const {
 }
 
 bool write_whole(const std::filesystem::path& file, const std::string& bytes) {
-  std::error_code error;
-  const std::filesystem::file_status there = std::filesystem::status(file, error);
-  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
-    std::ofstream out(file, std::ios::binary);
-    return write_and_close(out, bytes);
-  }
-  const std::filesystem::path real = behind_links(file);
-  std::filesystem::path beside = real;
-  beside += '.' + Uuid::v7().text();
-  std::ofstream out(beside, std::ios::binary);
-  // Before the content: others may not have leave to read it.
-  if (std::filesystem::exists(there)) std::filesystem::permissions(beside, there.permissions(), error);
-  if (write_and_close(out, bytes)) {
-    std::filesystem::rename(beside, real, error);
-    if (!error) return true;
-  }
-  std::filesystem::remove(beside, error);
-  return false;
+  WholeFile whole(file);
+  return whole.write(bytes) && whole.finish();
 }
 
 bool writable_folder(const std::filesystem::path& folder) {

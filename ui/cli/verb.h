@@ -66,8 +66,7 @@ struct JsonOption {
   bool write(const nlohmann::ordered_json& value) const;
 };
 
-/// Writes beside the file that the name leads to, and renames over it; a file that is there keeps its permissions. Writes straight
-/// to a pipe or a device. False: nothing is left.
+/// All of it as a WholeFile (ui/session/whole_file.h). False: nothing is left.
 bool write_whole(const std::filesystem::path& file, const std::string& bytes);
 /// Makes the folder at need; false when nothing can be written there.
 bool writable_folder(const std::filesystem::path& folder);

@@ -13,20 +13,28 @@ struct SaveText {
 
 }  // namespace
 
-void save_csv(Band& band, const Ports& ports, const CsvWish& wish) {
+FileWish csv_file_wish(const QString& title, const QString& name) {
   FileWish where;
-  where.title = wish.title;
-  where.name = wish.name + QStringLiteral(".csv");
+  where.title = title;
+  where.name = name + QStringLiteral(".csv");
   where.filter = SaveText::tr("CSV (*.csv)");
-  ports.pick_file(&band, where, [band = QPointer(&band), done = wish.done, bytes = QByteArray::fromStdString(wish.text)](const QString& path) {
+  return where;
+}
+
+void show_unwritten(Band& band, const QString& path, const QString& reason) {
+  band.show_message(Band::Kind::bad, SaveText::tr("The file was not written."),
+                    SaveText::tr("%1: %2. What was there before is unchanged.").arg(path, reason));
+}
+
+void save_csv(Band& band, const Ports& ports, const CsvWish& wish) {
+  ports.pick_file(&band, csv_file_wish(wish.title, wish.name), [band = QPointer(&band), done = wish.done, bytes = QByteArray::fromStdString(wish.text)](const QString& path) {
     if (!band) return;
     // QSaveFile renames at the end: a full disk leaves the old file.
     QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
       band->show_message(Band::Kind::good, done, path);
     } else {
-      band->show_message(Band::Kind::bad, SaveText::tr("The file was not written."),
-                         SaveText::tr("%1: %2. What was there before is unchanged.").arg(path, file.errorString()));
+      show_unwritten(*band, path, file.errorString());
     }
   });
 }

@@ -16,6 +16,11 @@ struct CsvWish {
   QString done;      // "12 attempts exported."
 };
 
+/// What the file picker asks for.
+FileWish csv_file_wish(const QString& title, const QString& name);
+/// That nothing was written: the path and the system's reason.
+void show_unwritten(Band& band, const QString& path, const QString& reason);
+
 /// The band shows `done` with the path, or why nothing was written.
 void save_csv(Band& band, const Ports& ports, const CsvWish& wish);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <atomic>
+#include <memory>
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
@@ -26,6 +29,12 @@
 
 namespace cusp::test {
 namespace {
+
+void export_whole(Performance& page) {
+  page.export_csv();
+  EXPECT_TRUE(page.exporting()) << "the window goes on meanwhile";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !page.exporting(); }));
+}
 
 TEST_F(AdminPages, each_row_of_the_learning_table_says_what_it_is) {
   for (const char* number : {"1", "2", "3"}) records.attempt(records.student(number, std::string("Student ") + number), "channel-1", 60, 400);
@@ -111,7 +120,7 @@ TEST_F(AdminPages, a_message_about_other_filters_goes_when_they_change) {
   file = folder.filePath(QStringLiteral("out.csv"));
   Performance page(records.store(), records.administrator().actor(), ports);
   page.show();
-  page.export_csv();
+  export_whole(page);
   const auto* band = page.findChild<Band*>();
   ASSERT_TRUE(band->isVisible());
   page.result()->setCurrentIndex(2);
@@ -138,7 +147,7 @@ TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   file = folder.filePath(QStringLiteral("out.csv"));
   Performance page(records.store(), records.administrator().actor(), ports);
   page.search()->setText(QStringLiteral("Lena"));
-  page.export_csv();
+  export_whole(page);
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray bytes = written.readAll();
@@ -146,6 +155,39 @@ TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   EXPECT_TRUE(bytes.contains(",finished_utc,cohort,opens_utc,due_utc\r\n"));
   EXPECT_TRUE(bytes.contains("Lena Brandt"));
   EXPECT_FALSE(bytes.contains("Noah Adler"));
+}
+
+TEST_F(AdminPages, a_file_that_cannot_be_written_is_named_with_the_reason_and_nothing_is_left) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 78, 100);
+  const QTemporaryDir folder;
+  file = folder.filePath(QStringLiteral("gone/out.csv"));
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  export_whole(page);
+  const auto* band = page.findChild<Band*>();
+  EXPECT_TRUE(band->text().contains(QStringLiteral("The file was not written."))) << band->text().toStdString();
+  EXPECT_TRUE(band->text().contains(file)) << band->text().toStdString();
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST_F(AdminPages, a_cancelled_export_leaves_the_file_that_was_there_and_no_other) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 78, 100);
+  const QTemporaryDir folder;
+  file = folder.filePath(QStringLiteral("out.csv"));
+  QFile before(file);
+  ASSERT_TRUE(before.open(QIODevice::WriteOnly));
+  before.write("before");
+  before.close();
+  const auto progress = std::make_shared<ExportProgress>();
+  progress->stop = true;
+  std::atomic<bool> stopped{false};
+  const BackgroundTask task = export_in_background(records_of(records.store()), records.administrator().actor(), {file.toStdString(), {}, {}}, progress,
+                                                   [&](const Stored<std::optional<std::size_t>>& rows) { stopped = rows && !*rows; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return task.over(); }));
+  EXPECT_TRUE(stopped);
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("out.csv")});
+  ASSERT_TRUE(before.open(QIODevice::ReadOnly));
+  EXPECT_EQ(before.readAll(), "before");
 }
 
 TEST_F(AdminPages, performance_narrows_to_a_cohort_a_version_and_students_or_staff) {
