@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "scenarios/grading/grade.h"
+
 namespace cusp::storage {
 namespace {
 
@@ -122,7 +124,8 @@ void FigureCount::add(const GradedAttempt& a) {
   ++counted_.attempts;
   counted_.passed += a.passed ? 1 : 0;
   const auto last = static_cast<double>(counted_.spread.size() - 1);
-  ++counted_.spread[static_cast<std::size_t>(std::clamp(std::floor(a.score / kSpreadPoints), 0.0, last))];
+  // A sum of criteria that passes (scenarios::reaches) stands on the mark's side of the bars.
+  ++counted_.spread[static_cast<std::size_t>(std::clamp(std::floor((a.score + scenarios::kScoreSlack) / kSpreadPoints), 0.0, last))];
   scores_.push_back(a.score);
   times_s_.push_back(static_cast<double>(a.elapsed_us) * 1e-6);
   if (by_attempt_.size() <= attempt) by_attempt_.resize(attempt + 1);

@@ -110,6 +110,14 @@ TEST(Spread, counts_every_attempt_once_also_at_the_ends) {
   EXPECT_EQ(f.spread[19], 1);
 }
 
+TEST(Spread, a_sum_that_passes_stands_on_the_mark_s_side) {
+  const double sum = 9.7 + 10.1 + 11.3 + 12.6 + 8.9 + 7.3 + 10.1;  // 69.99999999999999
+  ASSERT_LT(sum, 70);
+  const Figures f = figures_of({attempt(1, 1, sum), attempt(2, 1, 69.9)});
+  EXPECT_EQ(f.spread[14], 1);
+  EXPECT_EQ(f.spread[13], 1);
+}
+
 TEST(Learning, needs_three_students_for_a_median) {
   const auto points =
       figures_of({attempt(1, 1, 50), attempt(2, 1, 60), attempt(3, 1, 70), attempt(1, 2, 80), attempt(2, 2, 90)}).learning;
