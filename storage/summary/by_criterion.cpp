@@ -11,12 +11,13 @@ namespace {
 
 class CriterionCount {
  public:
-  void add(const std::string& id, double points, double points_max) {
-    CriterionFigures& c = by_id_[id];
-    c.id = id;
+  /// `whole`: what the criteria of its grade have together.
+  void add(const CriterionGrade& of_one, double whole) {
+    CriterionFigures& c = by_id_[of_one.id];
+    c.id = of_one.id;
     ++c.attempts;
-    c.full += points_max - points < kLeastShownLoss ? 1 : 0;
-    c.mean_share += points / points_max;
+    c.full += Grade{}.score_max * (of_one.points_max - of_one.points) / whole < kLeastShownLoss ? 1 : 0;
+    c.mean_share += of_one.points / of_one.points_max;
   }
   std::vector<CriterionFigures> figures() const {
     std::vector<CriterionFigures> out;
@@ -32,9 +33,12 @@ class CriterionCount {
   std::map<std::string, CriterionFigures> by_id_;
 };
 
+/// Points of evaluator 2 are of weights with any sum: a loss counts as it shows in the report, of 100.
 void add_all(const std::vector<CriterionGrade>& criteria, CriterionCount& count) {
+  double whole = 0;
+  for (const CriterionGrade& c : criteria) whole += std::max(0.0, c.points_max);
   for (const CriterionGrade& c : criteria) {
-    if (c.points_max > 0) count.add(c.id, c.points, c.points_max);
+    if (c.points_max > 0) count.add(c, whole);
   }
 }
 

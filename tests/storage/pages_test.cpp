@@ -165,6 +165,25 @@ TEST(Pages, by_criterion_count_the_points_that_stand_the_hardest_first) {
   EXPECT_TRUE(by_criterion(make_student(*store, "2", "Omar").actor()).empty()) << "of others nothing";
 }
 
+TEST(Pages, a_loss_that_the_report_of_an_old_grade_shows_is_not_full_points) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  const ScenarioVersion version = keep(*store);
+  const SessionId id = complete_session(*store, make_student(*store), version);
+  Grade old = small_grade();  // of evaluator 2, whose points are of weights
+  old.evaluator = "2";
+  for (CriterionGrade& c : old.criteria) c.points_max = 1;
+  old.criteria[0].points = 1;
+  old.criteria[1].points = 0.96;  // two points of 100 less
+  old.score = 98;
+  must(store->grades.save(id, old, {}));
+  const auto figures = must(store->history.by_criterion(make_instructor(*store).actor(), {.scenario = version.scenario}));
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[0].id, "floor_depth_max");
+  EXPECT_EQ(figures[0].full, 0);
+  EXPECT_EQ(figures[1].full, 1);
+}
+
 TEST(Pages, of_others_are_refused_to_a_student) {
   const Folder folder;
   const auto store = open(folder / "a.db");
