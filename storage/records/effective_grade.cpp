@@ -54,18 +54,25 @@ void apply(const SignedStatement& s, Grade& grade) {
   if (criterion->points >= criterion->points_max) criterion->reason_code = "full";
 }
 
-double points_of(const Grade& grade) {
+double sum_of(const Grade& grade, double CriterionGrade::* points) {
   double sum = 0;
-  for (const CriterionGrade& c : grade.criteria) sum += c.points;
+  for (const CriterionGrade& c : grade.criteria) sum += c.*points;
   return sum;
 }
 
-/// The criteria's sum, which no order of the overrides changes. Criteria of evaluator 2 have points of their weights and
-/// another sum than the score: there the change of the sum counts.
+/// The criteria's sum, which no order of the overrides changes. Criteria of evaluator 2 have points of their weights, and the score is
+/// their share of these. Where it is neither, the change of the sum counts.
 double score_of(const Grade& stored, const Grade& changed) {
-  const double before = points_of(stored), now = points_of(changed);
-  const bool is_sum = std::abs(stored.score - before) <= scenarios::kScoreSlack;
-  return std::clamp(is_sum ? now : stored.score + (now - before), 0.0, stored.score_max);
+  const double before = sum_of(stored, &CriterionGrade::points), now = sum_of(changed, &CriterionGrade::points);
+  const double weights = sum_of(stored, &CriterionGrade::points_max);
+  const auto is_score = [&](double score) { return std::abs(stored.score - score) <= scenarios::kScoreSlack; };
+  double score = stored.score + (now - before);
+  if (before > 0 && is_score(before)) {
+    score = now;
+  } else if (weights > 0 && is_score(stored.score_max * before / weights)) {
+    score = stored.score_max * now / weights;
+  }
+  return std::clamp(score, 0.0, stored.score_max);
 }
 
 }  // namespace

@@ -144,6 +144,30 @@ TEST_F(StatementsTest, seven_overrides_that_sum_to_the_mark_pass_in_grade_and_li
   expect_whole();
 }
 
+TEST(EffectiveGrades, an_override_of_a_weight_moves_the_score_by_its_share) {
+  StoredGrade stored;
+  stored.grade.evaluator = "2";
+  for (const auto& [id, points] : {std::pair{"width_0", 0.5}, std::pair{"width_1", 1.0}, std::pair{"width_2", 0.5}, std::pair{"width_3", 0.4}}) {
+    CriterionGrade c;
+    c.id = id;
+    c.points = points;
+    c.points_max = 1;
+    stored.grade.criteria.push_back(c);
+  }
+  stored.grade.score = 60;  // 2.4 of 4
+  SignedStatement s{.kind = StatementKind::override_points};
+  s.grade = stored.number;
+  s.criterion = "width_0";
+  s.points = 1;
+  const auto counts = effective_grade({stored}, {s});
+  ASSERT_TRUE(counts);
+  EXPECT_NEAR(counts->grade.score, 72.5, 1e-12) << "2.9 of 4";
+  EXPECT_TRUE(counts->grade.passed);
+  for (CriterionGrade& c : stored.grade.criteria) c.points = 0;
+  stored.grade.score = 0;
+  EXPECT_NEAR(effective_grade({stored}, {s})->grade.score, 25, 1e-12) << "from nothing";
+}
+
 TEST_F(StatementsTest, of_two_overrides_of_a_criterion_the_later_counts_and_a_withdrawal_brings_back_the_earlier) {
   const SessionId id = complete_session(*store, lena, version, 68);
   must(statements().override_points(instructor, id, "target_removed", 20, "Worn."));
