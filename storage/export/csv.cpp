@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "storage/records/effective_grade.h"
 #include "storage/repositories/audit_log.h"
-#include "storage/repositories/grades.h"
 
 namespace cusp::storage {
 namespace {
@@ -200,10 +200,13 @@ Stored<std::string> export_criteria(StorageContext& context, const Actor& actor,
                 std::string(kDatesHead));
   std::size_t lines = 0;
   for (const auto& [r, dates] : *rows) {
-    const auto grade = Grades(context).newest(r.session);
-    if (!grade) return std::unexpected(grade.error());
-    if (!*grade) continue;
-    for (const CriterionGrade& c : (*grade)->grade.criteria) {
+    const auto grades = grades_of(context.db, r.session);
+    if (!grades) return std::unexpected(grades.error());
+    const auto statements = statements_of(context.db, r.session);
+    if (!statements) return std::unexpected(statements.error());
+    const auto counts = effective_grade(*grades, *statements);
+    if (!counts) continue;
+    for (const CriterionGrade& c : counts->grade.criteria) {
       ++lines;
       const Measure& m = c.measure;
       Line line(out);

@@ -164,6 +164,9 @@ TEST(CsvExport, criteria_are_one_line_each_and_what_was_not_measured_stays_empty
             "points_max,reason_code,finished_utc,cohort,opens_utc,due_utc\r\n" +
                 start + "target_removed,0,,,%,ideal,18,20,full,2026-11-20T09:14:03Z,,,\r\n" + start +
                 "floor_depth_max,1,2.41,0.03,mm,fail,4,10,too_deep,2026-11-20T09:14:03Z,,,\r\n");
+  const Actor examiner = make_instructor(*store, "haas").actor();
+  must(store->statements.override_points(examiner, id, "floor_depth_max", 9, "Worn."));
+  EXPECT_TRUE(must(export_criteria(store->context(), examiner, {})).contains("mm,fail,9,10,"));
 }
 
 TEST(CsvExport, many_attempts_come_piece_by_piece_and_a_stopped_export_leaves_no_entry) {
