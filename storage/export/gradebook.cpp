@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "storage/repositories/accounts.h"
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/audit_log.h"
 #include "storage/repositories/scenarios.h"
@@ -25,7 +26,7 @@ Results results_of(const std::vector<HistoryRow>& rows) {
   Results out;
   std::map<std::string, bool> waits;
   for (const HistoryRow& row : rows) {
-    if (!row.score) continue;
+    if (!row.score || row.student_number == erased_number(row.student)) continue;
     if (!row.released) {
       waits[row.student_number] = true;
       continue;

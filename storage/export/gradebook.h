@@ -23,8 +23,8 @@ struct GradebookFile {
   std::size_t withheld = 0;  // whose only results wait for their release, and are left out
 };
 
-/// The best released result of each student. Who has none has no line: an empty cell would clear a grade there. Needs
-/// export_results; adds an entry to the audit log.
+/// The best released result of each student. Who has none has no line: an empty cell would clear a grade there. Nor has who
+/// was erased: the gradebook would not know the number. Needs export_results; adds an entry to the audit log.
 Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
                                        const CsvOptions& options = {});
 

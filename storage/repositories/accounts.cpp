@@ -233,6 +233,8 @@ void erase_texts_about(StorageContext& context, Transaction& transaction, const 
   erase_old_comments(context, transaction, actor, student);
 }
 
+std::string erased_number(UserId user) { return "erased " + user.text(); }
+
 Stored<void> Accounts::erase(const Actor& actor, UserId user) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   if (actor.id == user) return fail(StorageError::not_allowed, "own_account");
@@ -246,7 +248,7 @@ Stored<void> Accounts::erase(const Actor& actor, UserId user) {
   transaction.run(
       "UPDATE people SET number = ?2, name = '–', password = '', pin = '', disabled = 1, wrong_tries = 0, locked_until = 0 "
       "WHERE id = ?1 AND guest = 0",
-      user, "erased " + user.text());
+      user, erased_number(user));
   require_one_change(c_, transaction);
   keep_an_administrator(transaction);
   log_account(c_, transaction, actor.id, "person_erased", user);

@@ -25,6 +25,9 @@ struct Account {
   Actor actor() const noexcept { return {id, role}; }
 };
 
+/// The number that an erased account has in place of its own: nobody outside knows it.
+std::string erased_number(UserId user);
+
 struct NewAccount {
   std::string number{};  // 1 to 64 bytes
   std::string name{};    // 1 to 200 bytes

@@ -49,6 +49,15 @@ TEST_F(GradebookTest, holds_the_best_released_result_of_each_student_and_nobody_
   EXPECT_EQ(moodle.text.find("20260003"), std::string::npos);
 }
 
+TEST_F(GradebookTest, leaves_out_who_was_erased) {
+  sit(lena, 62);
+  sit(omar, 70);
+  sit(ida, 70, false);
+  for (const Account& gone : {omar, ida}) must(store->accounts.erase(administrator, gone.id));
+  EXPECT_EQ(file(Gradebook::moodle).text, "ID number,Straight channel\r\n20267314,62\r\n");
+  EXPECT_EQ(file(Gradebook::moodle).withheld, 0u);
+}
+
 TEST_F(GradebookTest, counts_what_examiners_changed) {
   const SessionId id = sit(lena, 68, false);
   must(store->statements.override_points(instructor, id, "target_removed", 20, "The block was worn."));
