@@ -79,6 +79,11 @@ void AssignmentsModel::set_rows(std::vector<AssignmentRow> rows) {
   endResetModel();
 }
 
+int AssignmentsModel::row_of(AssignmentId id) const {
+  const auto it = std::ranges::find(rows_, id, [](const AssignmentRow& row) { return row.assignment.id; });
+  return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());
+}
+
 int AssignmentsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
 int AssignmentsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 

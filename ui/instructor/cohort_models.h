@@ -63,6 +63,7 @@ class AssignmentsModel : public QAbstractTableModel {
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   const AssignmentRow& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  int row_of(AssignmentId id) const;
 
  private:
   std::vector<AssignmentRow> rows_;

@@ -218,9 +218,10 @@ void CohortsPage::read() {
 
 bool CohortsPage::read_again() {
   const int row = assigned_->chosen_row();
+  const std::optional<AssignmentId> kept = row >= 0 ? std::optional(assignments_->row(row).assignment.id) : std::nullopt;
   read();
   show_chosen();
-  assigned_->choose_row(row);
+  if (kept) assigned_->choose_row(assignments_->row_of(*kept));
   return true;
 }
 

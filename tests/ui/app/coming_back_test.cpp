@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QTemporaryDir>
+#include <cstdint>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
@@ -96,6 +97,14 @@ TEST_F(ComingBack, cohorts_keep_the_chosen_one_and_its_assignment) {
   EXPECT_EQ(table_of(*shown, shown->cohorts())->chosen_row(), 1);
   EXPECT_EQ(table_of(*shown, shown->assignments())->chosen_row(), 0);
   EXPECT_EQ(desktop->focusWidget(), table_of(*shown, shown->cohorts())) << "the keyboard is on the page";
+  Assignment earlier = shown->assignments().row(0).assignment;
+  const AssignmentId chosen = earlier.id;
+  earlier.due_utc_us = earlier.due_utc_us.value_or(std::int64_t{4'000'000'000} * 1'000'000) - 1;
+  ASSERT_TRUE(records.store().assignments.create(berg.actor(), earlier));  // at another desk
+  cover_and_come_back();
+  const int row = table_of(*shown, shown->assignments())->chosen_row();
+  ASSERT_GE(row, 0);
+  EXPECT_EQ(shown->assignments().row(row).assignment.id, chosen) << "and no other one is withdrawn";
 }
 
 TEST_F(ComingBack, library_keeps_search_and_row) {
