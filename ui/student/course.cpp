@@ -21,13 +21,13 @@ QString kind_of(const SpecimenSource& specimen) {
 
 QString standing_text(const CourseRow& row) {
   if (row.best && row.best->score) return CourseModel::tr("%1 of 100").arg(format_points(*row.best->score));
-  if (row.due_utc_us) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us)));
+  if (row.due_utc_us && !row.over) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us)));
   return row.attempts > 0 ? CourseModel::tr("no result yet") : CourseModel::tr("not tried yet");
 }
 
 Chip::Kind standing_kind(const CourseRow& row) {
   if (row.passed) return Chip::Kind::good;
-  return row.due_utc_us ? Chip::Kind::look : Chip::Kind::plain;
+  return row.due_utc_us && !row.over ? Chip::Kind::look : Chip::Kind::plain;
 }
 
 /// What a screen reader says of a card besides its name.
@@ -101,6 +101,7 @@ void add_assignments(Course& course, Store& store, UserId student, const std::ve
     if (!row->over && row->exercise.version != a.version) row->exercise = std::move(*exercise);
     row->assignment = a.id;
     row->due_utc_us = a.due_utc_us;
+    if (row->over) continue;  // it limits nothing
     row->attempts_allowed = a.attempts_allowed;
     row->attempts_counted = store.assignments.attempts(a.id, student).value_or(0);
     row->device_classes = a.device_classes;

@@ -18,7 +18,7 @@ struct CourseRow {
   bool passed = false;  // in any attempt, also with fewer points than the best
   std::optional<std::int64_t> due_utc_us;
   bool over = false;  // due_utc_us is past: no further attempt counts
-  std::optional<int> attempts_allowed;
+  std::optional<int> attempts_allowed;  // while it is not over
   int attempts_counted = 0;  // of those allowed
   std::optional<AssignmentId> assignment;
   std::vector<std::string> device_classes;  // that the assignment admits; none = every one
