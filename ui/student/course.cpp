@@ -86,8 +86,11 @@ bool is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
   return withdrawn && !*withdrawn;
 }
 
-/// Of each exercise the practice that is open and due first, else the one that was over last. The student drills the version of an
-/// open one, also when a newer one is published. `assigned`: by due date.
+/// No further attempt counts for the assignment.
+bool is_used_up(const CourseRow& row) { return row.attempts_allowed && row.attempts_counted >= *row.attempts_allowed; }
+
+/// Of each exercise the practice that is open, has attempts left and is due first, else the last one that is open, else the one that was
+/// over last. The student drills the version of an open one, also when a newer one is published. `assigned`: by due date.
 void add_assignments(Course& course, Store& store, UserId student, const std::vector<Assignment>& assigned) {
   const std::int64_t now_us = store.context().clock();
   for (const Assignment& a : assigned) {
@@ -96,7 +99,7 @@ void add_assignments(Course& course, Store& store, UserId student, const std::ve
     if (!exercise) continue;
     const auto row = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.scenario.id == exercise->scenario.id; });
     if (row == course.rows.end()) continue;
-    if (row->assignment && !row->over) continue;
+    if (row->assignment && !row->over && !is_used_up(*row)) continue;
     row->over = a.due_utc_us && *a.due_utc_us <= now_us;
     if (!row->over && row->exercise.version != a.version) row->exercise = std::move(*exercise);
     row->assignment = a.id;

@@ -327,6 +327,27 @@ TEST_F(Assessments, AnAssignedPracticeNamesItsDevicesInTheCourse) {
   EXPECT_EQ(next.device_classes, (std::vector<std::string>{"falcon", "inverse3"}));
 }
 
+TEST_F(Assessments, AnAssignedPracticeWithoutAttemptsLeftGivesWayToTheNextOne) {
+  const Assignment first = *records.store().assignments.create(
+      examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour, .attempts_allowed = 1});
+  const auto newer = publish_newer();
+  ASSERT_TRUE(newer);
+  const Assignment second =
+      *records.store().assignments.create(examiner, {.version = newer->id, .cohort = assignment.cohort, .due_utc_us = kMorning + 9 * kHour});
+  const auto row = [&] {
+    const Course course = *load_course(records.store(), lena.actor());
+    return *std::ranges::find_if(course.rows, [](const CourseRow& r) { return r.assignment.has_value(); });
+  };
+  EXPECT_EQ(row().assignment, first.id);
+  NewSession wanted{.student = lena.id, .version = first.version, .assignment = first.id};
+  wanted.header.device.device_class = "pointer";
+  wanted.header.scene = "{}";
+  ASSERT_TRUE(records.store().sessions.start(lena.actor(), wanted));
+  EXPECT_EQ(row().assignment, second.id);
+  EXPECT_EQ(row().exercise.version, newer->id) << "an attempt at the first one's version would count for none";
+  EXPECT_FALSE(row().attempts_allowed) << "the second one allows any number";
+}
+
 TEST_F(Assessments, AnAssignedPracticeThatIsOverLimitsNothing) {
   ASSERT_TRUE(records.store().assignments.create(examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour,
                                                             .attempts_allowed = 3, .device_classes = {"falcon"}}));
