@@ -152,6 +152,7 @@ void LibraryPage::read() {
 bool LibraryPage::read_again() {
   const int row = table_->chosen_row(), before = model_->rowCount();
   const ScenarioId kept = row < 0 ? ScenarioId{} : model_->row(row).shown().id;
+  if (!working()) band_->clear();  // it speaks of what was before
   read();
   if (const int at = row_of(kept); at >= 0 && model_->rowCount() <= before && !table_->isRowHidden(at)) table_->choose_row(at);
   fit_buttons();

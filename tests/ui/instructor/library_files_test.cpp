@@ -116,6 +116,14 @@ TEST_F(LibraryFiles, AnExerciseGoesToAnotherStationWithItsVolumeAndOpensInTheEdi
   EXPECT_TRUE(to.asked.isEmpty());
 }
 
+TEST_F(LibraryFiles, WhatThePageSaidDoesNotOutliveAStayInTheEditor) {
+  send_volume(path("block"));
+  from.page->copy_chosen();
+  EXPECT_TRUE(from.message().contains(QStringLiteral("nothing to copy"))) << from.message().toStdString();
+  from.page->read_again();  // it may have been published meanwhile
+  EXPECT_EQ(from.message(), QString());
+}
+
 TEST_F(LibraryFiles, WhatTheLibraryHasAlreadyIsChosenAndNothingIsMade) {
   from.choose(load_builtin("class-2-46-mo")->id);
   from.picked = path("one.cusp");
