@@ -122,9 +122,10 @@ void LibraryPage::save_row(const LibraryRow& row, const QString& title, const QS
 }
 
 void LibraryPage::choose_file() {
-  ports_.pick_file(this, {tr("Open an exercise"), {}, tr("Exercise (*%1)").arg(suffix()), false}, [self = QPointer(this)](const QString& path) {
-    if (self && !path.isEmpty()) self->open_file(path);
-  });
+  ports_.pick_file(this, {tr("Open an exercise"), {}, tr("Exercise (*%1)").arg(suffix() + u" *"_qs + suffix().toUpper()), false},
+                   [self = QPointer(this)](const QString& path) {
+                     if (self && !path.isEmpty()) self->open_file(path);
+                   });
 }
 
 void LibraryPage::open_file(const QString& path) {

@@ -116,6 +116,18 @@ TEST_F(LibraryFiles, AnExerciseGoesToAnotherStationWithItsVolumeAndOpensInTheEdi
   EXPECT_TRUE(to.asked.isEmpty());
 }
 
+TEST_F(LibraryFiles, AFileWhoseSuffixIsInCapitalsCanBeChosenAndOpened) {
+  ASSERT_TRUE(write_exercise_file({from.changed(2.4), {}}, path("DEEPER.CUSP").toStdString()));
+  to.ports.pick_file = [this](QWidget*, const FileWish& wish, const std::function<void(const QString&)>& then) {
+    EXPECT_TRUE(wish.filter.contains(QStringLiteral("*.CUSP"))) << "a dialog of the desktop may tell cases apart: " << wish.filter.toStdString();
+    then(path("DEEPER.CUSP"));
+  };
+  to.show();
+  to.page->choose_file();
+  to.worked();
+  EXPECT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+}
+
 TEST_F(LibraryFiles, WhatThePageSaidDoesNotOutliveAStayInTheEditor) {
   send_volume(path("block"));
   from.page->copy_chosen();
