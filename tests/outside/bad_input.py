@@ -108,15 +108,17 @@ def audits_of_what_changes(desk):
         s["phenomena"], s["tolerance"] = ["friction"], {"points": 20}
         s["tissues"][0]["speed_mm_s"] = 20
 
-    edited = desk.small_exercise("edited.json", quick)
-    with subprocess.Popen([desk.cusp, "audit", edited, "--seeds", "1", "--apply", "--progress"], stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
-        check("%" in run.stderr.readline(), "no progress was printed")
-        desk.small_exercise("edited.json", lambda s: (quick(s), s["title"].update(en="Edited meanwhile")))
-        out, err = run.communicate(timeout=HUNG_S)
-    check(run.returncode == 1 and "Written" not in out and "edited.json" in err, f"audit of what changes: exit {run.returncode}: {out}{err}")
-    with open(edited, encoding="utf-8") as f:
-        check(json.load(f)["title"]["en"] == "Edited meanwhile", "an audit wrote over an edit")
+    for out_file in ((), ("-o", desk.path("edited.json"))):
+        edited = desk.small_exercise("edited.json", quick)
+        with subprocess.Popen([desk.cusp, "audit", edited, "--seeds", "1", "--apply", "--progress", *out_file], stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
+            check("%" in run.stderr.readline(), "no progress was printed")
+            desk.small_exercise("edited.json", lambda s: (quick(s), s["title"].update(en="Edited meanwhile")))
+            out, err = run.communicate(timeout=HUNG_S)
+        check(run.returncode == 1 and "Written" not in out and "edited.json" in err,
+              f"audit of what changes {out_file}: exit {run.returncode}: {out}{err}")
+        with open(edited, encoding="utf-8") as f:
+            check(json.load(f)["title"]["en"] == "Edited meanwhile", f"an audit wrote over an edit {out_file}")
 
     status, _, err = desk.run("specimen", "block", "--voxel-mm", "0.4", "-o", desk.path("block.nrrd"))
     check(status == 0, f"a block: {err}")

@@ -69,11 +69,18 @@ bool can_be_written(const std::filesystem::path& file) {
   return !std::filesystem::exists(there) || std::ofstream(file, std::ios::binary | std::ios::app).good();
 }
 
+/// Whether what is written takes the place of the exercise: without -o, or where -o names the exercise itself.
+bool replaces(const AuditOptions& o, const std::filesystem::path& file) {
+  std::error_code error;
+  return o.out.empty() ||
+         std::ranges::any_of(scenario_files(o.scenario), [&](const auto& own) { return std::filesystem::equivalent(own, file, error); });
+}
+
 /// Writes the leanest as the next version. Refuses if the exercise was saved after `before` was read: that edit would be lost.
 int apply(const AuditOptions& o, const std::filesystem::path& file, const Scenario& before, const AuditReport& report) {
   Scenario leaner = report.leanest;
   if (report.changed()) ++leaner.version;
-  if (o.out.empty()) {
+  if (replaces(o, file)) {
     if (!report.changed()) return kDone;  // nothing to write
     const auto now = load_scenario(o.scenario);
     if (!now || !(now->scenario == before))
