@@ -16,6 +16,8 @@ Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountC
   const Account& before = *change.before;
   if (!change.secret.empty() && !(student ? storage::acceptable_pin(change.secret) : storage::acceptable_password(change.secret)))
     return fail(StorageError::weak_password, student ? "pin" : "password");
+  if (change.number != before.number)
+    if (const auto taken = accounts.find_number(change.number); taken && taken->id != before.id) return fail(StorageError::duplicate, change.number);
   using Step = std::function<Stored<void>()>;
   const Step secret = [&]() -> Stored<void> {
     if (change.secret.empty()) return {};
@@ -29,7 +31,7 @@ Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountC
     if (change.name == before.name && change.number == before.number) return {};
     return accounts.rename(actor, before.id, change.number, change.name);
   };
-  // Staff need a password before the role. Only a student has a PIN, and a taken number leaves it as it was.
+  // Staff need a password before the role. Only a student has a PIN.
   const bool joins_staff = !student && change.role != before.role;
   for (const Step& step : joins_staff ? std::array{secret, role, name} : std::array{role, name, secret})
     if (auto done = step(); !done) return done;
