@@ -173,15 +173,17 @@ void PeoplePage::show_chosen() {
   const int row = table_->chosen_row();
   if (row < 0) return;
   const Account& account = model_->account(row);
-  const bool typed = edited_ && edited_->id == account.id && changed();  // a list that is read anew keeps it
+  // A list that is read anew keeps what is typed, and shows what another desk has changed.
+  const std::optional<Account> was = edited_ && edited_->id == account.id ? edited_ : std::nullopt;
   edited_ = account;
   form_->set_title(QString::fromStdString(edited_->name));
-  if (!typed) {
-    name_->setText(QString::fromStdString(edited_->name));
-    number_->setText(QString::fromStdString(edited_->number));
-    role_->setCurrentIndex(static_cast<int>(edited_->role));
-    secret_->clear();
-  }
+  const auto fit = [&](QLineEdit& text, const std::string Account::*what) {
+    if (!was || text.text().trimmed() == QString::fromStdString((*was).*what)) text.setText(QString::fromStdString((*edited_).*what));
+  };
+  fit(*name_, &Account::name);
+  fit(*number_, &Account::number);
+  if (!was || role_->currentIndex() == static_cast<int>(was->role)) role_->setCurrentIndex(static_cast<int>(edited_->role));
+  if (!was) secret_->clear();
   fit_save();
   const QString act = edited_->disabled ? tr("Switch account on") : tr("Switch account off");
   switch_->setText(act);

@@ -106,6 +106,20 @@ TEST_F(AdminPages, a_pin_that_is_typed_stays_when_the_account_is_switched_on) {
   EXPECT_TRUE(records.store().accounts.sign_in_with_pin("1", "271828").has_value());
 }
 
+TEST_F(AdminPages, a_pin_that_is_typed_does_not_take_back_what_another_desk_changed) {
+  const Account lena = records.student("1", "Lena Brandt");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  field(page, "New PIN, six digits")->setText(QStringLiteral("271828"));
+  ASSERT_TRUE(records.store().accounts.rename(records.administrator().actor(), lena.id, "1", "Lena Weber"));
+  press(page, "Switch account off");  // the list is read anew
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Lena Weber"));
+  save(page, "Save changes");
+  EXPECT_EQ(records.store().accounts.find(lena.id)->name, "Lena Weber");
+  EXPECT_TRUE(records.store().accounts.find(lena.id)->has_pin);
+}
+
 TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) {
   records.student("1", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
