@@ -59,11 +59,7 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   outer->addLayout(row, 1);
 
   connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
-  connect(departed_, &DepartedCard::erased, this, [this] {
-    const std::optional<UserId> shown = edited_ ? std::optional(edited_->id) : std::nullopt;
-    read();
-    if (shown && model_->row_of(*shown) < 0) begin_new();
-  });
+  connect(departed_, &DepartedCard::erased, this, &PeoplePage::read);
   connect(add, &QPushButton::clicked, this, &PeoplePage::begin_new);
   connect(import, &QPushButton::clicked, this, &PeoplePage::import_wanted);
   connect(table_, &Table::row_opened, this, [this] { name_->setFocus(); });
@@ -170,9 +166,10 @@ void PeoplePage::begin_new() {
 }
 
 void PeoplePage::show_chosen() {
-  const int row = table_->chosen_row();
-  if (row < 0) return;
-  const Account& account = model_->account(row);
+  if (const int row = table_->chosen_row(); row >= 0) show_person(model_->account(row));
+}
+
+void PeoplePage::show_person(const Account& account) {
   // A list that is read anew keeps what is typed, and shows what another desk has changed.
   const std::optional<Account> was = edited_ && edited_->id == account.id ? edited_ : std::nullopt;
   edited_ = account;
@@ -201,7 +198,10 @@ void PeoplePage::read() {
     return;
   }
   std::ranges::sort(*accounts, stands_before, &Account::name);
-  const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
+  if (edited_) {
+    const auto now = std::ranges::find(*accounts, edited_->id, &Account::id);
+    now != accounts->end() ? show_person(*now) : begin_new();
+  }
   std::map<UserId, QStringList> cohorts;  // a table without them is better than none
   if (const auto list = store_.cohorts.list())
     for (const Cohort& cohort : *list)
@@ -209,7 +209,7 @@ void PeoplePage::read() {
         for (const UserId student : *students) cohorts[student] << QString::fromStdString(cohort.name);
   model_->set_accounts(std::move(*accounts), std::move(cohorts));
   count_->setText(tr("%n person(s)", nullptr, model_->rowCount()));
-  if (kept) table_->choose_row(model_->row_of(*kept));
+  if (edited_) table_->choose_row(model_->row_of(edited_->id));  // a search may hide it
 }
 
 bool PeoplePage::show_if_failed(const Stored<void>& done) {

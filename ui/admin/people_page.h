@@ -47,6 +47,7 @@ class PeoplePage : public QWidget {
   void filter();
   void read();
   void show_chosen();
+  void show_person(const Account& account);
   void begin_new();
   void fit_secret();
   void save();

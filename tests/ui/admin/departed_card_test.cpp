@@ -9,7 +9,9 @@
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
 #include "ui/admin/departed_card.h"
+#include "ui/admin/people_model.h"
 #include "ui/admin/people_page.h"
+#include "ui/widgets/table.h"
 
 namespace cusp::test {
 namespace {
@@ -77,6 +79,18 @@ TEST_F(Departed, LeaveWhatIsTypedAboutANewPerson) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working(); }, kPatience_ms));
   EXPECT_FALSE(there("4712"));
   EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Ida Falk"));
+}
+
+TEST_F(Departed, LeaveWhatIsTypedAboutSomebodyWhomASearchHides) {
+  PeoplePage page(records.store(), admin.actor(), ports);
+  DepartedCard& card = looked(page);
+  page.table()->choose_row(page.model()->row_of(records.store().accounts.find_number("4711")->id));
+  field(page, "Name")->setText(QStringLiteral("Lena Weber"));
+  field(page, "Find somebody")->setText(QStringLiteral("nobody"));
+  card.erase();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working(); }, kPatience_ms));
+  EXPECT_FALSE(there("4712"));
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Lena Weber"));
 }
 
 TEST_F(Departed, StandsInEachLook) {

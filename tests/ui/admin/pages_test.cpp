@@ -120,6 +120,25 @@ TEST_F(AdminPages, a_pin_that_is_typed_does_not_take_back_what_another_desk_chan
   EXPECT_TRUE(records.store().accounts.find(lena.id)->has_pin);
 }
 
+TEST_F(AdminPages, a_person_whom_a_search_hides_is_shown_as_the_records_have_them) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.student("2", "Omar Said");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  field(page, "Name")->setText(QStringLiteral("Lena Weber"));
+  field(page, "Find somebody")->setText(QStringLiteral("Omar"));
+  save(page, "Save changes");
+  for (const QPushButton* b : page.findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QStringLiteral("Save changes")) {
+      EXPECT_FALSE(b->isEnabled()) << "it is saved";
+    }
+  }
+  press(page, "Switch account off");
+  press(page, "Switch account on");
+  EXPECT_FALSE(records.store().accounts.find(lena.id)->disabled);
+}
+
 TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) {
   records.student("1", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
