@@ -15,6 +15,7 @@ constexpr unsigned small_of(unsigned c) noexcept {
   if (within(0x388, 0x38A)) return c + 0x25;
   if (c == 0x38C) return 0x3CC;
   if (within(0x38E, 0x38F)) return c + 0x3F;
+  if (c == 0x3C2) return 0x3C3;  // sigma at a word's end: both have one capital
   if (within(0x391, 0x3AB) || within(0x410, 0x42F)) return c + 0x20;
   if (within(0x400, 0x40F)) return c + 0x50;
   return c;

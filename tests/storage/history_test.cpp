@@ -212,9 +212,10 @@ TEST_F(HistoryTest, a_name_is_found_in_any_case_also_beyond_ascii) {
   attempt(ozlem, 80);
   attempt(make_student(*store, "20260003", "Юлия Ковач"), 70);
   attempt(make_student(*store, "20260004", "Άννα Ώρα"), 75);
+  attempt(make_student(*store, "20260005", "ΝΙΚΟΣ Παππάς"), 65);
   attempt(lena, 60, false);
   const auto found = [&](const char* text) { return must(store->history.list(instructor, {.search = text})).size(); };
-  for (const char* text : {"özlem", "ÖZLEM", "Öz", "çELIK", "ковач", "άννα", "ώρα"}) {
+  for (const char* text : {"özlem", "ÖZLEM", "Öz", "çELIK", "ковач", "άννα", "ώρα", "νικος", "ΠΑΠΠΆΣ"}) {
     EXPECT_EQ(found(text), 1u) << text;
     EXPECT_EQ(must(store->history.figures(instructor, {.search = text})).attempts, 1) << text;
   }
