@@ -355,6 +355,12 @@ std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* s
   return out;
 }
 
+std::optional<double> stated_voxel_mm(double voxel_mm) noexcept {
+  const NumberRange& edge = *range_of("/specimen/voxel_mm");
+  const double within = std::clamp(voxel_mm, edge.least, edge.most);
+  return std::abs(within - voxel_mm) <= kSameVoxelMm ? std::optional(within) : std::nullopt;
+}
+
 bool has_error(const std::vector<Finding>& findings) noexcept {
   return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
 }

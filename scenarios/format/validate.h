@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,10 @@ struct SpecimenFacts {
 
 /// Facts of a dense volume; one pass over it.
 SpecimenFacts facts_of(const VoxelVolume& volume);
+
+/// The voxel size that an exercise on a volume of these voxels states, mm; nullopt if an exercise can hold none of them.
+/// A file's 32-bit 0.04 lies 9e-10 below the least of ranges.h: it is that least.
+std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 
 /// Errors first, then warnings; empty when all is well. Every number is held against ranges.h (out_of_range, not_finite).
 /// Codes besides those of FormatError and "schema":

@@ -56,8 +56,8 @@ std::string name_beside_the_draft(const std::filesystem::path& file) {
 
 /// Why an exercise cannot hold a volume of these voxels; empty if it can.
 QString fineness_refusal(double voxel_mm) {
+  if (stated_voxel_mm(voxel_mm)) return {};
   const NumberRange& edge = *range_of("/specimen/voxel_mm");
-  if (edge.holds(voxel_mm)) return {};
   const auto mm = [](double value) { return format({value, {}, QStringLiteral("mm"), 3}); };
   return SpecimenForm::tr("The fineness of this volume is %1; an exercise takes %2 to %3.").arg(mm(voxel_mm), mm(edge.least), mm(edge.most));
 }
@@ -245,7 +245,7 @@ void SpecimenForm::pick() {
     }
     SpecimenSource source;
     source.volume = name;
-    source.voxel_mm = volume->grid.voxel_mm;
+    source.voxel_mm = *stated_voxel_mm(volume->grid.voxel_mm);
     if (!model_.set_specimen(source, usual_tissues(facts_of(*volume).tissues))) {
       band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));
       return;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "engine/volume/specimen.h"
+#include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
 #include "ui/editor/editor_records.h"
@@ -25,7 +26,7 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
   s.briefing = {{"en", pattern ? pattern->briefing.at("en") : name}};
   s.specimen = {};
   s.specimen.volume = "specimen.nrrd";
-  s.specimen.voxel_mm = volume.grid.voxel_mm;
+  s.specimen.voxel_mm = stated_voxel_mm(volume.grid.voxel_mm).value_or(volume.grid.voxel_mm);
   s.tissues = usual_tissues(facts.tissues);
   if (std::ranges::find(facts.tissues, Tissue::pulp) != facts.tissues.end()) {
     s.protected_parts = {Tissue::pulp};

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "scenarios/format/schema.h"
 #include "scenarios/format/write.h"
 #include "tests/modules.h"
@@ -215,6 +217,14 @@ TEST(Validate, TakesAVoxelSizeThatAFileHoldsIn32Bits) {
   EXPECT_THAT(after([](Scenario&) {}, &facts), IsEmpty());
   facts.voxel_mm = 0.1001;
   EXPECT_THAT(after([](Scenario&) {}, &facts), ::testing::ElementsAre("error /specimen/voxel_mm voxel_mismatch"));
+}
+
+TEST(Validate, AVoxelSizeThatMissesTheRangeByARoundingIsItsEnd) {
+  EXPECT_EQ(stated_voxel_mm(0.04f), 0.04);  // 0.0399999991
+  EXPECT_EQ(stated_voxel_mm(0.1f), static_cast<double>(0.1f));
+  EXPECT_EQ(stated_voxel_mm(0.0399), std::nullopt);
+  EXPECT_EQ(stated_voxel_mm(1.001), std::nullopt);
+  EXPECT_EQ(stated_voxel_mm(std::numeric_limits<double>::quiet_NaN()), std::nullopt);
 }
 
 TEST(Validate, KnowsAVolumeByItsOccupiedVoxels) {

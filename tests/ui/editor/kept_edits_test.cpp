@@ -154,6 +154,23 @@ TEST_F(EditorPages, a_volume_of_a_fineness_that_no_exercise_holds_is_refused_wit
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(page->model().folder()) / "micro.nrrd"));
 }
 
+TEST_F(EditorPages, a_volume_of_the_finest_voxels_is_taken_as_a_file_holds_them_in_32_bits) {
+  const auto page = open();
+  VoxelVolume volume(Grid{IVec3(40, 40, 40), 0.04f, Vec3(0.0)});  // 0.0399999991
+  for (const IVec3 v : {IVec3(10, 10, 10), IVec3(29, 29, 29)}) {
+    volume.tissue[volume.grid.index(v)] = Tissue::enamel;
+    volume.s[volume.grid.index(v)] = kSolid;
+  }
+  file = folder.filePath(QStringLiteral("micro.nrrd"));
+  ASSERT_TRUE(write_nrrd(volume, file.toStdString()));
+  for (QPushButton* b : page->findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
+  }
+  EXPECT_EQ(page->model().scenario().specimen.volume, "micro.nrrd");
+  EXPECT_EQ(page->model().scenario().specimen.voxel_mm, 0.04);
+  EXPECT_TRUE(page->model().set_title("en", QStringLiteral("Scanned tooth")));
+}
+
 TEST(Briefing, that_is_longer_than_an_exercise_holds_stays_with_a_message_until_it_is_shortened) {
   EditorModel model(class_one());
   TextsForm form(model);
