@@ -12,6 +12,7 @@
 #include "scenarios/format/ranges.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/nrrd_image.h"
 #include "scenarios/teeth/tooth.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/landmarks_form.h"
@@ -54,14 +55,6 @@ std::string name_beside_the_draft(const std::filesystem::path& file) {
   return name.empty() ? "volume.nrrd" : name;
 }
 
-/// Why an exercise cannot hold a volume of these voxels; empty if it can.
-QString fineness_refusal(double voxel_mm) {
-  if (stated_voxel_mm(voxel_mm)) return {};
-  const NumberRange& edge = *range_of("/specimen/voxel_mm");
-  const auto mm = [](double value) { return format({value, {}, QStringLiteral("mm"), 3}); };
-  return SpecimenForm::tr("The fineness of this volume is %1; an exercise takes %2 to %3.").arg(mm(voxel_mm), mm(edge.least), mm(edge.most));
-}
-
 /// A box that the panel's width limits, not its longest entry.
 void shrinks(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -69,6 +62,13 @@ void shrinks(QComboBox& box) {
 }
 
 }  // namespace
+
+QString fineness_refusal(double voxel_mm) {
+  if (stated_voxel_mm(voxel_mm)) return {};
+  const NumberRange& edge = *range_of("/specimen/voxel_mm");
+  const auto mm = [](double value) { return format({value, {}, QStringLiteral("mm"), 3}); };
+  return SpecimenForm::tr("The fineness of this volume is %1; an exercise takes %2 to %3.").arg(mm(voxel_mm), mm(edge.least), mm(edge.most));
+}
 
 QString specimen_name(const SpecimenSource& source) {
   if (source.generator == "tooth") return quadrant_name(source.fdi);
@@ -226,7 +226,9 @@ void SpecimenForm::pick() {
       return;
     }
     if (const QString refused = fineness_refusal(volume->grid.voxel_mm); !refused.isEmpty()) {
-      band_->show_message(Band::Kind::bad, refused, tr("Nothing was changed. The import in the library makes it coarser or finer."));
+      band_->show_message(Band::Kind::bad, refused,
+                          nrrd_is_specimen(from) ? tr("Nothing was changed. Make it anew from its scan or its surfaces.")
+                                                 : tr("Nothing was changed. The import in the library makes it coarser or finer."));
       return;
     }
     // A new name: an earlier step of undo may mean a file of the old one.

@@ -19,6 +19,9 @@ class LandmarksForm;
 class NumberBox;
 class ToothForm;
 
+/// Why no exercise can hold a volume of these voxels; empty if one can.
+QString fineness_refusal(double voxel_mm);
+
 class SpecimenForm : public QWidget {
   Q_OBJECT
 

@@ -16,6 +16,7 @@
 #include "scenarios/import/size_question.h"
 #include "scenarios/import/up_axis.h"
 #include "scenarios/import/worker.h"
+#include "ui/editor/specimen_form.h"
 #include "ui/instructor/import_drop.h"
 #include "ui/instructor/import_forms.h"
 #include "ui/instructor/import_preview.h"
@@ -280,11 +281,13 @@ void ImportPage::show_size() {
                  : tr("With this unit the file is %1. Choose the tissue of each mesh.").arg(size_text(size, u"mm"_qs));
     if (unit != 1.0) text += u' ' + tr("If its unit were a millimetre, it would be %1.").arg(size_text(mesh_form_->size(), u"mm"_qs));
   } else {
-    ready = volume_form_->ready();
+    const QString refused = own ? fineness_refusal(image_->spacing_mm.x) : QString();  // it is taken as it stands
+    ready = volume_form_->ready() && refused.isEmpty();
     const Vec3 spacing = image_->spacing_mm * unit;
     const double voxel = size_->voxel_mm();
     const bool cubes = std::ranges::all_of(std::array{spacing.x, spacing.y, spacing.z}, [&](double s) { return std::abs(s - voxel) <= 1e-3 * voxel; });
     text = tr("The volume is %1.").arg(size_text(Vec3(image_->size) * spacing, u"mm"_qs));
+    if (!refused.isEmpty()) text = refused + u' ' + tr("Make the specimen anew from its scan or its surfaces.");
     if (!cubes && !own) {
       text += u' ' + tr("Its voxels of %1 are resampled to cubes of %2.")
                          .arg(size_text(spacing, u"mm"_qs, 3), format_value({.value = voxel, .unit = QStringLiteral("mm"), .decimals = 3}));

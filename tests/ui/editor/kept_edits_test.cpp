@@ -151,6 +151,7 @@ TEST_F(EditorPages, a_volume_of_a_fineness_that_no_exercise_holds_is_refused_wit
   QString text;
   for (const Band* band : page->findChildren<Band*>()) text += band->text();
   EXPECT_TRUE(text.contains(QStringLiteral("0.030"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Make it anew"))) << "the import takes a specimen as it stands";
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(page->model().folder()) / "micro.nrrd"));
 }
 

@@ -84,6 +84,26 @@ TEST_F(ImportPageTest, a_scan_that_is_finer_than_an_exercise_can_be_becomes_one_
   EXPECT_TRUE(EditorModel(*started).set_title("en", QStringLiteral("Scanned tooth")));
 }
 
+TEST_F(ImportPageTest, a_specimen_that_is_finer_than_an_exercise_can_be_is_refused_with_its_figure) {
+  VoxelVolume volume(Grid{IVec3(40, 40, 40), 0.03, Vec3(0.0)});
+  for (int z = 10; z < 30; ++z) {
+    const std::size_t at = volume.grid.index({20, 20, z});
+    volume.tissue[at] = Tissue::enamel;
+    volume.s[at] = kSolid;
+  }
+  ASSERT_TRUE(write_nrrd(volume, folder / "own.nrrd"));
+  open({file("own.nrrd")});
+  EXPECT_FALSE(button(QStringLiteral("Make a specimen"))->isEnabled()) << "it is taken as it stands, and no exercise holds it";
+  EXPECT_TRUE(texts().contains(QStringLiteral("0.030"))) << texts().toStdString();
+  volume.grid.voxel_mm = 0.04f;  // 0.0399999991, as a file holds it in 32 bits
+  ASSERT_TRUE(write_nrrd(volume, folder / "own.nrrd"));
+  open({file("own.nrrd")});
+  make();
+  keep_it();
+  ASSERT_TRUE(started);
+  EXPECT_TRUE(EditorModel(*started).set_title("en", QStringLiteral("Scanned tooth")));
+}
+
 TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
   write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
   open({file("map.nrrd")});
