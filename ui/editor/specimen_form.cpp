@@ -66,7 +66,9 @@ void shrinks(QComboBox& box) {
 QString fineness_refusal(double voxel_mm) {
   if (stated_voxel_mm(voxel_mm)) return {};
   const NumberRange& edge = *range_of("/specimen/voxel_mm");
-  const auto mm = [](double value) { return format({value, {}, QStringLiteral("mm"), 3}); };
+  int decimals = 3;
+  const auto mm = [&decimals](double value) { return format({value, {}, QStringLiteral("mm"), decimals}); };
+  while (decimals < 6 && (mm(voxel_mm) == mm(edge.least) || mm(voxel_mm) == mm(edge.most))) ++decimals;
   return SpecimenForm::tr("The fineness of this volume is %1; an exercise takes %2 to %3.").arg(mm(voxel_mm), mm(edge.least), mm(edge.most));
 }
 

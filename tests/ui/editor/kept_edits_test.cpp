@@ -21,6 +21,7 @@
 #include "tests/ui/editor/class_one.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "ui/editor/shape_form.h"
+#include "ui/editor/specimen_form.h"
 #include "ui/editor/texts_form.h"
 #include "ui/editor/tooth_form.h"
 #include "ui/session/background_task.h"
@@ -153,6 +154,12 @@ TEST_F(EditorPages, a_volume_of_a_fineness_that_no_exercise_holds_is_refused_wit
   EXPECT_TRUE(text.contains(QStringLiteral("0.030"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Make it anew"))) << "the import takes a specimen as it stands";
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(page->model().folder()) / "micro.nrrd"));
+}
+
+TEST(Fineness, that_is_refused_is_shown_with_the_digits_that_tell_it_from_the_range) {
+  EXPECT_TRUE(fineness_refusal(0.0398).contains(QStringLiteral("0.0398"))) << fineness_refusal(0.0398).toStdString();
+  EXPECT_TRUE(fineness_refusal(1.0002).contains(QStringLiteral("1.0002"))) << fineness_refusal(1.0002).toStdString();
+  EXPECT_TRUE(fineness_refusal(0.04).isEmpty());
 }
 
 TEST_F(EditorPages, a_volume_of_the_finest_voxels_is_taken_as_a_file_holds_them_in_32_bits) {
