@@ -268,7 +268,9 @@ void Shell::show_page(const QString& key) {
 void Shell::show_again() {
   auto* below = dynamic_cast<Rereads*>(page());
   if (below == nullptr || !below->read_again()) return show_page(key_);
-  if (page()->focusProxy() && !page()->isAncestorOf(window()->focusWidget())) page()->setFocus(Qt::OtherFocusReason);
+  // A page that has had the focus knows where it was, and has no proxy any more (theme.cpp).
+  QWidget* last = page()->focusWidget() ? page()->focusWidget() : page()->focusProxy();
+  if (last && !page()->isAncestorOf(window()->focusWidget())) last->setFocus(Qt::OtherFocusReason);
 }
 
 QWidget* Shell::page() const {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QTemporaryDir>
+#include <QTest>
 #include <cstdint>
 
 #include "tests/modules.h"
@@ -67,6 +69,21 @@ TEST_F(ComingBack, performance_keeps_its_filters_order_and_row_and_reads_what_is
   QObject::connect(shown, &Performance::report_wanted, [&](const SessionId& id) { opened = id; });
   Q_EMIT shown->table()->row_opened(shown->table()->model()->index(2, 0));
   EXPECT_EQ(opened, chosen);
+}
+
+TEST_F(ComingBack, the_keyboard_is_where_it_was_on_the_page) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 40, 100);
+  auto* shown = open<Performance>(records.administrator(), "performance");
+  desktop->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
+  ASSERT_TRUE(shown->isAncestorOf(QApplication::focusWidget()));
+  shown->table()->setFocus();
+  ASSERT_EQ(QApplication::focusWidget(), shown->table());
+  auto* cover = new QLineEdit;
+  desktop->push(cover);
+  ASSERT_EQ(QApplication::focusWidget(), cover);
+  desktop->back();
+  EXPECT_EQ(QApplication::focusWidget(), shown->table());
 }
 
 TEST_F(ComingBack, performance_offers_an_exercise_that_was_drilled_for_the_first_time) {
