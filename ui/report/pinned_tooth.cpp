@@ -52,9 +52,10 @@ constexpr int kToothMargin = 12;  // px at 100 % between the tooth and the edge 
 constexpr qsizetype kCardText = 160, kCardLines = 6;  // characters and lines of a card, which stands before the tooth
 
 /// Of a longer text its beginning: the remarks have the whole.
-QString card_text(const QString& text) {
+QString card_text(const QString& whole) {
+  const QString text = whole.trimmed();
   if (text.size() <= kCardText && text.count(u'\n') < kCardLines) return text;
-  QString out = text.simplified().left(kCardText - 1);
+  QString out = text.section(u'\n', 0, kCardLines - 1).left(kCardText - 1).trimmed();
   if (!out.isEmpty() && out.back().isHighSurrogate()) out.chop(1);
   return out + u'…';
 }

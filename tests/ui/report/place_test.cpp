@@ -173,6 +173,10 @@ TEST(PinnedTooth, a_long_comment_leaves_most_of_the_tooth_in_sight) {
     EXPECT_LT(card->height(), tooth.height() / 2);
     EXPECT_TRUE(card->text().contains(QChar(u'…'))) << card->text().toStdString();
   }
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Dr Berg"), QStringLiteral("one\ntwo\nthree\nfour\nfive\nsix\nseven"));
+  EXPECT_TRUE(card->text().contains(QStringLiteral("five<br>six…"))) << card->text().toStdString();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Dr Berg"), QStringLiteral("one\n\n\n\n\n\n\n"));
+  EXPECT_FALSE(card->text().contains(QChar(u'…'))) << "nothing is left out: " << card->text().toStdString();
 }
 
 TEST(PinnedTooth, paints_the_patch_of_the_measure_that_is_pinned_and_of_no_other) {
