@@ -304,8 +304,7 @@ void Performance::show_numbers(const Figures& f) {
   note_[2]->setText(f.passed_95 ? tr("95 % interval %1 to %2")
                                       .arg(format_number(100 * f.passed_95->low, 0), format({100 * f.passed_95->high, std::nullopt, u"%"_qs, 0}))
                                 : QString());
-  figure_[3]->setText(f.median_time_s ? format_clock(*f.median_time_s) : none);
-  note_[3]->setText(f.median_time_s ? tr("minutes and seconds") : QString());
+  figure_[3]->setText(f.median_time_s ? duration_text(*f.median_time_s) : none);
 }
 
 void Performance::show_spread(const Figures& f) {

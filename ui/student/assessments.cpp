@@ -95,9 +95,7 @@ bool knows_code(const StorageFailure& f) {
 QString time_limit_text(const AssignedAssessment& a) {
   const double limit_s = a.exercise.scenario.time_limit_s;
   if (limit_s <= 0) return {};
-  const double whole_s = extended_limit_s(limit_s, a.adjustment.extra_time_percent);
-  // format_clock() begins with the hours from an hour on.
-  const QString text = (whole_s < 3600 ? AssessmentCard::tr("%1 min") : AssessmentCard::tr("%1 h")).arg(format_clock(whole_s));
+  const QString text = duration_text(extended_limit_s(limit_s, a.adjustment.extra_time_percent));
   if (a.adjustment.extra_time_percent == 0) return text;
   return AssessmentCard::tr("%1 (%2 % extra time)").arg(text).arg(a.adjustment.extra_time_percent);
 }

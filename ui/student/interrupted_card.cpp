@@ -14,15 +14,15 @@ namespace {
 
 /// "It broke off after 1:12 min, with 8.4 mm³ cut. All of that is kept." An assessment shows no volumes.
 QString how_far(Store& store, const HistoryRow& row) {
-  const QString clock = format_clock(static_cast<double>(row.elapsed_us) * 1e-6);
-  if (row.kind == SessionKind::assessment) return InterruptedCard::tr("It broke off after %1 min. All of it is kept.").arg(clock);
+  const QString time = duration_text(static_cast<double>(row.elapsed_us) * 1e-6);
+  if (row.kind == SessionKind::assessment) return InterruptedCard::tr("It broke off after %1. All of it is kept.").arg(time);
   double mm3 = 0;
   if (const auto removed = store.metrics.removed(row.session)) {
     for (const RemovedTissue& tissue : *removed) mm3 += tissue.mm3;
   }
-  if (!(mm3 > 0)) return InterruptedCard::tr("It broke off after %1 min, before anything was cut.").arg(clock);
-  return InterruptedCard::tr("It broke off after %1 min, with %2 cut. All of that is kept.")
-      .arg(clock, format({mm3, std::nullopt, QStringLiteral("mm3"), 1}));
+  if (!(mm3 > 0)) return InterruptedCard::tr("It broke off after %1, before anything was cut.").arg(time);
+  return InterruptedCard::tr("It broke off after %1, with %2 cut. All of that is kept.")
+      .arg(time, format({mm3, std::nullopt, QStringLiteral("mm3"), 1}));
 }
 
 QString why_not_on(InterruptedWay way, const HistoryRow& row, const std::string& device_class) {

@@ -62,6 +62,11 @@ QString level_name(Level level) {
 
 QString expected_time_text(double seconds) { return format({std::max(1.0, std::round(seconds / 60)), std::nullopt, u"min"_qs, 0}); }
 
+QString duration_text(double seconds) {
+  // format_clock() begins with the hours from an hour on.
+  return (seconds < 3600 ? Text::tr("%1 min") : Text::tr("%1 h")).arg(format_clock(seconds));
+}
+
 QString level_and_time_text(const Scenario& scenario) {
   const QString time = scenario.expected_time_s > 0 ? expected_time_text(scenario.expected_time_s) : QString();
   if (!scenario.level) return time;

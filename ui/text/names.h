@@ -22,6 +22,8 @@ QString kind_name(SessionKind kind);
 QString level_name(Level level);
 /// "15 min" of the time that a student needs, whole minutes, at least one.
 QString expected_time_text(double seconds);
+/// "1:12 min", and from an hour on "1:15:00 h".
+QString duration_text(double seconds);
 /// "Beginner, 15 min": what an exercise states of both; empty if neither.
 QString level_and_time_text(const Scenario& scenario);
 /// "Reference operator" of a scripted one, with its fault if it makes one; the key itself of any other.

@@ -77,6 +77,24 @@ TEST_F(AdminPages, performance_shows_everybody_and_filters) {
   EXPECT_EQ(page.attempts().rowCount(), 3);
 }
 
+TEST_F(AdminPages, a_median_time_has_its_unit_and_from_an_hour_on_its_hours) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const auto median_time = [&] {
+    const Performance page(records.store(), records.administrator().actor(), ports);
+    for (const Card* card : page.findChildren<Card*>()) {
+      if (card->accessibleName() != u"Median time") continue;
+      QString all;
+      for (const QLabel* label : card->findChildren<QLabel*>()) all += label->text();
+      return all.remove(QChar(0x2066)).remove(QChar(0x2069)).toStdString();
+    }
+    return std::string();
+  };
+  records.attempt(lena, "channel-1", 78, 458);
+  EXPECT_EQ(median_time(), "Median time7:38 min");
+  records.attempt(lena, "channel-1", 78, 6'942);
+  EXPECT_EQ(median_time(), "Median time1:01:40 h");  // of 458 s and 6,942 s
+}
+
 TEST_F(AdminPages, a_row_opens_the_report_of_that_attempt_also_when_sorted) {
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 78, 100);

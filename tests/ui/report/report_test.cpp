@@ -137,6 +137,15 @@ TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
   ASSERT_TRUE(first.place_mm);
 }
 
+TEST(ReportData, writes_times_of_an_hour_and_more_in_hours) {
+  ReportData data = sample();
+  data.result.seconds = 3700;
+  EXPECT_TRUE(plain(circumstances_text(data)).starts_with("1:01:40 h")) << plain(circumstances_text(data));
+  EXPECT_EQ(plain(critical_text({"pulp_exposure", 3600.0, std::nullopt}, data.result.scenario.specimen)), "The pulp was opened after 1:00:00 h");
+  data.result.seconds = 3599.9;
+  EXPECT_TRUE(plain(circumstances_text(data)).starts_with("59:59 min")) << plain(circumstances_text(data));
+}
+
 TEST(ReportData, an_opened_pulp_has_its_bur_and_depth) {
   ReportData data = sample();
   data.result.scenario = *load_builtin("class-1-36");

@@ -27,6 +27,8 @@ QString texts_of(const QWidget& page) {
   return all;
 }
 
+QString plain(QString text) { return text.remove(QChar(0x2066)).remove(QChar(0x2069)); }
+
 QPushButton* button(const QWidget& page, const QString& text) {
   for (QPushButton* b : page.findChildren<QPushButton*>())
     if (b->text() == text) return b;
@@ -77,6 +79,17 @@ struct StartPageCards : ::testing::Test {
   Assignment exam;
   std::unique_ptr<StartPage> shown;
 };
+
+TEST_F(StartPageCards, an_attempt_that_broke_off_after_an_hour_has_its_hours) {
+  records.broken_attempt(lena, "paper-block");
+  HistoryRow row = load_course(records.store(), lena.actor())->interrupted.at(0);
+  row.elapsed_us = 3'700'000'000;
+  const InterruptedCard practice(records.store(), row, InterruptedWay::resume, "pointer", ButtonKind::primary);
+  EXPECT_TRUE(plain(texts_of(practice)).contains(QStringLiteral("It broke off after 1:01:40 h"))) << texts_of(practice).toStdString();
+  row.kind = SessionKind::assessment;
+  const InterruptedCard assessment(records.store(), row, InterruptedWay::resume, "pointer", ButtonKind::primary);
+  EXPECT_TRUE(plain(texts_of(assessment)).contains(QStringLiteral("It broke off after 1:01:40 h. All of it is kept."))) << texts_of(assessment).toStdString();
+}
 
 TEST_F(StartPageCards, an_interrupted_assessment_stands_above_a_newer_interrupted_practice) {
   const SessionId assessment = broken_off();
