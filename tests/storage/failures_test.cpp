@@ -1,14 +1,12 @@
 /// A disk that fills up or fails at every single write of a transaction: nothing half-written, and a code for the cause.
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-
 #include <cerrno>
-#include <csignal>
 #include <utility>
 
 #include "storage/backup/backup.h"
 #include "storage/base/files.h"
+#include "tests/file_limit.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
@@ -132,19 +130,6 @@ TEST_F(FailuresTest, a_refused_write_names_its_cause) {
     }
     EXPECT_GT(refused, 8);
   }
-}
-
-/// By the system's own file system: during `work` the process writes no file beyond `bytes`.
-template <class Work>
-auto with_files_up_to(std::uintmax_t bytes, const Work& work) {
-  rlimit before{};
-  EXPECT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit limit{bytes, before.rlim_max};
-  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
-  auto done = work();
-  EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
-  return done;
 }
 
 TEST_F(FailuresTest, a_limit_on_the_size_of_files_is_no_full_disk) {

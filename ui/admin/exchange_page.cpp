@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QStackedWidget>
 
 #include "ui/admin/exchange_cards.h"
@@ -18,6 +17,7 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
+#include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -218,11 +218,10 @@ void ExchangePage::save_key() {
   wish.name = u"cusp-key-%1.cuspkey"_qs.arg(name_in_file());
   wish.filter = tr("Key of a station (*.cuspkey)");
   ports_.pick_file(this, wish, [this, bytes = QByteArray::fromStdString(key_file_of(*key))](const QString& path) {
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
+    if (const auto written = save_bytes(path, bytes)) {
       band_->show_message(Band::Kind::good, tr("The key is saved."), tr("Take %1 to the other station, and tell its administrator the fingerprint.").arg(isolate(path)));
     } else {
-      band_->show_message(Band::Kind::bad, tr("The key was not saved."), tr("%1: %2.").arg(isolate(path), file.errorString()));
+      band_->show_message(Band::Kind::bad, tr("The key was not saved."), tr("%1: %2.").arg(isolate(path), written.error()));
     }
   });
 }

@@ -188,8 +188,8 @@ void PeopleImport::end(const PeopleImportEnd& end) {
 
 void PeopleImport::save_slips() {
   ports_.pick_file(this, {tr("Save the PIN slips"), tr("PIN slips.pdf"), tr("PDF (*.pdf)"), true}, [this](const QString& path) {
-    if (!write_pin_slips(path.toStdString(), slips_)) {
-      band_->show_message(Band::Kind::bad, tr("%1 cannot be written.").arg(path), tr("Choose another place. The accounts are kept."));
+    if (const auto written = write_pin_slips(path.toStdString(), slips_); !written) {
+      band_->show_message(Band::Kind::bad, tr("%1 cannot be written: %2.").arg(path, QString::fromStdString(written.error().detail)), tr("Choose another place. The accounts are kept."));
       return;
     }
     slips_saved_ = true;

@@ -5,7 +5,6 @@
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSysInfo>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -27,6 +26,7 @@
 #include "ui/session/device_bench.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -390,10 +390,9 @@ void FalconPanel::save_report() {
   in.ports.pick_file(this, {tr("Save the report"), QStringLiteral("falcon-self-test.json"), tr("Report (*.json)"), true},
                      [self = QPointer(this), text](const QString& path) {
                        if (!self) return;
-                       QSaveFile file(path);
-                       const bool ok = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
-                       self->inner_->outcome->setText(ok ? tr("The report lies at %1.").arg(isolate(path))
-                                                         : tr("%1 cannot be written.").arg(isolate(path)));
+                       const auto written = save_bytes(path, text);
+                       self->inner_->outcome->setText(written ? tr("The report lies at %1.").arg(isolate(path))
+                                                              : tr("%1 cannot be written: %2.").arg(isolate(path), written.error()));
                      });
 }
 

@@ -3,7 +3,6 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QFile>
-#include <QSaveFile>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include "storage/records/statement_rows.h"
 #include "ui/report/report_pdf.h"
 #include "ui/report/report_text.h"
+#include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -38,13 +38,15 @@ struct Content {
   std::string name, bytes;
 };
 
-Message no_room() { return {PackText::tr("The pack cannot be written to the temporary folder."), PackText::tr("Nothing was changed.")}; }
+Message no_room(const QString& why) {
+  return {PackText::tr("The pack cannot be written to the temporary folder: %1.").arg(why), PackText::tr("Nothing was changed.")};
+}
 Message no_pack(const fs::path& file) {
   return {PackText::tr("%1 is no appeal pack.").arg(QString::fromStdString(file.filename().string())),
           PackText::tr("It may have been cut off on its way. Ask for it once more.")};
 }
-Message cannot_write_pack(const QString& file) {
-  return {PackText::tr("%1 cannot be written.").arg(file), PackText::tr("The attempt and its grade are kept.")};
+Message cannot_write_pack(const QString& file, const QString& why) {
+  return {PackText::tr("%1 cannot be written: %2.").arg(file, why), PackText::tr("The attempt and its grade are kept.")};
 }
 
 std::optional<std::string> bytes_of(const fs::path& path, qint64 most) {
@@ -53,11 +55,14 @@ std::optional<std::string> bytes_of(const fs::path& path, qint64 most) {
   return file.readAll().toStdString();
 }
 
-bool write_bytes(const fs::path& path, std::string_view bytes) {
-  QSaveFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::WriteOnly)) return false;
-  file.write(bytes.data(), static_cast<qint64>(bytes.size()));
-  return file.commit();
+Result<void, QString> write_bytes(const fs::path& path, std::string_view bytes) {
+  return save_bytes(QString::fromStdString(path.string()), QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())));
+}
+
+/// One of the pack's files.
+Result<void, Message> write_content(const fs::path& path, std::string_view bytes) {
+  if (auto written = write_bytes(path, bytes); !written) return std::unexpected(no_room(written.error()));
+  return {};
 }
 
 Stored<std::unique_ptr<Store>> open_extract(const fs::path& file) {
@@ -88,13 +93,14 @@ Result<void, Message> write_report(const fs::path& folder, Store& store, Session
   if (!student) return std::unexpected(describe(student.error()));
   const ReportData data = gather_report(*result, &store, &kReader);
   const DrawnTooth tooth = draw_report_tooth(*result, order_for_paper(data, kPictureSidePx));
-  if (!write_report_pdf(folder / "report.pdf", data, tooth)) return std::unexpected(no_room());
-  if (!write_bytes(folder / "report.json", report_text(data.result, store, *student))) return std::unexpected(no_room());
+  if (const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth); !pdf) return std::unexpected(no_room(QString::fromStdString(pdf.error().detail)));
+  if (auto written = write_content(folder / "report.json", report_text(data.result, store, *student)); !written) return written;
   if (tooth) {
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    if (!tooth->image.save(&buffer, "PNG") || !write_bytes(folder / "tooth.png", png.toStdString())) return std::unexpected(no_room());
+    if (!tooth->image.save(&buffer, "PNG")) return std::unexpected(no_room(u"PNG"_qs));
+    if (auto written = write_content(folder / "tooth.png", png.toStdString()); !written) return written;
   }
   if (const auto written = write_nrrd(result->volume->dense(), folder / "tooth.nrrd"); !written) return std::unexpected(describe(written.error()));
   return {};
@@ -112,7 +118,7 @@ Result<void, Message> fill(Store& store, const Actor& actor, SessionId id, const
   if (!extract) return std::unexpected(describe(extract.error()));
   const auto log = log_about(store.context(), actor, id);
   if (!log) return std::unexpected(describe(log.error()));
-  if (!write_bytes(folder / "log.csv", text_of(*log, **extract))) return std::unexpected(no_room());
+  if (auto written = write_content(folder / "log.csv", text_of(*log, **extract)); !written) return written;
   return write_report(folder, **extract, id);
 }
 
@@ -160,7 +166,7 @@ Result<void, Message> read_records(OpenedPack& pack) {
 
 Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, SessionId session, const fs::path& file) {
   const QTemporaryDir folder;
-  if (!folder.isValid()) return std::unexpected(no_room());
+  if (!folder.isValid()) return std::unexpected(no_room(folder.errorString()));
   const fs::path in = folder.path().toStdString();
   if (auto filled = fill(store, actor, session, in); !filled) return filled;
   std::vector<Content> contents;
@@ -173,7 +179,9 @@ Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, Sessio
   for (const Content& content : contents) entries.push_back({content.name, content.bytes});
   const std::string archive = write_tar(entries);
   if (archive.size() > kMaxPackBytes) return std::unexpected(Message{PackText::tr("The attempt is too long for an appeal pack."), {}});
-  if (!write_bytes(file, archive)) return std::unexpected(cannot_write_pack(QString::fromStdString(file.string())));
+  if (const auto written = write_bytes(file, archive); !written) {
+    return std::unexpected(cannot_write_pack(QString::fromStdString(file.string()), written.error()));
+  }
   return {};
 }
 
@@ -199,7 +207,8 @@ Result<OpenedPack, Message> open_appeal_pack(const fs::path& file, Store* here) 
   pack.differing = compare(pack.checked.description, *entries);
   const auto folder = std::make_shared<const QTemporaryDir>();
   pack.records = fs::path(folder->path().toStdString()) / kRecords;
-  if (!folder->isValid() || !write_bytes(pack.records, entry(kRecords))) return std::unexpected(no_room());
+  if (!folder->isValid()) return std::unexpected(no_room(folder->errorString()));
+  if (auto written = write_content(pack.records, entry(kRecords)); !written) return std::unexpected(written.error());
   pack.folder = folder;
   const bool signed_so = std::ranges::find(pack.differing, std::string(kRecords)) == pack.differing.end();
   // SQLite may refuse what nobody has signed: its message would hide that the file differs.

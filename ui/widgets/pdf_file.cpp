@@ -5,7 +5,8 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
+
+#include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -29,13 +30,13 @@ bool draw_pdf(QByteArray& bytes, const PdfSheet& sheet, const std::function<void
 
 }  // namespace
 
-/// QSaveFile writes the bytes: QPdfWriter prints a warning for a file that it cannot open, and reports no full disk.
+/// QPdfWriter draws into memory: it prints a warning for a file that it cannot open, and reports no full disk.
 Result<void, PdfFailure> write_pdf(const std::filesystem::path& file, const PdfSheet& sheet,
                                    const std::function<void(QPainter& painter, QPdfWriter& writer)>& draw) {
-  QSaveFile out(QString::fromStdString(file.string()));
   QByteArray bytes;
-  if (!out.open(QIODevice::WriteOnly) || !draw_pdf(bytes, sheet, draw) || out.write(bytes) != bytes.size() || !out.commit()) {
-    return fail(PdfError::cannot_write, file.string(), out.errorString().toStdString());
+  if (!draw_pdf(bytes, sheet, draw)) return fail(PdfError::cannot_write, file.string(), "QPdfWriter");
+  if (const auto written = save_bytes(QString::fromStdString(file.string()), bytes); !written) {
+    return fail(PdfError::cannot_write, file.string(), written.error().toStdString());
   }
   return {};
 }

@@ -2,7 +2,8 @@
 
 #include <QCoreApplication>
 #include <QPointer>
-#include <QSaveFile>
+
+#include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -29,12 +30,10 @@ void show_unwritten(Band& band, const QString& path, const QString& reason) {
 void save_csv(Band& band, const Ports& ports, const CsvWish& wish) {
   ports.pick_file(&band, csv_file_wish(wish.title, wish.name), [band = QPointer(&band), done = wish.done, bytes = QByteArray::fromStdString(wish.text)](const QString& path) {
     if (!band) return;
-    // QSaveFile renames at the end: a full disk leaves the old file.
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
+    if (const auto written = save_bytes(path, bytes)) {
       band->show_message(Band::Kind::good, done, path);
     } else {
-      show_unwritten(*band, path, file.errorString());
+      show_unwritten(*band, path, written.error());
     }
   });
 }

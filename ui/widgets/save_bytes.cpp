@@ -1,0 +1,27 @@
+#include "ui/widgets/save_bytes.h"
+
+#include <QSaveFile>
+
+namespace cusp::ui {
+namespace {
+
+/// A full disk cuts a write short, for which QSaveFile has no cause and would rename the half: the write after it names the cause.
+bool write_all(QSaveFile& file, const QByteArray& bytes) {
+  for (qint64 done = 0; done < bytes.size();) {
+    const qint64 written = file.write(bytes.constData() + done, bytes.size() - done);
+    if (written <= 0) return false;
+    done += written;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes) {
+  QSaveFile file(path);
+  // Unbuffered: a failure within commit() has lost its cause.
+  if (file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) && write_all(file, bytes) && file.commit()) return {};
+  return std::unexpected(file.errorString());
+}
+
+}  // namespace cusp::ui
