@@ -20,6 +20,29 @@ QString file_name(QString text) {
   return text.replace(kSigns, u"-"_qs).trimmed();
 }
 
+QString not_written(const PdfFailure& failure) {
+  return ReportPage::tr("%1 cannot be written: %2. The attempt and its grade are kept.")
+      .arg(QString::fromStdString(failure.where), QString::fromStdString(failure.detail));
+}
+
+/// A failure says in a sentence why. A file is written here, whole or not at all: QPrinter reports no full disk.
+Result<void, QString> print_report(QPrinter& printer, const ReportData& data, const DrawnTooth& tooth) {
+  if (const QString file = printer.outputFileName(); !file.isEmpty()) {
+    const auto done = write_report_pdf(file.toStdString(), data, tooth, printer.pageLayout());
+    if (!done) return std::unexpected(not_written(done.error()));
+    return {};
+  }
+  QPainter painter;
+  bool printed = painter.begin(&printer);
+  if (printed) {
+    const QRectF page(QPointF(0, 0), printer.pageRect(QPrinter::DevicePixel).size());
+    paint_report(painter, page, printer.resolution() / 84.0, data, tooth, [&] { printed = printer.newPage() && printed; });
+    printed = painter.end() && printed && printer.printerState() != QPrinter::Error && printer.printerState() != QPrinter::Aborted;
+  }
+  if (!printed) return std::unexpected(ReportPage::tr("The printer takes nothing. The attempt and its grade are kept."));
+  return {};
+}
+
 }  // namespace
 
 const DrawnTooth& ReportPage::drawing() {
@@ -36,8 +59,7 @@ void ReportPage::save_pdf() {
     const DrawnTooth& tooth = drawing();
     const auto done = write_report_pdf(path.toStdString(), data_, tooth);
     if (!done) {
-      news_->show_message(Band::Kind::bad, tr("The report was not saved."),
-                          tr("%1 cannot be written. The attempt and its grade are kept.").arg(path));
+      news_->show_message(Band::Kind::bad, tr("The report was not saved."), not_written(done.error()));
     } else if (!tooth) {
       news_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
                           picture_failure_text(tooth.error()) + u' ' + path);
@@ -52,17 +74,14 @@ void ReportPage::print() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->printer()->setPageSize(QPageSize(QPageSize::A4));
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
-    QPainter painter;
-    if (!painter.begin(printer)) {
-      return news_->show_message(Band::Kind::bad, tr("The report was not printed."),
-                                 tr("The printer or its file takes nothing. The attempt and its grade are kept."));
-    }
-    const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
     const DrawnTooth& tooth = drawing();
-    paint_report(painter, page, printer->resolution() / 84.0, data_, tooth, [printer] { printer->newPage(); });
-    if (!tooth) {
+    if (const auto printed = print_report(*printer, data_, tooth); !printed) {
+      news_->show_message(Band::Kind::bad, tr("The report was not printed."), printed.error());
+    } else if (!tooth) {
       news_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
                           picture_failure_text(tooth.error()));
+    } else {
+      news_->clear();
     }
   });
   dialog->open();

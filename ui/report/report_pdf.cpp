@@ -390,8 +390,8 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
 }
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
-                                          const DrawnTooth& tooth) {
-  return write_pdf(file, {.title = data.title}, [&](QPainter& painter, QPdfWriter& writer) {
+                                          const DrawnTooth& tooth, const std::optional<QPageLayout>& layout) {
+  return write_pdf(file, {.title = data.title, .layout = layout}, [&](QPainter& painter, QPdfWriter& writer) {
     paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), kPdfUnit, data, tooth,
                  [&writer] { writer.newPage(); });
   });

@@ -21,9 +21,9 @@ QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<Q
 /// the order of next_time().
 DrawingOrder order_for_paper(const ReportData& data, int side_px);
 
-/// `tooth` is of order_for_paper(). If it failed, its place on the page gives the cause.
+/// `tooth` is of order_for_paper(). If it failed, its place on the page gives the cause. `layout`: of PdfSheet.
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
-                                          const DrawnTooth& tooth);
+                                          const DrawnTooth& tooth, const std::optional<QPageLayout>& layout = std::nullopt);
 
 /// Onto any paper: `page` in the painter's units, `unit` of them to a pixel of the screen. `new_page` begins another sheet.
 void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth,

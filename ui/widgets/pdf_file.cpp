@@ -17,8 +17,7 @@ bool draw_pdf(QByteArray& bytes, const PdfSheet& sheet, const std::function<void
   QBuffer buffer(&bytes);
   if (!buffer.open(QIODevice::WriteOnly)) return false;
   QPdfWriter writer(&buffer);
-  writer.setPageSize(QPageSize(QPageSize::A4));
-  writer.setPageMargins(sheet.margins_mm, QPageLayout::Millimeter);
+  writer.setPageLayout(sheet.layout.value_or(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, sheet.margins_mm, QPageLayout::Millimeter)));
   writer.setResolution(kDotsPerInch);
   writer.setTitle(sheet.title);
   writer.setCreator(QStringLiteral("Cusp"));
