@@ -1,6 +1,6 @@
 #include "ui/student/thumbnail_cache.h"
 
-#include <QFile>
+#include <QBuffer>
 #include <QRunnable>
 #include <QStringList>
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "ui/render/tooth_picture.h"
 #include "ui/session/scene_builder.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/save_bytes.h"
 
 namespace cusp::ui {
 namespace {
@@ -74,6 +75,14 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Thumb
   return twice.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
 }
 
+QByteArray png_of(const QImage& image) {
+  QByteArray png;
+  QBuffer buffer(&png);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return png;
+}
+
 }  // namespace
 
 ThumbnailCache::ThumbnailCache(std::filesystem::path cache, QObject* parent) : QObject(parent), cache_(std::move(cache)) {
@@ -100,17 +109,18 @@ QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::
                        (use == Use::card ? u"-card"_qs : u"-cover"_qs) + (dark ? u"-dark.png"_qs : u"-light.png"_qs);
   const QString file = QString::fromStdString((cache_ / name.toStdString()).string());
   QImage kept(file);
+  if (kept.isNull()) kept = without_file_.value(name);
   if (!kept.isNull() || asked_.contains(name) || !opengl_allowed()) return kept;
   asked_.insert(name);
-  pool_.start([this, scenario = exercise.scenario, folder, use, dark, file, stopped = stopped_]() mutable {
+  pool_.start([this, scenario = exercise.scenario, folder, use, dark, name, file, stopped = stopped_]() mutable {
     if (use == Use::card) scenario.specimen.voxel_mm = std::max(scenario.specimen.voxel_mm, kCardVoxelMm);
     const QImage drawn = draw(scenario, folder, use, dark ? Tokens::dark_theme() : Tokens::light(), *stopped);
     if (drawn.isNull()) return;
-    // Renamed when whole: a half picture is never read.
-    if (!drawn.save(file + u".part"_qs, "PNG")) return;
-    QFile::remove(file);
-    QFile::rename(file + u".part"_qs, file);
-    QMetaObject::invokeMethod(this, &ThumbnailCache::ready, Qt::QueuedConnection);
+    const bool written = save_bytes(file, png_of(drawn)).has_value();
+    QMetaObject::invokeMethod(this, [this, name, drawn, written] {
+      if (!written) without_file_.insert(name, drawn);
+      Q_EMIT ready();
+    }, Qt::QueuedConnection);
   });
   return {};
 }

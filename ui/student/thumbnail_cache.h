@@ -2,6 +2,7 @@
 /// GUI thread; the drawing has one of its own.
 #pragma once
 
+#include <QHash>
 #include <QImage>
 #include <QObject>
 #include <QSet>
@@ -37,6 +38,7 @@ class ThumbnailCache : public QObject {
   std::shared_ptr<std::atomic<bool>> stopped_ = std::make_shared<std::atomic<bool>>(false);  // of the pictures asked since
   QThreadPool pool_;
   QSet<QString> asked_;
+  QHash<QString, QImage> without_file_;  // of this run: a full disk or a folder that cannot be written took none
 };
 
 }  // namespace cusp::ui

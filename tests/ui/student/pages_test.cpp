@@ -15,6 +15,7 @@
 #include <QTest>
 
 #include "scenarios/library/library.h"
+#include "tests/file_limit.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/render/gl_context_egl.h"
@@ -322,6 +323,28 @@ TEST_F(Pages, pictures_that_are_stopped_begin_again_when_they_are_asked_for) {
   if (!EglContext::create(8, 8)) GTEST_SKIP() << "no OpenGL";
   ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0; }, 60'000));
   EXPECT_FALSE(pictures.picture(list->exercises[0], {}, ThumbnailCache::Use::card).isNull());
+}
+
+TEST_F(Pages, a_picture_that_the_disk_does_not_take_is_shown_and_leaves_no_half_file) {
+  if (!EglContext::create(8, 8)) GTEST_SKIP() << "no OpenGL";
+  const Exercise block{*load_builtin("paper-block"), {}, 1, {}};
+  QImage whole;
+  for (const bool full : {false, true}) {
+    const QTemporaryDir folder;
+    ThumbnailCache thumbnails(folder.path().toStdString());
+    QSignalSpy ready(&thumbnails, &ThumbnailCache::ready);
+    // The end of a PNG stays in a buffer of 16 kB until its file is closed.
+    with_files_up_to(full ? 20'000 : RLIM_INFINITY, [&] {
+      EXPECT_TRUE(thumbnails.picture(block, {}, ThumbnailCache::Use::cover).isNull());
+      return QTest::qWaitFor([&] { return ready.count() > 0; }, 60'000);
+    });
+    ASSERT_EQ(ready.count(), 1) << full;
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), full ? 0 : 1);
+    const QImage picture = thumbnails.picture(block, {}, ThumbnailCache::Use::cover);
+    ASSERT_FALSE(picture.isNull()) << full;
+    EXPECT_TRUE(whole.isNull() || picture == whole);
+    whole = picture;
+  }
 }
 
 TEST_F(Pages, the_start_page_fits_a_window_of_1280) {
