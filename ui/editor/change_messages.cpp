@@ -1,7 +1,6 @@
 #include "ui/editor/change_messages.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <iterator>
 
@@ -100,11 +99,11 @@ QString place_name(const Change& c, const Region* whole) {
 QString value_text(const Change& c, double value) {
   const auto ranges = number_ranges();
   const auto range = std::ranges::find(ranges, std::string_view(c.path), &NumberRange::path);
-  if (range == ranges.end()) return isolate(QLocale().toString(value, 'g', 6));
+  if (range == ranges.end()) return isolate(installed_locale().toString(value, 'g', 6));
   if (range->or_zero && value == 0 && range->unit == "s") return ChangeText::tr("none");
   const QString unit = QString::fromUtf8(range->unit.data(), static_cast<qsizetype>(range->unit.size()));
   if (unit == u"mm" || unit == u"N") return format({value, {}, unit, 2});
-  return isolate(QLocale().toString(value, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit_text(unit)));
+  return isolate(installed_locale().toString(value, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit_text(unit)));
 }
 
 QString wanted_in(const Rubric& rubric, const std::string& metric) {

@@ -57,7 +57,7 @@ QString range_message(const Finding& f, double value, double least, double most)
   const NumberRange* range = range_of(f.path);
   const QString unit = range ? unit_text(QString::fromUtf8(range->unit.data(), static_cast<qsizetype>(range->unit.size()))) : QString();
   const auto shown = [&](double v) {
-    return isolate(QLocale().toString(v, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit));
+    return isolate(installed_locale().toString(v, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit));
   };
   return CheckText::tr("%1 is %2; it has to lie between %3 and %4.")
       .arg(name.isEmpty() ? isolate(QString::fromStdString(f.path)) : name, shown(value), shown(least), shown(most));

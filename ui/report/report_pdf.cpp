@@ -1,7 +1,6 @@
 #include "ui/report/report_pdf.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QPainter>
 #include <QPdfWriter>
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "ui/text/audit_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 #include <cmath>
 
@@ -44,7 +43,7 @@ QString means_sentence(const AuditReport& report) {
   if (!report.at_half_voxel || report.at_half_voxel->attempts_per_operator < 2) return {};
   const GradeChange& half = *report.at_half_voxel;
   return u' ' + AuditText::tr("Single attempts differ by chance: over %1 attempts of each operator, half the voxels change the mean score by %2 ± %3 points.")
-                    .arg(QLocale().toString(half.attempts_per_operator), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
+                    .arg(installed_locale().toString(half.attempts_per_operator), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
 }
 
 /// Whether other sizes were tried, and each of them too grades otherwise at its half or beside the exercise.

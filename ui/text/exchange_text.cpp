@@ -1,6 +1,5 @@
 #include "ui/text/exchange_text.h"
 
-#include <QLocale>
 
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
@@ -19,7 +18,7 @@ QString counts_text(const ExchangeCounts& c) {
   if (c.accounts > 0) parts += Text::tr("%n people", nullptr, shown(c.accounts));
   if (c.versions > 0) parts += Text::tr("%n exercise(s)", nullptr, shown(c.versions));
   if (c.assignments > 0) parts += Text::tr("%n assignment(s)", nullptr, shown(c.assignments));
-  return parts.isEmpty() ? Text::tr("nothing") : QLocale().createSeparatedList(parts);
+  return parts.isEmpty() ? Text::tr("nothing") : installed_locale().createSeparatedList(parts);
 }
 
 QString exchange_kind_name(ExchangeKind kind) {

@@ -1,7 +1,6 @@
 #include "ui/text/import_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 #include "scenarios/import/size_question.h"
@@ -29,14 +28,14 @@ QString tissue_of(double code) { return tissue_name(static_cast<Tissue>(static_c
 QString factors_text(const ImportRemark& r) {
   QStringList ways;
   for (std::size_t i = 1; i < r.numbers.size(); ++i)
-    ways << ImportText::tr("× %1 = %2").arg(isolate(QLocale().toString(r.numbers[i], 'g', 3)), millimetres(r.numbers[i] * r.numbers[0], 1));
+    ways << ImportText::tr("× %1 = %2").arg(isolate(installed_locale().toString(r.numbers[i], 'g', 3)), millimetres(r.numbers[i] * r.numbers[0], 1));
   return ways.isEmpty() ? QString() : u' ' + ImportText::tr("Is the unit right? %1.").arg(ways.join(QStringLiteral("; ")));
 }
 
 /// What keeps the limit on a specimen's voxels.
 QString way_out(const LimitFigures& f) {
   if (!(f.fits_mm > 0.0)) return ImportText::tr("Is the unit right? Else take fewer parts, or crop the file.");
-  return ImportText::tr("Voxels of %1 would fit; or take fewer parts, or crop the file.").arg(isolate(QLocale().toString(f.fits_mm, 'g', 3) + QChar(0x00A0) + u"mm"_qs));
+  return ImportText::tr("Voxels of %1 would fit; or take fewer parts, or crop the file.").arg(isolate(installed_locale().toString(f.fits_mm, 'g', 3) + QChar(0x00A0) + u"mm"_qs));
 }
 
 }  // namespace
@@ -128,7 +127,7 @@ QString limit_title(LimitKind kind) {
 }
 
 QString limit_text(const QString& where, const LimitFigures& f) {
-  const auto count = [](double v) { return isolate(QLocale().toString(v, 'f', 0)); };
+  const auto count = [](double v) { return isolate(installed_locale().toString(v, 'f', 0)); };
   const auto megabytes = [&](double bytes) { return count(std::ceil(bytes / 1e6)); };
   switch (f.kind) {
     case LimitKind::voxels: {

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <mutex>
 
+#include "ui/widgets/format.h"
+
 static void load_resources() { Q_INIT_RESOURCE(cusp_translations); }
 
 namespace cusp::ui {
@@ -91,7 +93,7 @@ void install_language(QCoreApplication& app, const QString& wanted) {
   QLocale locale = system.language() == plain.language() ? system : plain;
   // No thousands sign: a score or a count of attempts never needs one, and a field that reads it back may not know it.
   locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
-  QLocale::setDefault(locale);
+  install_locale(locale);
 
   auto* of_qt = new QTranslator(&app);
   if (code != u"en" && of_qt->load(u"qtbase_"_qs + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

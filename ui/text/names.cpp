@@ -136,8 +136,8 @@ QString self_test_age(int days) { return Text::tr("self-test at most %n day(s) o
 
 bool stands_before(const std::string& name, const std::string& other) {
   static QCollator order;  // the window's thread; making one takes longer than many comparisons
-  if (order.locale() != QLocale() || !order.numericMode()) {
-    order.setLocale(QLocale());
+  if (order.locale() != installed_locale() || !order.numericMode()) {
+    order.setLocale(installed_locale());
     order.setNumericMode(true);
     order.setCaseSensitivity(Qt::CaseInsensitive);
   }

@@ -77,7 +77,7 @@ Message describe_locked(const StorageFailure& f, const QString& what) {
   const qint64 until_us = QString::fromStdString(f.detail).toLongLong();
   if (until_us <= 0) return {what, Text::tr("Wait a little and try again.")};
   const QDateTime until = local_time(until_us);
-  return {what, Text::tr("Signing in is open again at %1.").arg(QLocale().toString(until.time(), u"HH:mm:ss"_qs))};
+  return {what, Text::tr("Signing in is open again at %1.").arg(installed_locale().toString(until.time(), u"HH:mm:ss"_qs))};
 }
 
 Message describe_weak(const StorageFailure& f) {
@@ -142,7 +142,7 @@ Message describe_not_allowed(const StorageFailure& f) {
 
 /// With its year: the recording may be gone for long.
 Message describe_thinned(const StorageFailure& f) {
-  const QLocale locale;
+  const QLocale locale = installed_locale();
   const QDate day = local_time(QString::fromStdString(f.detail).toLongLong()).date();
   const QString form = locale.language() == QLocale::German ? QStringLiteral("d. MMMM yyyy") : QStringLiteral("d MMMM yyyy");
   return {Text::tr("The recording was thinned on %1.").arg(locale.toString(day, form)),

@@ -1,9 +1,9 @@
 #include "ui/text/thinning_text.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include "ui/text/text.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::ui {
 namespace {
@@ -22,7 +22,7 @@ QString kept_part(KeptBecause why, int count) {
 
 }  // namespace
 
-QString recording_size_text(std::uint64_t bytes) { return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1); }
+QString recording_size_text(std::uint64_t bytes) { return installed_locale().formattedDataSize(static_cast<qint64>(bytes), 1); }
 
 QString thinned_text(const ThinningReport& report, ThinningMode mode) {
   const int count = static_cast<int>(report.attempts);

@@ -1,11 +1,21 @@
 #include "ui/widgets/format.h"
 
 #include <cmath>
+#include <mutex>
 
 namespace cusp::ui {
 namespace {
 
 constexpr QChar kNoBreak(0x00A0);
+
+struct Installed {
+  std::mutex mutex;  // guards what follows; held for a copy
+  QLocale locale;
+};
+Installed& installed() {
+  static Installed one;
+  return one;
+}
 
 /// Decimals that show two digits of an uncertainty at most: 0.034 -> 2, 0.4 -> 1, 3 -> 0.
 int decimals_from(double uncertainty) {
@@ -25,6 +35,17 @@ QString time_after_day(const QDateTime& when, const QLocale& locale) {
 }
 
 }  // namespace
+
+void install_locale(const QLocale& locale) {
+  QLocale::setDefault(locale);
+  const std::lock_guard lock(installed().mutex);
+  installed().locale = locale;
+}
+
+QLocale installed_locale() {
+  const std::lock_guard lock(installed().mutex);
+  return installed().locale;
+}
 
 QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
 

@@ -9,6 +9,11 @@
 
 namespace cusp::ui {
 
+/// Sets Qt's default, which widgets take, and installed_locale(). Thread: GUI.
+void install_locale(const QLocale& locale);
+/// Thread: any. Qt guards its own default by no lock.
+QLocale installed_locale();
+
 struct Measured {
   double value = 0;
   std::optional<double> uncertainty{};  // one-sided, same unit
@@ -17,30 +22,30 @@ struct Measured {
 };
 
 /// "1.84 mm ± 0.03"
-QString format(const Measured& m, const QLocale& locale = {});
+QString format(const Measured& m, const QLocale& locale = installed_locale());
 /// The two halves of the above: "1.84 mm" and "± 0.03" (empty without uncertainty).
-QString format_value(const Measured& m, const QLocale& locale = {});
-QString format_uncertainty(const Measured& m, const QLocale& locale = {});
+QString format_value(const Measured& m, const QLocale& locale = installed_locale());
+QString format_uncertainty(const Measured& m, const QLocale& locale = installed_locale());
 /// "mm³" for "mm3".
 QString unit_text(const QString& unit);
 
-QString format_number(double value, int decimals, const QLocale& locale = {});
+QString format_number(double value, int decimals, const QLocale& locale = installed_locale());
 /// To a tenth, but never up to a whole number: 69.96 is not 70, the mark to pass.
 double shown_points(double points);
 /// shown_points(): whole where they are whole, else with one decimal.
-QString format_points(double points, const QLocale& locale = {});
+QString format_points(double points, const QLocale& locale = installed_locale());
 /// "7:38" from seconds.
 QString format_clock(double seconds);
 /// A stored time, µs since 1970 UTC, as local time.
 QDateTime local_time(std::int64_t utc_us);
 /// For a screen: "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order. The year follows the month if it is not that of `now`.
-QString format_day(const QDateTime& when, const QLocale& locale = {}, const QDateTime& now = QDateTime::currentDateTime());
-QString format_day_time(const QDateTime& when, const QLocale& locale = {}, const QDateTime& now = QDateTime::currentDateTime());
+QString format_day(const QDateTime& when, const QLocale& locale = installed_locale(), const QDateTime& now = QDateTime::currentDateTime());
+QString format_day_time(const QDateTime& when, const QLocale& locale = installed_locale(), const QDateTime& now = QDateTime::currentDateTime());
 /// For what is kept: "Fri 20 Nov 2026" and "Fri 20 Nov 2026, 10:14".
-QString format_date(const QDateTime& when, const QLocale& locale = {});
-QString format_date_time(const QDateTime& when, const QLocale& locale = {});
+QString format_date(const QDateTime& when, const QLocale& locale = installed_locale());
+QString format_date_time(const QDateTime& when, const QLocale& locale = installed_locale());
 /// For paper: "Fri 20 Nov 2026, 10:14 UTC+1".
-QString format_date_time_zone(const QDateTime& when, const QLocale& locale = {});
+QString format_date_time_zone(const QDateTime& when, const QLocale& locale = installed_locale());
 /// A tool tip that shows `text` as it stands: Qt would read HTML in it.
 QString tool_tip_text(const QString& text);
 /// Wraps in U+2066 … U+2069.

@@ -1,9 +1,10 @@
 #include "ui/widgets/paper.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/widgets/format.h"
 
 namespace cusp::ui {
 
@@ -39,7 +40,7 @@ void Paper::number(QPointF middle, int number) {
   p_.drawEllipse(middle, r, r);
   p_.setFont(font(9, Weight::bold));
   p_.setPen(t.text);
-  p_.drawText(QRectF(middle.x() - r, middle.y() - r, 2 * r, 2 * r), Qt::AlignCenter, QLocale().toString(number));
+  p_.drawText(QRectF(middle.x() - r, middle.y() - r, 2 * r, 2 * r), Qt::AlignCenter, installed_locale().toString(number));
 }
 
 }  // namespace cusp::ui

@@ -6,7 +6,9 @@
 
 #include <QLocale>
 #include <QTimeZone>
+#include <atomic>
 #include <limits>
+#include <thread>
 
 #include "tests/modules.h"
 #include "ui/widgets/format.h"
@@ -64,6 +66,26 @@ TEST(Format, a_clock_counts_minutes_and_from_an_hour_on_hours) {
   EXPECT_EQ(plain(format_clock(458.9)), "7:38");
   EXPECT_EQ(plain(format_clock(5)), "0:05");
   EXPECT_EQ(plain(format_clock(3661)), "1:01:01");
+}
+
+TEST(Format, a_task_writes_numbers_while_the_window_installs_another_locale) {
+  const QLocale before = installed_locale();
+  install_locale(kGerman);
+  QLocale::setDefault(kEnglish);  // Qt's own, which a task may not read
+  EXPECT_EQ(format_number(1.5, 1).toStdString(), "1,5");
+  std::atomic<bool> over = false;
+  int other = 0;
+  std::thread task([&] {
+    while (!over) {
+      const std::string text = format_number(1.5, 1).toStdString();
+      other += text != "1,5" && text != "1.5" ? 1 : 0;
+    }
+  });
+  for (int i = 0; i < 2000; ++i) install_locale(i % 2 == 0 ? kEnglish : kGerman);
+  over = true;
+  task.join();
+  EXPECT_EQ(other, 0);
+  install_locale(before);
 }
 
 TEST(Format, a_day_is_written_in_the_order_of_the_language) {
