@@ -30,11 +30,13 @@ Colour colour_of(const QColor& c) {
 
 }  // namespace
 
-ToothView::ToothView(QWidget* parent) : QWidget(parent), scale_(kBudgetMs) {
+ToothView::ToothView(QWidget* parent) : ToothView(parent, ViewPainter::create) {}
+
+ToothView::ToothView(QWidget* parent, const MakePainter& make_painter) : QWidget(parent), scale_(kBudgetMs) {
   setMinimumSize(240, 200);
   setAttribute(Qt::WA_OpaquePaintEvent);
   // A view that is gone takes no frame: the painter, a member, ends with it.
-  painter_ = ViewPainter::create([this](FinishedFrame frame) {
+  painter_ = make_painter([this](FinishedFrame frame) {
     auto shared = std::make_shared<FinishedFrame>(std::move(frame));
     QMetaObject::invokeMethod(this, [this, shared] { take(std::move(*shared)); }, Qt::QueuedConnection);
   });
@@ -107,16 +109,13 @@ void ToothView::order_frame() {
 }
 
 void ToothView::take(FinishedFrame frame) {
-  if (frame.image.isNull()) {
-    painter_.reset();
-    forbid_opengl();  // no other picture can be drawn either, and the pages show why
-    show_placeholder(tr("The tooth could not be drawn: %1").arg(frame.why));
-    take_feed();
-    return note_shown(mesh_);
-  }
-  if (frame.mesh == mesh_) {
-    for (BakedPatch& patch : frame.fed) store_.put(std::move(patch));
-    changes_.insert(changes_.end(), frame.changes.begin(), frame.changes.end());
+  keep_fed(frame);
+  if (frame.image.isNull() && !frame.lost) return give_up(frame.why);
+  if (frame.lost) {
+    changed_ = {};
+    wanted_ = true;
+    drawing_ = false;
+    return order_frame();
   }
   spare_ = std::exchange(image_, std::move(frame.image));
   draw_ms_ = frame.draw_ms;
@@ -126,6 +125,20 @@ void ToothView::take(FinishedFrame frame) {
   update();
   if (frame.more) wanted_ = true;
   note_shown(frame.mesh);
+}
+
+void ToothView::keep_fed(FinishedFrame& frame) {
+  if (frame.mesh != mesh_) return;
+  for (BakedPatch& patch : frame.fed) store_.put(std::move(patch));
+  changes_.insert(changes_.end(), frame.changes.begin(), frame.changes.end());
+}
+
+void ToothView::give_up(const QString& why) {
+  painter_.reset();
+  forbid_opengl();  // no other picture can be drawn either, and the pages show why
+  show_placeholder(tr("The tooth could not be drawn: %1").arg(why));
+  take_feed();
+  note_shown(mesh_);
 }
 
 void ToothView::note_shown(int mesh) {

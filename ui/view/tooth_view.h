@@ -27,6 +27,9 @@ class ToothView : public QWidget {
 
  public:
   explicit ToothView(QWidget* parent = nullptr);
+  /// Makes what draws; nullptr: a placeholder stands.
+  using MakePainter = std::function<std::unique_ptr<ViewPainter>(std::function<void(FinishedFrame)> drawn)>;
+  ToothView(QWidget* parent, const MakePainter& make_painter);
   /// Why nothing can be drilled after forbid_opengl(), and what can be done.
   static QString pictures_off();
   ~ToothView() override;
@@ -115,6 +118,8 @@ class ToothView : public QWidget {
   void sharpen();
   QSize full_size_px() const;
   void take(FinishedFrame frame);
+  void keep_fed(FinishedFrame& frame);
+  void give_up(const QString& why);
   void take_feed();
   void note_shown(int mesh);
   void show_placeholder(const QString& text);

@@ -7,10 +7,12 @@
 #include <QThread>
 #include <chrono>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "ui/render/framebuffer.h"
 #include "ui/render/opengl_allowed.h"
+#include "ui/render/reset_watch.h"
 #include "ui/view/low_priority.h"
 
 namespace cusp::ui {
@@ -18,13 +20,47 @@ namespace {
 
 // What a frame may upload: a bur changes some 40 patches of 5 kB; the first frame of a mesh takes all.
 constexpr std::size_t kUploadBytes = 1u << 20;
+// After a reset a card may refuse contexts for a while; a card that loses one after the other draws nothing.
+constexpr int kTriesAfterLoss = 10, kMostLosses = 3;
+constexpr std::chrono::milliseconds kPauseAfterLoss{100};
 
 QSurfaceFormat wanted_format() {
   QSurfaceFormat format;
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setOption(QSurfaceFormat::ResetNotification);
   return format;
 }
+
+/// Of Qt's platform, on a surface that no screen shows.
+class PlatformContext : public PaintContext {
+ public:
+  PlatformContext() {
+    surface_.setFormat(wanted_format());
+    surface_.create();
+  }
+  bool valid() const { return surface_.isValid(); }
+
+  bool make() override {
+    context_ = std::make_unique<QOpenGLContext>();
+    context_->setFormat(wanted_format());
+    if (!context_->create() || !context_->makeCurrent(&surface_)) return false;
+    watch_.emplace();
+    return true;
+  }
+  bool lost() override { return !context_->isValid() || watch_->lost(); }
+  void end() override {
+    if (!context_) return;
+    watch_.reset();
+    context_->doneCurrent();
+    context_.reset();
+  }
+
+ private:
+  QOffscreenSurface surface_;
+  std::unique_ptr<QOpenGLContext> context_;
+  std::optional<ResetWatch> watch_;
+};
 
 }  // namespace
 
@@ -83,24 +119,21 @@ class ViewPainter::Canvas {
   bool in_software_ = false;
 };
 
-ViewPainter::ViewPainter(Drawn drawn) : drawn_(std::move(drawn)) {}
+ViewPainter::ViewPainter(Drawn drawn, std::unique_ptr<PaintContext> context) : drawn_(std::move(drawn)), context_(std::move(context)) {
+  thread_.reset(QThread::create([this] { run(); }));
+  thread_->setObjectName(QStringLiteral("tooth view"));
+  thread_->start();
+}
 
 std::unique_ptr<ViewPainter> ViewPainter::create(Drawn drawn) {
   const QString platform = QGuiApplication::platformName();
   if (!opengl_allowed() || platform == u"offscreen" || platform == u"minimal" || platform == u"vnc") return nullptr;
-  std::unique_ptr<ViewPainter> out(new ViewPainter(std::move(drawn)));
-  out->surface_ = std::make_unique<QOffscreenSurface>();
-  out->surface_->setFormat(wanted_format());
-  out->surface_->create();
-  if (!out->surface_->isValid()) return nullptr;
-  out->thread_.reset(QThread::create([painter = out.get()] { painter->run(); }));
-  out->thread_->setObjectName(QStringLiteral("tooth view"));
-  out->thread_->start();
-  return out;
+  auto context = std::make_unique<PlatformContext>();
+  if (!context->valid()) return nullptr;
+  return std::make_unique<ViewPainter>(std::move(drawn), std::move(context));
 }
 
 ViewPainter::~ViewPainter() {
-  if (!thread_) return;
   {
     const std::lock_guard lock(mutex_);
     over_ = true;
@@ -123,29 +156,50 @@ std::optional<FrameOrder> ViewPainter::next_order() {
   return over_ ? std::nullopt : std::exchange(order_, std::nullopt);
 }
 
+bool ViewPainter::make_context() {
+  for (int i = 0; i < (losses_ == 0 ? 1 : kTriesAfterLoss); ++i) {
+    if (i > 0) std::this_thread::sleep_for(kPauseAfterLoss);
+    if (context_->make()) return true;
+    context_->end();
+  }
+  return false;
+}
+
+FinishedFrame ViewPainter::draw_in(std::optional<Canvas>& canvas, FrameOrder& order) {
+  FinishedFrame frame;
+  frame.mesh = order.mesh;
+  if (!canvas && !make_context()) {
+    frame.why = QStringLiteral("OpenGL 3.3");
+    return frame;
+  }
+  if (!canvas) canvas.emplace();
+  frame = canvas->draw(order);
+  if (!context_->lost()) {
+    losses_ = 0;
+    return frame;
+  }
+  canvas.reset();
+  context_->end();
+  frame.image = QImage();
+  frame.lost = ++losses_ < kMostLosses;
+  frame.why = QStringLiteral("OpenGL 3.3");
+  return frame;
+}
+
 void ViewPainter::run() {
   using Clock = std::chrono::steady_clock;
   // Before the context: software OpenGL starts its own threads with it, and they inherit the priority.
   lower_own_priority();
-  context_ = std::make_unique<QOpenGLContext>();
-  context_->setFormat(wanted_format());
-  const bool able = context_->create() && context_->makeCurrent(surface_.get());
   {
-    Canvas canvas;
+    std::optional<Canvas> canvas;  // stands while a context does
     while (std::optional<FrameOrder> order = next_order()) {
       const Clock::time_point start = Clock::now();
-      FinishedFrame frame;
-      if (able) {
-        frame = canvas.draw(*order);
-      } else {
-        frame.why = QStringLiteral("OpenGL 3.3");
-      }
+      FinishedFrame frame = draw_in(canvas, *order);
       frame.draw_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
       drawn_(std::move(frame));
     }
   }
-  context_->doneCurrent();
-  context_.reset();
+  context_->end();
 }
 
 }  // namespace cusp::ui

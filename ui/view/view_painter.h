@@ -1,5 +1,6 @@
 /// Draws a ToothPicture into images on a thread of low priority, one frame at a time. The window copies them: composing it
-/// with OpenGL costs software more than the tooth. Thread: GUI; Drawn is called on the painter's.
+/// with OpenGL costs software more than the tooth. A context that the graphics card has lost is made anew.
+/// Thread: GUI; Drawn is called on the painter's.
 #pragma once
 
 #include <QImage>
@@ -13,9 +14,8 @@
 
 #include "ui/render/patch_feed.h"
 #include "ui/render/tooth_picture.h"
+#include "ui/view/paint_context.h"
 
-class QOffscreenSurface;
-class QOpenGLContext;
 class QThread;
 
 namespace cusp::ui {
@@ -38,6 +38,7 @@ struct FinishedFrame {
   QImage image;  // null: drawing failed
   QString why;   // then the OpenGL call that failed
   int mesh = 0;
+  bool lost = false;            // no image: the next order has to hold everything, for another context
   std::vector<BakedPatch> fed;  // taken from the feed
   TickTimes changes;            // that this frame shows first
   bool more = false;            // further patches wait in the feed
@@ -51,6 +52,7 @@ class ViewPainter {
 
   /// nullptr where the platform has no OpenGL, or forbid_opengl() was called.
   static std::unique_ptr<ViewPainter> create(Drawn drawn);
+  ViewPainter(Drawn drawn, std::unique_ptr<PaintContext> context);
   /// Waits for the frame in work.
   ~ViewPainter();
   ViewPainter(const ViewPainter&) = delete;
@@ -61,13 +63,14 @@ class ViewPainter {
 
  private:
   class Canvas;
-  explicit ViewPainter(Drawn drawn);
   void run();
+  FinishedFrame draw_in(std::optional<Canvas>& canvas, FrameOrder& order);
+  bool make_context();
   std::optional<FrameOrder> next_order();
 
   Drawn drawn_;
-  std::unique_ptr<QOffscreenSurface> surface_;
-  std::unique_ptr<QOpenGLContext> context_;  // of the painter's thread
+  std::unique_ptr<PaintContext> context_;
+  int losses_ = 0;  // of contexts since the newest image
   std::unique_ptr<QThread> thread_;
   std::mutex mutex_;  // guards what follows
   std::condition_variable wake_;
