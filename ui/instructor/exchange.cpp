@@ -1,13 +1,11 @@
 #include "ui/instructor/exchange.h"
 
-#include <cerrno>
-#include <fstream>
-
 #include "scenarios/format/write.h"
 #include "storage/base/files.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/texts_form.h"
 #include "ui/modules.h"
+#include "ui/student/exercises.h"
 
 namespace cusp::ui {
 namespace {
@@ -47,13 +45,7 @@ Stored<void> write_volume(const ExerciseFile& file, const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return fail(error_from_errno(error.value()), folder.string(), error.message());
-  const fs::path path = folder / file.scenario.specimen.volume;
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(file.volume.data()), static_cast<std::streamsize>(file.volume.size()));
-  out.close();
-  if (!out) return fail(error_from_errno(errno), path.string());
-  return {};
+  return write_beside(folder / file.scenario.specimen.volume, file.volume);
 }
 
 }  // namespace

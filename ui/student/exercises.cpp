@@ -17,7 +17,19 @@ StorageFailure write_failure(int error, const std::filesystem::path& file) {
   return {error_from_errno(error), file.string(), error == 0 ? std::string() : std::generic_category().message(error)};
 }
 
-/// Writes beside the name and renames, so that no half file bears the name.
+/// Those that come with the program. The first call reads them.
+const std::vector<Exercise>& builtin_exercises() {
+  static const std::vector<Exercise> all = [] {
+    std::vector<Exercise> out;
+    for (const std::string_view key : builtin_scenarios())
+      if (auto scenario = load_builtin(key)) out.push_back({std::move(*scenario), {}, 1, {}});
+    return out;
+  }();
+  return all;
+}
+
+}  // namespace
+
 Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
   const std::filesystem::path part = file.string() + ".part";
   errno = 0;
@@ -34,19 +46,6 @@ Stored<void> write_beside(const std::filesystem::path& file, const std::vector<s
   if (error) return std::unexpected(write_failure(error.value(), file));
   return {};
 }
-
-/// Those that come with the program. The first call reads them.
-const std::vector<Exercise>& builtin_exercises() {
-  static const std::vector<Exercise> all = [] {
-    std::vector<Exercise> out;
-    for (const std::string_view key : builtin_scenarios())
-      if (auto scenario = load_builtin(key)) out.push_back({std::move(*scenario), {}, 1, {}});
-    return out;
-  }();
-  return all;
-}
-
-}  // namespace
 
 void read_builtin_exercises() { static_cast<void>(builtin_exercises()); }
 

@@ -34,4 +34,7 @@ Stored<Exercise> load_exercise(Store& store, VersionId version);
 Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exercise,
                                               const std::filesystem::path& cache);
 
+/// Writes beside the name and renames: a failure leaves what was there, and no half file.
+Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes);
+
 }  // namespace cusp::ui

@@ -15,10 +15,12 @@
 #include "scenarios/format/write.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/library.h"
+#include "tests/file_limit.h"
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 #include "tests/ui/desk_records.h"
 #include "ui/editor/editor_records.h"
+#include "ui/instructor/exchange.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
 #include "ui/widgets/parts.h"
@@ -221,6 +223,24 @@ TEST_F(LibraryFiles, ADiscardedDraftLeavesTheVolumeOfAnotherInstructorsDraft) {
   theirs.table()->choose_row(0);
   theirs.discard_draft();
   EXPECT_FALSE(std::filesystem::exists(volume)) << "nobody needs it";
+}
+
+TEST_F(LibraryFiles, AFileThatTheDiskDoesNotTakeLeavesTheVolumeOfAnotherInstructorsDraft) {
+  const QString file = path("block.cusp");
+  send_volume(file);
+  to.open_file(file);
+  ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+  const std::filesystem::path in = to.opened[0].folder, volume = in / to.opened[0].draft.specimen.volume;
+  const auto whole = std::filesystem::file_size(volume);
+  ASSERT_GT(whole, 1000u);
+  const Account other = *to.records.store().accounts.create(to.records.administrator().actor(), {"falk", "Ida Falk", Role::instructor, "correct horse", ""});
+  const auto read = read_exercise_file(file.toStdString());
+  ASSERT_TRUE(read);
+  const auto taken = with_files_up_to(1000, [&] { return take_in(to.records.store(), other.actor(), *read, KeepId::yes, to.records.file()); });
+  ASSERT_FALSE(taken);
+  EXPECT_EQ(taken.error().code, StorageError::file_too_large);
+  EXPECT_EQ(std::filesystem::file_size(volume), whole);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(in), {}), 1) << "a half file is left";
 }
 
 TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
