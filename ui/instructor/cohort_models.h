@@ -63,6 +63,8 @@ class AssignmentsModel : public QAbstractTableModel {
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   const AssignmentRow& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  /// Nil of row -1.
+  AssignmentId id_at(int i) const { return i < 0 ? AssignmentId{} : row(i).assignment.id; }
   int row_of(AssignmentId id) const;
 
  private:

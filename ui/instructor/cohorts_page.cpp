@@ -217,11 +217,10 @@ void CohortsPage::read() {
 }
 
 bool CohortsPage::read_again() {
-  const int row = assigned_->chosen_row();
-  const std::optional<AssignmentId> kept = row >= 0 ? std::optional(assignments_->row(row).assignment.id) : std::nullopt;
+  const AssignmentId kept = assignments_->id_at(assigned_->chosen_row());
   read();
   show_chosen();
-  if (kept) assigned_->choose_row(assignments_->row_of(*kept));
+  assigned_->choose_row(assignments_->row_of(kept));
   return true;
 }
 
