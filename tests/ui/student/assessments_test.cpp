@@ -327,54 +327,6 @@ TEST_F(Assessments, AnAssignedPracticeNamesItsDevicesInTheCourse) {
   EXPECT_EQ(next.device_classes, (std::vector<std::string>{"falcon", "inverse3"}));
 }
 
-TEST_F(Assessments, AnAssignedPracticeWithoutAttemptsLeftGivesWayToTheNextOne) {
-  const Assignment first = *records.store().assignments.create(
-      examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour, .attempts_allowed = 1});
-  const auto newer = publish_newer();
-  ASSERT_TRUE(newer);
-  const Assignment second =
-      *records.store().assignments.create(examiner, {.version = newer->id, .cohort = assignment.cohort, .due_utc_us = kMorning + 9 * kHour});
-  const auto row = [&] {
-    const Course course = *load_course(records.store(), lena.actor());
-    return *std::ranges::find_if(course.rows, [](const CourseRow& r) { return r.assignment.has_value(); });
-  };
-  EXPECT_EQ(row().assignment, first.id);
-  NewSession wanted{.student = lena.id, .version = first.version, .assignment = first.id};
-  wanted.header.device.device_class = "pointer";
-  wanted.header.scene = "{}";
-  ASSERT_TRUE(records.store().sessions.start(lena.actor(), wanted));
-  EXPECT_EQ(row().assignment, second.id);
-  EXPECT_EQ(row().exercise.version, newer->id) << "an attempt at the first one's version would count for none";
-  EXPECT_FALSE(row().attempts_allowed) << "the second one allows any number";
-}
-
-TEST_F(Assessments, AnAssignedPracticeThatIsOverLimitsNothing) {
-  ASSERT_TRUE(records.store().assignments.create(examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour,
-                                                            .attempts_allowed = 3, .device_classes = {"falcon"}}));
-  records.attempt(lena, "channel-1", 60, 100);
-  records.now_us = kMorning + 2 * kHour;
-  const CourseModel model(load_course(records.store(), lena.actor())->rows);
-  int row = 0;
-  while (row + 1 < model.rowCount() && !model.row(row).assignment) ++row;
-  ASSERT_TRUE(model.row(row).over);
-  EXPECT_TRUE(model.row(row).device_classes.empty()) << "an attempt counts with no device";
-  EXPECT_EQ(model.index(row, CourseModel::kAttempts).data().toString(), QStringLiteral("1"));
-}
-
-TEST_F(Assessments, AnUntriedExerciseWhoseAssignmentIsOverIsNoLongerDue) {
-  ASSERT_TRUE(records.store().assignments.create(examiner, {.version = assignment.version, .cohort = assignment.cohort, .due_utc_us = kMorning + kHour}));
-  const auto standing = [&] {
-    const CourseModel model(load_course(records.store(), lena.actor())->rows);
-    QStringList out;
-    for (int i = 0; i < model.rowCount(); ++i)
-      if (model.row(i).assignment) out += model.index(i, 0).data(CourseModel::StandingRole).toString();
-    return out.join(u'|');
-  };
-  EXPECT_TRUE(standing().startsWith(QStringLiteral("Due "))) << standing().toStdString();
-  records.now_us = kMorning + 2 * kHour;
-  EXPECT_EQ(standing(), QStringLiteral("not tried yet"));
-}
-
 TEST_F(Assessments, AnAssignedAssessmentIsNoPracticeOfTheCourse) {
   const Course course = *load_course(records.store(), lena.actor());
   ASSERT_FALSE(course.rows.empty());
