@@ -68,3 +68,7 @@ with tempfile.TemporaryDirectory(prefix="cusp-set-up-") as state:
     check(status == 0 and "--preserve-env=http_proxy" in log and log.strip().endswith("older-name"), f"older-name is installed: {log}")
     status, said, log = run(state, "validate", "mine.cusp", sudo=True)
     check(status == 0 and f"in {state}: validate mine.cusp" in said, f"a path is one of where ./run was called: {said}")
+    for environment, window in ((dict(DISPLAY=":7"), True), (dict(WAYLAND_DISPLAY="wayland-0"), True), (dict(QT_QPA_PLATFORM="vnc:port=5901"), True),
+                                (dict(QT_QPA_PLATFORM="offscreen"), False), (dict(QT_QPA_PLATFORM="xcb"), False), (dict(), False)):
+        status, said, log = run(state, sudo=True, HOME=state, **environment)
+        check(status == 0 and ("No display" not in said) == window, f"{environment}: {said}")
