@@ -147,8 +147,8 @@ void AttemptOpening::open(Order order, const Answer& answer) {
   wait_for_dropped_devices();  // a page may still be closing the device
   falcon_.store(attempt->device.falcon, std::memory_order_release);
   inverse_.store(attempt->device.inverse, std::memory_order_release);
-  attempt->idle = std::make_unique<IdlePort>(*attempt->device.port, std::move(plan.pedal));
-  auto session = ExerciseSession::start(std::move(plan), *attempt->idle);
+  attempt->idle = std::make_shared<IdlePort>(std::move(attempt->device.port), std::move(plan.pedal));
+  auto session = ExerciseSession::start(std::move(plan), attempt->idle);
   falcon_.store(nullptr, std::memory_order_release);
   inverse_.store(nullptr, std::memory_order_release);
   if (!session) {

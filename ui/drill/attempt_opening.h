@@ -21,8 +21,8 @@ namespace cusp::ui {
 
 /// What the window gets.
 struct OpenedAttempt {
-  SessionDevice device;
-  std::unique_ptr<IdlePort> idle;  // what the session reads: the device with its pedal
+  SessionDevice device;            // without its port
+  std::shared_ptr<IdlePort> idle;  // that port with the pedal; the session may keep it
   std::shared_ptr<PatchFeed> patches;
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;

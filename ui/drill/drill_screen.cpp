@@ -320,9 +320,7 @@ void DrillScreen::look() {
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped && !in.asked);
   in.bar->set_stopped(stopped);
-  // Whoever ends the attempt would wait for the driver.
   in.bar->enable_pause(!in.live.silent);
-  in.bar->enable_leave(!in.live.silent);
   // Inputs could not be kept: the attempt is graded as it stands.
   if (in.live.end == LoopEnd::ring_full) finish_now();
 }

@@ -97,7 +97,7 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   }
 }
 
-/// The session waits for the mirror and for the disk, on a thread of its own.
+/// The session waits for the mirror and for the disk, on a thread of its own; for a driver that stands still it waits 3 s at most.
 void DrillScreen::leave_now() {
   Inner& in = *inner_;
   in.look_timer.stop();
@@ -134,14 +134,13 @@ void DrillScreen::ask_leave() {
     Q_EMIT left();
     return;
   }
-  if (in.live.silent) return;
   const auto leave = [self = QPointer(this)](bool yes) {
     if (!self || !self->running()) return;
     Inner& inner = *self->inner_;
     inner.stage->set_asking(false);
     inner.asked = false;
     if (inner.working && !inner.unseen) return;  // the time limit has finished it meanwhile
-    yes && !inner.live.silent ? self->leave_now() : self->answered_no();
+    yes ? self->leave_now() : self->answered_no();
   };
   double removed = 0;
   const LiveView now = in.attempt->session->view();
@@ -159,7 +158,8 @@ void DrillScreen::ask_leave() {
   const bool waits = now.recording == RecordingState::behind || now.recording == RecordingState::failed;
   in.ports.ask(this,
                {tr("Leave this attempt?"),
-                !kept   ? tr("Nothing of it is kept.")
+                !kept        ? tr("Nothing of it is kept.")
+                : now.silent ? tr("It stays in your results as interrupted, with what was recorded until the driver of the device stood still.")
                 : waits ? tr("It stays in your results as interrupted, without what cannot be written.")
                         : tr("It stays in your results as interrupted."),
                 tr("Leave"), true},

@@ -12,8 +12,8 @@ namespace cusp::ui {
 
 class IdlePort final : public HapticPort {
  public:
-  /// `pedal` may be null. Pre: `port` outlives this.
-  IdlePort(HapticPort& port, std::shared_ptr<const PedalSource> pedal) : port_(port, std::move(pedal)) {}
+  /// `pedal` may be null.
+  IdlePort(std::unique_ptr<HapticPort> port, std::shared_ptr<const PedalSource> pedal) : device_(std::move(port)), port_(*device_, std::move(pedal)) {}
 
   /// Any thread. The first sample after `false` re-arms: the force ramps in, as after a pause.
   void set_idle(bool on) noexcept { idle_.store(on, std::memory_order_release); }
@@ -26,6 +26,7 @@ class IdlePort final : public HapticPort {
   void close() noexcept override { port_.close(); }
 
  private:
+  std::unique_ptr<HapticPort> device_;
   PedalledPort port_;
   std::atomic<bool> idle_{false};
   bool was_idle_ = false;  // in the sample before; haptic thread

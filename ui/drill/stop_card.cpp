@@ -96,11 +96,11 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
   return true;
 }
 
-/// A session that is stopped, or has no tick, can neither be resumed nor, while it is measured, be left.
+/// A session that is stopped can neither be resumed nor, while it is measured, be left. Without a tick it cannot be resumed.
 void StopCard::show_ways() {
-  const bool at_end = stop_ == Stop::record_at_end || stop_ == Stop::behind || stop_ == Stop::silent;
+  const bool at_end = stop_ == Stop::record_at_end || stop_ == Stop::behind;
   leave_->setHidden(at_end);
-  go_on_->setHidden(at_end);
+  go_on_->setHidden(at_end || stop_ == Stop::silent);
   finish_again_->setVisible(stop_ == Stop::record_at_end);
 }
 

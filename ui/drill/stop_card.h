@@ -20,7 +20,7 @@ class StopCard : public QFrame {
 
  public:
   /// record: while drilling; record_at_end: after Finish, when the session is stopped; behind: the tooth is being measured.
-  /// silent: no tick comes, so nothing can be pressed until one does.
+  /// silent: no tick comes, so the attempt can only be left until one does.
   enum class Stop { none, paused, fault, device_gone, device_back, silent, record, record_at_end, behind };
 
   explicit StopCard(QWidget* parent = nullptr);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
+#include <thread>
 
 #include "device/hid/pedalled_port.h"
 #include "engine/loop/haptic_loop.h"
+#include "engine/loop/realtime.h"
 #include "engine/mirror/fragment_finder.h"
 #include "ui/modules.h"
 #include "ui/session/bur_depth.h"
@@ -18,39 +21,78 @@ namespace {
 constexpr std::uint32_t kShowUs = 10'000;
 /// A driver that does not come back for so long stands still; USB transfers time out within some ms.
 constexpr std::chrono::seconds kSilent{1};
+/// At the end of a session. A tick takes some ms even on a machine that is far too slow.
+constexpr std::chrono::seconds kDriverPatience{3};
 }  // namespace
 
 struct ExerciseSession::Inner {
-  Inner(SessionPlan p, SessionSetup s, HapticPort& device_port)
-      : plan(std::move(p)), setup(std::move(s)), port(device_port), with_pedal(device_port, plan.pedal) {}
+  /// What the haptic thread uses. A driver that does not come back keeps it beyond the session.
+  struct Driven {
+    Driven(std::shared_ptr<HapticPort> device_port, std::shared_ptr<const PedalSource> pedal, StepState start)
+        : port(std::move(device_port)), with_pedal(*port, std::move(pedal)), loop(with_pedal, std::move(start)) {}
+
+    std::shared_ptr<HapticPort> port;
+    PedalledPort with_pedal;  // what the loop reads
+    HapticLoop loop;
+
+    void end() {
+      loop.stop();
+      port->close();
+    }
+  };
+
+  /// Ends the loop and closes the port. False if the driver has not come back within kDriverPatience. Then the thread "cusp-haptic"
+  /// stays in the driver and "cusp-driver" waits for it: when the driver comes back, they close the port and free what they hold.
+  /// If the program ends before, both end with the process.
+  static bool end_within_patience(const std::shared_ptr<Driven>& driven) {
+    if (driven->port.use_count() == 0) {  // not owned: the port may go with the session
+      driven->end();
+      return true;
+    }
+    std::promise<void> came_back;
+    const auto ended = came_back.get_future();
+    std::thread waiting([driven, came_back = std::move(came_back)]() mutable {
+      name_this_thread("cusp-driver");
+      driven->end();
+      came_back.set_value();
+    });
+    if (ended.wait_for(kDriverPatience) != std::future_status::ready) {
+      waiting.detach();
+      return false;
+    }
+    waiting.join();
+    return true;
+  }
+
+  Inner(SessionPlan p, SessionSetup s) : plan(std::move(p)), setup(std::move(s)) {}
 
   SessionPlan plan;
   SessionSetup setup;
-  HapticPort& port;
-  PedalledPort with_pedal;  // what the loop reads
   std::unique_ptr<Recorder> recorder;
-  std::unique_ptr<HapticLoop> loop;
+  std::shared_ptr<Driven> driven;
   std::unique_ptr<Mirror> mirror;
   std::unique_ptr<SessionFollower> follower;
   std::unique_ptr<FragmentFinder> fragments;
   std::unique_ptr<Store> store;  // back from the recorder, once all is written
   bool stopped = false, over = false;
+  bool stands_still = false;  // the driver did not come back: the haptic thread still has the loop's state
 
   // For ticks_per_s; the window's thread only.
   std::chrono::steady_clock::time_point rate_at{};
   std::uint64_t rate_ticks = 0;
   double ticks_per_s = 0;
 
-  /// Loop, then mirror: every input of the loop is worked through.
+  HapticLoop& loop() const { return driven->loop; }
+
+  /// Loop, then mirror: every input of the loop is worked through. A driver that stands still gives none.
   void stop() {
     if (stopped) return;
     stopped = true;
-    loop->stop();
+    stands_still = !end_within_patience(driven);
     mirror->stop();
-    port.close();
   }
   SessionEnd end() const {
-    if (loop->hand_over().end.load() == LoopEnd::ring_full) return SessionEnd::recorder_full;
+    if (loop().hand_over().end.load() == LoopEnd::ring_full) return SessionEnd::recorder_full;
     return follower->time_is_up() ? SessionEnd::time_limit : SessionEnd::student;
   }
 };
@@ -62,13 +104,17 @@ ExerciseSession::~ExerciseSession() {
 }
 
 Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan plan, HapticPort& port) {
-  if (auto opened = port.open(); !opened) return session_fail(SessionError::device, opened.error());
-  auto setup = set_up(plan, port.limits());
+  return start(std::move(plan), std::shared_ptr<HapticPort>(std::shared_ptr<void>(), &port));
+}
+
+Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan plan, std::shared_ptr<HapticPort> port) {
+  if (auto opened = port->open(); !opened) return session_fail(SessionError::device, opened.error());
+  auto setup = set_up(plan, port->limits());
   if (!setup) {
-    port.close();
+    port->close();
     return std::unexpected(setup.error());
   }
-  auto inner = std::make_unique<Inner>(std::move(plan), std::move(*setup), port);
+  auto inner = std::make_unique<Inner>(std::move(plan), std::move(*setup));
   Inner& in = *inner;
   if (in.setup.store) {
     in.recorder = std::make_unique<Recorder>(std::move(in.setup.store), in.setup.session, Recorder::Writing::on_a_thread);
@@ -76,43 +122,47 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
   in.follower = std::make_unique<SessionFollower>(
       in.setup.reference, *in.setup.mirror_start,
       SessionFollower::Settings{in.recorder.get(), in.setup.process, in.setup.time_limit_s,
-                                [&in] { in.loop->pause(); }});
-  in.loop = std::make_unique<HapticLoop>(in.with_pedal, std::move(*in.setup.loop_start));
-  in.mirror = std::make_unique<Mirror>(std::move(*in.setup.mirror_start), in.loop->hand_over(),
+                                [&in] { in.loop().pause(); }});
+  in.driven = std::make_shared<Inner::Driven>(std::move(port), in.plan.pedal, std::move(*in.setup.loop_start));
+  in.mirror = std::make_unique<Mirror>(std::move(*in.setup.mirror_start), in.loop().hand_over(),
                                         MirrorSettings{.show_every_us = kShowUs});
   in.setup.loop_start.reset();
   in.setup.mirror_start.reset();
   // The picture before the scores.
   for (Observer* observer : in.plan.observers) in.mirror->add(*observer);
   in.mirror->add(*in.follower);
-  in.fragments = std::make_unique<FragmentFinder>(in.loop->hand_over());
+  in.fragments = std::make_unique<FragmentFinder>(in.loop().hand_over());
   in.mirror->add(*in.fragments);
   in.rate_at = std::chrono::steady_clock::now();
   in.mirror->start();
   // Who continues holds the bur elsewhere than the record ends: the guard would call that a jump. resume() re-arms it.
-  if (!in.plan.resumes.is_nil()) in.loop->pause();
-  in.loop->start();
+  if (!in.plan.resumes.is_nil()) in.loop().pause();
+  in.loop().start();
   return std::unique_ptr<ExerciseSession>(new ExerciseSession(std::move(inner)));
 }
 
-void ExerciseSession::pause() { inner_->loop->pause(); }
+void ExerciseSession::pause() { inner_->loop().pause(); }
 
 void ExerciseSession::resume() {
   if (inner_->follower->time_is_up()) return;
   if (inner_->recorder && inner_->recorder->state() == RecordingState::failed) inner_->recorder->retry();
-  inner_->loop->resume();
+  inner_->loop().resume();
 }
 
 void ExerciseSession::change_bur(std::size_t index) {
-  if (index < inner_->setup.scene->burs.size()) inner_->loop->change_bur(static_cast<std::uint16_t>(index));
+  if (index < inner_->setup.scene->burs.size()) inner_->loop().change_bur(static_cast<std::uint16_t>(index));
 }
 
-void ExerciseSession::set_coolant(bool on) { inner_->loop->set_coolant(on); }
+void ExerciseSession::set_coolant(bool on) { inner_->loop().set_coolant(on); }
 
 Outcome<SessionResult> ExerciseSession::finish(const MeasureProgress& progress) {
   Inner& in = *inner_;
   if (in.over) return session_fail(SessionError::wrong_state, in.setup.session.text());
   in.stop();
+  if (in.stands_still) {
+    abandon();
+    return session_fail(SessionError::device, PortFailure{PortError::io, in.setup.device.name, {}});
+  }
   if (in.recorder) {
     if (in.recorder->state() == RecordingState::failed) in.recorder->retry();
     if (!in.recorder->drain()) {
@@ -123,7 +173,7 @@ Outcome<SessionResult> ExerciseSession::finish(const MeasureProgress& progress) 
     in.store = in.recorder->take_store();
     in.recorder.reset();
   }
-  const bool differs = in.mirror->mismatch() || in.loop->state().hash() != in.mirror->state().hash();
+  const bool differs = in.mirror->mismatch() || in.loop().state().hash() != in.mirror->state().hash();
   if (differs) {
     in.over = true;
     const auto mismatch = in.mirror->mismatch();
@@ -155,7 +205,7 @@ void ExerciseSession::abandon() {
 LiveView ExerciseSession::view() const {
   Inner& in = *inner_;
   LiveView view;
-  const LoopLatest& latest = in.loop->hand_over().latest.read();
+  const LoopLatest& latest = in.loop().hand_over().latest.read();
   view.output = latest.output;
   view.orientation = latest.orientation;
   view.phase = latest.phase;
@@ -163,7 +213,7 @@ LiveView ExerciseSession::view() const {
   view.fault = latest.fault;
   view.device = latest.device;
   const bool alive = latest.phase != LoopPhase::ready && latest.phase != LoopPhase::ended;
-  view.silent = alive && in.loop->silence() > kSilent;
+  view.silent = alive && in.loop().silence() > kSilent;
   view.wanted_bur = latest.wanted_bur;
   view.ring_warning = latest.ring_warning;
   view.push_n = glm::length(latest.output.force_raw_n);
@@ -192,8 +242,8 @@ LiveView ExerciseSession::view() const {
     view.recording_failure = in.recorder->failure();
   }
   view.mismatch = in.mirror->mismatch();
-  view.loop = in.loop->times();
-  view.grant = in.loop->grant();
+  view.loop = in.loop().times();
+  view.grant = in.loop().grant();
   const auto now = std::chrono::steady_clock::now();
   const std::chrono::duration<double> since = now - in.rate_at;
   if (since.count() >= 1.0) {

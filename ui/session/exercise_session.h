@@ -73,6 +73,9 @@ class ExerciseSession {
   /// Builds the scene, opens the port, makes the session's rows and starts loop, mirror and recorder.
   /// `port` outlives the session. Up to seconds for a large specimen: then not on the window's thread.
   static Outcome<std::unique_ptr<ExerciseSession>> start(SessionPlan plan, HapticPort& port);
+  /// If its driver stands still, finish(), abandon() and the destructor wait 3 s for it. Then the haptic thread keeps the port until
+  /// the driver comes back, or the program ends.
+  static Outcome<std::unique_ptr<ExerciseSession>> start(SessionPlan plan, std::shared_ptr<HapticPort> port);
   /// Abandons when neither finish() nor abandon() was called.
   ~ExerciseSession();
   ExerciseSession(const ExerciseSession&) = delete;
@@ -89,7 +92,8 @@ class ExerciseSession {
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
   /// session as it was (stopped): finish() may be tried again when the disk is well. An attempt that ended by itself because inputs
-  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set. `progress`: of the measuring, on the calling thread.
+  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set. device: its driver stands still, and the session is
+  /// abandoned. `progress`: of the measuring, on the calling thread.
   Outcome<SessionResult> finish(const MeasureProgress& progress = {});
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();

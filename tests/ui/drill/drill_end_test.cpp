@@ -31,6 +31,7 @@ constexpr int kShownWithinMs = 500;  // five looks between two of which texts an
 struct Hand {
   std::atomic<bool> plugged{true};
   std::atomic<bool> stuck{false};  // its driver does not come back
+  std::atomic<bool> open{false};
   std::atomic<double> force_n{0};  // as it was written last
   std::atomic<int> ticks{0};
 };
@@ -39,7 +40,10 @@ struct Hand {
 class SinkingPort final : public HapticPort {
  public:
   explicit SinkingPort(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {}
-  Result<void, PortFailure> open() override { return {}; }
+  Result<void, PortFailure> open() override {
+    hand_->open = true;
+    return {};
+  }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
     std::this_thread::sleep_until(deadline);
     ++hand_->ticks;
@@ -56,7 +60,7 @@ class SinkingPort final : public HapticPort {
     out.device_class = "scripted";
     return out;
   }
-  void close() noexcept override {}
+  void close() noexcept override { hand_->open = false; }
 
  private:
   static constexpr double kStartMm = 1.5;  // pivot of the bur; the block's top lies at 0
@@ -81,12 +85,15 @@ class DrillEnd : public testing::Test {
     let_driver_go();
     screen.reset();
   }
-  void begin_recorded(DeskRecords& records) {
+  /// Returns who drills.
+  Actor begin_recorded(DeskRecords& records) {
     SessionPlan kept = plan();
     kept.kind = SessionKind::practice;
     kept.database = records.file();
     kept.student = records.student("20267314", "Lena Brandt").actor();
+    const Actor student = kept.student;
     begin(std::move(kept));
+    return student;
   }
   void let_driver_go() {
     hand->stuck = false;
@@ -202,17 +209,42 @@ TEST_F(DrillEnd, cancelling_a_question_continues_an_attempt_that_ran) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n > 0; }, kComesWithinMs));
 }
 
-TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_neither_finished_nor_left) {
+TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_not_finished) {
   begin(plan());
   hand->stuck = true;
   ASSERT_TRUE(wait_for_card("driver of the device"));
+  EXPECT_EQ(button(card(), "Resume"), nullptr);
   screen->ask_finish();
-  QTest::keyClick(screen.get(), Qt::Key_Escape);
-  EXPECT_TRUE(asked.isEmpty()) << "a yes would wait for the driver";
+  EXPECT_TRUE(asked.isEmpty()) << "it would be graded without what the driver still holds";
   let_driver_go();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !card_shows("driver of the device"); }, kComesWithinMs));
-  screen->ask_leave();
-  EXPECT_EQ(asked, QStringList({QStringLiteral("Leave")}));
+  screen->ask_finish();
+  EXPECT_EQ(asked, QStringList({QStringLiteral("Finish")}));
+}
+
+TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_left_and_kept) {
+  DeskRecords records;
+  const Actor student = begin_recorded(records);
+  QSignalSpy left(screen.get(), &DrillScreen::left);
+  let_it_run();
+  hand->stuck = true;
+  ASSERT_TRUE(wait_for_card("driver of the device"));
+  ASSERT_NE(button(card(), "Leave"), nullptr);
+  button(card(), "Leave")->click();
+  EXPECT_TRUE(more.contains(QStringLiteral("until the driver of the device stood still"))) << more.toStdString();
+  answer(true);
+  EXPECT_FALSE(screen->running()) << "the window may close";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return left.count() == 1; }, kComesWithinMs));
+  screen.reset();
+  EXPECT_TRUE(hand->open) << "its driver has not come back";
+  const auto kept = records.store().history.interrupted(student, student.id);
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->size(), 1u);
+  const auto chunks = records.store().traces.chunks(kept->front().session);
+  ASSERT_TRUE(chunks);
+  EXPECT_FALSE(chunks->empty());
+  let_driver_go();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs)) << "the thread that waits for it closes it";
 }
 
 TEST_F(DrillEnd, the_stop_card_is_hidden_while_the_tooth_is_measured) {

@@ -22,6 +22,14 @@ class PressedPort final : public HapticPort {
   Feedback got;
 };
 
+/// An idle port, and the device that it owns.
+struct Pressed {
+  explicit Pressed(std::shared_ptr<const PedalSource> pedal = nullptr, std::unique_ptr<PressedPort> made = std::make_unique<PressedPort>())
+      : device(*made), port(std::move(made), std::move(pedal)) {}
+  PressedPort& device;
+  IdlePort port;
+};
+
 /// A pedal that is pressed down.
 class PressedPedal final : public PedalSource {
  public:
@@ -29,24 +37,24 @@ class PressedPedal final : public PedalSource {
 };
 
 TEST(IdlePort, TakesCutAndForceOffTheDeviceAndKeepsTheRest) {
-  PressedPort device;
-  IdlePort port(device, nullptr);
+  Pressed pressed;
+  IdlePort& port = pressed.port;
   EXPECT_EQ(port.wait({}).buttons, StepInput::kCut | StepInput::kCoolant);
   port.write({.force_n = {0, 0, 2}, .in_contact = true});
-  EXPECT_EQ(device.got.force_n, Vec3(0, 0, 2));
+  EXPECT_EQ(pressed.device.got.force_n, Vec3(0, 0, 2));
   port.set_idle(true);
   const Sample idle = port.wait({});
   EXPECT_EQ(idle.status, Sample::Status::fresh);
   EXPECT_EQ(idle.buttons, StepInput::kCoolant);
   EXPECT_EQ(idle.pedal, 0);
   port.write({.force_n = {0, 0, 2}, .in_contact = true});
-  EXPECT_EQ(device.got.force_n, Vec3(0.0));
-  EXPECT_TRUE(device.got.in_contact) << "the mouse's hand reads what it touches";
+  EXPECT_EQ(pressed.device.got.force_n, Vec3(0.0));
+  EXPECT_TRUE(pressed.device.got.in_contact) << "the mouse's hand reads what it touches";
 }
 
 TEST(IdlePort, RearmsWithTheFirstSampleAfterwardsAlone) {
-  PressedPort device;
-  IdlePort port(device, nullptr);
+  Pressed pressed;
+  IdlePort& port = pressed.port;
   EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
   port.set_idle(true);
   EXPECT_EQ(port.wait({}).buttons & StepInput::kRearm, 0);
@@ -56,21 +64,21 @@ TEST(IdlePort, RearmsWithTheFirstSampleAfterwardsAlone) {
 }
 
 TEST(IdlePort, GivesNoForceBeforeTheSampleThatRearms) {
-  PressedPort device;
-  IdlePort port(device, nullptr);
+  Pressed pressed;
+  IdlePort& port = pressed.port;
   port.set_idle(true);
   port.wait({});
   port.set_idle(false);  // between the tick's sample and its force
   port.write({.force_n = {0, 0, 2}});
-  EXPECT_EQ(device.got.force_n, Vec3(0.0));
+  EXPECT_EQ(pressed.device.got.force_n, Vec3(0.0));
   EXPECT_NE(port.wait({}).buttons & StepInput::kRearm, 0);
   port.write({.force_n = {0, 0, 2}});
-  EXPECT_EQ(device.got.force_n, Vec3(0, 0, 2));
+  EXPECT_EQ(pressed.device.got.force_n, Vec3(0, 0, 2));
 }
 
 TEST(IdlePort, TakesTheCutOffThePedalToo) {
-  PressedPort device;
-  IdlePort port(device, std::make_shared<PressedPedal>());
+  Pressed pressed(std::make_shared<PressedPedal>());
+  IdlePort& port = pressed.port;
   EXPECT_EQ(port.wait({}).pedal, 65535);
   port.set_idle(true);
   EXPECT_EQ(port.wait({}).buttons & StepInput::kCut, 0);

@@ -27,6 +27,19 @@ class Counter final : public Observer {
   std::atomic<std::size_t> firsts{0}, lasts{0}, cut_bricks{0};
 };
 
+/// Its driver does not come back while `stuck`.
+class StickingPort final : public DrillingPort {
+ public:
+  explicit StickingPort(std::shared_ptr<std::atomic<bool>> stuck) : DrillingPort(1u << 30, Pace::to_deadline), stuck_(std::move(stuck)) {}
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    stuck_->wait(true);
+    return DrillingPort::wait(deadline);
+  }
+
+ private:
+  std::shared_ptr<std::atomic<bool>> stuck_;
+};
+
 TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   const Workplace work;
   Counter counter;
@@ -142,6 +155,30 @@ TEST(ExerciseSession, PausedItsClockStandsStill) {
   (*started)->resume();
   EXPECT_TRUE(eventually([&] { return (*started)->view().seconds > at && (*started)->view().wanted_bur == 1; }));
   EXPECT_TRUE((*started)->finish());
+}
+
+TEST(ExerciseSession, WhoseDriverStandsStillIsInterruptedAndEndsWithoutIt) {
+  const Workplace work;
+  const auto stuck = std::make_shared<std::atomic<bool>>(false);
+  auto port = std::make_shared<StickingPort>(stuck);
+  const std::weak_ptr<HapticPort> device = port;
+  auto started = ExerciseSession::start(work.plan(), std::move(port));
+  ASSERT_TRUE(started);
+  const SessionId session = (*started)->session();
+  ASSERT_TRUE(eventually([&] { return (*started)->view().seconds > 1.2; }));
+  *stuck = true;
+  ASSERT_TRUE(eventually([&] { return (*started)->view().silent; }));
+  const auto result = (*started)->finish();
+  ASSERT_FALSE(result) << "its last inputs are still with the driver";
+  EXPECT_EQ(std::get<PortError>(result.error().cause), PortError::io);
+  started->reset();
+  EXPECT_FALSE(device.expired()) << "the haptic thread is in it";
+  const auto store = work.store();
+  EXPECT_EQ(store->sessions.state(session), SessionState::interrupted);
+  EXPECT_TRUE(grade_session(*store, session, nullptr, Keep::nothing)) << "what was recorded is whole";
+  *stuck = false;
+  stuck->notify_all();
+  EXPECT_TRUE(eventually([&] { return device.expired(); }));
 }
 
 TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
