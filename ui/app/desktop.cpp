@@ -347,6 +347,7 @@ void Desktop::rebuild() {
   if (sign_in_ && page() == sign_in_) {
     auto* fresh = new SignIn(*store_);
     fresh->set_typed_number(sign_in_->typed_number(), sign_in_->who());
+    fresh->set_typed_name(sign_in_->typed_name());
     show_sign_in(fresh);
   } else if (shell_ && page() == shell_) {
     show_shell(shell_->page_key());

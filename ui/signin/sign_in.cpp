@@ -90,15 +90,15 @@ void SignIn::show_fields(int tab) {
   (staff ? staff_number_ : number_)->setFocus();
 }
 
-SignIn::Who SignIn::who() const { return who_ ? static_cast<Who>(who_->currentIndex()) : Who::student; }
-QString SignIn::typed_number() const {
-  if (first_start_) return {};
-  return who() == Who::staff ? staff_number_->text() : number_->text();
-}
+SignIn::Who SignIn::who() const { return first_start_ ? Who::staff : static_cast<Who>(who_->currentIndex()); }
+QString SignIn::typed_number() const { return who() == Who::staff ? staff_number_->text() : number_->text(); }
 void SignIn::set_typed_number(const QString& number, Who who) {
-  if (first_start_) return;
-  who_->setCurrentIndex(static_cast<int>(who));
-  (who == Who::staff ? staff_number_ : number_)->setText(number);
+  if (!first_start_) who_->setCurrentIndex(static_cast<int>(who));
+  (this->who() == Who::staff ? staff_number_ : number_)->setText(number);
+}
+QString SignIn::typed_name() const { return first_start_ ? name_->text() : QString(); }
+void SignIn::set_typed_name(const QString& name) {
+  if (first_start_) name_->setText(name);
 }
 QString SignIn::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
 

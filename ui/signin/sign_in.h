@@ -34,10 +34,13 @@ class SignIn : public QWidget {
 
   /// Shown at the right of windows of 1100 px and more.
   void set_picture(const QImage& picture);
-  /// Number or user name as typed: the desktop keeps it over a change of language or scale.
+  /// Number or user name as typed: the desktop keeps it over a change of language, theme or scale.
   QString typed_number() const;
   void set_typed_number(const QString& number, Who who);
-  Who who() const;
+  /// The first administrator's name, likewise; empty on other pages.
+  QString typed_name() const;
+  void set_typed_name(const QString& name);
+  Who who() const;  // staff at the first start
   /// A fault met while the records were opened: shown to staff, and to whoever makes the first administrator.
   void show_incident(const Message& message);
   /// Why the page is here, until somebody signs in.

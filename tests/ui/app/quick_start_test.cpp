@@ -49,6 +49,27 @@ TEST(QuickStartTest, its_five_pictures_are_whole_and_named_at_every_size) {
   apply_theme(*qApp, ColourScheme::light, 100);
 }
 
+TEST(FirstStart, keeps_the_typed_names_over_a_change_of_theme_and_language) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  Desktop desktop(settings, Ports::of_the_system(), folder.filePath(QStringLiteral("new.db")).toStdString());
+  desktop.start();
+  desktop.show();
+  const auto texts = [&] {
+    QStringList out;
+    for (const QLineEdit* field : desktop.page()->findChildren<QLineEdit*>()) out += field->text();
+    return out;
+  };
+  desktop.page()->findChildren<QLineEdit*>()[0]->setText(QStringLiteral("Anna Weber"));
+  desktop.page()->findChildren<QLineEdit*>()[1]->setText(QStringLiteral("anna"));
+  desktop.set_scheme(ColourScheme::dark);
+  EXPECT_EQ(texts(), QStringList({QStringLiteral("Anna Weber"), QStringLiteral("anna"), {}, {}}));
+  desktop.set_language(QStringLiteral("de"));
+  EXPECT_EQ(texts(), QStringList({QStringLiteral("Anna Weber"), QStringLiteral("anna"), {}, {}}));
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
 TEST(FirstStart, leads_to_sign_in_once_another_window_has_made_the_administrator) {
   const QTemporaryDir folder;
   Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
