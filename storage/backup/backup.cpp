@@ -243,16 +243,18 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
   std::error_code ignored;
   for (fs::directory_iterator it(into, ignored), end; !ignored && it != end; it.increment(ignored))
     if (is_abandoned(it->path())) abandoned.push_back(it->path());
-  for (const fs::path& folder : abandoned) remove_new(folder);
   auto all = backups_in(into, station);
   if (!all) return std::unexpected(all.error());
   std::ranges::stable_partition(*all, [&](const Backup& one) { return one.made_utc_us <= now_utc_us; });
-  for (std::size_t i = keep; i < all->size(); ++i) {
+  std::vector<fs::path> going = std::move(abandoned);
+  for (std::size_t i = keep; i < all->size(); ++i) going.push_back((*all)[i].folder);
+  Stored<void> out;
+  for (const fs::path& folder : going) {
     std::error_code error;
-    fs::remove_all((*all)[i].folder, error);
-    if (error) return std::unexpected(backup_failure(error, (*all)[i].folder));
+    fs::remove_all(folder, error);
+    if (error && out) out = std::unexpected(backup_failure(error, folder));
   }
-  return {};
+  return out;
 }
 
 Stored<void> restore_backup(const Backup& backup, const fs::path& file, const FinishRestored& finish) {

@@ -9,15 +9,15 @@
 namespace cusp::ui {
 namespace {
 
-Stored<Backup> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into,
-                                const std::optional<Actor>& actor) {
+Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::filesystem::path& into,
+                                  const std::optional<Actor>& actor) {
   const auto store = open_beside(records);
   if (!store) return std::unexpected(store.error());
   auto backup = make_backup((*store)->context(), actor, into);
-  if (!backup) return backup;
-  // The backup is made: an old one that cannot be removed is left to the next.
-  static_cast<void>(thin_backups(into, backup->station, kBackupsKept, backup->made_utc_us));
-  return backup;
+  if (!backup) return std::unexpected(backup.error());
+  BackedUp out{std::move(*backup), std::nullopt};
+  if (auto thinned = thin_backups(into, out.backup.station, kBackupsKept, out.backup.made_utc_us); !thinned) out.not_removed = std::move(thinned.error());
+  return out;
 }
 
 Stored<void> restore_in_place(const std::filesystem::path& database, const Backup& backup) {
@@ -48,7 +48,7 @@ BackgroundTask go_back(std::filesystem::path database, Backup backup, std::funct
 }
 
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
-                       std::function<void(Stored<Backup>)> then) {
+                       std::function<void(Stored<BackedUp>)> then) {
   return BackgroundTask([records = std::move(records), into = std::move(into), actor, then = std::move(then)] {
     then(back_up_and_thin(records, into, actor));
   });

@@ -19,10 +19,14 @@ namespace cusp::ui {
 inline constexpr std::size_t kBackupsKept = 14;
 inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
 
+struct BackedUp {
+  Backup backup;
+  std::optional<StorageFailure> not_removed;  // of an old backup
+};
 /// Makes a backup in `into` and removes the oldest beyond kBackupsKept. `then` is called on the task's thread.
 /// Without an actor it is the program's own daily one.
 BackgroundTask back_up(RecordsBeside records, std::filesystem::path into, std::optional<Actor> actor,
-                       std::function<void(Stored<Backup>)> then);
+                       std::function<void(Stored<BackedUp>)> then);
 struct WentBack {
   Backup backup;
   std::filesystem::path aside;  // where the records from before are

@@ -155,17 +155,22 @@ void StationPage::end() {
 void StationPage::back_up() {
   if (working_) return;
   begin(tr("Copying the records"));
-  task_ = ui::back_up(records_, settings_.backup_folder(database_), actor_, on_window<Stored<Backup>>(this, &StationPage::show_backed_up));
+  task_ = ui::back_up(records_, settings_.backup_folder(database_), actor_, on_window<Stored<BackedUp>>(this, &StationPage::show_backed_up));
 }
 
-void StationPage::show_backed_up(const Stored<Backup>& backup) {
+void StationPage::show_backed_up(const Stored<BackedUp>& made) {
   end();
   show_backups();
-  if (!backup) {
-    const Message message = describe(backup.error());
+  if (!made) {
+    const Message message = describe(made.error());
     band_->show_message(Band::Kind::bad, tr("No backup was made."), message.what + u' ' + message.more);
     return;
   }
+  if (made->not_removed) {
+    band_->show_message(Band::Kind::look, tr("The backup is made and checked. An old one could not be removed."), describe(*made->not_removed).line());
+    return;
+  }
+  const Backup* backup = &made->backup;
   band_->show_message(Band::Kind::good, tr("The backup is made and checked."),
                       tr("%n session(s), %1.", nullptr, static_cast<int>(backup->sessions)).arg(size_text(backup->bytes)));
 }

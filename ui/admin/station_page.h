@@ -47,7 +47,7 @@ class StationPage : public QWidget {
   QWidget* make_backups();
   QWidget* make_idle();
   void show_backups();
-  void show_backed_up(const Stored<Backup>& backup);
+  void show_backed_up(const Stored<BackedUp>& made);
   void show_verified(const Stored<StoreVerification>& proof);
   void begin(const QString& what);
   void end();

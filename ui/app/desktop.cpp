@@ -271,7 +271,7 @@ void Desktop::show_shell(const QString& page_key) {
   } else if (const auto message = incident(); message && account_->role == Role::administrator) {
     shell->show_notice(*message);
   } else if (backup_failure_ && account_->role == Role::administrator) {
-    shell->show_notice({tr("The daily backup failed."), backup_failure_->what + u' ' + backup_failure_->more});
+    shell->show_notice(*backup_failure_);
   } else if (!opengl_allowed()) {
     shell->show_notice({ToothView::pictures_off(), tr("The next start tries them again.")});
   }

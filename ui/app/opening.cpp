@@ -80,8 +80,10 @@ void Desktop::keep_daily_backup() {
   // What is written meanwhile would slow the recorder down.
   const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
   if (!store_ || reading_only_ || drilling || !backup_.over() || !backup_is_due(into, store_->context().station, system_utc_us())) return;
-  backup_ = back_up(records_of(*store_), into, std::nullopt, [self = QPointer(this)](const Stored<Backup>& made) {
-    const auto failure = made ? std::nullopt : std::optional(describe(made.error()));
+  backup_ = back_up(records_of(*store_), into, std::nullopt, [self = QPointer(this)](const Stored<BackedUp>& made) {
+    std::optional<Message> failure;
+    if (!made) failure = {tr("The daily backup failed."), describe(made.error()).line()};
+    if (made && made->not_removed) failure = {tr("The daily backup is made. An old one could not be removed."), describe(*made->not_removed).line()};
     QMetaObject::invokeMethod(
         qApp,
         [self, failure] {

@@ -12,6 +12,7 @@
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
 #include "tests/ui/whole_texts.h"
+#include "tests/unremovable.h"
 #include "ui/admin/recordings_card.h"
 #include "ui/admin/station_page.h"
 
@@ -108,6 +109,25 @@ TEST_F(Station, SaysWhyNoBackupWasMade) {
   shown->back_up();
   ASSERT_TRUE(waited(*shown));
   EXPECT_TRUE(shown->message().contains(QStringLiteral("No backup was made"))) << shown->message().toStdString();
+}
+
+TEST_F(Station, SaysWhichOldBackupCannotBeRemoved) {
+  const auto into = std::filesystem::path(chosen.toStdString());
+  std::optional<Backup> oldest;
+  for (std::size_t i = 0; i < kBackupsKept; ++i) {
+    auto made = make_backup(records.store().context(), admin.actor(), into);
+    ASSERT_TRUE(made);
+    if (!oldest) oldest = std::move(*made);
+    records.now_us += kBackupEveryUs;
+  }
+  const Unremovable held(oldest->folder);
+  if (!held.holds()) GTEST_SKIP() << "root may remove every file here";
+  const auto shown = page();
+  shown->choose_folder();
+  shown->back_up();
+  ASSERT_TRUE(waited(*shown));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("An old one could not be removed"))) << shown->message().toStdString();
+  EXPECT_TRUE(shown->message().contains(QString::fromStdString(oldest->folder.filename().string()))) << shown->message().toStdString();
 }
 
 TEST_F(Station, VerifiesAndNamesWhatWasChanged) {

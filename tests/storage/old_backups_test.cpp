@@ -1,0 +1,34 @@
+/// Old backups that cannot be removed.
+#include <gtest/gtest.h>
+
+#include "storage/backup/backup.h"
+#include "tests/storage/school.h"
+#include "tests/unremovable.h"
+
+namespace cusp::test {
+namespace {
+
+constexpr std::int64_t kDay_us = 86'400'000'000;
+
+TEST(OldBackups, that_cannot_be_removed_are_named_and_keep_no_other_from_going) {
+  const Folder folder;
+  const auto now = std::make_shared<std::int64_t>(kNow);
+  const auto store = open(folder / "a.db", quick(now));
+  const Actor administrator = make_administrator(*store).actor();
+  const auto make = [&] {
+    *now += kDay_us;
+    return must(make_backup(store->context(), administrator, folder / "backups"));
+  };
+  const Backup oldest = make(), stays = make();
+  make();
+  const Unremovable held(stays.folder);
+  if (!held.holds()) GTEST_SKIP() << "root may remove every file here";
+  const auto thinned = thin_backups(folder / "backups", store->context().station, 1, *now);
+  ASSERT_FALSE(thinned);
+  EXPECT_EQ(thinned.error().where, stays.folder.string());
+  EXPECT_FALSE(thinned.error().detail.empty()) << "the cause, as the system names it";
+  EXPECT_FALSE(std::filesystem::exists(oldest.folder));
+}
+
+}  // namespace
+}  // namespace cusp::test
