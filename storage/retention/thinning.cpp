@@ -1,6 +1,5 @@
 #include "storage/retention/thinning.h"
 
-#include <optional>
 #include <string>
 
 #include "storage/cache/key_state_cache.h"
@@ -201,7 +200,9 @@ Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, 
       break;
     }
     if (auto done = run_one(context, actor, chosen->thinnable[i], order.mode, report); !done) {
-      return std::unexpected(done.error());
+      if (!carry_out || report.attempts == 0) return std::unexpected(done.error());
+      report.failed = std::move(done.error());
+      break;
     }
   }
   if (carry_out && report.attempts > 0) give_back_pages(context);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -58,13 +59,14 @@ struct ThinningReport {
   KeptTraces kept{};
   std::vector<ChainFinding> broken{};  // the first finding of each attempt that does not verify; `owner` names it
   bool stopped = false;                // the watch ended it before the last attempt
+  std::optional<StorageFailure> failed{};  // what ended it before the last attempt, once others were thinned
 };
 
 /// Called before each attempt: so many of so many are done. False ends the run.
 using ThinningWatch = std::function<bool(std::size_t done, std::size_t all)>;
 
 /// Verifies each attempt, and in a dry run goes no further. Each is thinned in a transaction of its own: if the program
-/// ends, or a write fails, the recording of every other attempt is whole. Needs manage_station.
+/// ends, or a write fails, the recording of every other attempt is whole. Fails if nothing was thinned. Needs manage_station.
 Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, const ThinningOrder& order,
                                    const ThinningWatch& watch = {});
 

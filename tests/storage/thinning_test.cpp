@@ -151,6 +151,17 @@ TEST_F(ThinningTest, ends_between_two_attempts_when_the_watch_says_so) {
   EXPECT_EQ(findings(), "");
 }
 
+TEST_F(ThinningTest, that_a_write_ends_reports_what_was_thinned_and_why_it_ended) {
+  for (int i = 0; i < 3; ++i) attempt(91);
+  must(store->database().run("CREATE TRIGGER refused BEFORE INSERT ON thinned_traces WHEN (SELECT count(*) FROM thinned_traces) > 0 "
+                             "BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  const auto report = must(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out}));
+  EXPECT_EQ(report.attempts, 1u);
+  EXPECT_TRUE(report.failed);
+  EXPECT_EQ(count("thinned_traces"), 1);
+  EXPECT_FALSE(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out})) << "nothing is thinned";
+}
+
 TEST_F(ThinningTest, gives_the_pages_back_and_drops_cached_key_states) {
   const SessionId session = attempt(91, Upto::graded, 40);
   must(store->key_states.keep_rebuilt(session, {12, std::vector<std::byte>(5000, std::byte{7}), {}}));

@@ -136,7 +136,12 @@ void RecordingsCard::ask_first(const Stored<ThinningReport>& would) {
 void RecordingsCard::show_thinned(const Stored<ThinningReport>& report) {
   end();
   count();
-  if (!report) return report_failure(report.error());
+  if (!report || report->failed) {
+    const Message why = describe(report ? *report->failed : report.error());
+    const QString done = report ? thinned_text(*report, ThinningMode::carry_out) : tr("No recording was thinned.");
+    emit reported(Band::Kind::bad, done, why.line() + u' ' + tr("The other recordings are whole."));
+    return;
+  }
   QString more = left_text(*report);
   if (report->stopped) more = tr("You stopped it; the other recordings are whole.") + u' ' + more;
   const bool broken = !report->broken.empty();

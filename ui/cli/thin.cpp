@@ -54,6 +54,7 @@ int thin(const ThinOptions& o) {
     print_line(plain(thinned_text(*report, mode)));
     if (const QString kept = kept_text(report->kept); !kept.isEmpty()) print_line(plain(kept));
   }
+  if (report->failed) return failed(describe(*report->failed));
   if (report->stopped) return failed(CliText::tr("Stopped before the last recording. Every recording is whole or thinned."));
   if (report->broken.empty()) return kDone;
   const ChainFinding& first = report->broken.front();

@@ -176,6 +176,18 @@ TEST_F(Station, CountsOldRecordingsAndThinsThemAfterAQuestion) {
   EXPECT_EQ(card.found().toStdString(), "No recording is that old.");
 }
 
+TEST_F(Station, SaysWhyARecordingWasNotThinned) {
+  old_attempt();
+  const auto shown = page();
+  RecordingsCard& card = counted(*shown);
+  ASSERT_TRUE(records.store().database().run("CREATE TRIGGER refused BEFORE INSERT ON thinned_traces BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  thin(card);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working() && !shown->message().isEmpty(); }, kPatienceMs));
+  EXPECT_TRUE(shown->message().startsWith(QStringLiteral("No recording was thinned. "))) << shown->message().toStdString();
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("The other recordings are whole"))) << shown->message().toStdString();
+  EXPECT_EQ(recordings(), 2);
+}
+
 TEST_F(Station, AsksNothingIfNoOldRecordingVerifies) {
   const SessionId session = old_attempt();
   ASSERT_TRUE(records.store().database().run("UPDATE grades SET score = 100 WHERE session = ?1", session));
