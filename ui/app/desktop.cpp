@@ -107,6 +107,7 @@ void Desktop::show_sign_in(SignIn* page) {
   if (records_damaged()) page->offer_way_back();
   connect(page, &SignIn::way_back_wanted, this, [this] { show_way_back(describe(*reading_only_)); });
   if (!opengl_allowed()) page->show_note({ToothView::pictures_off(), tr("The next start tries them again.")});
+  if (!behind_lock_.empty()) page->show_note({tr("Some work is not saved."), behind_lock_text()});
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::administrator_made, this, &Desktop::show_quick_start);
@@ -146,6 +147,8 @@ void Desktop::sign_in(const Account& account) {
   begin_idle();
   show_shell(entries().first().key);
   open_waiting_file();
+  take_from_behind_lock();
+  save_behind_lock();
 }
 
 void Desktop::begin_idle() { idle_.set_limit(std::chrono::minutes(settings_.idle_minutes())); }

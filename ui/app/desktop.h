@@ -79,8 +79,8 @@ class Desktop : public QMainWindow {
 
   void sign_in(const Account& account);
   void sign_out();
-  /// Signs out after the station's time without input, unless somebody drills. An editor keeps its draft; if that fails, nobody is
-  /// signed out.
+  /// Signs out after the station's time without input, unless somebody drills. An editor keeps its draft. What cannot be saved stays,
+  /// hidden, until the same account signs in again.
   void lock_idle();
   const std::optional<Account>& account() const { return account_; }
   Store* store() { return store_.get(); }
@@ -130,6 +130,12 @@ class Desktop : public QMainWindow {
 
  private:
   void begin_idle();
+  /// The pages over the shell go out of sight, for sign_in() of the same account.
+  void put_behind_lock();
+  void take_from_behind_lock();
+  /// Frees what could be saved meanwhile.
+  void save_behind_lock();
+  QString behind_lock_text() const;
   /// What whoever was signed out had written into the card.
   void give_back_comment(MarkingCard& card);
   /// True if something would be lost: closing then waits for the answer. Drafts are kept.
@@ -207,6 +213,11 @@ class Desktop : public QMainWindow {
   int gathered_ = 0;  // calls of gather()
   std::optional<Message> backup_failure_;  // of the last daily backup
   std::map<std::pair<UserId, SessionId>, QString> unsaved_comments_;  // of whoever was signed out, by account and attempt
+  struct BehindLock {
+    QString owner;
+    QWidget* pages = nullptr;  // hidden; its children, the lowest page first
+  };
+  std::map<UserId, BehindLock> behind_lock_;  // what cannot be saved, by account
   bool closes_anyway_ = false;
 };
 

@@ -1,7 +1,9 @@
-// What the desktop keeps, and what it asks, before the station is locked or the window closes.
+// What the desktop keeps, puts out of sight and asks, before the station is locked or the window closes.
 
 #include <QCloseEvent>
+#include <QDialog>
 #include <QPointer>
+#include <QStackedWidget>
 #include <algorithm>
 
 #include "ui/admin/people_import.h"
@@ -49,16 +51,64 @@ bool audits(const QWidget& desktop) {
 }  // namespace
 
 void Desktop::lock_idle() {
-  // A device moves without mouse and keys; PINs that are not saved and a draft that cannot be stand nowhere else.
-  if (!account_ || findChild<DrillScreen*>() != nullptr || has_unsaved_slips(*this) || !keep_drafts(*this)) return begin_idle();
-  for (const MarkingCard* card : findChildren<MarkingCard*>())
-    if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = card->written();
+  if (!account_ || findChild<DrillScreen*>() != nullptr) return begin_idle();  // a device moves without mouse and keys
+  // PINs that are not saved and a draft that cannot be stand nowhere else.
+  const bool unsaved = has_unsaved_slips(*stack_) || !keep_drafts(*stack_);
+  if (!unsaved) {
+    for (const MarkingCard* card : stack_->findChildren<MarkingCard*>())
+      if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = card->written();
+  }
   const int minutes = settings_.idle_minutes();
-  const QString kept = has_open_import(*this) ? tr("What you did is kept, but for the import: begin it anew.")
-                       : audits(*this)        ? tr("What you did is kept, but for the audit: measure anew.")
-                                              : tr("What you did is kept.");
+  QString kept = has_open_import(*stack_) ? tr("What you did is kept, but for the import: begin it anew.")
+                 : audits(*stack_)        ? tr("What you did is kept, but for the audit: measure anew.")
+                                          : tr("What you did is kept.");
+  if (unsaved) {
+    put_behind_lock();
+    kept = behind_lock_text();
+  }
   sign_out();
   sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), kept});
+}
+
+void Desktop::put_behind_lock() {
+  auto* hidden = new QWidget(this);
+  hidden->hide();
+  while (stack_->count() > 1) {
+    QWidget* page = stack_->widget(1);
+    stack_->removeWidget(page);
+    while (QDialog* open = page->findChild<QDialog*>()) delete open;  // a window of its own, which would stay in sight
+    page->setParent(hidden);
+    page->blockSignals(true);  // what ends in the background opens no page for somebody else
+  }
+  behind_lock_[account_->id] = {QString::fromStdString(account_->name), hidden};
+}
+
+void Desktop::take_from_behind_lock() {
+  const auto kept = behind_lock_.extract(account_->id);
+  if (kept.empty()) return;
+  QWidget* hidden = kept.mapped().pages;
+  for (QWidget* page : hidden->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+    page->blockSignals(false);
+    stack_->addWidget(page);
+  }
+  delete hidden;
+  stack_->setCurrentIndex(stack_->count() - 1);
+  page()->setFocus();
+}
+
+void Desktop::save_behind_lock() {
+  std::erase_if(behind_lock_, [](const auto& one) {
+    QWidget* hidden = one.second.pages;
+    if (has_unsaved_slips(*hidden) || !keep_drafts(*hidden)) return false;
+    delete hidden;
+    return true;
+  });
+}
+
+QString Desktop::behind_lock_text() const {
+  QStringList owners;
+  for (const auto& [account, kept] : behind_lock_) owners += kept.owner;
+  return tr("Not saved yet: the work of %1. It stays here until its owner signs in again, or Cusp ends.").arg(owners.join(u", "_qs));
 }
 
 void Desktop::give_back_comment(MarkingCard& card) {
@@ -68,6 +118,7 @@ void Desktop::give_back_comment(MarkingCard& card) {
 
 bool Desktop::asks_before_closing() {
   if (closes_anyway_ || ended_by_signal()) return false;
+  save_behind_lock();
   Question question{{}, {}, tr("Close"), true};
   if (has_unsaved_slips(*this)) {
     question.what = tr("Close without the PIN slips?");
@@ -81,6 +132,7 @@ bool Desktop::asks_before_closing() {
   } else {
     return false;
   }
+  if (!behind_lock_.empty()) question.more += u' ' + behind_lock_text();
   ports_.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes) return;
     self->closes_anyway_ = true;

@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QFile>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -16,7 +17,9 @@
 #include "ui/app/desktop.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/quick_open.h"
+#include "ui/app/shell.h"
 #include "ui/editor/audit_page.h"
+#include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
@@ -75,6 +78,12 @@ struct Locking : ::testing::Test {
     EXPECT_TRUE(QTest::qWaitFor([&] { return card() != nullptr; }, kPatientMs));
     return card();
   }
+  /// What the bands of the page say.
+  QString bands() const {
+    QString text;
+    for (const Band* band : desktop->page()->findChildren<Band*>()) text += band->text();
+    return text;
+  }
   DeskRecords records;
   QTemporaryDir folder;
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
@@ -84,13 +93,18 @@ struct Locking : ::testing::Test {
   std::unique_ptr<Desktop> desktop;
 };
 
-TEST_F(Locking, waits_for_pin_slips_that_are_not_saved) {
-  sign_in(records.administrator());
+TEST_F(Locking, gives_pin_slips_that_are_not_saved_back_to_whoever_made_them) {
+  const Account anna = records.administrator();
+  sign_in(anna);
   PeopleImport* page = make_accounts();
   ASSERT_NE(page, nullptr);
   ASSERT_EQ(page->slips().size(), 2u);
   desktop->lock_idle();
-  EXPECT_TRUE(desktop->account()) << "the PINs stand nowhere else";
+  ASSERT_FALSE(desktop->account());
+  EXPECT_FALSE(page->isVisible());
+  desktop->sign_in(anna);
+  EXPECT_EQ(desktop->page(), page) << "the PINs stand nowhere else";
+  EXPECT_EQ(page->slips().size(), 2u);
   desktop->close();
   ASSERT_EQ(asked.size(), 1);
   EXPECT_TRUE(desktop->isVisible());
@@ -125,22 +139,57 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
   EXPECT_EQ(written_by(berg), QStringLiteral("The floor\nis uneven."));
 }
 
-TEST_F(Locking, waits_for_a_draft_that_cannot_be_saved) {
+TEST_F(Locking, puts_a_draft_that_cannot_be_saved_behind_the_lock_for_its_owner) {
   const Account berg = edit_a_draft();
+  const Account lena = records.student("1", "Lena Brandt");
+  const QPointer<EditorPage> editor = desktop->findChild<EditorPage*>();
+  ASSERT_TRUE(editor);
+  ASSERT_TRUE(editor->model().set_title("en", QStringLiteral("Fresh title")));
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
   // Refused as on a full disk, but at once.
   ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON scenario_drafts BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  auto* dialog = new QDialog(editor);
+  dialog->show();
   desktop->lock_idle();
-  EXPECT_TRUE(desktop->account()) << "the draft stands nowhere else";
+  ASSERT_FALSE(desktop->account());
+  EXPECT_FALSE(editor->isVisible());
+  EXPECT_EQ(editor->findChild<QDialog*>(), nullptr) << "a dialog would stay in sight";
+  EXPECT_TRUE(bands().contains(QStringLiteral("Not saved yet: the work of Dr Berg"))) << bands().toStdString();
   desktop->close();
   ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the last edits?")});
   answer(false);
   EXPECT_TRUE(desktop->isVisible());
+  desktop->sign_in(lena);
+  EXPECT_FALSE(editor->isVisible());
+  Q_EMIT editor->back_wanted();
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account()) << "the student’s desk locks too";
+  EXPECT_TRUE(bands().contains(QStringLiteral("What you did is kept"))) << bands().toStdString();
+  desktop->sign_in(berg);
+  ASSERT_EQ(desktop->page(), editor);
+  EXPECT_EQ(editor->model().scenario().title.at("en"), "Fresh title");
   ASSERT_TRUE(database->run("DROP TRIGGER refused"));
   desktop->lock_idle();
   EXPECT_FALSE(desktop->account());
   EXPECT_EQ(records.store().scenarios.drafts(berg.actor())->size(), 1u);
+}
+
+TEST_F(Locking, saves_a_draft_behind_the_lock_when_the_next_person_signs_in) {
+  const Account berg = edit_a_draft();
+  const Account lena = records.student("1", "Lena Brandt");
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON scenario_drafts BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  ASSERT_TRUE(database->run("DROP TRIGGER refused"));
+  desktop->sign_in(lena);
+  EXPECT_EQ(records.store().scenarios.drafts(berg.actor())->size(), 1u);
+  EXPECT_EQ(desktop->findChild<EditorPage*>(), nullptr);
+  desktop->close();
+  EXPECT_TRUE(asked.isEmpty());
 }
 
 TEST_F(Locking, closes_the_dialogs_of_whoever_was_signed_out) {
@@ -164,9 +213,7 @@ TEST_F(Locking, does_not_say_that_a_running_audit_is_kept) {
   ASSERT_TRUE(desktop->findChild<AuditPage*>()->measuring());
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
-  QString text;
-  for (const Band* band : desktop->page()->findChildren<Band*>()) text += band->text();
-  EXPECT_TRUE(text.contains(QStringLiteral("but for the audit"))) << text.toStdString();
+  EXPECT_TRUE(bands().contains(QStringLiteral("but for the audit"))) << bands().toStdString();
 }
 
 TEST_F(Locking, does_not_say_that_an_import_is_kept) {
@@ -183,9 +230,7 @@ TEST_F(Locking, does_not_say_that_an_import_is_kept) {
   page->show_look(std::move(look));
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
-  QString text;
-  for (const Band* band : desktop->page()->findChildren<Band*>()) text += band->text();
-  EXPECT_TRUE(text.contains(QStringLiteral("but for the import"))) << text.toStdString();
+  EXPECT_TRUE(bands().contains(QStringLiteral("but for the import"))) << bands().toStdString();
 }
 
 }  // namespace
