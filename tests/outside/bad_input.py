@@ -233,8 +233,11 @@ def window(desk):
     nowhere = dict.fromkeys(("DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "QT_QPA_PLATFORM"), "")
     for arguments in ((), ("--safe",), (desk.path("some.cusp"),)):
         refused(desk, f"no display: {arguments}", *arguments, names=("no display",), **nowhere)
+    refused(desk, "a platform that needs a display", names=("no display",), **(nowhere | {"QT_QPA_PLATFORM": "xcb"}))
     status, _, err = desk.run("--saef", QT_QPA_PLATFORM="offscreen")
     check(status == 2 and "saef" in err, f"an unknown option of the window: exit {status}: {err}")
+    status, _, err = desk.run("-platform", "offscreen", "--saef", **nowhere)
+    check(status == 2 and "saef" in err, f"a platform that needs no display: exit {status}: {err}")
 
 
 def outputs(desk):

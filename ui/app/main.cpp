@@ -39,7 +39,7 @@ void run_in_turns(const Steps& steps, std::size_t next = 0) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the process's file-size limit then fails with EFBIG
-  if (cusp::ui::is_verb(argc, argv) || cusp::ui::no_display()) return cusp::ui::run_verb(argc, argv);
+  if (cusp::ui::is_verb(argc, argv) || cusp::ui::no_display(argc, argv)) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);
   const cusp::ui::TasksEndHere tasks_end;

@@ -74,9 +74,18 @@ bool is_verb(int argc, char** argv) {
          (!first.empty() && first.front() != '-' && !names_exercise_file(first));
 }
 
-bool no_display() {
-  constexpr std::array kNames = {"DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "QT_QPA_PLATFORM"};
-  return std::ranges::all_of(kNames, [](const char* name) { return qEnvironmentVariableIsEmpty(name); });
+bool no_display(int argc, char** argv) {
+  QByteArray platforms = qgetenv("QT_QPA_PLATFORM");
+  for (int i = 1; i + 1 < argc; ++i) {
+    const std::string_view option = argv[i];
+    if (option == "-display" || option == "--display") return false;
+    if (option == "-platform" || option == "--platform") platforms = argv[i + 1];
+  }
+  // A list by ";" of which Qt takes the first that starts; parameters follow a name after ":".
+  const QList<QByteArray> names = platforms.isEmpty() ? QList<QByteArray>() : platforms.split(';');
+  if (std::ranges::any_of(names, [](const QByteArray& name) { return !name.startsWith("xcb") && !name.startsWith("wayland"); })) return false;
+  constexpr std::array kDisplays = {"DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"};
+  return std::ranges::all_of(kDisplays, [](const char* name) { return qEnvironmentVariableIsEmpty(name); });
 }
 
 int run_verb(int argc, char** argv) {

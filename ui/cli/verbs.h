@@ -9,8 +9,9 @@ namespace cusp::ui {
 /// that ends in .cusp or .CUSP is an exercise file, which the window opens.
 bool is_verb(int argc, char** argv);
 
-/// Whether this environment names neither a display nor another platform of Qt. Then run_verb() refuses what is no verb.
-bool no_display();
+/// Whether the window would need a display and none is named. A platform of Qt that draws without one (vnc, linuxfb, eglfs, offscreen)
+/// needs none, named by -platform or by the environment. Then run_verb() refuses what is no verb.
+bool no_display(int argc, char** argv);
 
 /// Runs the verb. 0 done, 1 failed with one line on stderr, 2 wrong usage. Needs no QApplication; `play` makes an
 /// offscreen QGuiApplication of its own for the PDF.
