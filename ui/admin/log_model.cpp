@@ -22,7 +22,7 @@ QString short_id(const Uuid& id) {
   return QString::fromStdString(text.substr(text.size() - kDigitsShown));
 }
 
-QString when_text(std::int64_t at_utc_us) { return QLocale().toString(local_time(at_utc_us), u"d MMM yyyy, HH:mm:ss"_qs); }
+QString when_text(std::int64_t at_utc_us) { return QLocale().toString(local_time(at_utc_us), date_pattern() + u", HH:mm:ss"_qs); }
 
 QString proof_text_of(const LogProof& proof, std::int64_t number) {
   if (proof.broken == number) return LogModel::tr("breaks the chain");

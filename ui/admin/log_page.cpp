@@ -20,6 +20,7 @@
 #include "ui/widgets/busy.h"
 #include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
@@ -37,7 +38,7 @@ QDateEdit* make_day(const QString& name, const QDate& day) {
   auto* field = new QDateEdit(day);
   field->setLocale(QLocale());  // the language may be another than when the window was made
   field->setCalendarPopup(true);
-  field->setDisplayFormat(u"d MMM yyyy"_qs);
+  field->setDisplayFormat(date_pattern());
   field->setAccessibleName(name);
   return field;
 }

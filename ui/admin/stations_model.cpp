@@ -17,7 +17,7 @@ Chip::Kind chip_of(KeyRole role) {
 
 }  // namespace
 
-QString date_text(std::int64_t utc_us) { return QLocale().toString(local_time(utc_us).date(), u"d MMM yyyy"_qs); }
+QString date_text(std::int64_t utc_us) { return QLocale().toString(local_time(utc_us).date(), date_pattern()); }
 
 QString station_text(const QString& name, const Uuid& station) {
   return name.isEmpty() ? StationsModel::tr("Station %1").arg(QString::fromStdString(station.text()).right(kIdShown)) : name;

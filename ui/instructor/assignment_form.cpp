@@ -17,6 +17,7 @@
 #include "device/catalogue.h"
 #include "scenarios/templates/other_tooth.h"
 #include "ui/text/names.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
@@ -97,7 +98,7 @@ AssignmentForm::Moment AssignmentForm::add_moment(QFormLayout& form, const QStri
   out.when = new QDateTimeEdit(usual);
   out.when->setLocale(QLocale());  // the language may be another than when the window was made
   out.when->setCalendarPopup(true);
-  out.when->setDisplayFormat(QStringLiteral("d MMM yyyy, HH:mm"));
+  out.when->setDisplayFormat(date_pattern() + QStringLiteral(", HH:mm"));
   out.when->setAccessibleName(label);
   out.when->setEnabled(false);
   connect(out.on, &QCheckBox::toggled, out.when, &QWidget::setEnabled);

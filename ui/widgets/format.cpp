@@ -123,8 +123,12 @@ QString format_day_time(const QDateTime& when, const QLocale& locale, const QDat
   return format_day(when, locale, now) + time_after_day(when, locale);
 }
 
+QString date_pattern(const QLocale& locale) {
+  return locale.language() == QLocale::German ? QStringLiteral("d. MMM yyyy") : QStringLiteral("d MMM yyyy");
+}
+
 QString format_date(const QDateTime& when, const QLocale& locale) {
-  return locale.toString(when.toLocalTime(), locale.language() == QLocale::German ? QStringLiteral("ddd d. MMM yyyy") : QStringLiteral("ddd d MMM yyyy"));
+  return locale.toString(when.toLocalTime(), QStringLiteral("ddd ") + date_pattern(locale));
 }
 
 QString format_date_time(const QDateTime& when, const QLocale& locale) { return format_date(when, locale) + time_after_day(when, locale); }

@@ -41,6 +41,8 @@ QDateTime local_time(std::int64_t utc_us);
 /// For a screen: "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order. The year follows the month if it is not that of `now`.
 QString format_day(const QDateTime& when, const QLocale& locale = installed_locale(), const QDateTime& now = QDateTime::currentDateTime());
 QString format_day_time(const QDateTime& when, const QLocale& locale = installed_locale(), const QDateTime& now = QDateTime::currentDateTime());
+/// Qt's pattern of a day, a month and a year: "20 Nov 2026", in German "20. Nov. 2026".
+QString date_pattern(const QLocale& locale = installed_locale());
 /// For what is kept: "Fri 20 Nov 2026" and "Fri 20 Nov 2026, 10:14".
 QString format_date(const QDateTime& when, const QLocale& locale = installed_locale());
 QString format_date_time(const QDateTime& when, const QLocale& locale = installed_locale());

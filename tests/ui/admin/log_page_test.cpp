@@ -16,6 +16,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/admin/log_page.h"
 #include "ui/text/audit_log_text.h"
+#include "ui/text/language.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -62,6 +63,15 @@ TEST_F(LogPages, ShowsWhoDidWhatToWhomNewestFirst) {
   for (const char* what : {"Attempt started", "Attempt finished", "Attempt graded", "Account created", "Key of this station added"}) {
     EXPECT_TRUE(all.contains(QLatin1String(what))) << what << " in " << all.join(u'\n').toStdString();
   }
+}
+
+TEST_F(LogPages, WritesDaysAsTheLanguageDoes) {
+  install_language(*qApp, QStringLiteral("de"));
+  const auto shown = page();
+  const QString when = cell(*shown, 0, LogModel::kWhen), day = QLocale(QLocale::German).toString(QDateTime::fromMSecsSinceEpoch(records.now_us / 1000).date().day());
+  EXPECT_TRUE(when.startsWith(day + QStringLiteral(". "))) << when.toStdString();
+  for (const QDateEdit* field : shown->findChildren<QDateEdit*>()) EXPECT_EQ(field->displayFormat().toStdString(), "d. MMM yyyy");
+  install_language(*qApp, QStringLiteral("en"));
 }
 
 TEST_F(LogPages, FetchesAPageAtATime) {

@@ -219,7 +219,10 @@ TEST_F(Cohorts, WidenThePageByNoLongName) {
 TEST_F(Cohorts, ShowTheMonthsOfTheLanguage) {
   install_language(*qApp, QStringLiteral("de"));
   CohortsPage page(records.store(), instructor.actor(), ports);
-  for (const QDateTimeEdit* when : page.form()->findChildren<QDateTimeEdit*>()) EXPECT_EQ(when->locale().language(), QLocale::German);
+  for (const QDateTimeEdit* when : page.form()->findChildren<QDateTimeEdit*>()) {
+    EXPECT_EQ(when->locale().language(), QLocale::German);
+    EXPECT_TRUE(when->displayFormat().startsWith(QStringLiteral("d. MMM"))) << when->displayFormat().toStdString();
+  }
   install_language(*qApp, QStringLiteral("en"));
 }
 

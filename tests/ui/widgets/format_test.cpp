@@ -132,6 +132,8 @@ TEST(Format, what_is_kept_has_its_year_and_on_paper_the_offset_from_utc) {
   const QDateTime here(QDate(2026, 11, 27), QTime(8, 21));
   EXPECT_EQ(format_date_time(here, kEnglish).toStdString(), "Fri 27 Nov 2026, 08:21");
   EXPECT_EQ(format_date(here, kGerman).toStdString(), "Fr. 27. Nov. 2026");
+  EXPECT_EQ(kGerman.toString(here, date_pattern(kGerman)).toStdString(), "27. Nov. 2026");
+  EXPECT_EQ(kEnglish.toString(here, date_pattern(kEnglish)).toStdString(), "27 Nov 2026");
 }
 
 }  // namespace
