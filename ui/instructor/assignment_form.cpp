@@ -102,7 +102,10 @@ AssignmentForm::Moment AssignmentForm::add_moment(QFormLayout& form, const QStri
   out.when->setAccessibleName(label);
   out.when->setEnabled(false);
   connect(out.on, &QCheckBox::toggled, out.when, &QWidget::setEnabled);
-  form.addRow(out.on);
+  auto* gap = new QVBoxLayout;
+  gap->setContentsMargins(0, px(kBetween), 0, 0);
+  gap->addWidget(out.on);
+  form.addRow(gap);
   form.addRow(out.when);
   return out;
 }
@@ -115,7 +118,7 @@ QWidget* AssignmentForm::make_devices() {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(px(8));
   grid->setVerticalSpacing(px(4));
-  grid->addWidget(make_label(tr("Devices admitted"), TextRole::body, Weight::regular, "text2"), 0, 0, 1, 2);
+  grid->addWidget(make_label(tr("Devices admitted"), TextRole::caption), 0, 0, 1, 2);
   for (const DeviceKind& kind : device::device_kinds()) {
     if (!kind.offered) continue;
     const std::string device_class(kind.device_class);

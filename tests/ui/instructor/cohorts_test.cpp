@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QDateTimeEdit>
 #include <QLabel>
 #include <QPushButton>
@@ -224,6 +225,21 @@ TEST_F(Cohorts, ShowTheMonthsOfTheLanguage) {
     EXPECT_TRUE(when->displayFormat().startsWith(QStringLiteral("d. MMM"))) << when->displayFormat().toStdString();
   }
   install_language(*qApp, QStringLiteral("en"));
+}
+
+TEST_F(Cohorts, TheDatesOfAnAssignmentStandApartFromTheFieldAbove) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.resize(1280, 720);
+  page.show();
+  QTest::qWait(0);
+  const QWidget* form = page.form();
+  for (const QCheckBox* on : form->findChildren<QCheckBox*>()) {
+    if (on->text() != QStringLiteral("Open from") && on->text() != QStringLiteral("Due")) continue;
+    int above = 0;  // lower edge of the field before
+    for (const QWidget* field : form->findChildren<QWidget*>())
+      if (const int edge = field->mapTo(form, QPoint(0, field->height())).y(); field->isVisible() && edge <= on->mapTo(form, QPoint()).y()) above = std::max(above, edge);
+    EXPECT_GE(on->mapTo(form, QPoint()).y() - above, 8) << on->text().toStdString();
+  }
 }
 
 TEST_F(Cohorts, AnAssessmentMayAskForASelfTestAndAPracticeMayNot) {
