@@ -139,7 +139,7 @@ void ImportPage::build_files(QVBoxLayout* body) {
   });
   connect(busy_, &Busy::cancelled, this, [this] {
     take_back_files();
-    end_work();
+    end_look();
     band_->show_message(Band::Kind::info, tr("Importing was stopped."), tr("Nothing was kept."));
   });
 }
@@ -166,6 +166,12 @@ void ImportPage::end_work() {
   work_.reset();
   busy_->finish();
   show_files();
+}
+
+/// The button that was pressed was off meanwhile: Qt hands the focus to the way back, where Enter would leave the page.
+void ImportPage::end_look() {
+  end_work();
+  (files_.empty() ? first_pick_ : pick_)->setFocus(Qt::OtherFocusReason);
 }
 
 void ImportPage::show_failure(const ImportFailure& failure) {
@@ -224,7 +230,7 @@ void ImportPage::look() {
     const bool several = files.size() > 1;
     answer_to(self, work, [self, seen, several] {
       if (!*seen) self->take_back_files();
-      self->end_work();
+      self->end_look();
       if (!*seen) return several ? self->show_apart(seen->error()) : self->show_failure(seen->error());
       self->show_look(std::move(**seen));
     });

@@ -72,6 +72,7 @@ class ImportPage : public QWidget {
   void run();
   void begin_work(const QString& what);
   void end_work();
+  void end_look();
   void show_made(ImportedSpecimen made, const std::vector<ImportRemark>& remarks);
   void forget_made();
   void keep();

@@ -34,6 +34,17 @@ TEST_F(ImportPageTest, while_there_is_no_file_the_page_is_a_place_to_drop_one) {
   EXPECT_TRUE(drop->isVisible());
 }
 
+TEST_F(ImportPageTest, the_focus_goes_from_a_chosen_file_to_the_next_one_and_not_to_the_way_back) {
+  page->setFocus();
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  open({file("a.stl")});
+  EXPECT_EQ(page->focusWidget(), button(QStringLiteral("Add a file…")));
+  button(QStringLiteral("Begin anew"))->click();
+  write_text(folder / "b.stl", "no mesh");
+  open({file("b.stl")});
+  EXPECT_EQ(page->focusWidget(), page->focusProxy());
+}
+
 TEST_F(ImportPageTest, a_mesh_is_drawn_to_scale_beside_a_molar) {
   write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 3)));  // 10 mm across
   open({file("a.stl")});
