@@ -6,10 +6,16 @@
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
+namespace {
+
+constexpr int kNumbers[] = {1, 2};  // columns
+
+}  // namespace
 
 BackupsTable::BackupsTable(QWidget* parent) : Table(parent), list_(new QStandardItemModel(this)) {
   setAccessibleName(tr("Backups"));
   list_->setHorizontalHeaderLabels({tr("Made"), tr("Sessions"), tr("Size"), tr("Folder")});
+  for (const int column : kNumbers) list_->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   setModel(list_);
   set_stretch_column(3);
 }
@@ -26,6 +32,7 @@ void BackupsTable::show_backups(std::vector<Backup> backups) {
       cell->setEditable(false);
       cells += cell;
     }
+    for (const int column : kNumbers) cells[column]->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
     list_->appendRow(cells);
   }
   for (int column = 0; column < 3; ++column) resizeColumnToContents(column);

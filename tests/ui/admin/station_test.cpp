@@ -15,6 +15,7 @@
 #include "tests/unremovable.h"
 #include "ui/admin/recordings_card.h"
 #include "ui/admin/station_page.h"
+#include "ui/widgets/table.h"
 
 namespace cusp::test {
 namespace {
@@ -86,6 +87,19 @@ TEST_F(Station, MakesABackupWhereItWasAskedTo) {
   ASSERT_TRUE(all);
   ASSERT_EQ(all->size(), 1u);
   EXPECT_EQ(all->front().sessions, 1u);
+}
+
+TEST_F(Station, PutsTheNumbersOfBackupsAtTheRight) {
+  const auto shown = page();
+  shown->choose_folder();
+  shown->back_up();
+  ASSERT_TRUE(waited(*shown));
+  const QAbstractItemModel* list = shown->findChild<Table*>()->model();
+  ASSERT_EQ(list->rowCount(), 1);
+  for (const int column : {1, 2}) {  // sessions and size
+    EXPECT_TRUE(list->index(0, column).data(Qt::TextAlignmentRole).toInt() & (Qt::AlignTrailing | Qt::AlignRight)) << column;
+    EXPECT_TRUE(list->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole).toInt() & (Qt::AlignTrailing | Qt::AlignRight)) << column;
+  }
 }
 
 TEST_F(Station, ReportsAFolderThatTheNextStartDoesNotKnow) {
