@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -12,6 +13,7 @@
 #include "ui/admin/on_window.h"
 #include "ui/text/failure_text.h"
 #include "ui/widgets/busy.h"
+#include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
@@ -50,7 +52,10 @@ PeopleImport::PeopleImport(Store& store, const Actor& actor, const Ports& ports,
   table->setAccessibleName(tr("Lines of the list"));
   table->setModel(model_);
   table->set_stretch_column(StudentListModel::kName);
-  card->body()->addWidget(table);
+  shown_ = new QStackedWidget;
+  shown_->addWidget(new EmptyState(u"people"_qs, tr("No list yet"), tr("Each line becomes an account once you have looked at it here.")));
+  shown_->addWidget(table);
+  card->body()->addWidget(shown_);
   outer->addWidget(card, 1);
   connect(back, &QPushButton::clicked, this, &PeopleImport::leave);
   connect(choose_, &QPushButton::clicked, this, &PeopleImport::choose_file);
@@ -74,6 +79,7 @@ void PeopleImport::fit_buttons() {
   choose_->setEnabled(!working());
   start_->setEnabled(!working() && !to_do().empty());
   save_->setEnabled(!working() && !slips_.empty());
+  shown_->setCurrentIndex(model_->rowCount() == 0 ? 0 : 1);
 }
 
 std::vector<ListedStudent> PeopleImport::to_do() const {

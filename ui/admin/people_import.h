@@ -14,6 +14,7 @@
 #include "ui/widgets/ports.h"
 
 class QPushButton;
+class QStackedWidget;
 
 namespace cusp::ui {
 
@@ -59,6 +60,7 @@ class PeopleImport : public QWidget {
   Actor actor_;
   const Ports& ports_;
   StudentListModel* model_;
+  QStackedWidget* shown_ = nullptr;  // why there are none, and the table
   Band* band_ = nullptr;
   Busy* busy_ = nullptr;
   QPushButton *choose_ = nullptr, *start_ = nullptr, *save_ = nullptr;

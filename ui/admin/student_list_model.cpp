@@ -62,7 +62,7 @@ QVariant StudentListModel::data(const QModelIndex& index, int role) const {
     case kState: return state_text(s);
     case kName: return s.name;
     case kNumber: return s.number;
-    case kPin: return s.pin.isEmpty() ? tr("made here") : tr("from the file");
+    case kPin: return s.state == State::bad ? QString() : s.pin.isEmpty() ? tr("made here") : tr("from the file");
     case kCohort: return s.cohort;
     default: return {};
   }

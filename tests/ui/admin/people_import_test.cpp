@@ -6,6 +6,7 @@
 
 #include <QDeadlineTimer>
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -137,6 +138,20 @@ TEST_F(Import, makes_accounts_with_pins_cohorts_and_slips) {
   QFile slips(folder.filePath(QStringLiteral("slips.pdf")));
   ASSERT_TRUE(slips.open(QIODevice::ReadOnly));
   EXPECT_TRUE(slips.read(5) == "%PDF-");
+}
+
+TEST_F(Import, says_what_a_list_is_for_and_promises_no_pin_to_a_line_that_is_left_out) {
+  write("number,name\n1,New One\n,Nobody\n");
+  PeopleImport page(records.store(), records.administrator().actor(), ports);
+  const QLabel* none = nullptr;
+  for (const QLabel* label : page.findChildren<QLabel*>())
+    if (label->text() == QStringLiteral("No list yet")) none = label;
+  ASSERT_NE(none, nullptr);
+  EXPECT_TRUE(none->isVisibleTo(&page));
+  page.choose_file();
+  EXPECT_FALSE(none->isVisibleTo(&page));
+  EXPECT_EQ(page.model().index(0, StudentListModel::kPin).data().toString().toStdString(), "made here");
+  EXPECT_EQ(page.model().index(1, StudentListModel::kPin).data().toString().toStdString(), "");
 }
 
 TEST_F(Import, a_second_import_of_the_same_list_makes_nothing_new) {
