@@ -12,6 +12,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr std::string_view kUnverified = "[M]";
+constexpr std::string_view kNotes = "dental.md ";  // a file that no instructor has
 
 /// At most two decimals, and one at least of a length: "1.0", "0.45"; "3" degrees.
 QString bare_number(double value, const std::string& unit) {
@@ -32,7 +33,8 @@ QString range_text(const TemplateParameter& p) {
 QString source_text(const std::string& source) {
   if (source == "choice") return TemplateDialog::tr("Source: free choice");
   const bool unverified = source.find(kUnverified) != std::string::npos;
-  const QString from = QString::fromStdString(source.substr(0, source.find(';')));
+  QString from = QString::fromStdString(source.substr(0, source.find(';')));
+  if (source.starts_with(kNotes)) from = TemplateDialog::tr("the authors’ notes, section %1").arg(from.mid(static_cast<qsizetype>(kNotes.size())));
   if (!unverified) return TemplateDialog::tr("Source: %1").arg(isolate(from));
   if (source == kUnverified) return TemplateDialog::tr("Source: general knowledge, not verified [M]");
   return TemplateDialog::tr("Source: %1; the figure is not verified [M]").arg(isolate(from));

@@ -197,6 +197,7 @@ TEST_F(TemplateDialogs, show_range_unit_default_and_source_of_each_parameter) {
       ASSERT_NE(field, nullptr) << p.key;
       const QString note = field->accessibleDescription();
       EXPECT_TRUE(note.contains(QStringLiteral("efault"))) << note.toStdString();
+      EXPECT_FALSE(note.contains(QStringLiteral(".md"))) << "no file that an instructor has: " << note.toStdString();
       EXPECT_EQ(note.contains(QStringLiteral("not verified [M]")), p.source.find("[M]") != std::string::npos) << note.toStdString();
       bool shown = false;
       for (const QLabel* label : dialog->findChildren<QLabel*>()) shown = shown || label->text() == note;
