@@ -16,6 +16,7 @@
 #include "ui/signin/pin_field.h"
 #include "ui/text/language.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/menu_button.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -56,7 +57,7 @@ QWidget* SignIn::make_head() {
   row->addStretch();
   auto* language = make_button({}, ButtonKind::quiet, u"globe"_qs);
   for (const Language& l : languages()) {
-    if (l.code == current_language()) language->setText(l.name + u"  ▾"_qs);
+    if (l.code == current_language()) language->setText(l.name);
   }
   language->setAccessibleName(tr("Language"));
   language->setToolTip(tr("Language"));
@@ -67,7 +68,7 @@ QWidget* SignIn::make_head() {
     action->setChecked(l.code == current_language());
     connect(action, &QAction::triggered, this, [this, code = l.code] { Q_EMIT language_chosen(code); });
   }
-  language->setMenu(menu);
+  put_menu(language, menu);
   row->addWidget(language);
   QToolButton* theme = make_icon_button(tokens().dark ? u"sun"_qs : u"moon"_qs,
                                         tokens().dark ? tr("Light colours") : tr("Dark colours"));

@@ -4,6 +4,7 @@
 
 #include <QAccessible>
 #include <QClipboard>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -56,6 +57,18 @@ struct SignInTest : ::testing::Test {
     answered();
   }
 };
+
+TEST_F(SignInTest, the_language_has_the_chevron_of_every_menu) {
+  open();
+  QPushButton* language = nullptr;
+  for (QPushButton* button : page->findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Language")) language = button;
+  ASSERT_NE(language, nullptr);
+  QString shown;
+  for (const QLabel* label : language->findChildren<QLabel*>()) shown += label->text();
+  EXPECT_EQ(shown.toStdString(), "English");
+  EXPECT_EQ(language->text().toStdString(), "");  // sign, text and chevron are labels
+}
 
 TEST_F(SignInTest, a_student_signs_in_with_number_and_pin) {
   records.student("20267314", "Lena Brandt", "271828");
