@@ -31,13 +31,12 @@ qsizetype fitting(Paper& paper, const QString& text, const Paper::Type& type, do
 
 }  // namespace
 
-void write_remarks(const std::vector<Remark>& remarks, const std::function<Paper()>& begin_sheet) {
+void write_remarks(const std::vector<Remark>& remarks, double bottom, const std::function<Paper()>& begin_sheet) {
   if (remarks.empty()) return;
   const Tokens& t = Tokens::light();
   std::optional<Paper> paper;
   paper.emplace(begin_sheet());
   const Paper::Column whole{paper->page().left(), paper->page().width()};
-  const double bottom = paper->page().bottom();
   const auto write = [&](QString text, Weight weight, const QColor& ink) {
     const Paper::Type type{11, weight, ink};
     while (!text.isEmpty()) {

@@ -9,7 +9,8 @@
 
 namespace cusp::ui {
 
-/// On as many sheets as the remarks need; none without remarks. `begin_sheet`: a new sheet with its head.
-void write_remarks(const std::vector<Remark>& remarks, const std::function<Paper()>& begin_sheet);
+/// On as many sheets as the remarks need; none without remarks. `begin_sheet`: a new sheet with its head and
+/// its foot, which begins below `bottom`, in the painter's units.
+void write_remarks(const std::vector<Remark>& remarks, double bottom, const std::function<Paper()>& begin_sheet);
 
 }  // namespace cusp::ui

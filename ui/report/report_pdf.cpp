@@ -356,8 +356,7 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   write_score(paper, data, t);
   std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
   const double high = fit_to_page(paper, data, advice, t);
-  const SpecimenSource& specimen = data.result.scenario.specimen;
-  write_tooth(paper, tooth, advice, high, specimen.grown_fdi(), t);
+  write_tooth(paper, tooth, advice, high, data.result.scenario.specimen.grown_fdi(), t);
   write_legend(paper, high, t);
   paper.skip(high + kBelowTooth);
   int sheet = 1;
@@ -378,11 +377,12 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
     Paper second(painter, page, unit);
     write_head(second, data, t);
     write_closeups(second, data, tooth->closeups, numbers_of(advice));
-    write_foot(second, data, sheet + 1, t);
+    write_foot(second, data, ++sheet, t);
   }
-  write_remarks(data.remarks, [&] {
+  write_remarks(data.remarks, bottom, [&] {
     new_page();
     Paper further(painter, page, unit);
+    write_foot(further, data, ++sheet, t);
     write_head(further, data, t);
     return further;
   });

@@ -257,7 +257,12 @@ TEST(ReportPdf, cuts_nothing_off_a_remark_that_is_longer_than_its_sheet) {
   const QString text = QString::fromStdString(text_in(file));
   for (int i : {0, 600, 900, 1199}) EXPECT_EQ(text.count(QStringLiteral("word%1").arg(i)), 3) << i;
   ASSERT_GT(pages_in(file), 3);
-  for (const Edges& page : edges_of_pages(file)) EXPECT_LE(page.lowest, kA4Points - kLeastMarginPoints);
+  for (const Edges& page : edges_of_pages(file)) {
+    EXPECT_LE(page.lowest, kA4Points - kLeastMarginPoints);
+    EXPECT_GT(page.foot, page.lowest);
+  }
+  for (std::size_t page = 1; page <= pages_in(file); ++page)
+    EXPECT_EQ(text.count(QRegularExpression(QStringLiteral("Page %1\\b").arg(page))), 1) << page;
 }
 
 TEST(ReportPdf, names_an_attempt_that_broke_off) {
