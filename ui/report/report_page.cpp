@@ -312,7 +312,7 @@ QWidget* ReportPage::make_criteria() {
   table_->set_stretch_column(CriteriaModel::kName);
   table_->setTextElideMode(Qt::ElideMiddle);  // names differ at their end: floor or walls
   table_->setWordWrap(true);
-  table_->set_rows_shown(14);
+  table_->set_rows_shown(model_->rowCount());  // the page scrolls, the table does not
   card->body()->addWidget(table_);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { choose(table_->chosen_row()); });
   return card;

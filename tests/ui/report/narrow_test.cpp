@@ -12,6 +12,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
+#include "tests/ui/report/sample_report.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
@@ -179,6 +180,20 @@ TEST(CellLines, BreakAtABlankAndElideWhatFitsInNoLine) {
   EXPECT_EQ(lines("a b c d", "a b c"), "a b c|d");
   EXPECT_EQ(lines("overcut", "over…"), "over…");
   EXPECT_EQ(lines("ab overcut", "over…"), "ab|over…");
+}
+
+TEST(ReportPage, scrolls_as_a_whole_with_the_criteria_of_a_long_rubric) {
+  const Ports ports = Ports::of_the_system();
+  ReportData data = sample();
+  for (int um = 101; um <= 130; ++um) {
+    data.result.grade.criteria.push_back(data.result.grade.criteria.at(1));
+    data.result.grade.criteria.back().id = "surface_within_" + std::to_string(um);
+  }
+  ReportPage page(std::move(data), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+  page.resize(1280, 720);
+  page.show();
+  QTest::qWait(0);
+  EXPECT_EQ(page.table()->verticalScrollBar()->maximum(), 0);
 }
 
 }  // namespace
