@@ -186,7 +186,9 @@ void Briefing::add_facts(QVBoxLayout& text) {
                                       : tr("none; time earns no points"));
   fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
   if (s.self_assessment) fact(tr("Own assessment"), tr("asked for before the result"));
-  for (const std::string& critical : s.rubric.critical) fact(tr("Fails the attempt"), critical_name(critical));
+  QStringList critical;
+  for (const std::string& key : s.rubric.critical) critical += critical_name(key);
+  if (!critical.isEmpty()) fact(tr("Fails the attempt"), critical.join(u'\n'));
   text.addLayout(facts);
 }
 
@@ -207,7 +209,7 @@ QWidget* Briefing::make_points() {
   table->setModel(model);
   table->setAccessibleName(tr("What earns points"));
   table->set_stretch_column(0);
-  table->set_rows_shown(12);
+  table->set_rows_shown(static_cast<int>(maxima.size()));  // the page scrolls, the table does not
   points->set_aside({});
   points->body()->addWidget(table);
   return points;

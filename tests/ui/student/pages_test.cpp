@@ -376,6 +376,19 @@ TEST_F(Pages, the_briefing_shows_what_earns_points_and_starts) {
   EXPECT_EQ(started.count(), 1);
 }
 
+TEST_F(Pages, the_briefing_scrolls_as_a_whole_and_names_what_fails_the_attempt_once) {
+  Exercise box;
+  box.scenario = *load_builtin("class-2-46-mo");
+  ASSERT_GT(box.scenario.rubric.criteria.size(), 12u);
+  ASSERT_GT(box.scenario.rubric.critical.size(), 1u);
+  Briefing page(box, pictures, {}, nullptr);
+  page.resize(1280, 720);
+  page.show();
+  QTest::qWait(0);
+  EXPECT_EQ(page.findChild<Table*>()->verticalScrollBar()->maximum(), 0);
+  EXPECT_EQ(texts(page).count(QStringLiteral("Fails the attempt")), 1);
+}
+
 TEST_F(Pages, my_results_filters_by_exercise_and_opens_a_report) {
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 60, 300);
