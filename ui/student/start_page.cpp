@@ -139,7 +139,7 @@ QWidget* StartPage::make_side(const Account& account) {
   side->setSpacing(px(16));
   side->addWidget(make_last(account));
   side->addWidget(make_chart());
-  side->addStretch();
+  side->addStretch(1);
   return panel;
 }
 
@@ -155,7 +155,7 @@ void StartPage::make_interrupted(QBoxLayout& column) {
   for (const HistoryRow& row : course_.interrupted) {
     const auto way = way_of(store_, row, device_class_);
     if (!way || *way == InterruptedWay::other_engine) continue;
-    auto* card = new InterruptedCard(store_, row, *way, device_class_, interrupted_ == nullptr ? ButtonKind::primary : ButtonKind::standard);
+    auto* card = new InterruptedCard(store_, row, *way, device_class_, interrupted_ == nullptr && !assessed() ? ButtonKind::primary : ButtonKind::standard);
     connect(card, &InterruptedCard::resume_wanted, this, [this, id = row.session] { Q_EMIT resume_wanted(id); });
     connect(card, &InterruptedCard::grade_wanted, this, [this, id = row.session] { Q_EMIT grade_wanted(id); });
     column.addWidget(card);
@@ -172,7 +172,10 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   line->setSpacing(0);
   card->body()->addLayout(line);
   picture_ = new QLabel;
-  picture_->setFixedSize(px(kPictureWidth), px(226));
+  picture_->setFixedWidth(px(kPictureWidth));
+  picture_->setMinimumHeight(px(226));
+  picture_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);  // as high as the text beside it, whatever it shows
+  picture_->installEventFilter(this);
   picture_->setAccessibleName(tr("The tooth with its target"));
   line->addWidget(picture_);
   auto* text = new QVBoxLayout;
@@ -200,15 +203,14 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(12));
   // One primary button a page: that of an assessment or an interrupted attempt comes first.
-  const bool assessed = std::ranges::any_of(assessments_, [](const auto& a) { return a.state == AssignedAssessment::State::open; });
-  start_ = make_large_button(tr("Start"), interrupted_ != nullptr || assessed ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
+  start_ = make_large_button(tr("Start"), interrupted_ != nullptr || assessed() ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
   start_->setMinimumWidth(px(106));
   QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
   acts->addWidget(start_);
   acts->addWidget(briefing);
   // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
   start_->setEnabled(opengl_allowed() && refusal_.isEmpty());
-  const QString enter = interrupted_ == nullptr && !assessed && refusal_.isEmpty() ? tr("Enter starts") : QString();
+  const QString enter = interrupted_ == nullptr && !assessed() && refusal_.isEmpty() ? tr("Enter starts") : QString();
   QLabel* hint = make_label(opengl_allowed() ? enter : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
   hint->setWordWrap(true);
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -239,8 +241,7 @@ QWidget* StartPage::make_list() {
   auto* model = new CourseModel(course_.rows, this);
   table_->setModel(model);
   table_->set_stretch_column(CourseModel::kExercise);
-  bool due = false;
-  for (const CourseRow& row : course_.rows) due = due || row.due_utc_us.has_value();
+  const bool due = std::ranges::any_of(course_.rows, [](const CourseRow& row) { return row.due_utc_us.has_value(); });
   table_->setColumnHidden(CourseModel::kDue, !due);
   table_->set_rows_shown(8);
   table_->choose_row(course_.next());
@@ -380,19 +381,18 @@ void StartPage::show_picture() {
   show_covering(picture_, folder ? pictures_.picture(next_->exercise, *folder, ThumbnailCache::Use::card) : QImage(), px(7));
 }
 
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == picture_ && event->type() == QEvent::Resize) show_picture();
+  return QWidget::eventFilter(watched, event);
+}
+
 void StartPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (!columns_) return;
   const bool narrow = width() < px(kStackBelow);
   columns_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-  if (picture_) {
-    const int beside = narrow ? 0 : px(kSideWidth) + columns_->spacing();
-    const int wide = px(width() - beside < px(kSmallPictureBelow) ? kSmallPictureWidth : kPictureWidth);
-    if (picture_->width() != wide) {
-      picture_->setFixedWidth(wide);
-      show_picture();
-    }
-  }
+  const int beside = narrow ? 0 : px(kSideWidth) + columns_->spacing();
+  if (picture_) picture_->setFixedWidth(px(width() - beside < px(kSmallPictureBelow) ? kSmallPictureWidth : kPictureWidth));
   side_->setMinimumWidth(narrow ? 0 : px(kSideWidth));
   side_->setMaximumWidth(narrow ? QWIDGETSIZE_MAX : px(kSideWidth));
 }

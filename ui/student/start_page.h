@@ -41,11 +41,16 @@ class StartPage : public QWidget {
   void grade_wanted(const SessionId& session);
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* make_main(const Account& account);
   void make_assessments(QBoxLayout& column, const Account& account);
+  /// An assessment can be started now.
+  bool assessed() const {
+    return std::ranges::any_of(assessments_, [](const auto& a) { return a.state == AssignedAssessment::State::open; });
+  }
   QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);

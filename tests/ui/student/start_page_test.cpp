@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTest>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/grading/maxima.h"
@@ -109,6 +110,43 @@ TEST_F(StartPageCards, an_interrupted_assessment_stands_above_a_newer_interrupte
   int primary = 0;
   for (const QPushButton* b : shown->findChildren<QPushButton*>()) primary += b->property("kind") == QStringLiteral("primary") ? 1 : 0;
   EXPECT_EQ(primary, 1);
+}
+
+TEST_F(StartPageCards, an_open_assessment_has_the_one_primary_button_beside_an_interrupted_practice) {
+  records.broken_attempt(lena, "paper-block");
+  page();
+  ASSERT_EQ(shown->findChildren<InterruptedCard*>().size(), 1);
+  QStringList primary;
+  for (const QPushButton* b : shown->findChildren<QPushButton*>())
+    if (b->property("kind") == QStringLiteral("primary")) primary += b->accessibleName();
+  EXPECT_EQ(primary.join(u'|').toStdString(), "Start assessment");
+}
+
+TEST_F(StartPageCards, the_picture_of_the_next_exercise_is_as_high_as_the_text_beside_it) {
+  page();
+  shown->resize(1080, 752);
+  shown->show();
+  const auto picture = [&] {
+    QLabel* out = nullptr;
+    for (QLabel* label : shown->findChildren<QLabel*>())
+      if (label->accessibleName() == QStringLiteral("The tooth with its target")) out = label;
+    return out;
+  };
+  ASSERT_NE(picture(), nullptr);
+  QLabel* briefing = nullptr;
+  for (QLabel* label : picture()->parentWidget()->findChildren<QLabel*>())
+    if (label->wordWrap() && briefing == nullptr) briefing = label;
+  ASSERT_NE(briefing, nullptr);
+  briefing->setText(QStringLiteral("A line of a long briefing. ").repeated(30));
+  QTest::qWait(0);
+  const QWidget* card = picture()->parentWidget();
+  EXPECT_GT(card->height(), 300);
+  EXPECT_EQ(picture()->height(), card->height() - 2);  // within the card's line
+  EXPECT_EQ(picture()->pixmap().deviceIndependentSize().toSize(), picture()->size());
+  briefing->setText(QStringLiteral("A short one."));
+  QTest::qWait(0);
+  EXPECT_EQ(picture()->height(), card->height() - 2);
+  EXPECT_LT(card->height(), 300);
 }
 
 TEST_F(StartPageCards, the_picture_of_an_imported_specimen_is_drawn_from_its_unpacked_file) {
