@@ -254,7 +254,7 @@ void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
   section_aside_->setText(!sided ? tr("across") : fdi < 30 ? tr("buccal–palatal") : tr("buccal–lingual"));
   if (sided) section_->set_sides(tooth_sides(fdi)[2].letter, tooth_sides(fdi)[3].letter);
   const bool guided = has.guidance == Guidance::full;
-  task_->setText(local(scenario.briefing));
+  task_->setText(briefing_text(scenario));
   task_part_->setVisible(!guided && !task_->text().isEmpty());
   progress_part_->setVisible(has.target && guided);
   removed_part_->setVisible(guided);

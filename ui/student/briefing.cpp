@@ -136,7 +136,7 @@ QWidget* Briefing::make_bar() {
 void Briefing::fill_text(QVBoxLayout& text) {
   const Scenario& s = exercise_.scenario;
   text.addWidget(make_label(local(s.title), TextRole::page_title, Weight::bold));
-  QLabel* what = make_label(local(s.briefing));
+  QLabel* what = make_label(briefing_text(s));
   what->setWordWrap(true);
   text.addWidget(what);
   text.addSpacing(px(8));

@@ -185,7 +185,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   const QString due = row.due_utc_us && !row.over ? tr("Next, due %1").arg(format_day(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
-  QLabel* what = make_label(first_sentence(local(s.briefing)), TextRole::body, Weight::regular, "text2");
+  QLabel* what = make_label(first_sentence(briefing_text(s)), TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
   add_notes(*text, row);

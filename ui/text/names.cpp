@@ -1,6 +1,7 @@
 #include "ui/text/names.h"
 
 #include <QCollator>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +20,11 @@ QString local(const LocalText& texts) {
     if (const auto it = texts.find(code.toStdString()); it != texts.end()) return text(it->second);
   if (const auto it = texts.find("en"); it != texts.end()) return text(it->second);
   return texts.empty() ? QString() : text(texts.begin()->second);
+}
+
+QString briefing_text(const Scenario& scenario) {
+  static const QRegularExpression figure(QStringLiteral("(?<=\\d) (?=(?:mm|N|s|min|°|%)(?:\\W|$))"));
+  return local(scenario.briefing).replace(figure, QString(QChar::Nbsp));
 }
 
 QString role_name(Role role) {

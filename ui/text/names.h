@@ -15,6 +15,8 @@ namespace cusp::ui {
 
 /// Text in the language of the exercises, else in the installed one, else in English.
 QString local(const LocalText& text);
+/// The briefing in that language. A line breaks nowhere between a figure and its unit.
+QString briefing_text(const Scenario& scenario);
 
 QString role_name(Role role);
 QString state_name(SessionState state);

@@ -15,6 +15,7 @@
 #include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
 #include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/table.h"
 
@@ -147,6 +148,12 @@ TEST_F(StartPageCards, the_picture_of_the_next_exercise_is_as_high_as_the_text_b
   QTest::qWait(0);
   EXPECT_EQ(picture()->height(), card->height() - 2);
   EXPECT_LT(card->height(), 300);
+}
+
+TEST_F(StartPageCards, no_line_of_a_briefing_ends_between_a_figure_and_its_unit) {
+  Scenario s;
+  s.briefing = {{"en", "A channel 2.0 mm deep, 0.5 mm wide at 20 % of the length, in 5 min; 3 minor steps."}};
+  EXPECT_EQ(briefing_text(s).replace(QChar::Nbsp, u'_').toStdString(), "A channel 2.0_mm deep, 0.5_mm wide at 20_% of the length, in 5_min; 3 minor steps.");
 }
 
 TEST_F(StartPageCards, the_picture_of_an_imported_specimen_is_drawn_from_its_unpacked_file) {
