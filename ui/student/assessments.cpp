@@ -248,14 +248,15 @@ void AssessmentStart::submit() {
 HandedIn::HandedIn(const QString& candidate, QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Handed in"));
   auto* column = new QVBoxLayout(this);
-  column->addStretch();
+  column->addStretch(1);
   auto* state = new EmptyState(u"check"_qs, tr("Handed in"),
                                tr("The preparation of candidate %1 is kept. The result is shown when your examiner releases it.").arg(candidate),
                                tr("Next candidate"), Ink::good);
   column->addWidget(state);
   QPushButton* home = make_button(tr("To the start page"), ButtonKind::quiet);
   column->addWidget(home, 0, Qt::AlignCenter);
-  column->addStretch();
+  column->addStretch(1);
+  set_kind(state->button(), "primary");
   connect(state, &EmptyState::acted, this, &HandedIn::next_wanted);
   connect(home, &QPushButton::clicked, this, &HandedIn::start_wanted);
   setFocusProxy(state->button());

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTest>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -92,6 +93,19 @@ TEST_F(Assessments, AreInterruptedThenHandedInAndLeaveTheStartPageWithTheirRelea
   ASSERT_TRUE(records.store().statements.release(examiner, session));
   EXPECT_TRUE(at(kMorning + 1000).empty());
   EXPECT_EQ(result_text(records.store().history.list(lena.actor())->front()), QStringLiteral("Passed"));
+}
+
+TEST_F(Assessments, OnceHandedInTheNextCandidateHasTheOnePrimaryButtonAndTheWayHomeStandsBelowIt) {
+  HandedIn page(QStringLiteral("W7C UPT"));
+  page.resize(1280, 720);
+  page.show();
+  QTest::qWait(0);
+  const QPushButton *next = nullptr, *home = nullptr;
+  for (const QPushButton* button : page.findChildren<QPushButton*>()) (button->property("kind") == QStringLiteral("primary") ? next : home) = button;
+  ASSERT_NE(next, nullptr);
+  ASSERT_NE(home, nullptr);
+  EXPECT_EQ(next->accessibleName().toStdString(), "Next candidate");
+  EXPECT_LE(home->mapTo(&page, QPoint()).y() - next->mapTo(&page, QPoint(0, next->height())).y(), 40);
 }
 
 TEST_F(Assessments, OfferTheirStartOnlyWhileOpen) {
