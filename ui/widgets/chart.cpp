@@ -109,20 +109,20 @@ void paint_mark(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
   QPen pen(t.text, 1.4 * unit, Qt::CustomDashLine);
   pen.setDashPattern({3, 2});
   p.setPen(pen);
+  const int flags = Qt::AlignRight | Qt::AlignVCenter;
+  const auto write = [&](const QRectF& place, const QColor& ink) {
+    p.fillRect(p.boundingRect(place, flags, d.mark_text), t.surface);  // no line of the grid strikes it out
+    p.setPen(ink);
+    p.drawText(place, flags, d.mark_text);
+  };
   if (has_bars) {
     const double x = plot.x(*d.mark);
     p.drawLine(QPointF(x, plot.area.top() - 4 * unit), QPointF(x, plot.area.bottom()));
-    p.setPen(t.text);
-    p.drawText(QRectF(x - 126 * unit, plot.area.top() - 6 * unit, 120 * unit, 16 * unit),
-               Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
+    write(QRectF(x - 126 * unit, plot.area.top() - 6 * unit, 120 * unit, 16 * unit), t.text);
   } else {
     const double y = plot.y(*d.mark);
     p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
-    const QRectF place(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit);
-    const int flags = Qt::AlignRight | Qt::AlignVCenter;
-    p.fillRect(p.boundingRect(place, flags, d.mark_text), t.surface);  // no line of the grid strikes it out
-    p.setPen(t.text2);
-    p.drawText(place, flags, d.mark_text);
+    write(QRectF(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit), t.text2);
   }
 }
 

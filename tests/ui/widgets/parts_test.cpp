@@ -151,6 +151,28 @@ TEST(Chart, draws_its_points_where_the_axes_say) {
   EXPECT_LT(bottom, y_of(48));
 }
 
+TEST(Chart, no_line_of_the_grid_strikes_out_the_name_of_the_pass_mark_over_bars) {
+  const Tokens& t = Tokens::light();
+  ChartData d = two_attempts();
+  d.x = {QStringLiteral("points"), 0, 100, 10, 0};
+  d.y = {QStringLiteral("attempts"), 0, 5, 1, 0};
+  d.series[0].draw = ChartSeries::Draw::bars;
+  d.series[0].points = {{0, 1, {}, false}, {5, 0, {}, false}};
+  const auto drawn = [&](const QString& name) {
+    d.mark_text = name;
+    QImage image(320, 220, QImage::Format_RGB32);
+    image.fill(t.surface);
+    QPainter painter(&image);
+    paint_chart(painter, QRectF(0, 0, 320, 220), d, t, 1.0);
+    painter.end();
+    int on_line = 0;
+    for (int x = 0; x < 320; ++x) on_line += image.pixelColor(x, 8) == t.line;  // the line of 5 attempts
+    return on_line;
+  };
+  EXPECT_GT(drawn({}), 250);
+  EXPECT_LT(drawn(QStringLiteral("pass 70")), drawn({}) - 30);  // the name is some 45 px wide
+}
+
 TEST(Chart, a_figure_of_full_points_is_drawn_whole) {
   // 100 of 100 lies 8 px below the chart's upper edge, its figure is 9 px high: above the dot it would be cut off.
   const auto dark_pixels = [](double points) {
