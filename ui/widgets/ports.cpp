@@ -15,6 +15,16 @@ namespace cusp::ui {
 
 namespace {
 
+/// Takes out the indent that Qt keeps for a sign: without one, the text begins where field and buttons do.
+void align_text(QMessageBox& box) {
+  auto* grid = qobject_cast<QGridLayout*>(box.layout());
+  if (grid == nullptr) return;
+  for (int i = 0; i < grid->count(); ++i)
+    if (QSpacerItem* indent = grid->itemAt(i)->spacerItem()) indent->changeSize(0, 0, QSizePolicy::Fixed, QSizePolicy::Fixed);
+  grid->setHorizontalSpacing(0);
+  grid->invalidate();
+}
+
 /// Adds a field to a box whose act waits for the right code.
 void ask_code(QMessageBox& box, QPushButton& act, const QString& code) {
   act.setEnabled(false);
@@ -49,6 +59,7 @@ Ports Ports::of_the_system() {
     if (stays) set_kind(stay, "primary");
     box->setDefaultButton(question.erases || stays ? stay : act);
     box->setEscapeButton(stay);
+    align_text(*box);
     if (!question.code.isEmpty()) ask_code(*box, *act, question.code);
     QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
     box->open();

@@ -8,6 +8,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardItemModel>
@@ -222,6 +223,22 @@ TEST(Ports, a_name_without_suffix_gets_that_of_the_suggested_one) {
   ASSERT_NE(dialog, nullptr);
   EXPECT_EQ(dialog->defaultSuffix().toStdString(), "cusp");
   dialog->reject();
+}
+
+TEST(Ports, the_text_of_a_question_begins_where_its_buttons_do) {
+  QWidget page;
+  page.show();
+  Ports::of_the_system().ask(&page, {QStringLiteral("Leave this attempt?"), QStringLiteral("It stays in your results as interrupted."), QStringLiteral("Leave"), true}, [](bool) {});
+  auto* box = page.findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  QTest::qWait(0);
+  int first_text = box->width(), first_button = box->width();
+  for (const QLabel* label : box->findChildren<QLabel*>())
+    if (label->isVisible() && !label->text().isEmpty()) first_text = std::min(first_text, label->mapTo(box, label->contentsRect().topLeft()).x());
+  for (const QPushButton* button : box->findChildren<QPushButton*>())
+    if (button->isVisible()) first_button = std::min(first_button, button->mapTo(box, QPoint()).x());
+  EXPECT_NEAR(first_text, first_button, 4);  // the label's own margin
+  box->reject();
 }
 
 TEST(Chip, is_no_window_before_a_page_takes_it) {
