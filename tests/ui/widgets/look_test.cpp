@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QRadioButton>
 #include <QRegularExpression>
 #include <QSlider>
 #include <QSpinBox>
@@ -135,6 +136,15 @@ TEST(Look, the_frame_of_an_unchecked_box_is_a_controls_border) {
     EXPECT_EQ(seen.pixelColor(frame.left(), frame.center().y()).name().toStdString(), tokens().border.name().toStdString());
   }
   apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST(Look, the_text_of_a_radio_button_stands_as_far_from_its_sign_as_that_of_a_check_box) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  QRadioButton radio;
+  QCheckBox check;
+  for (QWidget* button : {static_cast<QWidget*>(&radio), static_cast<QWidget*>(&check)}) button->ensurePolished();
+  EXPECT_EQ(radio.style()->pixelMetric(QStyle::PM_RadioButtonLabelSpacing, nullptr, &radio), px(8));
+  EXPECT_EQ(check.style()->pixelMetric(QStyle::PM_CheckBoxLabelSpacing, nullptr, &check), px(8));
 }
 
 TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
