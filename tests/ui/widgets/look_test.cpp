@@ -14,6 +14,7 @@
 #include <QSpinBox>
 #include <QStyleOptionButton>
 #include <QTest>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <cmath>
@@ -145,6 +146,22 @@ TEST(Look, the_text_of_a_radio_button_stands_as_far_from_its_sign_as_that_of_a_c
   for (QWidget* button : {static_cast<QWidget*>(&radio), static_cast<QWidget*>(&check)}) button->ensurePolished();
   EXPECT_EQ(radio.style()->pixelMetric(QStyle::PM_RadioButtonLabelSpacing, nullptr, &radio), px(8));
   EXPECT_EQ(check.style()->pixelMetric(QStyle::PM_CheckBoxLabelSpacing, nullptr, &check), px(8));
+}
+
+TEST(Look, a_chosen_row_of_a_tree_has_no_notch_beside_its_indent) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  QTreeWidget tree;
+  tree.setHeaderHidden(true);
+  auto* whole = new QTreeWidgetItem(&tree, {QStringLiteral("Union")});
+  auto* part = new QTreeWidgetItem(whole, {QStringLiteral("Box")});
+  tree.expandAll();
+  tree.resize(240, 120);
+  tree.show();
+  tree.setCurrentItem(part);
+  const QRect row = tree.visualItemRect(part);
+  const QImage seen = tree.viewport()->grab().toImage();
+  for (int x = row.left() - 4; x < row.left() + 4; ++x)
+    EXPECT_EQ(seen.pixelColor(x, row.top() + 1).name().toStdString(), tokens().accent_soft.name().toStdString()) << x - row.left();
 }
 
 TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
