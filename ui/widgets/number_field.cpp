@@ -128,6 +128,12 @@ double NumberField::valueFromText(const QString& text) const {
   return taken;
 }
 
+QString NumberField::textFromValue(double value) const {
+  QString out = QDoubleSpinBox::textFromValue(value);
+  if (out.startsWith(u'-')) out[0] = kTrueMinus;
+  return out;
+}
+
 void NumberField::fixup(QString& text) const {
   // QAbstractSpinBox calls this const function when it drops the text for the last value.
   const_cast<NumberField*>(this)->refuse(bare(text));

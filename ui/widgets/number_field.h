@@ -29,6 +29,8 @@ class NumberField : public QDoubleSpinBox {
 
   QValidator::State validate(QString& text, int& cursor) const override;
   double valueFromText(const QString& text) const override;
+  /// With the minus of format_number().
+  QString textFromValue(double value) const override;
   /// The base class calls this for a text that it cannot take; the text stays refused.
   void fixup(QString& text) const override;
   void stepBy(int steps) override;

@@ -63,6 +63,18 @@ TEST(NumberField, reads_no_exponent_no_group_and_no_second_sign) {
   EXPECT_EQ(read_number(QStringLiteral("٣٫٥")), 3.5);  // Arabic digits and decimal sign
 }
 
+TEST(NumberField, shows_the_minus_of_every_other_number_and_takes_either) {
+  Typed at;
+  at.field->setRange(-20, 20);
+  for (const char16_t* typed : {u"-3", u"\u22123"}) {
+    at.field->setValue(2);
+    EXPECT_DOUBLE_EQ(at.type(QString::fromUtf16(typed)), -3.0);
+    EXPECT_EQ(at.field->text().replace(QChar::Nbsp, u' ').toStdString(), "\u22123.00 mm");
+  }
+  at.field->stepUp();
+  EXPECT_DOUBLE_EQ(at.field->value(), -2.9);
+}
+
 TEST(NumberField, a_number_outside_the_range_is_refused_as_a_whole_and_the_message_names_the_range) {
   Typed at;
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("-3")), 2.0);
