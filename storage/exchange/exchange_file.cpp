@@ -76,6 +76,14 @@ Stored<Hash256> content_of(Database& file, const std::string& table) {
 
 StorageFailure no_exchange(const Database& file) { return {StorageError::not_exchange, file.file().string()}; }
 
+/// What the file's schema has and the records' lacks: a table, a column, an index, or an index by another text. SQLite's versions write
+/// an ALTER TABLE differently into a table's text; a virtual table has no root page.
+constexpr std::string_view kSelectForeign =
+    "SELECT s.name FROM source.sqlite_schema s WHERE s.name <> 'exchange_description' AND ("
+    "NOT EXISTS (SELECT 1 FROM main.sqlite_schema m WHERE m.type = s.type AND m.name = s.name AND (s.type = 'table' OR m.sql IS s.sql)) "
+    "OR s.type = 'table' AND (s.rootpage = 0 OR EXISTS (SELECT cid, name, type, pk, hidden FROM pragma_table_xinfo(s.name, 'source') "
+    "EXCEPT SELECT cid, name, type, pk, hidden FROM pragma_table_xinfo(s.name, 'main')))) LIMIT 1";
+
 }  // namespace
 
 std::string_view key_of(ExchangeKind kind) noexcept { return kExchangeKinds[static_cast<std::size_t>(kind)]; }
@@ -123,11 +131,16 @@ StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::pa
 Stored<void> check_schema(Database& records, const std::filesystem::path& file) {
   if (auto done = records.attach_source(file); !done) return done;
   const auto schema = records.first("PRAGMA source.user_version", [](Row row) { return row.integer(0); });
+  const auto foreign = records.first(kSelectForeign, [](Row row) { return row.text(0); });
   records.detach_source();
   if (!schema) return std::unexpected(schema.error());
   const std::int64_t version = schema->value_or(0);
-  if (version == static_cast<std::int64_t>(built_in_migrations().size())) return {};
-  return fail(StorageError::older_schema, file.string(), std::to_string(version));
+  if (version != static_cast<std::int64_t>(built_in_migrations().size())) {
+    return fail(StorageError::older_schema, file.string(), std::to_string(version));
+  }
+  if (!foreign) return std::unexpected(foreign.error());
+  if (*foreign) return fail(StorageError::not_exchange, file.string(), **foreign);
+  return {};
 }
 
 Stored<std::vector<PackFile>> table_hashes(Database& file) {

@@ -54,7 +54,8 @@ Stored<CheckedExchange> read_description(Database& file);
 
 /// Damage of the file is no damage of the records: corrupt becomes not_exchange.
 StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::path& file);
-/// older_schema for a file of an older program: tables that a later migration changes differ from what was signed.
+/// older_schema for a file of an older program: tables that a later migration changes differ from what was signed. not_exchange for
+/// a table, column or index that the records lack: SQL is built from these names.
 /// The file is attached to `records` for a moment: a connection of its own would migrate it in memory.
 Stored<void> check_schema(Database& records, const std::filesystem::path& file);
 /// Name and content of each table but the description's, by name. not_exchange for a file with views or triggers.

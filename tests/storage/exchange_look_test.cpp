@@ -47,10 +47,10 @@ TEST_F(LookTest, a_file_that_was_cut_off_is_no_damage_of_the_records) {
   }
 }
 
-/// What a program of the schema before would have given out.
-void make_older(const fs::path& file, StorageContext& context) {
+/// The file after `sql`, signed anew by its station.
+void sign_after(const char* sql, const fs::path& file, StorageContext& context) {
   auto db = must(Database::open(file));
-  must(db.run("PRAGMA user_version = 17"));
+  must(db.run(sql));
   ExchangeDescription description = must(read_description(db)).description;
   must(db.run("DROP TABLE exchange_description"));
   description.tables = must(table_hashes(db));
@@ -65,9 +65,23 @@ TEST_F(LookTest, a_file_of_an_older_program_is_called_by_that_name) {
   must(station->assignments.create(instructor, task));
   const fs::path file = next_file();
   must(give_out(station->context(), keeper, ExchangeKind::office, file));
-  make_older(file, station->context());
+  sign_after("PRAGMA user_version = 17", file, station->context());  // what a program of the schema before would have given out
   EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::older_schema);
   EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::older_schema);
+}
+
+TEST_F(LookTest, a_table_column_or_index_that_the_records_lack_is_refused_though_it_is_signed) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  // Read as "SELECT * FROM NAME", the first is a query of its own.
+  for (const char* sql : {"CREATE TABLE \"(SELECT 1)\" (a)", "CREATE TABLE more (a)",
+                          "ALTER TABLE people ADD COLUMN more TEXT AS (hex(name))", "CREATE INDEX more ON people (hex(name))"}) {
+    const fs::path file = results();
+    sign_after(sql, file, station->context());
+    EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::not_exchange) << sql;
+    EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::not_exchange) << sql;
+  }
+  must(read_in(office->context(), chief, results()));
 }
 
 TEST_F(LookTest, a_key_file_holds_the_key_whole_or_is_refused) {
