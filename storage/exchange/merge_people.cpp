@@ -102,7 +102,11 @@ void replace_person(Merge& merge, const PersonInFile& person) {
       "(SELECT number, name, role, password, pin, disabled, 0, 0 FROM source.people s WHERE s.id = ?1) WHERE id = ?1",
       person.id);
   log_account(merge.context, merge.transaction, merge.actor.id, erased_number(person) ? "person_erased" : "person_sealed", person.id);
-  if (erased_number(person)) erase_texts_about(merge.context, merge.transaction, merge.actor, person.id);
+  if (erased_number(person)) {
+    // Cohorts that this station made itself are in no file.
+    leave_cohorts(merge.context, merge.transaction, merge.actor, person.id);
+    erase_texts_about(merge.context, merge.transaction, merge.actor, person.id);
+  }
   ++merge.out.counts.accounts;
   arrive(merge, person.id.uuid);
 }

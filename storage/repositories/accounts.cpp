@@ -214,6 +214,8 @@ void erase_statement_texts(StorageContext& context, Transaction& transaction, co
   }
 }
 
+}  // namespace
+
 void leave_cohorts(StorageContext& context, Transaction& transaction, const Actor& actor, UserId user) {
   if (!transaction.ok()) return;
   const auto cohorts = context.db.all("SELECT cohort FROM cohort_students WHERE student = ?1",
@@ -225,8 +227,6 @@ void leave_cohorts(StorageContext& context, Transaction& transaction, const Acto
               {.actor = actor.id, .action = "cohort_left", .subject = user.uuid, .detail = cohort.text()});
   }
 }
-
-}  // namespace
 
 void erase_texts_about(StorageContext& context, Transaction& transaction, const Actor& actor, UserId student) {
   erase_statement_texts(context, transaction, actor, student);

@@ -92,6 +92,16 @@ TEST_F(ExchangePeopleTest, a_cohort_whose_name_another_one_has_here_arrives_unde
   expect_whole();
 }
 
+TEST_F(ExchangePeopleTest, who_is_erased_leaves_the_cohorts_that_the_station_made_itself) {
+  carry_over();
+  const CohortId own = must(station->cohorts.create(keeper, "Evening")).id;
+  must(station->cohorts.add(keeper, own, lena.id));
+  must(office->accounts.erase(chief, lena.id));
+  carry_over();
+  EXPECT_TRUE(must(station->cohorts.students(own)).empty());
+  expect_whole();
+}
+
 TEST_F(ExchangePeopleTest, no_byte_of_the_name_stays_in_the_log_of_a_station_that_is_open) {
   carry_over();
   must(station->accounts.sign_in_with_pin("1001", "314159"));
