@@ -85,6 +85,11 @@ bool changed_in_office(Merge& merge, const PersonInFile& person) {
   return other_name_in_file(merge, person.id) && !renamed_here(merge, person.id);
 }
 
+/// Whether the account, known here by reference alone, was erased where it was made.
+bool erased_at_home(Merge& merge, const PersonInFile& person) {
+  return erased_number(person) && is_referred(merge.transaction, person.id.uuid) && !is_erased(merge.transaction, person.id);
+}
+
 /// Whether the file's account takes the place of the one here. Who is erased here stays so.
 bool replaces(Merge& merge, const PersonInFile& person) {
   if (is_erased(merge.transaction, person.id)) return false;
@@ -108,7 +113,7 @@ void replace_person(Merge& merge, const PersonInFile& person) {
     erase_texts_about(merge.context, merge.transaction, merge.actor, person.id);
   }
   ++merge.out.counts.accounts;
-  arrive(merge, person.id.uuid);
+  if (!merge.referred.contains(person.id.uuid)) arrive(merge, person.id.uuid);
 }
 
 /// What becomes of the accounts of a file.
@@ -122,7 +127,11 @@ PeoplePlan plan_people(Merge& merge) {
     const auto here = merge.transaction.first("SELECT 1 FROM people WHERE id = ?1", [](Row) { return true; }, person.id);
     if (!merge.ok()) return {};
     if (merge.referred.contains(person.id.uuid)) {
-      if (!here) plan.referred.push_back(std::move(person));
+      if (!here) {
+        plan.referred.push_back(std::move(person));
+      } else if (erased_at_home(merge, person)) {
+        plan.replaced.push_back(std::move(person));
+      }
     } else if (!here) {
       plan.added.push_back(std::move(person));
     } else if (replaces(merge, person)) {

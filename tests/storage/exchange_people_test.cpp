@@ -102,6 +102,24 @@ TEST_F(ExchangePeopleTest, who_is_erased_leaves_the_cohorts_that_the_station_mad
   expect_whole();
 }
 
+TEST_F(ExchangePeopleTest, who_is_erased_at_a_station_is_erased_at_an_office_that_knows_the_name_alone) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  carry_over();
+  const Account nora = make_student(*station, "3001", "Nora Lind");
+  complete_session(*station, at_station(lena), keep(*station));
+  const SessionId session = complete_session(*station, nora, keep(*station));
+  must(read_in(office->context(), chief, results()));
+  must(office->statements.comment(make_instructor(*office).actor(), session, "Nora, well done."));
+  ASSERT_EQ(must(office->accounts.find(nora.id)).name, "Nora Lind");
+  must(station->accounts.erase(keeper, nora.id));
+  must(station->accounts.erase(keeper, lena.id));
+  must(read_in(office->context(), chief, results()));
+  EXPECT_EQ(must(office->accounts.find(nora.id)).name, "–");
+  EXPECT_EQ(must(office->statements.of(chief, session)).front().text, "");
+  EXPECT_EQ(must(office->accounts.find(lena.id)).name, "Lena Brandt") << "the office made this account";
+  EXPECT_TRUE(must(verify_store(office->context())).intact());
+}
+
 TEST_F(ExchangePeopleTest, no_byte_of_the_name_stays_in_the_log_of_a_station_that_is_open) {
   carry_over();
   must(station->accounts.sign_in_with_pin("1001", "314159"));
