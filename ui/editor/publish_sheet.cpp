@@ -19,7 +19,6 @@ constexpr int kWidth = 560, kMostListHeight = 168;  // px at 100 %; longer lists
 
 QLabel* line(const QString& text, const char* ink = "") {
   QLabel* label = make_label(text, TextRole::body, Weight::regular, ink);
-  label->setTextFormat(Qt::PlainText);  // titles and names of cohorts come from people
   label->setWordWrap(true);
   return label;
 }
@@ -54,7 +53,6 @@ PublishSheet::PublishSheet(PublishFacts facts, const QString& title, const Ports
   column->setContentsMargins(px(24), px(24), px(24), px(24));
   column->setSpacing(px(8));
   auto* head = make_label(tr("Publish version %1 of %2?").arg(facts_.number).arg(isolate(title)), TextRole::section, Weight::bold);
-  head->setTextFormat(Qt::PlainText);
   head->setWordWrap(true);
   column->addWidget(head);
   column->addWidget(line(tr("Students then drill this version. Earlier results keep the version they were made with."), "text2"));

@@ -19,7 +19,6 @@ constexpr int kRadius = 4;
 
 QLabel* line(TextRole role, Weight weight, const char* ink) {
   QLabel* out = make_label({}, role, weight, ink);
-  out->setTextFormat(Qt::PlainText);  // titles and names come from people
   out->setWordWrap(true);
   return out;
 }

@@ -82,7 +82,6 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
   for (MeshInfo& info : meshes) {
     const QString name = QString::fromStdString(info.name);
     QLabel* title = make_label(isolate(name), TextRole::body, Weight::bold);
-    title->setTextFormat(Qt::PlainText);
     title->setWordWrap(true);
     QLabel* size = make_label({}, TextRole::body, Weight::regular, "text2");
     const bool sound = info.closed && info.oriented;

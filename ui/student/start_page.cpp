@@ -309,6 +309,7 @@ void StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
     sign->setPixmap(icon_pixmap(icon_name, ink, 16, devicePixelRatioF()));
     line->addWidget(sign, 0, Qt::AlignTop);
     QLabel* text = make_label(u"<b>%1</b> %2"_qs.arg(head.toHtmlEscaped(), what_to_do.toHtmlEscaped()));
+    text->setTextFormat(Qt::RichText);
     text->setWordWrap(true);
     line->addWidget(text, 1);
     card.body()->addLayout(line);
@@ -370,6 +371,7 @@ QWidget* StartPage::make_comment(const Account& account) {
   auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(local_time((*newest)->started_utc_us))));
   const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
   QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
+  text->setTextFormat(Qt::RichText);
   text->setWordWrap(true);
   card->body()->addWidget(text);
   return card;

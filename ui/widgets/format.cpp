@@ -49,7 +49,9 @@ QLocale installed_locale() {
 
 QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
 
-QString tool_tip_text(const QString& text) { return QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped()); }
+QString tool_tip_text(const QString& text) {
+  return QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
+}
 
 QString unit_text(const QString& unit) {
   if (unit == u"mm3") return QStringLiteral("mm³");

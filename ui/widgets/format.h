@@ -48,7 +48,7 @@ QString format_date(const QDateTime& when, const QLocale& locale = installed_loc
 QString format_date_time(const QDateTime& when, const QLocale& locale = installed_locale());
 /// For paper: "Fri 20 Nov 2026, 10:14 UTC+1".
 QString format_date_time_zone(const QDateTime& when, const QLocale& locale = installed_locale());
-/// A tool tip that shows `text` as it stands: Qt would read HTML in it.
+/// HTML that shows `text` as it stands, with its lines, in a tool tip or a box: Qt would read HTML in it.
 QString tool_tip_text(const QString& text);
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);

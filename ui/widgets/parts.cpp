@@ -109,7 +109,6 @@ void Card::show_aside() {
 
 void Card::elide_aside() {
   aside_kind_ = Aside::elided;
-  aside_->setTextFormat(Qt::PlainText);
   aside_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its text asks for no width
   aside_->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   head_->setStretchFactor(aside_, 1);

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
@@ -26,17 +27,17 @@ void align_text(QMessageBox& box) {
 }
 
 /// Adds a field to a box whose act waits for the right code.
-void ask_code(QMessageBox& box, QPushButton& act, const QString& code) {
+void ask_code(QMessageBox& box, QPushButton& act, const Question& question) {
   act.setEnabled(false);
   auto* grid = qobject_cast<QGridLayout*>(box.layout());
   auto* buttons = box.findChild<QDialogButtonBox*>();
   if (grid == nullptr || buttons == nullptr) return;
   auto* typed = new QLineEdit;
-  typed->setAccessibleName(box.informativeText());
+  typed->setAccessibleName(question.more);
   const int row = grid->rowCount();
   grid->addWidget(typed, row, 0, 1, -1);
   grid->addWidget(buttons, row + 1, 0, 1, -1);  // below the field
-  QObject::connect(typed, &QLineEdit::textChanged, &act, [&act, code](const QString& text) { act.setEnabled(text.trimmed() == code); });
+  QObject::connect(typed, &QLineEdit::textChanged, &act, [&act, code = question.code](const QString& text) { act.setEnabled(text.trimmed() == code); });
   typed->setFocus();
 }
 
@@ -50,7 +51,7 @@ Ports Ports::of_the_system() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setWindowTitle(QStringLiteral("Cusp"));
     box->setText(QStringLiteral("<b>%1</b>").arg(question.what.toHtmlEscaped()));
-    box->setInformativeText(question.more);
+    if (!question.more.isEmpty()) box->setInformativeText(tool_tip_text(question.more));
     const bool stays = !question.stay.isEmpty();
     QPushButton* act = box->addButton(question.act, QMessageBox::AcceptRole);
     QPushButton* stay = stays ? box->addButton(question.stay, QMessageBox::RejectRole) : box->addButton(QMessageBox::Cancel);
@@ -60,7 +61,7 @@ Ports Ports::of_the_system() {
     box->setDefaultButton(question.erases || stays ? stay : act);
     box->setEscapeButton(stay);
     align_text(*box);
-    if (!question.code.isEmpty()) ask_code(*box, *act, question.code);
+    if (!question.code.isEmpty()) ask_code(*box, *act, question);
     QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
     box->open();
   };

@@ -301,7 +301,10 @@ QFont font_of(TextRole role, Weight weight) {
 }
 
 QLabel* make_label(const QString& text, TextRole role, Weight weight, const char* ink) {
-  auto* label = new QLabel(text);
+  auto* label = new QLabel;
+  // By its own choice Qt reads HTML, opens the files that it names, and shows its links.
+  label->setTextFormat(Qt::PlainText);
+  label->setText(text);
   static constexpr const char* kNames[] = {"caption", "body", "section", "live", "page_title", "score"};
   label->setProperty("role", QString::fromLatin1(kNames[static_cast<int>(role)]));
   label->setProperty("bold", weight == Weight::bold);

@@ -14,12 +14,14 @@
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QTest>
+#include <QTextDocumentFragment>
 #include <QVBoxLayout>
 
 #include "tests/modules.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
@@ -292,6 +294,22 @@ TEST(Parts, buttons_and_icon_buttons_have_names) {
   const std::unique_ptr<QToolButton> alone(make_icon_button(QStringLiteral("globe"), QStringLiteral("Language"), QKeySequence(Qt::Key_F9)));
   EXPECT_EQ(alone->accessibleName().toStdString(), "Language");
   EXPECT_EQ(alone->toolTip().toStdString(), "Language (F9)");
+}
+
+TEST(Parts, a_name_that_is_html_is_shown_as_it_stands) {
+  const QString name = QStringLiteral("<img src=\"/dev/zero\"> & <a href=\"http://x\">Lena</a>");
+  const std::unique_ptr<QLabel> label(make_label(name));
+  EXPECT_EQ(label->textFormat(), Qt::PlainText);
+  QWidget page;
+  Ports::of_the_system().ask(&page, {name, name + u'\n' + name, QStringLiteral("Erase")}, [](bool) {});
+  auto* box = page.findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  for (const QString& html : {box->text(), box->informativeText(), tool_tip_text(name)}) {
+    EXPECT_FALSE(html.contains(u"<img")) << html.toStdString();
+    EXPECT_TRUE(QTextDocumentFragment::fromHtml(html).toPlainText().startsWith(name)) << html.toStdString();
+  }
+  EXPECT_EQ(QTextDocumentFragment::fromHtml(box->informativeText()).toPlainText(), name + u'\n' + name);
+  box->reject();
 }
 
 TEST(Parts, a_band_reports_what_happened_and_goes_away) {
