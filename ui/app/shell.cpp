@@ -19,6 +19,7 @@
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/bar_top.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/rereads.h"
 
@@ -166,7 +167,7 @@ QPushButton* Shell::make_account_button(const Account& account) {
   }
   button->setMinimumWidth(inside->sizeHint().width());
   button->setAccessibleName(tr("Account of %1").arg(name));
-  button->setToolTip(button->accessibleName());
+  button->setToolTip(short_tool_tip(button->accessibleName()));
   button->setMenu(make_account_menu(account, button));
   return button;
 }

@@ -35,7 +35,7 @@ class BurButton : public QAbstractButton {
     kind_ = BurTray::tr("%1 %2").arg(bur_shape_word(shape_of(bur)), format_number(2 * bur.radius_mm, 1));
     setAccessibleName(BurTray::tr("Bur %1").arg(bur_text(bur)));
     const QString uses = bur_uses_text(bur);
-    setToolTip(uses.isEmpty() ? accessibleName() : accessibleName() + u'\n' + uses);
+    setToolTip(short_tool_tip(uses.isEmpty() ? accessibleName() : accessibleName() + u'\n' + uses));
   }
   QSize sizeHint() const override {
     const int number = QFontMetrics(font_of(TextRole::body, Weight::bold)).horizontalAdvance(number_);

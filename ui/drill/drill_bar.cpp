@@ -105,8 +105,8 @@ void DrillBar::show_texts(Detail detail) {
     shorten(title_, whole_title_, std::min(px(kLeastTitle), title_->sizeHint().width()));
     shorten(aside_, whole_aside_, 0);
   }
-  title_->setToolTip(title_->text() == whole_title_ ? QString() : whole_title_);
-  aside_->setToolTip(aside_->text() == whole_aside_ ? QString() : whole_aside_);
+  title_->setToolTip(title_->text() == whole_title_ ? QString() : short_tool_tip(whole_title_));
+  aside_->setToolTip(aside_->text() == whole_aside_ ? QString() : short_tool_tip(whole_aside_));
 }
 
 void DrillBar::set_exercise(const QString& title, const QString& aside) {

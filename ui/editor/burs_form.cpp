@@ -13,6 +13,7 @@
 #include "ui/modules.h"
 #include "ui/text/bur_text.h"
 #include "ui/widgets/bur_silhouette.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -123,7 +124,7 @@ void BursForm::follow_model() {
       }
       QPushButton* away = make_button({}, ButtonKind::quiet, u"trash"_qs);
       away->setAccessibleName(tr("Remove bur %1").arg(name));
-      away->setToolTip(tr("Remove bur %1").arg(name));
+      away->setToolTip(short_tool_tip(away->accessibleName()));
       away->setFixedWidth(px(32));
       line->addWidget(away);
       connect(away, &QPushButton::clicked, this, [this, i] { model_.remove_bur(i); });

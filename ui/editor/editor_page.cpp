@@ -229,8 +229,8 @@ void EditorPage::follow_model() {
 void EditorPage::show_undo() {
   undo_->setEnabled(model_->stack().canUndo());
   redo_->setEnabled(model_->stack().canRedo());
-  undo_->setToolTip(model_->stack().canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(model_->stack().undoText()) : tr("Undo (Ctrl+Z)"));
-  redo_->setToolTip(model_->stack().canRedo() ? tr("Redo: %1 (Ctrl+Y)").arg(model_->stack().redoText()) : tr("Redo (Ctrl+Y)"));
+  undo_->setToolTip(model_->stack().canUndo() ? short_tool_tip(tr("Undo: %1 (Ctrl+Z)").arg(model_->stack().undoText())) : tr("Undo (Ctrl+Z)"));
+  redo_->setToolTip(model_->stack().canRedo() ? short_tool_tip(tr("Redo: %1 (Ctrl+Y)").arg(model_->stack().redoText())) : tr("Redo (Ctrl+Y)"));
 }
 
 void EditorPage::show_first_check() {

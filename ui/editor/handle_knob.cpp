@@ -10,6 +10,7 @@
 
 #include "ui/editor/target_view.h"
 #include "ui/view/tooth_view.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
@@ -104,7 +105,7 @@ void HandleKnob::set_handle(const TargetHandle& handle, const QString& name, con
   handle_ = handle;
   setAccessibleName(name);
   setAccessibleDescription(value);
-  setToolTip(name + u": "_qs + value);
+  setToolTip(short_tool_tip(name + u": "_qs + value));
   if (other) fit_mask();
 }
 

@@ -176,7 +176,7 @@ PointsForm::Row PointsForm::make_row(std::size_t index) {
   line->addWidget(row.weight);
   QPushButton* away = make_button({}, ButtonKind::quiet, u"trash"_qs);
   away->setAccessibleName(tr("Remove %1").arg(name));
-  away->setToolTip(tr("Remove %1").arg(name));
+  away->setToolTip(short_tool_tip(away->accessibleName()));
   away->setFixedWidth(px(32));
   line->addWidget(away);
   column->addLayout(line);

@@ -107,7 +107,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
     case BoldRole: return index.column() == kPoints && marked;
     case QuietRole: return !marked && index.column() == kPoints;
     case Qt::ToolTipRole:
-      if (const QString changed = change(index.row()); !changed.isEmpty()) return changed;
+      if (const QString changed = change(index.row()); !changed.isEmpty()) return short_tool_tip(changed);
       return c.band == "borderline" && c.reason_code != "little_drilled" ? tr("An edge of the marking is nearer than the figure is known.") : reason_text(c);
     case Qt::AccessibleTextRole:
       if (index.column() == kSign) {

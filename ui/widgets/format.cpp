@@ -1,5 +1,6 @@
 #include "ui/widgets/format.h"
 
+#include <QTextDocument>
 #include <cmath>
 #include <mutex>
 
@@ -52,6 +53,7 @@ QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x206
 QString tool_tip_text(const QString& text) {
   return QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
+QString short_tool_tip(const QString& text) { return Qt::mightBeRichText(text) ? tool_tip_text(text) : text; }
 
 QString unit_text(const QString& unit) {
   if (unit == u"mm3") return QStringLiteral("mm³");

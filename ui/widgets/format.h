@@ -50,6 +50,8 @@ QString format_date_time(const QDateTime& when, const QLocale& locale = installe
 QString format_date_time_zone(const QDateTime& when, const QLocale& locale = installed_locale());
 /// HTML that shows `text` as it stands, with its lines, in a tool tip or a box: Qt would read HTML in it.
 QString tool_tip_text(const QString& text);
+/// HTML only if Qt would read HTML in `text`: a screen reader reads the tool tip of a button.
+QString short_tool_tip(const QString& text);
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);
 

@@ -111,6 +111,15 @@ TEST_F(DrillBarWidth, HoldsClockTagAndEveryButtonInHalfOfFullHd) {
   EXPECT_LE(button("Finish")->geometry().right(), 960);
 }
 
+TEST_F(DrillBarWidth, ReadsNoHtmlInTheTitleThatItShowsWholeInItsTooltip) {
+  show(720);
+  const QString whole = QStringLiteral("<b>Klasse I</b>, Zahn 36, im ganzen Unterkiefer");
+  bar.set_exercise(whole, QStringLiteral("Prüfung, Kandidat 47, fortgesetzt"));
+  ASSERT_NE(label(whole), nullptr);
+  EXPECT_FALSE(label(whole)->toolTip().isEmpty());
+  EXPECT_FALSE(label(whole)->toolTip().contains(u"<b>"));
+}
+
 TEST_F(DrillBarWidth, ShortensTheTitleAtLastAndKeepsItWholeInItsNameAndTooltip) {
   show(720);
   const QString whole = QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer");

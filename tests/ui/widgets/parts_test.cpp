@@ -304,11 +304,12 @@ TEST(Parts, a_name_that_is_html_is_shown_as_it_stands) {
   Ports::of_the_system().ask(&page, {name, name + u'\n' + name, QStringLiteral("Erase")}, [](bool) {});
   auto* box = page.findChild<QMessageBox*>();
   ASSERT_NE(box, nullptr);
-  for (const QString& html : {box->text(), box->informativeText(), tool_tip_text(name)}) {
+  for (const QString& html : {box->text(), box->informativeText(), tool_tip_text(name), short_tool_tip(name)}) {
     EXPECT_FALSE(html.contains(u"<img")) << html.toStdString();
     EXPECT_TRUE(QTextDocumentFragment::fromHtml(html).toPlainText().startsWith(name)) << html.toStdString();
   }
   EXPECT_EQ(QTextDocumentFragment::fromHtml(box->informativeText()).toPlainText(), name + u'\n' + name);
+  EXPECT_EQ(short_tool_tip(QStringLiteral("Bur 330")), QStringLiteral("Bur 330"));
   box->reject();
 }
 
