@@ -35,7 +35,7 @@ void draw_slip(QPainter& painter, const QRectF& box, const PinSlip& slip) {
 }  // namespace
 
 Result<void, PdfFailure> write_pin_slips(const std::filesystem::path& file, const std::vector<PinSlip>& slips) {
-  return write_pdf(file, {.margins_mm = kMarginsMm}, [&slips](QPainter& painter, QPdfWriter& writer) {
+  return write_pdf(file, {.margins_mm = kMarginsMm, .readers = Readers::owner}, [&slips](QPainter& painter, QPdfWriter& writer) {
     const QSizeF box(writer.width() / static_cast<double>(kAcross), writer.height() / static_cast<double>(kDown));
     int on_page = 0;
     for (const PinSlip& slip : slips) {

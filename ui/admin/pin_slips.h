@@ -14,7 +14,7 @@ struct PinSlip {
   QString name, number, pin, cohort;
 };
 
-/// A PDF in the light colours.
+/// A PDF in the light colours, which its owner alone may read.
 Result<void, PdfFailure> write_pin_slips(const std::filesystem::path& file, const std::vector<PinSlip>& slips);
 
 }  // namespace cusp::ui

@@ -6,8 +6,6 @@
 #include <QPainter>
 #include <QPdfWriter>
 
-#include "ui/widgets/save_bytes.h"
-
 namespace cusp::ui {
 namespace {
 
@@ -34,7 +32,7 @@ Result<void, PdfFailure> write_pdf(const std::filesystem::path& file, const PdfS
                                    const std::function<void(QPainter& painter, QPdfWriter& writer)>& draw) {
   QByteArray bytes;
   if (!draw_pdf(bytes, sheet, draw)) return fail(PdfError::cannot_write, file.string(), "QPdfWriter");
-  if (const auto written = save_bytes(QString::fromStdString(file.string()), bytes); !written) {
+  if (const auto written = save_bytes(QString::fromStdString(file.string()), bytes, sheet.readers); !written) {
     return fail(PdfError::cannot_write, file.string(), written.error().toStdString());
   }
   return {};

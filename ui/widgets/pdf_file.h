@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/base/result.h"
+#include "ui/widgets/save_bytes.h"
 
 class QPainter;
 class QPdfWriter;
@@ -25,6 +26,7 @@ struct PdfSheet {
   QString title{};
   QMarginsF margins_mm{18, 16, 18, 16};
   std::optional<QPageLayout> layout{};  // of the sheet with its margins, in place of A4 and margins_mm
+  Readers readers = Readers::usual;     // of the file
 };
 
 /// A failure's detail is the cause as save_bytes() gives it. `draw` paints at 300 dots an inch; writer.newPage() begins another sheet.

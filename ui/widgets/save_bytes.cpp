@@ -17,10 +17,12 @@ bool write_all(QSaveFile& file, const QByteArray& bytes) {
 
 }  // namespace
 
-Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes) {
+Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes, Readers readers) {
   QSaveFile file(path);
   // Unbuffered: a failure within commit() has lost its cause.
-  if (file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) && write_all(file, bytes) && file.commit()) return {};
+  const bool opened = file.open(QIODevice::WriteOnly | QIODevice::Unbuffered);
+  if (opened && readers == Readers::owner) file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+  if (opened && write_all(file, bytes) && file.commit()) return {};
   return std::unexpected(file.errorString());
 }
 

@@ -138,6 +138,7 @@ TEST_F(Import, makes_accounts_with_pins_cohorts_and_slips) {
   QFile slips(folder.filePath(QStringLiteral("slips.pdf")));
   ASSERT_TRUE(slips.open(QIODevice::ReadOnly));
   EXPECT_TRUE(slips.read(5) == "%PDF-");
+  EXPECT_EQ((slips.permissions() & (QFileDevice::ReadGroup | QFileDevice::ReadOther)).toInt(), 0) << "they sign in as each student";
 }
 
 TEST_F(Import, says_what_a_list_is_for_and_promises_no_pin_to_a_line_that_is_left_out) {

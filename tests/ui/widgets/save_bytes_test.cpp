@@ -37,6 +37,16 @@ TEST(SaveBytes, ThatIsCutShortLeavesTheOldOneAndNamesTheCause) {
   EXPECT_EQ(content_of(path).size(), 100 * kRoom);
 }
 
+TEST(SaveBytes, ForTheOwnerAloneAreSoWhereTheyReplaceAFileForAll) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("slips.pdf"));
+  ASSERT_TRUE(save_bytes(path, "old"));
+  ASSERT_TRUE(QFile::setPermissions(path, QFile::permissions(path) | QFileDevice::ReadGroup | QFileDevice::ReadOther));
+  ASSERT_TRUE(save_bytes(path, "new", Readers::owner));
+  EXPECT_EQ(content_of(path), "new");
+  EXPECT_EQ((QFile::permissions(path) & (QFileDevice::ReadGroup | QFileDevice::ReadOther)).toInt(), 0);
+}
+
 TEST(SaveBytes, OfAListThatIsCutShortIsReportedWithTheCause) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("list.csv"));
