@@ -36,8 +36,8 @@ std::int64_t lock_us(std::int64_t wrong_tries) noexcept {
 }
 
 Stored<void> check(const NewAccount& a) {
-  if (a.number.empty() || a.number.size() > 64) return fail(StorageError::bad_value, "number");
-  if (a.name.empty() || a.name.size() > 200) return fail(StorageError::bad_value, "name");
+  if (a.number.empty() || a.number.size() > kMostNumberBytes) return fail(StorageError::bad_value, "number");
+  if (a.name.empty() || a.name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
   if (!a.pin.empty() && a.role != Role::student) return fail(StorageError::bad_value, "pin");
   const bool password_optional = a.role == Role::student;
   if (!(a.password.empty() && password_optional) && !acceptable_password(a.password)) {
@@ -143,8 +143,8 @@ Stored<Account> Accounts::create(const Actor& actor, const NewAccount& account) 
 
 Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string& number, const std::string& name) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
-  if (number.empty() || number.size() > 64) return fail(StorageError::bad_value, "number");
-  if (name.empty() || name.size() > 200) return fail(StorageError::bad_value, "name");
+  if (number.empty() || number.size() > kMostNumberBytes) return fail(StorageError::bad_value, "number");
+  if (name.empty() || name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
   Transaction transaction(c_.db);
   transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
   require_one_change(c_, transaction);

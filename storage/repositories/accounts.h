@@ -1,6 +1,7 @@
 /// Accounts of users, in the table `people`. Only that table holds names; every other table names a user by id.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,9 +29,11 @@ struct Account {
 /// The number that an erased account has in place of its own: nobody outside knows it.
 std::string erased_number(UserId user);
 
+inline constexpr std::size_t kMostNumberBytes = 64, kMostNameBytes = 200;
+
 struct NewAccount {
-  std::string number{};  // 1 to 64 bytes
-  std::string name{};    // 1 to 200 bytes
+  std::string number{};  // 1 to kMostNumberBytes
+  std::string name{};    // 1 to kMostNameBytes
   Role role = Role::student;
   std::string password{};  // optional for students
   std::string pin{};       // students only: six digits, or empty

@@ -12,7 +12,7 @@ Cohort cohort_of(Row row) { return {row.id<CohortId>(0), row.text(1), static_cas
 
 Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return std::unexpected(allowed.error());
-  if (name.empty() || name.size() > 200) return fail(StorageError::bad_value, "name");
+  if (name.empty() || name.size() > kMostCohortNameBytes) return fail(StorageError::bad_value, "name");
   const CohortId id = CohortId::make();
   Transaction transaction(c_.db);
   transaction.run("INSERT INTO cohorts (id, name, created_at) VALUES (?1, ?2, ?3)", id, name, c_.clock());

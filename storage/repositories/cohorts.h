@@ -1,6 +1,7 @@
 /// Cohorts: named groups of students.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,9 +11,11 @@
 
 namespace cusp::storage {
 
+inline constexpr std::size_t kMostCohortNameBytes = 200;
+
 struct Cohort {
   CohortId id;
-  std::string name;
+  std::string name;  // 1 to kMostCohortNameBytes
   int students = 0;
 };
 

@@ -31,7 +31,7 @@ struct ListedStudent {
     other_name,  // this number has an account with another name: it stays as it is
     bad,         // see problem
   };
-  enum class Problem : std::uint8_t { none, no_number, no_name, twice, bad_pin, staff };
+  enum class Problem : std::uint8_t { none, no_number, no_name, too_long, twice, bad_pin, staff };
   int line = 0;
   QString number, name, pin, cohort;  // pin and cohort may be empty
   State state = State::fresh;

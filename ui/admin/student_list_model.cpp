@@ -21,6 +21,7 @@ QString state_text(const ListedStudent& student) {
   switch (student.problem) {
     case Problem::no_number: return StudentListModel::tr("no number");
     case Problem::no_name: return StudentListModel::tr("no name");
+    case Problem::too_long: return StudentListModel::tr("too long for an account");
     case Problem::twice: return StudentListModel::tr("number stands above too");
     case Problem::bad_pin: return StudentListModel::tr("PIN is not six digits");
     case Problem::staff: return StudentListModel::tr("number is a member of staff");
