@@ -126,16 +126,28 @@ QString whole_name(const QString& first, const QString& surname, const QString& 
   return first.isEmpty() || holds_first ? name : (first + u' ' + name).trimmed();
 }
 
+/// A zero-width or direction mark, or a control character.
+bool is_unseen(QChar c) { return c.category() == QChar::Other_Format || c.category() == QChar::Other_Control; }
+
+/// Nobody types a mark when signing in.
+QString without_marks(QString typed) { return typed.removeIf(is_unseen).trimmed(); }
+
+/// Persian and Indian names are spelt with joiners; a line's end parts two words.
+QString without_marks_but_joiners(QString text) {
+  text.replace(u'\n', u' ');
+  return text.removeIf([](QChar c) { return is_unseen(c) && c != QChar(0x200C) && c != QChar(0x200D); }).simplified();
+}
+
 ListedStudent student_of(const std::vector<QString>& row, const std::array<int, kHeads>& columns) {
   const auto cell = [&](Head head) {
     const int i = columns[head];
     return i >= 0 && static_cast<std::size_t>(i) < row.size() ? row[static_cast<std::size_t>(i)] : QString();
   };
   ListedStudent out;
-  out.number = cell(kNumber);
-  out.name = whole_name(cell(kFirst), cell(kSurname), cell(kName));
-  out.pin = cell(kPin);
-  out.cohort = cell(kCohort);
+  out.number = without_marks(cell(kNumber));
+  out.name = without_marks_but_joiners(whole_name(cell(kFirst), cell(kSurname), cell(kName)));
+  out.pin = without_marks(cell(kPin));
+  out.cohort = without_marks_but_joiners(cell(kCohort));
   return out;
 }
 

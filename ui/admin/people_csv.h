@@ -46,7 +46,7 @@ enum class ListError : std::uint8_t {
 using ListFailure = Failure<ListError>;
 
 /// Columns by their heads, English or German: number, name (or first name and surname), PIN, cohort. Others are left out.
-/// A name beside a first name is the surname unless it holds the first name too.
+/// A name beside a first name is the surname unless it holds the first name too. Marks that nobody sees are left out of each cell.
 Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArray& file, const std::vector<Account>& accounts);
 
 }  // namespace cusp::ui

@@ -102,6 +102,18 @@ TEST(StudentList, leaves_accounts_that_stand_as_they_are) {
   EXPECT_EQ(list_of("number,name\n4711,Someone\n", {lena})[0].state, State::other_name);
 }
 
+TEST(StudentList, takes_no_mark_that_nobody_sees) {
+  const auto list = list_of("number,name,pin,cohort\n\u200B4711\u202C,\u202ELena\u202C\u0007 Brandt,\u200E123456,Year\u2066 3\n4711,Other,,\n8,\"Omar\nHaddad\",,\n9,\u0645\u06CC\u200C\u0646\u0627,,\n");
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(list[0].number, QStringLiteral("4711"));
+  EXPECT_EQ(list[0].name, QStringLiteral("Lena Brandt"));
+  EXPECT_EQ(list[0].pin, QStringLiteral("123456"));
+  EXPECT_EQ(list[0].cohort, QStringLiteral("Year 3"));
+  EXPECT_EQ(list[1].problem, Problem::twice) << "both look the same";
+  EXPECT_EQ(list[2].name, QStringLiteral("Omar Haddad"));
+  EXPECT_EQ(list[3].name, QString::fromUtf8("\u0645\u06CC\u200C\u0646\u0627")) << "a joiner is part of the spelling";
+}
+
 TEST(StudentList, is_refused_without_heads_or_lines) {
   EXPECT_EQ(read_student_list("4711,Lena\n", {}).error().code, ListError::no_columns);
   EXPECT_EQ(read_student_list("number,name\n", {}).error().code, ListError::empty);
