@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <utility>
+
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -88,6 +91,30 @@ TEST_F(AccountsTest, a_lock_of_a_clock_that_was_set_back_ends) {
   EXPECT_EQ(code_of(accounts.sign_in("20267314", "battery staple")), StorageError::locked);
   *now -= year;
   EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));
+}
+
+TEST_F(AccountsTest, what_another_process_does_while_a_secret_is_compared_holds_for_that_try) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account student = make_student(*store);
+  std::function<void()> meanwhile;  // after the account was read
+  StoreOptions options = quick(now);
+  options.clock = [&] {
+    if (const auto act = std::exchange(meanwhile, {})) act();
+    return *now;
+  };
+  const auto other = open(folder / "a.db", options);
+  const auto five_wrong_tries = [&] {
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(accounts.sign_in_with_pin("20267314", "000000")), StorageError::wrong_password);
+  };
+  for (const char* pin : {"314159", "271828"}) {
+    meanwhile = five_wrong_tries;
+    EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", pin)), StorageError::locked) << pin;
+    must(accounts.set_pin(admin, student.id, "314159"));  // ends the lock
+  }
+  meanwhile = [&] { must(accounts.set_pin(admin, student.id, "161803")); };
+  EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", "314159")), StorageError::wrong_password);
+  meanwhile = [&] { must(accounts.disable(admin, student.id)); };
+  EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", "161803")), StorageError::disabled);
 }
 
 TEST_F(AccountsTest, a_secret_of_the_wrong_kind_is_no_wrong_try_and_the_failure_names_the_number) {
