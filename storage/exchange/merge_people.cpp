@@ -1,7 +1,7 @@
 #include "storage/exchange/merge.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
-#include "storage/repositories/accounts.h"
+#include "storage/repositories/erasure.h"
 
 namespace cusp::storage {
 namespace {

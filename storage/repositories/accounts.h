@@ -87,9 +87,4 @@ class Accounts {
   StorageContext& c_;
 };
 
-/// Within a transaction: what comments and statements say about a student goes; the rows stay, and the log names each.
-void erase_texts_about(StorageContext& context, Transaction& transaction, const Actor& actor, UserId student);
-/// Within a transaction: the user is in no cohort any more; the log names each.
-void leave_cohorts(StorageContext& context, Transaction& transaction, const Actor& actor, UserId user);
-
 }  // namespace cusp::storage
