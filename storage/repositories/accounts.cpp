@@ -105,6 +105,42 @@ const char* other_secret(const Account& a, std::string_view given, SecretKind ki
   return acceptable_pin(given) ? "password" : nullptr;
 }
 
+/// Within a transaction: from the fifth wrong try on the account is locked.
+void count_wrong_try(StorageContext& c, Transaction& transaction, UserId user, std::int64_t now) {
+  const auto tries = transaction.first(
+      "UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
+      [](Row row) { return row.integer(0); }, user);
+  if (const auto lock = lock_us(tries.value_or(0)); lock > 0) {
+    transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", user, now + lock);
+  }
+  log_event(c, transaction,
+            {.action = "sign_in_failed",
+             .subject = user.uuid,
+             .detail = std::to_string(tries.value_or(0))});
+}
+
+/// A wrong one counts as at sign-in: whoever finds a signed-in desk guesses no longer there. An empty one is no try.
+Stored<void> check_old_password(StorageContext& c, UserId user, std::string_view old) {
+  struct Own {
+    std::string password;
+    std::int64_t locked_until = 0;
+  };
+  const auto own = c.db.first("SELECT password, locked_until FROM people WHERE id = ?1",
+                              [](Row row) { return Own{row.text(0), row.integer(1)}; }, user);
+  if (!own) return std::unexpected(own.error());
+  if (!*own) return fail(StorageError::not_found, "people");
+  if ((*own)->password.empty() && old.empty()) return {};
+  const std::int64_t now = c.clock();
+  if (lock_holds((*own)->locked_until, now)) return std::unexpected(locked_failure((*own)->locked_until));
+  if (password_matches((*own)->password, old)) return {};
+  if (!old.empty() && !c.db.read_only()) {
+    Transaction transaction(c.db);
+    count_wrong_try(c, transaction, user, now);
+    if (auto done = commit_sealed(c, transaction); !done) return done;
+  }
+  return fail(StorageError::wrong_password, "password");
+}
+
 /// Refuses if the UPDATE before it changed no row.
 void require_one_change(StorageContext& c, Transaction& transaction) {
   if (transaction.ok() && c.db.changes() != 1) transaction.refuse({StorageError::not_found, "people"});
@@ -225,13 +261,11 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
   if (actor.id != user) {
     if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   }
-  const auto stored = c_.db.first(
-      "SELECT password FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.text(0); }, user);
-  if (!stored) return std::unexpected(stored.error());
-  if (!*stored) return fail(StorageError::not_found, "people");
-  const bool none_yet = (*stored)->empty() && old.empty();
-  if (actor.id == user && !none_yet && !password_matches(**stored, old)) {
-    return fail(StorageError::wrong_password, "password");
+  const auto there = c_.db.first("SELECT 1 FROM people WHERE id = ?1 AND guest = 0", [](Row) { return true; }, user);
+  if (!there) return std::unexpected(there.error());
+  if (!*there) return fail(StorageError::not_found, "people");
+  if (actor.id == user) {
+    if (auto good = check_old_password(c_, user, old); !good) return good;
   }
   Transaction transaction(c_.db);
   transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1", user,
@@ -305,16 +339,7 @@ Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view g
     log_event(c_, transaction, {.actor = s.account.id, .action = "signed_in", .subject = s.account.id.uuid});
     return committed(c_, transaction, s.account);
   }
-  const auto tries = transaction.first(
-      "UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
-      [](Row row) { return row.integer(0); }, s.account.id);
-  if (const auto lock = lock_us(tries.value_or(0)); lock > 0) {
-    transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", s.account.id, now + lock);
-  }
-  log_event(c_, transaction,
-            {.action = "sign_in_failed",
-             .subject = s.account.id.uuid,
-             .detail = std::to_string(tries.value_or(0))});
+  count_wrong_try(c_, transaction, s.account.id, now);
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return fail(StorageError::wrong_password, "sign_in");
 }

@@ -63,7 +63,8 @@ class Accounts {
   /// records stay under a pseudonym, and verify. not_allowed (where = own_account); wrong_state (where = running) while a
   /// session runs. Backups from before still hold the name.
   Stored<void> erase(const Actor& actor, UserId user);
-  /// The actor's own, with the old password; or another user's, with manage_accounts (`old` is then ignored).
+  /// The actor's own, with the old password; or another user's, with manage_accounts (`old` is then ignored). A wrong old one counts
+  /// as a wrong try of sign_in().
   Stored<void> set_password(const Actor& actor, UserId user, std::string_view old, std::string_view fresh);
   /// Needs manage_accounts. Students only; empty removes the PIN.
   Stored<void> set_pin(const Actor& actor, UserId user, std::string_view pin);

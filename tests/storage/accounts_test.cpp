@@ -203,6 +203,18 @@ TEST_F(AccountsTest, one_changes_ones_own_password_with_the_old_one_only) {
   EXPECT_TRUE(accounts.sign_in("2", "given by the office"));
 }
 
+TEST_F(AccountsTest, a_wrong_old_password_counts_and_locks_as_at_sign_in) {
+  const Account student = make_student(*store);
+  const auto change = [&](const char* old) { return accounts.set_password(student.actor(), student.id, old, "new password"); };
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(code_of(change("")), StorageError::wrong_password) << "nothing was typed";
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(change("wrong")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(change("battery staple")), StorageError::locked);
+  EXPECT_EQ(code_of(accounts.sign_in("20267314", "battery staple")), StorageError::locked);
+  *now += 30'000'001;
+  must(change("battery staple"));
+  EXPECT_TRUE(accounts.sign_in("20267314", "new password"));
+}
+
 TEST_F(AccountsTest, a_number_is_given_once_upper_and_lower_case_alike) {
   const Actor admin = make_administrator(*store).actor();
   EXPECT_EQ(code_of(accounts.create(admin, {.number = "Admin", .name = "x"})), StorageError::duplicate);
