@@ -27,6 +27,9 @@ void merge_keys(Merge& merge, const Hash256& signer) {
   }
 }
 
+/// A row a microsecond for 285 years. Above it the station's own numbers would end at 2^63, and it could write no more.
+constexpr std::int64_t kMostSequence = std::int64_t{1} << 53;
+
 /// Numbers of this station rise above those of the file: what is written here next comes after what was read.
 void raise_sequence(Transaction& transaction) {
   transaction.run(
@@ -36,6 +39,8 @@ void raise_sequence(Transaction& transaction) {
       "UNION ALL SELECT max(sequence) FROM source.comments UNION ALL SELECT max(sequence) FROM source.statements "
       "UNION ALL SELECT max(sequence) FROM source.version_withdrawals UNION ALL SELECT max(sequence) FROM source.adjustments "
       "UNION ALL SELECT max(sequence) FROM source.assignment_withdrawals)))");
+  const auto next = transaction.first("SELECT next_sequence FROM main.station", [](Row row) { return row.integer(0); });
+  if (next && *next > kMostSequence) transaction.refuse({StorageError::differs, "station", "next_sequence"});
 }
 
 void check_trust(Transaction& transaction, const StorageContext& context, const CheckedExchange& file) {

@@ -84,6 +84,16 @@ TEST_F(LookTest, a_table_column_or_index_that_the_records_lack_is_refused_though
   must(read_in(office->context(), chief, results()));
 }
 
+TEST_F(LookTest, a_number_that_leaves_none_for_this_station_is_refused) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  const fs::path file = results();
+  sign_after("UPDATE scenario_versions SET sequence = 9223372036854775000", file, station->context());
+  EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::differs);
+  must(office->accounts.sign_in("admin", "correct horse"));
+  must(read_in(office->context(), chief, results()));
+}
+
 TEST_F(LookTest, a_key_file_holds_the_key_whole_or_is_refused) {
   const SignedText key = must(own_key(station->context(), keeper));
   const auto written = [&](const std::string& text) {
