@@ -98,7 +98,7 @@ nlohmann::ordered_json details_json(const SessionDetails& details) {
 void print_details(const SessionDetails& details) {
   print_line(row_line(details.row));
   for (const SessionEvent& e : details.events) {
-    print_line("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + e.reason));
+    print_line("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + plain(QString::fromStdString(e.reason))));
   }
   for (const RemovedTissue& r : details.removed) {
     print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue), format_number(r.mm3, 2))));

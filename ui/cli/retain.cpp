@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of(const std::vector<DepartedStudent>& students) {
 }
 
 void print_departed(const DepartedStudents& departed, const RetainOptions& o) {
-  for (const DepartedStudent& s : departed.erasable) print_line(s.account.number + "  " + iso_utc(s.last_utc_us));
+  for (const DepartedStudent& s : departed.erasable) print_line(plain(QString::fromStdString(s.account.number)) + "  " + iso_utc(s.last_utc_us));
   const int erased = static_cast<int>(departed.erasable.size()), waiting = static_cast<int>(departed.waiting.size());
   print_line(plain(o.dry_run ? CliText::tr("%n student(s) would be erased.", nullptr, erased) : CliText::tr("%n student(s) are erased.", nullptr, erased)));
   if (waiting > 0) print_line(plain(CliText::tr("%n student(s) stay: an assessment of theirs is not released.", nullptr, waiting)));

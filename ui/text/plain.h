@@ -6,7 +6,7 @@
 
 namespace cusp::ui {
 
-/// One line, without the marks that hold right-to-left text together on a screen.
+/// One line, without the marks that turn a text's direction. Another control character, which a terminal would obey, is U+FFFD.
 std::string plain(const QString& text);
 
 }  // namespace cusp::ui

@@ -310,6 +310,11 @@ TEST(Text, TheShareThatCountsNamesTheLeastOfSeveralTargets) {
   EXPECT_EQ(plain(counted_text(g, rubric)), "The rest counts for less where its own target is left, the least of it for 24\u00a0%.");
 }
 
+TEST(Text, ThatGoesToATerminalHoldsNothingThatItObeys) {
+  EXPECT_EQ(plain(QStringLiteral("\x1b[2K\rNothing was changed\n\tsince 2026\u202e\u2066.")), "\uFFFD[2K Nothing was changed  since 2026.");
+  EXPECT_EQ(plain(QString(QChar(0)) + QChar(0x7F) + QChar(0x9B) + u'é'), "\uFFFD\uFFFD\uFFFDé");
+}
+
 TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {
   const QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("Cusp.ini"));
