@@ -187,8 +187,6 @@ Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::f
   if (!checked) return std::unexpected(failure_in_file(checked.error(), file));
   if (auto same = check_schema(context.db, file); !same) return std::unexpected(failure_in_file(same.error(), file));
   if (auto good = check_content(from.db, checked->description); !good) return std::unexpected(failure_in_file(good.error(), file));
-  // Pages that held an erased person's name are written over.
-  if (auto done = context.db.run("PRAGMA secure_delete = ON"); !done) return std::unexpected(done.error());
   const auto done = attach_and_merge(context, from, actor, *checked);
   // The log holds the old pages until then. Another connection may hold it open: the next checkpoint takes it.
   if (done) static_cast<void>(context.db.run("PRAGMA wal_checkpoint(TRUNCATE)"));

@@ -234,8 +234,6 @@ std::string erased_number(UserId user) { return "erased " + user.text(); }
 Stored<void> Accounts::erase(const Actor& actor, UserId user) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   if (actor.id == user) return fail(StorageError::not_allowed, "own_account");
-  // Pages that hold the name are written over, not merely set free.
-  if (auto done = c_.db.run("PRAGMA secure_delete = ON"); !done) return done;
   Transaction transaction(c_.db);
   const auto running = transaction.first(
       "SELECT count(*) FROM session_summaries INDEXED BY running_summaries WHERE state = 'running' AND student = ?1",

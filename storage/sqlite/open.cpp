@@ -237,7 +237,8 @@ Stored<void> Database::prepare_for_writing(Database& database, const DatabaseOpt
   if (mode->value_or("") != "wal") {
     return fail(StorageError::network_drive, folder_of(database.file()).string(), mode->value_or(""));
   }
-  for (const char* setting : {"PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON", "PRAGMA cell_size_check = ON"}) {
+  // secure_delete: bytes that a change or an erasure takes from a page are zeroed, not merely set free.
+  for (const char* setting : {"PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON", "PRAGMA cell_size_check = ON", "PRAGMA secure_delete = ON"}) {
     if (auto done = database.run(setting); !done) return done;
   }
   if (auto done = migrate(database, options.migrations); !done) return done;

@@ -32,6 +32,7 @@ TEST(Opening, a_new_file_has_the_settings_that_keep_it_safe) {
   EXPECT_EQ(pragma(db, "journal_mode"), "wal");
   EXPECT_EQ(pragma(db, "synchronous"), "2");  // FULL
   EXPECT_EQ(pragma(db, "foreign_keys"), "1");
+  EXPECT_EQ(pragma(db, "secure_delete"), "1");
   EXPECT_EQ(db.schema_version(), static_cast<int>(built_in_migrations().size()));
   EXPECT_EQ(must(db.integrity_check()), "");
 }
