@@ -5,15 +5,24 @@ namespace cusp::storage {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-std::optional<std::string> text_at(const json& from, const char* key) {
-  if (!from.is_object()) return std::nullopt;
+namespace {
+
+/// nullptr if there is none. Copying a text that nests a hundred thousand deep would overflow the stack.
+const json* member_at(const json& from, const char* key) {
+  if (!from.is_object()) return nullptr;
   const auto it = from.find(key);
-  return it != from.end() && it->is_string() ? std::optional(it->get<std::string>()) : std::nullopt;
+  return it == from.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+std::optional<std::string> text_at(const json& from, const char* key) {
+  const json* text = member_at(from, key);
+  return text != nullptr && text->is_string() ? std::optional(text->get<std::string>()) : std::nullopt;
 }
 std::optional<std::int64_t> number_at(const json& from, const char* key) {
-  if (!from.is_object()) return std::nullopt;
-  const auto it = from.find(key);
-  return it != from.end() && it->is_number_integer() ? std::optional(it->get<std::int64_t>()) : std::nullopt;
+  const json* number = member_at(from, key);
+  return number != nullptr && number->is_number_integer() ? std::optional(number->get<std::int64_t>()) : std::nullopt;
 }
 std::optional<Hash256> hash_at(const json& from, const char* key) {
   const auto text = text_at(from, key);
@@ -25,21 +34,20 @@ std::optional<Uuid> uuid_at(const json& from, const char* key) {
 }
 
 std::optional<ChainHead> head_at(const json& from, const char* key) {
-  if (!from.is_object()) return std::nullopt;
-  const json head = from.value(key, json{});
-  const auto entries = number_at(head, "entries");
-  const auto link = hash_at(head, "link");
+  const json* head = member_at(from, key);
+  if (head == nullptr) return std::nullopt;
+  const auto entries = number_at(*head, "entries");
+  const auto link = hash_at(*head, "link");
   if (!entries || *entries < 0 || !link) return std::nullopt;
   return ChainHead{static_cast<std::uint64_t>(*entries), *link};
 }
 
 std::optional<std::vector<PackFile>> files_at(const json& from, const char* key) {
-  if (!from.is_object()) return std::nullopt;
-  const json files = from.value(key, json{});
-  if (!files.is_object()) return std::nullopt;
+  const json* files = member_at(from, key);
+  if (files == nullptr || !files->is_object()) return std::nullopt;
   std::vector<PackFile> out;
-  for (const auto& [name, value] : files.items()) {
-    const auto hash = hash_at(files, name.c_str());
+  for (const auto& [name, value] : files->items()) {
+    const auto hash = hash_at(*files, name.c_str());
     if (!hash) return std::nullopt;
     out.push_back({name, *hash});
   }

@@ -70,6 +70,19 @@ TEST_F(LookTest, a_file_of_an_older_program_is_called_by_that_name) {
   EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::older_schema);
 }
 
+TEST_F(LookTest, a_description_that_nests_half_a_million_deep_is_refused) {
+  for (const char* key : {"log", "tables"}) {
+    const fs::path file = results();
+    const std::string deep = std::string("{\"") + key + "\":" + std::string(500'000, '[') + std::string(500'000, ']') + '}';
+    {
+      auto db = must(Database::open(file));
+      must(db.run("UPDATE exchange_description SET description = ?1", deep));
+      must(db.run("PRAGMA journal_mode = DELETE"));
+    }
+    EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::not_exchange) << key;
+  }
+}
+
 TEST_F(LookTest, a_table_column_or_index_that_the_records_lack_is_refused_though_it_is_signed) {
   must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
   complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
