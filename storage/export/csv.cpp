@@ -1,6 +1,7 @@
 #include "storage/export/csv.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -88,20 +89,24 @@ void add_dates(Line& line, const AttemptDates& dates) {
   line.time(dates.finished_utc_us).text(dates.cohort).time(dates.opens_utc_us).time(dates.due_utc_us);
 }
 
-/// Whether a spreadsheet takes a cell that begins so for a formula. Source: OWASP, "CSV Injection".
-bool begins_formula(char c) { return c == '=' || c == '+' || c == '-' || c == '@'; }
+/// Whether a spreadsheet takes a cell that begins so for a formula, in full width too. Source: OWASP, "CSV Injection".
+bool begins_formula(std::string_view text) {
+  constexpr std::array<std::string_view, 8> signs = {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+  return std::ranges::any_of(signs, [&](std::string_view sign) { return text.starts_with(sign); });
+}
 
 }  // namespace
 
 std::string csv_text(std::string_view text) {
   std::string out;
-  if (!text.empty() && (begins_formula(text.front()) || std::string_view("\t\r\n").contains(text.front()))) out += '\'';
+  if (!text.empty() && (begins_formula(text) || std::string_view("\t\r\n").contains(text.front()))) out += '\'';
   bool quote = false;
   char before = '\0';  // the last character but quotes, which a spreadsheet takes off
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     quote = quote || c == '"' || c == ',' || c == '\r' || c == '\n';
     // A spreadsheet that parts columns by semicolons or tabs begins a cell here, also after a line's end within quotes.
-    if (std::string_view(";\t\r\n").contains(before) && begins_formula(c)) out += '\'';
+    if (std::string_view(";\t\r\n").contains(before) && begins_formula(text.substr(i))) out += '\'';
     if (c == '"') out += '"';
     out += c;
     if (c != '"') before = c;

@@ -41,6 +41,14 @@ TEST(CsvCells, what_a_spreadsheet_would_run_is_made_plain) {
   EXPECT_EQ(csv_text("=HYPERLINK(\"x\",\"y\")"), "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"");
 }
 
+TEST(CsvCells, signs_of_full_width_begin_a_formula_too) {
+  for (const std::string sign : {"\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"}) {
+    EXPECT_EQ(csv_text(sign + "1"), "'" + sign + "1");
+    EXPECT_EQ(csv_text("Lena;" + sign + "1"), "Lena;'" + sign + "1");
+  }
+  EXPECT_EQ(csv_text("1\uFF1D1"), "1\uFF1D1");
+}
+
 TEST(CsvCells, so_is_what_a_spreadsheet_with_another_separator_would_run) {
   EXPECT_EQ(csv_text("Lena;=1+1"), "Lena;'=1+1");
   EXPECT_EQ(csv_text("Lena\t@SUM(A1)"), "Lena\t'@SUM(A1)");
