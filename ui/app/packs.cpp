@@ -7,6 +7,7 @@
 #include "ui/report/pack_card.h"
 #include "ui/report/report_page.h"
 #include "ui/widgets/busy.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -35,7 +36,7 @@ void Desktop::offer_pack(ReportPage& report) {
   connect(&report, &ReportPage::pack_wanted, this, [this, &report] {
     FileWish wish;
     wish.title = tr("Save the appeal pack");
-    wish.name = (report.data().student + u' ' + report.data().when.toString(u"yyyy-MM-dd HH-mm"_qs)).trimmed() + QString::fromUtf8(kPackSuffix);
+    wish.name = as_file_name(report.data().student + u' ' + report.data().when.toString(u"yyyy-MM-dd HH-mm"_qs)) + QString::fromUtf8(kPackSuffix);
     wish.filter = tr("Appeal pack (*.cusppack)");
     ports_.pick_file(&report, wish, [this, page = QPointer<ReportPage>(&report)](const QString& path) {
       if (page && account_) write_pack(*page, path);

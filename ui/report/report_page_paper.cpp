@@ -3,22 +3,16 @@
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
-#include <QRegularExpression>
 
 #include "ui/report/report_page.h"
 #include "ui/report/report_pdf.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
 
 constexpr int kPictureSide = 1200;  // of the tooth on paper: 140 dots a cm
-
-/// Without what a path or the file system of a stick reads in another way.
-QString file_name(QString text) {
-  static const QRegularExpression kSigns(u"[/\\\\:*?\"<>|]"_qs);
-  return text.replace(kSigns, u"-"_qs).trimmed();
-}
 
 QString not_written(const PdfFailure& failure) {
   return ReportPage::tr("%1 cannot be written: %2. The attempt and its grade are kept.")
@@ -53,7 +47,7 @@ const DrawnTooth& ReportPage::drawing() {
 void ReportPage::save_pdf() {
   FileWish wish;
   wish.title = tr("Save the report");
-  wish.name = file_name(data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)) + u".pdf"_qs;
+  wish.name = as_file_name(data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)) + u".pdf"_qs;
   wish.filter = tr("PDF (*.pdf)");
   ports_.pick_file(this, wish, [this](const QString& path) {
     const DrawnTooth& tooth = drawing();

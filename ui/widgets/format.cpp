@@ -1,5 +1,6 @@
 #include "ui/widgets/format.h"
 
+#include <QRegularExpression>
 #include <QTextDocument>
 #include <cmath>
 #include <mutex>
@@ -49,6 +50,11 @@ QLocale installed_locale() {
 }
 
 QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
+
+QString as_file_name(QString text) {
+  static const QRegularExpression kSigns(QStringLiteral("[/\\\\:*?\"<>|\\x{0}-\\x{1f}]"));
+  return text.replace(kSigns, QStringLiteral("-")).trimmed();
+}
 
 QString tool_tip_text(const QString& text) {
   return QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));

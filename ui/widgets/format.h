@@ -52,6 +52,8 @@ QString format_date_time_zone(const QDateTime& when, const QLocale& locale = ins
 QString tool_tip_text(const QString& text);
 /// HTML only if Qt would read HTML in `text`: a screen reader reads the tool tip of a button.
 QString short_tool_tip(const QString& text);
+/// A name that holds `text` without what a path or the file system of a stick reads in another way.
+QString as_file_name(QString text);
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);
 

@@ -27,6 +27,11 @@ std::string plain(QString text) {
   return text.toStdString();
 }
 
+TEST(Format, a_name_of_a_file_holds_no_sign_of_a_path) {
+  EXPECT_EQ(as_file_name(QStringLiteral(" Müller w/o 2: \\ ..\n?")), QStringLiteral("Müller w-o 2- - ..--"));
+  EXPECT_EQ(as_file_name(QStringLiteral("Class II, tooth 46")), QStringLiteral("Class II, tooth 46"));
+}
+
 TEST(Format, a_measured_value_has_unit_and_uncertainty_within_isolates) {
   EXPECT_EQ(plain(format({1.8449, 0.03, QStringLiteral("mm")}, kEnglish)), "1.84 mm ± 0.03");
   EXPECT_EQ(plain(format({1.8449, 0.03, QStringLiteral("mm")}, kGerman)), "1,84 mm ± 0,03");
