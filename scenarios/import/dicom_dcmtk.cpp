@@ -22,6 +22,8 @@ namespace {
 
 constexpr std::size_t kMaxFiles = 4096;       // in one folder; a full-body series has 2,000
 constexpr double kSameStep = 0.01;            // share by which the steps between slices may differ
+constexpr double kAsidePixels = 0.1;          // that a slice may lie beside the line through the first and the last
+constexpr double kSkew = 0.01;                // of an orientation's vectors from unit length and a right angle
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
 
 /// A packed pixel takes at least a 64th of a byte: RLE halves each of its bytes to a 64th, JPEG lossless has a bit for it.
@@ -51,7 +53,7 @@ struct Slice {
   bool placed = false;                  // the file holds its position
   double pixel_across_mm = 1.0, pixel_down_mm = 1.0;
   bool spacing_known = true;
-  double thickness_mm = 0.0;
+  double stated_step_mm = 0.0;          // between slices, as the file states it; their thickness where it does not; 0: neither
   std::optional<double> location_mm;    // along the series, where no place is given
   double number = 0.0;                  // of the slice in the series, where not even that is
   double slope = 1.0, intercept = 0.0;
@@ -111,11 +113,15 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
     out.pixel_down_mm = *down;
     out.pixel_across_mm = *across;
   }
-  out.thickness_mm = real(set, DCM_SliceThickness).value_or(0.0);
+  // Thick slices may overlap, thin ones may lie apart: their thickness is the second choice.
+  const double between = real(set, DCM_SpacingBetweenSlices).value_or(0.0);
+  out.stated_step_mm = between > 0.0 ? between : real(set, DCM_SliceThickness).value_or(0.0);
   const auto at = vector3(set, DCM_ImagePositionPatient, 0);
   const auto a = vector3(set, DCM_ImageOrientationPatient, 0), d = vector3(set, DCM_ImageOrientationPatient, 3);
   out.placed = at && a && d;
   if (out.placed) {
+    const double skew = std::max({std::abs(glm::length(*a) - 1.0), std::abs(glm::length(*d) - 1.0), std::abs(glm::dot(*a, *d))});
+    if (skew > kSkew) return fail(ImportError::bad_orientation, name + " ImageOrientationPatient");
     out.first_mm = *at;
     out.across = *a;
     out.down = *d;
@@ -175,6 +181,19 @@ struct SliceStep {
   bool known = true;  // the files hold its length
 };
 
+/// From the first place to the last in equal steps; a slice that is shifted in its plane is refused.
+Result<SliceStep, ImportFailure> step_of_places(const std::vector<Slice>& slices, Vec3 normal) {
+  const Slice& first = slices.front();
+  const Vec3 step = (slices.back().first_mm - first.first_mm) / static_cast<double>(slices.size() - 1);
+  const double limit = kAsidePixels * std::min(first.pixel_across_mm, first.pixel_down_mm);
+  for (std::size_t i = 1; i < slices.size(); ++i) {
+    const Vec3 off = slices[i].first_mm - first.first_mm - static_cast<double>(i) * step;
+    if (glm::length(off - glm::dot(off, normal) * normal) > limit)
+      return fail(ImportError::bad_spacing, slices[i].file.filename().string() + " ImagePositionPatient");
+  }
+  return SliceStep{step};
+}
+
 /// In order along the normal, evenly spaced, all alike; and the step from one to the next.
 Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const std::string& name) {
   const Slice& like = slices.front();
@@ -183,6 +202,8 @@ Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const 
   const bool located = std::ranges::all_of(slices, [](const Slice& s) { return s.location_mm.has_value(); });
   const char* ordered_by = placed ? " ImagePositionPatient" : located ? " SliceLocation" : " InstanceNumber";
   for (Slice& s : slices) {
+    if (s.placed != like.placed)
+      return fail(ImportError::bad_header, (s.placed ? like : s).file.filename().string() + " ImagePositionPatient");
     if (s.rows != like.rows || s.columns != like.columns) return fail(ImportError::bad_sizes, s.file.filename().string() + " Rows");
     const Vec3 turned = glm::abs(s.across - like.across) + glm::abs(s.down - like.down);
     if (placed && turned.x + turned.y + turned.z > 1e-3)
@@ -192,9 +213,10 @@ Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const 
     s.along = placed ? glm::dot(s.first_mm, normal) : located ? *s.location_mm : s.number;
   }
   std::ranges::sort(slices, [](const Slice& a, const Slice& b) { return a.along != b.along ? a.along < b.along : a.file < b.file; });
-  const bool thick = slices.front().thickness_mm > 0.0;
-  const SliceStep by_thickness{normal * (thick ? slices.front().thickness_mm : 1.0), thick};
-  if (slices.size() == 1) return by_thickness;
+  const double stated_mm = slices.front().stated_step_mm;
+  const bool stated = stated_mm > 0.0 && std::ranges::all_of(slices, [&](const Slice& s) { return std::abs(s.stated_step_mm - stated_mm) <= kSameStep * stated_mm; });
+  const SliceStep as_stated{normal * (stated ? stated_mm : 1.0), stated};
+  if (slices.size() == 1) return as_stated;
   std::vector<double> steps;
   for (std::size_t i = 1; i < slices.size(); ++i) steps.push_back(slices[i].along - slices[i - 1].along);
   std::vector<double> sorted = steps;
@@ -205,10 +227,9 @@ Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const 
     if (!(usual > 0.0) || std::abs(steps[i] - usual) > kSameStep * usual + 1e-3)
       return fail(ImportError::bad_spacing, slices[i + 1].file.filename().string() + ordered_by, name);
   }
-  const double count = static_cast<double>(slices.size() - 1);
-  if (placed) return SliceStep{(slices.back().first_mm - slices.front().first_mm) / count};
-  if (located) return SliceStep{normal * ((slices.back().along - slices.front().along) / count)};
-  return by_thickness;
+  if (placed) return step_of_places(slices, normal);
+  if (located) return SliceStep{normal * ((slices.back().along - slices.front().along) / static_cast<double>(slices.size() - 1))};
+  return as_stated;
 }
 
 /// CT numbers of one slice into its layer.

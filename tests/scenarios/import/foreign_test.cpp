@@ -189,6 +189,57 @@ TEST_F(Dicom, SlicesWithoutAPlaceALocationAndAThicknessHaveAnUnknownSpacing) {
   EXPECT_FALSE(ct->image.spacing_known);
 }
 
+TEST_F(Dicom, SlicesWithoutAPlaceAreAsFarApartAsTheyState) {
+  const auto put_four = [&](double last_between_mm) {
+    for (int n = 0; n < 4; ++n) {
+      DicomWish w = slice(n);
+      w.placed = false;
+      w.thickness_mm = 1.0;  // they overlap by half
+      w.between_mm = n < 3 ? 0.5 : last_between_mm;
+      put("s" + std::to_string(n), w);
+    }
+  };
+  put_four(0.5);
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct) << ct.error().where;
+  EXPECT_NEAR(ct->image.layout.spacing_mm.z, 0.5, 1e-9);
+  EXPECT_TRUE(ct->image.spacing_known);
+  put_four(0.7);
+  EXPECT_FALSE(read_dicom(folder.path(), {})->image.spacing_known) << "they do not agree";
+}
+
+TEST_F(Dicom, ASliceThatIsShiftedInItsPlaneIsRefusedWithItsFile) {
+  for (int n = 0; n < 6; ++n) put("s" + std::to_string(n), slice(n));
+  ASSERT_TRUE(read_dicom(folder.path(), {}));
+  DicomWish w = slice(3);
+  w.position.x += 0.05;  // a quarter of a pixel
+  put("s3", w);
+  const auto shifted = read_dicom(folder.path(), {});
+  ASSERT_FALSE(shifted);
+  EXPECT_EQ(key_of(shifted.error().code), "bad_spacing");
+  EXPECT_EQ(shifted.error().where, "s3 ImagePositionPatient");
+}
+
+TEST_F(Dicom, AnOrientationThatIsNoneAndAPlaceThatOneSliceLacksAreRefused) {
+  for (int n = 0; n < 4; ++n) put("s" + std::to_string(n), slice(n));
+  DicomWish w = slice(2);
+  w.placed = false;
+  put("s2", w);
+  const auto lacking = read_dicom(folder.path(), {});
+  ASSERT_FALSE(lacking);
+  EXPECT_EQ(key_of(lacking.error().code), "bad_header");
+  EXPECT_EQ(lacking.error().where, "s2 ImagePositionPatient");
+  for (const std::array<double, 6>& orientation : {std::array{2.0, 0.0, 0.0, 0.0, 1.0, 0.0}, std::array{1.0, 0.0, 0.0, 0.6, 0.8, 0.0}}) {
+    w = slice(2);
+    w.orientation = orientation;
+    put("s2", w);
+    const auto skewed = read_dicom(folder / "s2", {});
+    ASSERT_FALSE(skewed);
+    EXPECT_EQ(key_of(skewed.error().code), "bad_orientation");
+    EXPECT_EQ(skewed.error().where, "s2 ImageOrientationPatient");
+  }
+}
+
 TEST_F(Dicom, ReadsTheLargestOfSeveralSeriesAndReportsIt) {
   for (int n = 0; n < 4; ++n) put("a" + std::to_string(n), slice(n));
   DicomWish scout = slice(0);

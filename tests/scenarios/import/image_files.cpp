@@ -133,7 +133,7 @@ std::string dicom_file(const DicomWish& w) {
   u32(length, static_cast<std::uint32_t>(meta.size()));
   std::string set = element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", instance) +
                     element(8, 0x60, "CS", "CT") + element(0x10, 0x10, "PN", w.patient) + element(0x18, 0x50, "DS", decimal(w.thickness_mm)) +
-                    element(0x20, 0xe, "UI", w.series) + element(0x20, 0x13, "IS", std::to_string(w.number));
+                    (w.between_mm ? element(0x18, 0x88, "DS", decimal(*w.between_mm)) : std::string()) + element(0x20, 0xe, "UI", w.series) + element(0x20, 0x13, "IS", std::to_string(w.number));
   if (w.placed) set += element(0x20, 0x32, "DS", triple(w.position)) + element(0x20, 0x37, "DS", orientation);
   if (w.location_mm) set += element(0x20, 0x1041, "DS", decimal(*w.location_mm));
   set += element(0x28, 2, "US", short_value(1)) + element(0x28, 4, "CS", "MONOCHROME2") +

@@ -37,6 +37,7 @@ struct DicomWish {
   std::string series = "1.2.3", patient = "Doe^Jane", transfer = "1.2.840.10008.1.2.1";
   bool placed = true;
   std::optional<double> location_mm;  // SliceLocation
+  std::optional<double> between_mm;   // SpacingBetweenSlices
   std::vector<std::int16_t> values;
   std::string frame;  // packed (packed_dicom.h), instead of the values; `transfer` names the packing
 };
