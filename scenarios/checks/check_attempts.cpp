@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "engine/volume/fragments.h"
 #include "scenarios/checks/checks.h"
+#include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
+#include "scenarios/teeth/own_tissues.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -14,6 +18,8 @@ constexpr double kTokenShare = 0.05;
 constexpr double kMostTokenPoints = 5.0;
 /// Points: rounding of a sum, not a merit.
 constexpr double kNoPoints = 1e-9;
+/// A smaller part of a neighbour is a chip of its enamel [M]: the part in a specimen has some 100 mm3.
+constexpr double kChipMm3 = 1.0;
 /// Duration of the idle attempt: time counts, force does not.
 constexpr std::uint64_t kIdleUs = 10'000'000;
 
@@ -51,22 +57,14 @@ void each_in_target(const Reference& reference, double out_to_mm, Visit&& visit)
       }
 }
 
-/// The specimen without the twentieth of the target that lies nearest to the bound's origin.
-Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& specimen, const Bound& bound) {
+/// The specimen without what lies in the target and within the bound: bound.from() is at most limit_mm.
+Volume without_target(const Reference& reference, const std::shared_ptr<const Specimen>& specimen, const Bound& bound, double limit_mm) {
   const Grid& grid = specimen->grid();
-  std::vector<double> places;
-  each_in_target(reference, 0.0, [&](IVec3 v, double) {
-    if (specimen->s(v) >= kHalf) places.push_back(bound.from(grid.centre_mm(v)));
-  });
   Volume out(specimen);
-  if (places.empty()) return out;
-  const auto at = places.begin() + static_cast<std::ptrdiff_t>(kTokenShare * static_cast<double>(places.size() - 1));
-  std::nth_element(places.begin(), at, places.end());
-  const double limit = *at;
   const bool filled = specimen->reading() == Reading::filled;
   std::vector<int> touched;
   each_in_target(reference, (kBandVoxels + 1.0) * grid.voxel_mm, [&](IVec3 v, double target_mm) {
-    const double d = std::max(target_mm, bound.from(grid.centre_mm(v)) - limit) / grid.voxel_mm;
+    const double d = std::max(target_mm, bound.from(grid.centre_mm(v)) - limit_mm) / grid.voxel_mm;
     const std::uint16_t value = filled ? (d > 0.0 ? kSolid : std::uint16_t{0}) : solid_from_distance(-d);
     if (value == kSolid) return;
     const int brick = specimen->brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
@@ -78,6 +76,54 @@ Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& 
   std::ranges::sort(touched);
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const int brick : touched) out.touched(brick);
+  return out;
+}
+
+/// The specimen without the twentieth of the target that lies nearest to the bound's origin.
+Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& specimen, const Bound& bound) {
+  std::vector<double> places;
+  each_in_target(reference, 0.0, [&](IVec3 v, double) {
+    if (specimen->s(v) >= kHalf) places.push_back(bound.from(specimen->grid().centre_mm(v)));
+  });
+  if (places.empty()) return Volume(specimen);
+  const auto at = places.begin() + static_cast<std::ptrdiff_t>(kTokenShare * static_cast<double>(places.size() - 1));
+  std::nth_element(places.begin(), at, places.end());
+  return without_target(reference, specimen, bound, *at);
+}
+
+/// Of the way, not of the tooth: an attempt that is not played has none.
+bool is_of_process(std::string_view metric) { return metric == "time" || metric.starts_with("force_") || needs_heat(metric); }
+
+/// Of neighbours, which the target alone held: they fall off once it is gone, mm3.
+double severed_neighbours_mm3(const Volume& volume) {
+  const std::vector<std::int32_t> changed(volume.cut_bricks().begin(), volume.cut_bricks().end());
+  std::size_t voxels = 0;
+  for (const std::uint32_t name : find_severed_fragments(volume, changed)) {
+    FragmentRemoval fragment;
+    fragment.receive(volume, static_cast<std::uint16_t>(name >> 15 | 0x8000u));
+    fragment.receive(volume, static_cast<std::uint16_t>(name & 0x7fffu));
+    for (const FragmentRemoval::Entry& entry : fragment.entries())
+      for (int o = 0; o < kBrickVoxels; ++o)
+        voxels += entry.voxels.has(o) && is_neighbour(volume.specimen().tissue_in(entry.brick, o)) ? 1 : 0;
+  }
+  return static_cast<double>(voxels) * std::pow(volume.grid().voxel_mm, 3);
+}
+
+/// The tooth without the whole target: criteria that not even this lets be measured drop out of every grade.
+std::vector<Finding> check_finished(const Scenario& scenario, const Reference& reference, const std::shared_ptr<const Specimen>& specimen,
+                                    const Process& process) {
+  constexpr double kAll = 1e9;
+  const Volume finished = without_target(reference, specimen, {false, {}}, kAll);
+  const auto measures = measure(reference, finished, process);
+  std::vector<Finding> out;
+  const double falls = scenario.specimen.generator == "tooth" ? severed_neighbours_mm3(finished) : 0.0;
+  if (falls > kChipMm3) out.push_back({Severity::error, "/specimen/around", "neighbour_falls", {{"value", falls}}, {}});
+  for (std::size_t i = 0; i < scenario.rubric.criteria.size(); ++i) {
+    const std::string& metric = scenario.rubric.criteria[i].metric;
+    const auto found = std::ranges::find(measures, metric, &Measure::metric);
+    if (is_of_process(metric) || (found != measures.end() && found->measured)) continue;
+    out.push_back({Severity::error, "/rubric/criteria/" + std::to_string(i) + "/metric", "criterion_unmeasured", {}, metric});
+  }
   return out;
 }
 
@@ -93,6 +139,7 @@ std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<co
   const auto outlines = outlines_of(scenario.target);
   const Vec2 middle = 0.5 * (reference.shape().low() + reference.shape().high());
   if (reference.shape().empty()) return out;
+  for (Finding& finding : check_finished(scenario, reference, specimen, process)) out.push_back(std::move(finding));
   // A tree without outlines is touched at its middle.
   const bool drawn = !outlines.empty() && !outlines.front()->paths.empty() && !outlines.front()->paths.front().empty();
   const Vec3 first = drawn ? outlines.front()->paths.front().front() : Vec3(middle, 0.0);

@@ -20,9 +20,10 @@ namespace cusp::scenarios {
 /// access), pulp_rule_off (opening the pulp fails nobody), leeway_opens_pulp (value mm away), leeway_cuts_protected.
 [[nodiscard]] std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& specimen);
 
-/// The scenario's own rubric on the untouched specimen and on two that lack a twentieth of the target: its top, and a
-/// shaft to the floor. Some tenths of a second. Errors: idle_earns (value points: nothing was cut), token_passes (value
-/// points). Warning: token_earns (value: points, limit: what such a cut may earn). Pre: has_error(validate(scenario)) is false, and the specimen is the scenario's in its method's reading.
+/// The scenario's own rubric on the untouched specimen, on two that lack a twentieth of the target, its top and a shaft to the floor,
+/// and on one without the target. Some tenths of a second, with a box's measures seconds. Errors: idle_earns (value points: nothing was
+/// cut), token_passes (value points), criterion_unmeasured (detail: a metric that the finished target has not: it would drop out of
+/// every grade), neighbour_falls (value mm3 of a neighbour that nothing but the target holds). Warning: token_earns (value: points, limit: what such a cut may earn). Pre: has_error(validate(scenario)) is false, and the specimen is the scenario's in its method's reading.
 [[nodiscard]] std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<const Specimen> specimen);
 
 /// Title and briefing, in every language there is, against those of `patterns`: what an author began from. Warnings:

@@ -48,6 +48,7 @@ class Checks {
     check_target(s_, facts_, out_);
     leeway();
     landmarks();
+    critical_events();
     rubric();
     if (facts_ != nullptr) specimen();
     errors_first(out_);
@@ -216,6 +217,13 @@ class Checks {
     if (x >= acc) return acc < ideal ? 0.5 + 0.5 * (x - acc) / (ideal - acc) : 0.5;
     if (x <= none) return 0;
     return 0.5 * (x - none) / (acc - none);
+  }
+
+  void critical_events() {
+    const std::vector<std::string>& all = s_.rubric.critical;
+    for (std::size_t i = 1; i < all.size(); ++i)
+      if (std::ranges::find(all, all[i]) < all.begin() + static_cast<std::ptrdiff_t>(i))
+        error(at("/rubric/critical", i), "critical_twice", {}, all[i]);
   }
 
   void rubric() {

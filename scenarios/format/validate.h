@@ -43,8 +43,8 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 /// errors: no_instrument, no_target, path_count, point_count, empty_target, no_direction (an axis of no length, or a box
 ///   whose axes are parallel), target_endless (a half-space alone), target_tissue_missing (a leaf of a tissue that the exercise or
 ///   the specimen does not have), lesion_missing (a leaf of a lesion without one),
-///   nothing_protected (protected_damage fails the attempt, and nothing is protected), no_criteria, weight_zero,
-/// bands_not_ordered,
+///   nothing_protected (protected_damage fails the attempt, and nothing is protected), critical_twice (detail: the event that the
+///   rubric names twice), no_criteria, weight_zero, bands_not_ordered,
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
 ///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside,

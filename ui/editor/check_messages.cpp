@@ -87,6 +87,11 @@ QString exercise_message(const Finding& f, const Region* whole, double value, do
     return CheckText::tr("An attempt that cuts a twentieth of the target gets %1 points. Give full points for the target only where most of it is removed.")
         .arg(format_points(value));
   }
+  if (c == u"criterion_unmeasured") {
+    return CheckText::tr("%1 cannot be measured on this tooth with this target, so nobody would be graded by it. Remove it, or change tooth or target.")
+        .arg(metric_name(f.detail, whole));
+  }
+  if (c == u"neighbour_falls") return CheckText::tr("Once the target is cut, a neighbouring tooth falls off. Let gums or bone hold it.");
   if (c == u"weight_vanishes") {
     return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, whole));
   }
@@ -184,6 +189,9 @@ QString check_message(const Finding& f, const Region* whole) {
   if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg_of(f, "least"), arg_of(f, "most"));
   for (const auto message : {exercise_message, target_message, tool_message})
     if (const QString found = message(f, whole, value, limit); !found.isEmpty()) return found;
+  if (c == u"critical_twice") {
+    return CheckText::tr("%1 stands twice among what fails the attempt. Switch it off and on again.").arg(metric_name(f.detail, whole));
+  }
   if (c == u"no_criteria") return CheckText::tr("Nothing is graded yet. Add a criterion.");
   if (c == u"target_missing") return CheckText::tr("%1 is of a target that this exercise does not have. Remove it.").arg(metric_name(f.detail, whole));
   if (c == u"weight_zero") return CheckText::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail, whole));

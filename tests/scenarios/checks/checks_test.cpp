@@ -179,6 +179,34 @@ TEST(Attempts, ATokenThatPassesIsAnError) {
   EXPECT_THAT(u.attempts(), IsEmpty());
 }
 
+TEST(Attempts, ACriterionThatTheFinishedTargetDoesNotHaveIsAnError) {
+  // A class II whose neighbours and gums were taken away: its contact and clearances would drop out of every grade.
+  Scenario s = load_builtin("class-2-46-mo").value();
+  s.specimen.voxel_mm = 0.2;
+  s.specimen.around.clear();
+  std::vector<std::string> unmeasured;
+  for (const Finding& f : check_attempts(s, grown(s)))
+    if (f.code == "criterion_unmeasured") unmeasured.push_back(f.detail);
+  EXPECT_THAT(unmeasured, Contains("contact_broken"));
+  EXPECT_THAT(unmeasured, Contains("clearance_buccal_middle"));
+  EXPECT_THAT(unmeasured, Not(Contains("gingival_above_cej")));
+  Tooth t;
+  t.scenario.rubric.criteria.push_back({"caries_left_pulp", 10, {0, 0, 0, 0.1, 0.2, 0.3}});
+  EXPECT_THAT(t.attempts(), ElementsAre("error /rubric/criteria/" + std::to_string(t.scenario.rubric.criteria.size() - 1) +
+                                        "/metric criterion_unmeasured"));
+  Tooth u;  // what only a played attempt has
+  u.scenario.rubric.criteria.push_back({"force_mean", 10, {0, 0, 0, 1, 2, 3}});
+  EXPECT_THAT(u.attempts(), IsEmpty());
+}
+
+TEST(Attempts, ANeighbourThatNothingButTheTargetHoldsIsAnError) {
+  Scenario s = load_builtin("class-2-46-mo").value();
+  s.specimen.voxel_mm = 0.2;
+  EXPECT_THAT(codes(check_attempts(s, grown(s))), IsEmpty());
+  std::erase(s.specimen.around, "gingiva");
+  EXPECT_THAT(codes(check_attempts(s, grown(s))), Contains("error /specimen/around neighbour_falls"));
+}
+
 TEST(Attempts, OfAFilledReadingAreGradedToo) {
   Scenario s = load_builtin("paper-block").value();
   const auto block = grown(s);

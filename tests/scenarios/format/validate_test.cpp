@@ -65,6 +65,11 @@ TEST(Validate, FindsWhatMakesAnExerciseImpossible) {
               Contains("error /rubric/criteria/0/bands bands_not_ordered"));
   EXPECT_THAT(after([](Scenario& s) { s.protected_parts = {Tissue::pulp}; }), Contains("error /protected/0 protected_missing"));
   EXPECT_THAT(after([](Scenario& s) { s.rubric.critical = {"pulp_exposure"}; }), Contains("error /rubric/critical protected_missing"));
+  EXPECT_THAT(after([](Scenario& s) {
+                s.phenomena = {"heat"};
+                s.rubric.critical = {"dry_cutting", "dry_cutting"};
+              }),
+              ::testing::ElementsAre("error /rubric/critical/1 critical_twice"));
 }
 
 TEST(Validate, PhenomenaMustFitTogetherAndWhatIsGradedMustBeReckoned) {
