@@ -210,7 +210,9 @@ QString advice_text(const CriterionGrade& g) {
                     : Text::tr("Stop short of the marginal ridge; read its thickness from above.");
   if (const QString advice = group_advice(m, too_little ? OffBy::too_little : OffBy::too_much); !advice.isEmpty()) return advice;
   if (m == "force_peak" || m == "force_mean") return too_little ? QString() : Text::tr("Push less; let the bur do the work.");
-  if (m == "time") return too_little ? QString() : Text::tr("Plan the way of the bur before the first cut.");
+  if (m == "time") {
+    return too_little ? Text::tr("Take more time: read depth and walls before you end the attempt.") : Text::tr("Plan the way of the bur before the first cut.");
+  }
   if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");
   if (g.reason_code == "too_warm") return Text::tr("Run the coolant, push less, and lift off now and then.");
   if (too_much) return Text::tr("Take away less of it.");

@@ -267,7 +267,9 @@ TEST(Sentences, advice_leads_the_way_that_the_measure_is_off) {
   }
   EXPECT_FALSE(advice("remaining_over_pulp", "too_much").contains(QStringLiteral("Keep away")));
   EXPECT_TRUE(advice("contact_broken", "too_little").startsWith(QStringLiteral("Open the box")));
-  for (const char* metric : {"force_peak", "force_mean", "time"}) EXPECT_TRUE(advice(metric, "too_little").isEmpty()) << metric;
+  for (const char* metric : {"force_peak", "force_mean"}) EXPECT_TRUE(advice(metric, "too_little").isEmpty()) << metric;
+  EXPECT_TRUE(advice("time", "too_little").startsWith(QStringLiteral("Take more time")));
+  EXPECT_NE(advice("time", "too_little"), advice("time", "too_much"));
 }
 
 TEST(Sentences, every_metric_and_tissue_has_a_name) {

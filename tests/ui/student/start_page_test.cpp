@@ -251,7 +251,7 @@ TEST_F(StartPageCards, full_points_are_claimed_only_where_every_criterion_has_th
     records.graded_attempt(lena, "channel-1", grade, 300);
     return texts_of(*page()).contains(text);
   };
-  second.id = second.measure.metric = "time";  // too fast: no advice is given
+  second.id = second.measure.metric = "force_mean";  // pushed too little: no advice is given
   second.reason_code = "too_little";
   ASSERT_TRUE(advice_text(second).isEmpty());
   EXPECT_TRUE(shows(not_all)) << texts_of(*shown).toStdString();
