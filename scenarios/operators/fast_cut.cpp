@@ -12,12 +12,10 @@ namespace cusp::scenarios {
 
 namespace {
 
-const Vec3 kUpright(0.0, 0.0, 1.0);
-
 bool cut_banded(const Plan& plan, const Bur& bur, Volume& volume) {
   Vec3 at = plan.start_mm;
   for (const Stroke& stroke : plan.strokes) {
-    if (stroke.cut && carve_sweep(volume, at, stroke.to_mm, bur, kUpright).overflow) return false;
+    if (stroke.cut && carve_sweep(volume, at, stroke.to_mm, bur, plan.axis).overflow) return false;
     at = stroke.to_mm;
   }
   return true;
@@ -26,7 +24,7 @@ bool cut_banded(const Plan& plan, const Bur& bur, Volume& volume) {
 /// Every voxel of the bur, half a voxel after half a voxel.
 bool cut_filled(const Plan& plan, const Bur& bur, Volume& volume) {
   const Grid& grid = volume.grid();
-  const VoxelTool tool = voxelise(bur, kUpright, grid.voxel_mm);
+  const VoxelTool tool = voxelise(bur, plan.axis, grid.voxel_mm);
   const auto cut_at = [&](Vec3 pivot) {
     const IVec3 centre(glm::floor((pivot - grid.origin_mm) / grid.voxel_mm + 0.5));
     for (const IVec3 offset : tool.cutting) {

@@ -11,7 +11,7 @@
 namespace cusp::scenarios {
 
 /// Cuts what the bur's head sweeps in the plan's cutting strokes, and removes what that severs, as the step does. The bur
-/// stands upright. A filled volume loses each voxel that the voxelised bur meets. Tenths of a second for a cavity. False if
+/// is held along the plan's axis. A filled volume loses each voxel that the voxelised bur meets. Tenths of a second for a cavity. False if
 /// the volume has no room for the cuts; it then holds some of them. Pre: the plan's bur is one of the scenario's.
 [[nodiscard]] bool cut_along(const Plan& plan, const Scenario& scenario, Volume& volume);
 

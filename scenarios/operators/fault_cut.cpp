@@ -234,7 +234,7 @@ Plan plan_instead(Region target, const Exercise& on, const Bur& cuts, std::uint1
   other.target = std::move(target);
   other.instruments = {cuts};
   PlanErrors errors;
-  if (on.target.upright() != nullptr) errors.clear_mm = kScratchMm;
+  if (cut_in_loops(on.scenario, on.target)) errors.clear_mm = kScratchMm;
   Plan plan = plan_target(other, on.specimen, errors);
   plan.bur = bur;
   return plan;

@@ -69,7 +69,7 @@ struct Columns {
 
 /// Height of the pivot where the bur, from above, meets tissue; nullopt if that, or anything near, is no neighbour.
 std::optional<double> touch_down(const Columns& columns, const Poses& poses, int x, int y) {
-  const double step = columns.grid.voxel_mm, reach = poses.radius_mm() + kSparedMm;
+  const double step = columns.grid.voxel_mm, reach = poses.spread_mm() + kSparedMm;
   const int far = static_cast<int>(std::ceil(reach / step));
   double out = -std::numeric_limits<double>::infinity();
   for (int dy = -far; dy <= far; ++dy)
@@ -80,19 +80,19 @@ std::optional<double> touch_down(const Columns& columns, const Poses& poses, int
       const std::size_t column = columns.at(i, j);
       if (columns.top[column] < 0) continue;
       if (!is_neighbour(columns.tissue[column])) return std::nullopt;
-      if (off <= poses.radius_mm()) out = std::max(out, columns.height(column) - poses.underside_mm(off));
+      if (off <= poses.spread_mm()) out = std::max(out, columns.height(column) - poses.underside_mm(Vec2(dx, dy), off));
     }
   return std::isfinite(out) ? std::optional(out) : std::nullopt;
 }
 
 /// How deep the bur's underside stands in a shape, at right angles to its surface; `pivot`: the bur's.
 double depth_in(const TissueShape& shape, const Poses& poses, Vec3 pivot, double step) {
-  const int far = static_cast<int>(std::floor(poses.radius_mm() / step));
+  const int far = static_cast<int>(std::floor(poses.spread_mm() / step));
   double most = 0.0;
   for (int j = -far; j <= far; ++j)
     for (int i = -far; i <= far; ++i) {
       const double off = step * std::sqrt(static_cast<double>(i * i + j * j));
-      if (off <= poses.radius_mm()) most = std::max(most, -shape.distance_mm(pivot + Vec3(step * i, step * j, poses.underside_mm(off))));
+      if (off <= poses.spread_mm()) most = std::max(most, -shape.distance_mm(pivot + Vec3(step * i, step * j, poses.underside_mm(Vec2(i, j), off))));
     }
   return most;
 }
@@ -126,8 +126,8 @@ Bur wider(const Bur& bur, double by_mm) {
 }
 
 void raise(Plan& plan, double by_mm) {
-  plan.start_mm.z += by_mm;
-  for (Stroke& stroke : plan.strokes) stroke.to_mm.z += by_mm;
+  plan.start_mm += by_mm * plan.axis;
+  for (Stroke& stroke : plan.strokes) stroke.to_mm += by_mm * plan.axis;
 }
 
 void shake(Plan& plan, double most_mm) {
@@ -148,7 +148,8 @@ void shake(Plan& plan, double most_mm) {
 }
 
 bool add_pits(Plan& plan, const CutTools& tools, double deep_mm) {
-  const double low = tools.bur.head.ball() ? -tools.bur.radius_mm : tools.bur.head.low(), above = above_of(plan);
+  const Vec3 low = Poses(tools.target, tools.specimen, tools.bur, Vec3(0.0), 0.0, 0.0, Top::moved, plan.axis).lowest();
+  const double above = above_of(plan);
   std::vector<Vec3> pits;
   Vec3 at = plan.start_mm;
   for (const Stroke& stroke : plan.strokes) {
@@ -156,7 +157,7 @@ bool add_pits(Plan& plan, const CutTools& tools, double deep_mm) {
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kLookMm)));
     for (int i = 1; stroke.cut && i <= steps; ++i) {
       const Vec3 p = at + (static_cast<double>(i) / steps) * (stroke.to_mm - at);
-      const Near near = tools.target.near(p + Vec3(0.0, 0.0, low - kFloorMm));
+      const Near near = tools.target.near(p + (low - Vec3(0.0, 0.0, kFloorMm)));
       if (near.distance_mm <= 0.0 || near.face != FaceName::pulpal_floor) continue;
       const bool taken = std::ranges::any_of(pits, [p](Vec3 pit) { return glm::length(Vec2(pit.x - p.x, pit.y - p.y)) < kPitsApartMm; });
       if (!taken) pits.push_back(p);
@@ -173,13 +174,13 @@ bool add_way_into_pulp(Plan& plan, const Scenario& scenario, const Specimen& spe
   if (plan.strokes.size() == before) return false;
   const double radius = scenario.instruments[plan.bur].radius_mm;
   Vec3& deepest = plan.strokes[plan.strokes.size() - 2].to_mm;  // its tip lies two radii below the voxel's centre
-  deepest.z += 2.0 * radius + 0.5 * specimen.grid().voxel_mm - deep_mm;
+  deepest += (2.0 * radius + 0.5 * specimen.grid().voxel_mm - deep_mm) / plan.axis.z * plan.axis;
   return true;
 }
 
 bool add_nick(Plan& plan, const CutTools& tools, double deep_mm) {
   const Columns columns(tools.specimen);
-  const Poses poses(tools.target, tools.specimen, tools.bur);
+  const Poses poses(tools.target, tools.specimen, tools.bur, Vec3(0.0), 0.0, 0.0, Top::moved, plan.axis);
   const Grid& grid = tools.specimen.grid();
   double least = kFurthestNickMm;
   std::optional<Vec3> best;

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "scenarios/format/tool_axis.h"
 #include "scenarios/operators/fast_cut.h"
 #include "scenarios/operators/region_plan.h"
 #include "scenarios/shapes/target.h"
@@ -293,7 +294,8 @@ Plan plan_burs(const Scenario& scenario, const Specimen& specimen, const TargetS
   Plan best;
   double least = kMuch;
   for (const std::uint16_t bur : burs) {
-    const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm, top);
+    const Poses poses(shape, specimen, scenario.instruments[bur], moved, errors.wider_mm, errors.clear_mm, top,
+                      resting_axis(scenario.tool_tilt_deg));
     Plan plan = plan_region(poses, clear_height(specimen, poses.radius_mm()), style, cancel);
     if (is_cancelled(cancel)) return {};
     if (plan.strokes.empty()) continue;
@@ -316,23 +318,31 @@ Plan plan_tree(const Scenario& scenario, const Specimen& specimen, const TargetS
 
 }  // namespace
 
+bool cut_in_loops(const Scenario& scenario, const TargetShape& target) noexcept {
+  return target.upright() != nullptr && scenario.tool_tilt_deg == 0.0;
+}
+
 void add_way_to_pulp(const Scenario& scenario, const Specimen& specimen, Plan& plan) {
   const TargetShape shape(scenario.target, lent(specimen));
   const double radius = scenario.instruments[plan.bur].radius_mm;
   const std::optional<Vec3> pulp = easiest_pulp(specimen, shape);
   if (!pulp) return;
   const double above = clear_height(specimen, radius);
-  plan.strokes.push_back({Vec3(pulp->x, pulp->y, above), false});
-  plan.strokes.push_back({Vec3(pulp->x, pulp->y, std::max(shape.floor_mm() + 2.0 * radius, pulp->z + 2.0 * radius)), false});
-  plan.strokes.push_back({Vec3(pulp->x, pulp->y, pulp->z - radius), true});
-  plan.strokes.push_back({Vec3(pulp->x, pulp->y, above), false});
+  const auto at = [&](double z) {
+    const Vec3 along = (z - pulp->z) / plan.axis.z * plan.axis;
+    return Vec3(pulp->x + along.x, pulp->y + along.y, z);
+  };
+  plan.strokes.push_back({at(above), false});
+  plan.strokes.push_back({at(std::max(shape.floor_mm() + 2.0 * radius, pulp->z + 2.0 * radius)), false});
+  plan.strokes.push_back({at(pulp->z - radius), true});
+  plan.strokes.push_back({at(above), false});
 }
 
 Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors, PlanCancel cancel) {
   const TargetShape shape(scenario.target, lent(specimen));
   if (shape.empty() || scenario.instruments.empty()) return {};
-  Plan plan = shape.upright() != nullptr ? plan_outline(scenario, specimen, shape, errors)
-                                         : plan_tree(scenario, specimen, shape, errors, cancel);
+  Plan plan = cut_in_loops(scenario, shape) ? plan_outline(scenario, specimen, shape, errors)
+                                            : plan_tree(scenario, specimen, shape, errors, cancel);
   if (errors.drill_to_pulp && !plan.strokes.empty()) add_way_to_pulp(scenario, specimen, plan);
   return plan;
 }

@@ -61,7 +61,9 @@ class Path {
 class RegionPlanner {
  public:
   RegionPlanner(const Poses& poses, double above, const RegionPlanStyle& style, PlanCancel cancel)
-      : specimen_(poses.specimen()), poses_(poses), style_(style), cancel_(cancel), path_(plan_, above) {}
+      : specimen_(poses.specimen()), poses_(poses), style_(style), cancel_(cancel), path_(plan_, above) {
+    plan_.axis = poses.axis();
+  }
 
   Plan make() {
     lay_grid();
@@ -130,7 +132,7 @@ void RegionPlanner::find_tissue() {
     }
     top_ = std::max(top_, tissue_top_[node] + 0.5 * voxels.voxel_mm);
   }
-  const int reach = static_cast<int>(std::ceil(poses_.radius_mm() / grid_.step_mm));
+  const int reach = static_cast<int>(std::ceil(poses_.spread_mm() / grid_.step_mm));
   worth_top_ = tissue_top_;
   for (std::size_t node = 0; node < grid_.size(); ++node)
     for (int dj = -reach; dj <= reach; ++dj)
@@ -319,12 +321,12 @@ void RegionPlanner::finish_row(int j) {
 /// wall above deeper ones, shapes nothing.
 void RegionPlanner::keep_needed() {
   const double step = grid_.step_mm;
-  const int reach = static_cast<int>(std::ceil(poses_.radius_mm() / step)), side = 2 * reach + 1;
+  const int reach = static_cast<int>(std::ceil(poses_.spread_mm() / step)), side = 2 * reach + 1;
   std::vector<double> under(static_cast<std::size_t>(side * side));
   for (int k = 0; k < side * side; ++k) {
     const Vec2 off(k % side - reach, k / side - reach);
     // Beside the last pose of a row the bur goes on for half a step on average.
-    under[static_cast<std::size_t>(k)] = poses_.underside_mm(std::max(0.0, step * (glm::length(off) - 0.5)));
+    under[static_cast<std::size_t>(k)] = poses_.underside_mm(off, std::max(0.0, step * (glm::length(off) - 0.5)));
   }
   std::vector<char> needed(grid_.size(), 0);
   for (std::size_t node = 0; node < grid_.size(); ++node) {

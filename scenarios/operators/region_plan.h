@@ -1,4 +1,4 @@
-/// Strokes that remove a target of any shape with one bur, from above downwards.
+/// Strokes that remove a target of any shape with one bur, upright or tilted, from above downwards.
 #pragma once
 
 #include "scenarios/operators/plan.h"

@@ -105,7 +105,7 @@ Result<Cut, Message> cut_of_operator(const std::string& name, const Scenario& sc
   if (name == "pulp" && std::ranges::find(scenario.tissues, Tissue::pulp, &ScenarioTissue::tissue) == scenario.tissues.end())
     return std::unexpected(cannot);
   const auto plan = plan_by_name(fault ? "reference" : name, scenario, *specimen);
-  if (!plan || plan->strokes.empty()) return std::unexpected(Message{no_plan_text(), {}});
+  if (!plan || plan->strokes.empty()) return std::unexpected(Message{no_plan_text(scenario), {}});
   if (!fault) return cut_of({{{*plan, scenario.instruments[plan->bur]}}, 0.0}, std::move(specimen));
   const auto faulty = fault_cut(*fault, scenario, *specimen, *plan);
   if (!faulty) return std::unexpected(cannot);

@@ -53,14 +53,14 @@ std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device
   if (device.kind != "emulated-falcon") return std::nullopt;
   const auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed);
   if (!scripted) return wrong_usage(CliText::tr("An emulated Falcon needs a scripted operator by name: expert, novice and so on."));
-  if (scripted->plan().strokes.empty()) return failed(no_plan_text());
+  if (scripted->plan().strokes.empty()) return failed(no_plan_text(plan.scenario));
   return std::nullopt;
 }
 
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
 std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
   if (auto scripted = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    if (scripted->plan().strokes.empty()) return failed(no_plan_text());
+    if (scripted->plan().strokes.empty()) return failed(no_plan_text(plan.scenario));
     port = std::make_unique<OperatorPort>(std::move(*scripted));
     plan.operator_name = o.script;
     return std::nullopt;

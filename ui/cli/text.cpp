@@ -38,6 +38,8 @@ QString reason_of_checks(const Finding& f) {
   if (c == "idle_earns") return CliText::tr("an attempt that cuts nothing earns points");
   if (c == "token_passes") return CliText::tr("an attempt that cuts a twentieth of the target passes");
   if (c == "token_earns") return CliText::tr("an attempt that cuts a twentieth of the target earns points");
+  if (c == "criterion_unmeasured") return CliText::tr("%1 cannot be measured on this specimen with this target").arg(text(f.detail));
+  if (c == "neighbour_falls") return CliText::tr("once the target is cut, a neighbouring tooth falls off: gingiva or bone would hold it");
   if (c == "text_of_template") return CliText::tr("the text is still that of the exercise it was copied from (%1)").arg(text(f.detail));
   if (c == "text_other_tooth") return CliText::tr("the title names another tooth (%1)").arg(text(f.detail));
   if (c == "text_figure") return CliText::tr("the text names a length that the target has not (%1)").arg(text(f.detail));
@@ -70,6 +72,7 @@ QString reason(const Finding& f) {
   if (c == "target_tissue_missing") return CliText::tr("the target is made of a tissue that the tooth does not have (%1)").arg(text(f.detail));
   if (c == "lesion_missing") return CliText::tr("the target follows a carious lesion, and the tooth has none");
   if (c == "nothing_protected") return CliText::tr("damage of a protected part fails the attempt, and nothing is protected");
+  if (c == "critical_twice") return CliText::tr("%1 is named twice among what fails the attempt").arg(text(f.detail));
   if (c == "no_criteria") return CliText::tr("the rubric has no criterion");
   if (c == "weight_zero" || c == "weights_zero") return CliText::tr("no criterion brings points");
   if (c == "target_missing") return CliText::tr("%1 is of a target that the exercise does not have").arg(text(f.detail));
@@ -110,6 +113,9 @@ QString finding_text(const Finding& f) {
   return out + u'.';
 }
 
-QString no_plan_text() { return CliText::tr("No bur of the exercise fits into its target."); }
+QString no_plan_text(const Scenario& scenario) {
+  if (scenario.tool_tilt_deg == 0.0) return CliText::tr("No bur of the exercise fits into its target.");
+  return CliText::tr("No bur of the exercise fits into its target while the handpiece is tilted by %1 degrees.").arg(QString::number(scenario.tool_tilt_deg));
+}
 
 }  // namespace cusp::ui

@@ -20,7 +20,7 @@ inline std::string help(const QString& text) { return text.toStdString(); }
 
 /// What is wrong with a scenario, with its place.
 QString finding_text(const Finding& finding);
-/// Why a scripted operator has nothing to do.
-QString no_plan_text();
+/// Why a scripted operator has nothing to do: no bur fits, held as the exercise's handpiece rests.
+QString no_plan_text(const Scenario& scenario);
 
 }  // namespace cusp::ui

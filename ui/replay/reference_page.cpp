@@ -107,7 +107,7 @@ std::optional<BurPose> ReferencePage::bur_now() const {
   if (!show_ || finished()) return std::nullopt;
   // Never before the cuts that the tooth shows.
   const PathMoment moment = show_->timeline.at(std::min(bar_->position_s(), shown_s()));
-  return BurPose{show_->bur, moment.pivot_mm, {0.0, 0.0, 1.0}, moment.cut && bar_->playing()};
+  return BurPose{show_->bur, moment.pivot_mm, show_->timeline.axis(), moment.cut && bar_->playing()};
 }
 
 bool ReferencePage::finished() const { return std::min(bar_->position_s(), shown_s()) >= show_->timeline.seconds(); }

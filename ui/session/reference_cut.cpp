@@ -42,6 +42,7 @@ PathMoment PathTimeline::at(double s) const {
 Plan PathTimeline::between(double from_s, double to_s) const {
   Plan out;
   out.bur = plan_.bur;
+  out.axis = plan_.axis;
   out.start_mm = at(from_s).pivot_mm;
   auto stroke = static_cast<std::size_t>(std::ranges::upper_bound(ends_s_, from_s) - ends_s_.begin());
   for (; stroke < ends_s_.size() && begin_s(stroke) < to_s; ++stroke) out.strokes.push_back({place(stroke, to_s), plan_.strokes[stroke].cut});

@@ -29,6 +29,7 @@ class PathTimeline {
   PathTimeline(Plan plan, double seconds);
   double seconds() const noexcept { return seconds_; }
   std::uint16_t bur() const noexcept { return plan_.bur; }
+  Vec3 axis() const noexcept { return plan_.axis; }
   PathMoment at(double s) const;
   /// What the plan does from one moment to another. Pre: from_s <= to_s.
   Plan between(double from_s, double to_s) const;

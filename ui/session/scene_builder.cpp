@@ -5,29 +5,13 @@
 
 #include "engine/step/passivity.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/format/tool_axis.h"
 #include "scenarios/specimens/specimens.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
 
 namespace {
-
-// The scene is part of what a replay must have to the bit, and libm's sine differs between processors: the series does
-// not. Error below 1e-16 for a quarter turn.
-struct SineCosine {
-  double sine, cosine;
-};
-SineCosine sine_cosine(double degrees) noexcept {
-  const double x = std::clamp(degrees, -90.0, 90.0) * (3.141592653589793 / 180.0);
-  double sine = 0, cosine = 0, term = 1;
-  for (int n = 0; n < 28; ++n) {
-    const bool even = n % 2 == 0;
-    const double sign = (n / 2) % 2 == 0 ? 1.0 : -1.0;
-    (even ? cosine : sine) += sign * term;
-    term = term * x / static_cast<double>(n + 1);
-  }
-  return {sine, cosine};
-}
 
 std::array<bool, kTissueCodes> tissues_in(const Specimen& specimen) {
   std::array<bool, kTissueCodes> there{};
@@ -113,8 +97,7 @@ Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std:
   if (!(scenario.device.full_force_n > 0.0)) return session_fail(SessionError::scene, "/device/full_force_n");
   scene->specimen = std::move(specimen);
   scene->burs = scenario.instruments;
-  const SineCosine tilt = sine_cosine(scenario.tool_tilt_deg);
-  scene->tool_axis = {0.0, tilt.sine, tilt.cosine};
+  scene->tool_axis = resting_axis(scenario.tool_tilt_deg);
   scene->tilt_cosine = sine_cosine(scenario.tool_turn_deg).cosine;
   scene->full_force_n = scenario.device.full_force_n;
   scene->friction = has_phenomenon(scenario.phenomena, "friction");

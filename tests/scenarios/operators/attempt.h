@@ -5,6 +5,7 @@
 
 #include "engine/step/step.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/format/tool_axis.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/operators/operator_port.h"
 #include "scenarios/metrics/measure.h"
@@ -19,6 +20,7 @@ inline std::shared_ptr<const Scene> scene_of(const Scenario& scenario, std::shar
   for (const ScenarioTissue& t : scenario.tissues)
     scene->tissues[index_of(t.tissue)] = {t.stiffness_n_per_mm, t.speed_mm_s};
   scene->burs = scenario.instruments;
+  scene->tool_axis = resting_axis(scenario.tool_tilt_deg);
   scene->full_force_n = scenario.device.full_force_n;
   scene->phenomena = phenomena_from_keys(scenario.phenomena);
   return scene;

@@ -4,7 +4,9 @@
 
 #include <atomic>
 
+#include "engine/tool/swept.h"
 #include "scenarios/burs/bur_catalogue.h"
+#include "scenarios/format/tool_axis.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/operators/expert.h"
 #include "scenarios/operators/fast_cut.h"
@@ -163,6 +165,52 @@ TEST(RegionPlan, MakesTheErrorsThatItIsAskedFor) {
   EXPECT_NEAR(cut(s, "too_shallow").of("target_removed"), 72, 5);
   EXPECT_GT(cut(s, "off_outline").of("overcut_beyond_side"), 2.0);
   EXPECT_GT(cut(s, "novice").of("overcut_beyond_floor"), 2.0);
+}
+
+Scenario tilted(Region target, double deg, const char* number) {
+  Scenario s = exercise(std::move(target), {bur(number)});
+  s.tool_tilt_deg = deg;
+  return s;
+}
+
+TEST(RegionPlan, HoldsTheBurAsTheExercisesHandpieceRests) {
+  const Scenario s = tilted(region_of(slot(2.4, 1.2, 0.5)), -25.0, "245");
+  const Cut result = cut(s);
+  EXPECT_EQ(result.plan.axis, resting_axis(-25.0));
+  EXPECT_LT(result.over_cut(), 0.15);
+  EXPECT_GT(result.of("target_removed"), 90.0) << "the wall that the bur leans over keeps a wedge";  // measured: 91.2
+  // The path of an upright bur cuts that wall.
+  Scenario upright = s;
+  upright.tool_tilt_deg = 0.0;
+  Cut wrong{plan_target(upright, *block()), {}};
+  EXPECT_EQ(wrong.plan.axis, Vec3(0.0, 0.0, 1.0));
+  wrong.plan.axis = resting_axis(-25.0);
+  Volume volume(block());
+  ASSERT_TRUE(cut_along(wrong.plan, s, volume));
+  wrong.measures = measure(Reference(s, block()), volume, {});
+  EXPECT_GT(wrong.over_cut(), 1.0);
+}
+
+TEST(RegionPlan, GoesAlongATiltedBursAxisIntoThePulp) {
+  const Scenario s = tilted(sphere({0, 0, 0}, 1.6), 15.0, "2");
+  const Plan plan = plan_by_name("pulp", s, *block()).value();
+  const std::size_t n = plan.strokes.size();
+  const Vec3 way = glm::normalize(plan.strokes[n - 3].to_mm - plan.strokes[n - 2].to_mm);
+  EXPECT_LT(glm::length(way - resting_axis(15.0)), 1e-9);
+  EXPECT_EQ(cut(s, "pulp").of("pulp_exposure"), 1.0);
+}
+
+/// The neck and the shank lean: where either met tissue, the operator would skip strokes.
+TEST(Expert, WorksWithTheTiltedHandpieceThatTheStudentHas) {
+  Outline shallow = slot(1.8, 0.7, 0.5);
+  shallow.paths = {{Vec3(-0.4, 0, -0.7), Vec3(0.4, 0, -0.7)}};
+  for (const Scenario& s : {tilted(region_of(shallow), 20.0, "2"), tilted(sphere({0, 0, 0}, 1.3), -35.0, "245")}) {
+    const Reference reference(s, block());
+    const attempt::Result r = attempt::run(s, reference, block(), *operator_by_name("expert", s, *block()), 4000);
+    EXPECT_NEAR(r.get("target_removed").value, cut(s).of("target_removed"), 2.0) << s.tool_tilt_deg;
+    EXPECT_LT(r.get("overcut_beyond_side").value + r.get("overcut_beyond_floor").value, 0.02) << s.tool_tilt_deg;
+    EXPECT_LE(r.skipped, 2u) << s.tool_tilt_deg;
+  }
 }
 
 /// A box of 2 mm whose top lies at the block's. Moved down it would lie under tissue.

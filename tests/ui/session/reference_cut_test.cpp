@@ -101,11 +101,13 @@ TEST_F(ReferenceCutTest, NamesEveryBrickThatAStepChangedForthAndBack) {
 }
 
 TEST_F(ReferenceCutTest, APathIsReadFromItsBytesAsItWas) {
+  plan.axis = {0.0, 0.6, 0.8};
   const auto bytes = plan_bytes(plan);
   const auto read = plan_from_bytes(bytes, scenario.instruments.size());
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->start_mm, plan.start_mm);
   EXPECT_EQ(read->bur, plan.bur);
+  EXPECT_EQ(read->axis, plan.axis);
   ASSERT_EQ(read->strokes.size(), plan.strokes.size());
   for (std::size_t i = 0; i < plan.strokes.size(); ++i) {
     EXPECT_EQ(read->strokes[i].to_mm, plan.strokes[i].to_mm);
