@@ -15,10 +15,6 @@
 <context>
     <name>cusp::ui::AppealPack</name>
     <message>
-        <source>The pack cannot be written to the temporary folder.</source>
-        <translation>Die Akte kann nicht in den temporären Ordner geschrieben werden.</translation>
-    </message>
-    <message>
         <source>Nothing was changed.</source>
         <translation>Nichts wurde geändert.</translation>
     </message>
@@ -31,10 +27,6 @@
         <translation>Sie wurde vielleicht unterwegs abgeschnitten. Bitten Sie noch einmal darum.</translation>
     </message>
     <message>
-        <source>%1 cannot be written.</source>
-        <translation>%1 kann nicht geschrieben werden.</translation>
-    </message>
-    <message>
         <source>The attempt and its grade are kept.</source>
         <translation>Der Versuch und seine Bewertung bleiben erhalten.</translation>
     </message>
@@ -45,6 +37,14 @@
     <message>
         <source>%1 cannot be read.</source>
         <translation>%1 kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The pack cannot be written to the temporary folder: %1.</source>
+        <translation>Die Akte kann nicht in den temporären Ordner geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
     </message>
 </context>
 <context>
@@ -83,14 +83,6 @@
             <numerusform>bisher %n Versuch</numerusform>
             <numerusform>bisher %n Versuche</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 min</translation>
-    </message>
-    <message>
-        <source>%1 h</source>
-        <translation>%1 h</translation>
     </message>
     <message>
         <source>Assessment</source>
@@ -1816,6 +1808,18 @@
         <source>a region</source>
         <translation>einen Bereich</translation>
     </message>
+    <message>
+        <source>%1 cannot be measured on this tooth with this target, so nobody would be graded by it. Remove it, or change tooth or target.</source>
+        <translation>%1 lässt sich an diesem Zahn mit diesem Ziel nicht messen; niemand würde danach bewertet. Entfernen Sie es, oder ändern Sie Zahn oder Ziel.</translation>
+    </message>
+    <message>
+        <source>Once the target is cut, a neighbouring tooth falls off. Let gums or bone hold it.</source>
+        <translation>Ist das Ziel präpariert, fällt ein Nachbarzahn ab. Lassen Sie Zahnfleisch oder Knochen ihn halten.</translation>
+    </message>
+    <message>
+        <source>%1 stands twice among what fails the attempt. Switch it off and on again.</source>
+        <translation>%1 steht zweimal bei dem, was den Versuch scheitern lässt. Schalten Sie es aus und wieder ein.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -3132,6 +3136,26 @@
         <source>--seconds and --silence-every belong to --device.</source>
         <translation>--seconds und --silence-every gehören zu --device.</translation>
     </message>
+    <message>
+        <source>Stopped. No file was written.</source>
+        <translation>Angehalten. Es wurde keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be measured on this specimen with this target</source>
+        <translation>%1 lässt sich an diesem Präparat mit diesem Ziel nicht messen</translation>
+    </message>
+    <message>
+        <source>once the target is cut, a neighbouring tooth falls off: gingiva or bone would hold it</source>
+        <translation>ist das Ziel präpariert, fällt ein Nachbarzahn ab: Gingiva oder Knochen hielten ihn</translation>
+    </message>
+    <message>
+        <source>%1 is named twice among what fails the attempt</source>
+        <translation>%1 ist zweimal unter dem genannt, was den Versuch scheitern lässt</translation>
+    </message>
+    <message>
+        <source>No bur of the exercise fits into its target while the handpiece is tilted by %1 degrees.</source>
+        <translation>Kein Bohrer der Übung passt in ihr Ziel, wenn das Handstück um %1 Grad geneigt ist.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3867,6 +3891,18 @@
         <source>The draft of the exercise cannot be saved. The editor shows why.</source>
         <translation>Der Entwurf der Übung lässt sich nicht aufbewahren. Der Editor zeigt, warum.</translation>
     </message>
+    <message>
+        <source>Some work is not saved.</source>
+        <translation>Eine Arbeit ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Not saved yet: the work of %1. It stays here until its owner signs in again, or Cusp ends.</source>
+        <translation>Noch nicht gespeichert: die Arbeit von %1. Sie bleibt hier, bis sich dieselbe Person wieder anmeldet oder Cusp endet.</translation>
+    </message>
+    <message>
+        <source>The daily backup is made. An old one could not be removed.</source>
+        <translation>Die tägliche Sicherung ist erstellt. Eine alte ließ sich nicht entfernen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -4090,6 +4126,10 @@
     <message>
         <source>It counts as interrupted. To leave, the invigilator types the start code.</source>
         <translation>Sie zählt als unterbrochen. Zum Verlassen gibt die Aufsicht den Startcode ein.</translation>
+    </message>
+    <message>
+        <source>It stays in your results as interrupted, with what was recorded until the driver of the device stood still.</source>
+        <translation>Er bleibt als unterbrochen in Ihren Ergebnissen, mit dem, was bis zum Stillstand des Gerätetreibers aufgezeichnet wurde.</translation>
     </message>
 </context>
 <context>
@@ -5343,10 +5383,6 @@
         <translation>Der Bericht liegt unter %1.</translation>
     </message>
     <message>
-        <source>%1 cannot be written.</source>
-        <translation>%1 ist nicht beschreibbar.</translation>
-    </message>
-    <message>
         <source>How the grip leads the bur</source>
         <translation>Wie der Griff den Bohrer führt</translation>
     </message>
@@ -5357,6 +5393,10 @@
     <message>
         <source>The figures of an emulated one are not kept.</source>
         <translation>Die Werte eines nachgebildeten werden nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +5949,10 @@
         <source>Making the exercise</source>
         <translation>Übung wird angelegt</translation>
     </message>
+    <message>
+        <source>Make the specimen anew from its scan or its surfaces.</source>
+        <translation>Erstellen Sie das Präparat neu aus seinem Scan oder seinen Oberflächen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ImportPreview</name>
@@ -6167,14 +6211,6 @@
 <context>
     <name>cusp::ui::InterruptedCard</name>
     <message>
-        <source>It broke off after %1 min, before anything was cut.</source>
-        <translation>Er brach nach %1 min ab, bevor etwas abgetragen war.</translation>
-    </message>
-    <message>
-        <source>It broke off after %1 min, with %2 cut. All of that is kept.</source>
-        <translation>Er brach nach %1 min ab; %2 waren abgetragen. All das ist aufbewahrt.</translation>
-    </message>
-    <message>
         <source>It was cut with: %1. This station drills with: %2, so it cannot be continued here.</source>
         <translation>Präpariert wurde mit: %1. Diese Station präpariert mit: %2; hier kann der Versuch nicht fortgesetzt werden.</translation>
     </message>
@@ -6199,16 +6235,28 @@
         <translation>Fortsetzen</translation>
     </message>
     <message>
-        <source>It broke off after %1 min. All of it is kept.</source>
-        <translation>Sie brach nach %1 min ab. Alles davon ist aufbewahrt.</translation>
-    </message>
-    <message>
         <source>Interrupted assessment</source>
         <translation>Unterbrochene Prüfung</translation>
     </message>
     <message>
         <source>Hand in</source>
         <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>It broke off after %1. All of it is kept.</source>
+        <translation>Sie brach nach %1 ab. Alles davon ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>It broke off after %1, before anything was cut.</source>
+        <translation>Er brach nach %1 ab, bevor etwas abgetragen war.</translation>
+    </message>
+    <message>
+        <source>It broke off after %1, with %2 cut. All of that is kept.</source>
+        <translation>Er brach nach %1 ab; %2 waren abgetragen. All das ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>An older version of Cusp ended it without a grade, so it cannot be continued.</source>
+        <translation>Eine ältere Version von Cusp hat ihn ohne Bewertung beendet; fortgesetzt werden kann er nicht.</translation>
     </message>
 </context>
 <context>
@@ -7907,16 +7955,24 @@
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1 cannot be written.</source>
-        <translation>%1 kann nicht geschrieben werden.</translation>
-    </message>
-    <message>
         <source>Choose another place. The accounts are kept.</source>
         <translation>Wählen Sie einen anderen Ort. Die Konten bleiben.</translation>
     </message>
     <message>
         <source>The PIN slips are saved.</source>
         <translation>Die PIN-Zettel sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>No list yet</source>
+        <translation>Noch keine Liste</translation>
+    </message>
+    <message>
+        <source>Each line becomes an account once you have looked at it here.</source>
+        <translation>Jede Zeile wird ein Konto, sobald Sie sie hier angesehen haben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
     </message>
 </context>
 <context>
@@ -8224,10 +8280,6 @@
         <translation>95-%-Intervall %1 bis %2</translation>
     </message>
     <message>
-        <source>minutes and seconds</source>
-        <translation>Minuten und Sekunden</translation>
-    </message>
-    <message>
         <source>points</source>
         <translation>Punkte</translation>
     </message>
@@ -8398,6 +8450,22 @@
             <numerusform>Median von %n Person</numerusform>
             <numerusform>Median von %n Personen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Exporting attempts</source>
+        <translation>Die Versuche werden exportiert</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts</source>
+        <translation>%1 von %2 Versuchen</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>Der Export wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 was not written. What was there before is unchanged.</source>
+        <translation>%1 wurde nicht geschrieben. Was vorher da war, ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -8784,6 +8852,14 @@
         <source>You stopped it; the other recordings are whole.</source>
         <translation>Sie haben angehalten; die übrigen Aufzeichnungen sind vollständig.</translation>
     </message>
+    <message>
+        <source>No recording was thinned.</source>
+        <translation>Keine Aufzeichnung wurde ausgedünnt.</translation>
+    </message>
+    <message>
+        <source>The other recordings are whole.</source>
+        <translation>Die übrigen Aufzeichnungen sind vollständig.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReferencePage</name>
@@ -8854,10 +8930,6 @@
 </context>
 <context>
     <name>cusp::ui::Report</name>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 min</translation>
-    </message>
     <message>
         <source>peak push %1</source>
         <translation>höchster Druck %1</translation>
@@ -9171,10 +9243,6 @@
         <translation>dieser Versuch, %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written. The attempt and its grade are kept.</source>
-        <translation>%1 kann nicht geschrieben werden. Versuch und Bewertung sind aufbewahrt.</translation>
-    </message>
-    <message>
         <source>not released yet</source>
         <translation>noch nicht freigegeben</translation>
     </message>
@@ -9235,8 +9303,12 @@
         <translation>Der Bericht wurde nicht gedruckt.</translation>
     </message>
     <message>
-        <source>The printer or its file takes nothing. The attempt and its grade are kept.</source>
-        <translation>Der Drucker oder seine Datei nimmt nichts an. Versuch und Bewertung sind aufbewahrt.</translation>
+        <source>%1 cannot be written: %2. The attempt and its grade are kept.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Versuch und Bewertung sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing. The attempt and its grade are kept.</source>
+        <translation>Der Drucker nimmt nichts an. Versuch und Bewertung sind aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -10081,6 +10153,10 @@
         <source>Another number grows another tooth of its kind; 0 is the average</source>
         <translation>Eine andere Zahl erzeugt einen anderen Zahn dieser Art; 0 ist der Durchschnitt</translation>
     </message>
+    <message>
+        <source>Nothing was changed. Make it anew from its scan or its surfaces.</source>
+        <translation>Nichts wurde geändert. Erstellen Sie es neu aus seinem Scan oder seinen Oberflächen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StartPage</name>
@@ -10384,6 +10460,10 @@ Ihr bester davor</translation>
         <source>Nobody is signed out while drilling. It holds from the next sign-in.</source>
         <translation>Niemand wird beim Bohren abgemeldet. Es gilt ab der nächsten Anmeldung.</translation>
     </message>
+    <message>
+        <source>The backup is made and checked. An old one could not be removed.</source>
+        <translation>Die Sicherung ist erstellt und geprüft. Eine alte ließ sich nicht entfernen.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationsModel</name>
@@ -10552,6 +10632,10 @@ Ihr bester davor</translation>
     <message>
         <source>Cohort</source>
         <translation>Kohorte</translation>
+    </message>
+    <message>
+        <source>too long for an account</source>
+        <translation>zu lang für ein Konto</translation>
     </message>
 </context>
 <context>
@@ -10804,6 +10888,10 @@ Ihr bester davor</translation>
     <message>
         <source>The template cannot be used: it is broken at %1.</source>
         <translation>Die Vorlage ist nicht verwendbar: Sie ist fehlerhaft bei %1.</translation>
+    </message>
+    <message>
+        <source>the authors’ notes, section %1</source>
+        <translation>Aufzeichnungen der Autoren, Abschnitt %1</translation>
     </message>
 </context>
 <context>
@@ -11738,11 +11826,6 @@ Ihr bester davor</translation>
     <message>
         <source>distolingual</source>
         <translation>distolingual</translation>
-    </message>
-    <message>
-        <source>%1 after %2 min</source>
-        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was opened after 1:12 min&quot;.</extracomment>
-        <translation>%1 nach %2 min</translation>
     </message>
     <message>
         <source>, </source>
@@ -13137,6 +13220,31 @@ Ihr bester davor</translation>
     <message>
         <source>Widen the box until the margin stands far enough from the neighbour.</source>
         <translation>Den Kasten erweitern, bis der Rand weit genug vom Nachbarn entfernt ist.</translation>
+    </message>
+    <message>
+        <source>%1 after %2</source>
+        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was opened after 1:12 min&quot;.</extracomment>
+        <translation>%1 nach %2</translation>
+    </message>
+    <message>
+        <source>Take more time: read depth and walls before you end the attempt.</source>
+        <translation>Nehmen Sie sich mehr Zeit: Prüfen Sie Tiefe und Wände, bevor Sie den Versuch beenden.</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>An older version of Cusp ended this attempt without a grade, so it cannot be continued.</source>
+        <translation>Eine ältere Version von Cusp hat diesen Versuch ohne Bewertung beendet; fortgesetzt werden kann er nicht.</translation>
+    </message>
+    <message>
+        <source>It can be graded as it stands.</source>
+        <translation>Er kann bewertet werden, wie er ist.</translation>
     </message>
 </context>
 <context>
