@@ -90,7 +90,7 @@
     </message>
     <message>
         <source>Candidate %1</source>
-        <translation>Kandidat %1</translation>
+        <translation>Kandidat/in %1</translation>
     </message>
     <message>
         <source>Assessment: %1</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>Candidates</source>
-        <translation>Kandidaten</translation>
+        <translation>Kandidatinnen und Kandidaten</translation>
     </message>
     <message>
         <source>Back</source>
@@ -271,7 +271,7 @@
     </message>
     <message>
         <source>You are candidate %1. Your name is not shown to who marks.</source>
-        <translation>Sie sind Kandidat %1. Wer bewertet, sieht Ihren Namen nicht.</translation>
+        <translation>Sie sind Kandidat/in %1. Wer bewertet, sieht Ihren Namen nicht.</translation>
     </message>
     <message>
         <source>There is no time limit.</source>
@@ -393,7 +393,7 @@
     </message>
     <message>
         <source>Another tooth for each candidate</source>
-        <translation>Für jeden Kandidaten ein anderer Zahn</translation>
+        <translation>Für alle ein anderer Zahn</translation>
     </message>
     <message>
         <source>Of the same number, with its target fitted to it. The session keeps which tooth it was.</source>
@@ -1255,7 +1255,7 @@
     </message>
     <message>
         <source>Candidate</source>
-        <translation>Kandidat</translation>
+        <translation>Kandidat/in</translation>
     </message>
     <message>
         <source>Name</source>
@@ -3766,7 +3766,7 @@
     </message>
     <message>
         <source>Measuring the tooth</source>
-        <translation>Der Zahn wird gemessen</translation>
+        <translation>Der Zahn wird vermessen</translation>
     </message>
     <message>
         <source>Practice, attempt %1</source>
@@ -3778,11 +3778,11 @@
     </message>
     <message>
         <source>Assessment, candidate %1</source>
-        <translation>Prüfung, Kandidat %1</translation>
+        <translation>Prüfung, Kandidat/in %1</translation>
     </message>
     <message>
         <source>Assessment, candidate %1, continued</source>
-        <translation>Prüfung, Kandidat %1, fortgesetzt</translation>
+        <translation>Prüfung, Kandidat/in %1, fortgesetzt</translation>
     </message>
     <message>
         <source>Station</source>
@@ -3889,7 +3889,7 @@
     </message>
     <message>
         <source>The draft of the exercise cannot be saved. The editor shows why.</source>
-        <translation>Der Entwurf der Übung lässt sich nicht aufbewahren. Der Editor zeigt, warum.</translation>
+        <translation>Der Entwurf der Übung lässt sich nicht speichern. Der Editor zeigt, warum.</translation>
     </message>
     <message>
         <source>Some work is not saved.</source>
@@ -4800,7 +4800,7 @@
     </message>
     <message>
         <source>Every ended attempt of this station, its grades and what examiners said.</source>
-        <translation>Jeder beendete Versuch dieser Station mit Bewertungen und Erklärungen der Prüfenden.</translation>
+        <translation>Jeder beendete Versuch dieser Station mit Bewertungen und Erklärungen der Lehrkräfte.</translation>
     </message>
     <message>
         <source>From the office to the stations: people, cohorts, assignments and exercises. It holds passwords and PINs in scrambled form: keep it as safe as the records.</source>
@@ -5462,11 +5462,11 @@
     </message>
     <message>
         <source>The preparation of candidate %1 is kept. The result is shown when your examiner releases it.</source>
-        <translation>Die Präparation von Kandidat %1 ist aufbewahrt. Das Ergebnis erscheint, wenn es freigegeben wird.</translation>
+        <translation>Die Präparation von Kandidat/in %1 ist aufbewahrt. Das Ergebnis erscheint, wenn es freigegeben wird.</translation>
     </message>
     <message>
         <source>Next candidate</source>
-        <translation>Nächster Kandidat</translation>
+        <translation>Nächste/r Kandidat/in</translation>
     </message>
     <message>
         <source>To the start page</source>
@@ -5657,7 +5657,7 @@
     </message>
     <message>
         <source>5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.</source>
-        <translation>5. Jeder Versuch bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+        <translation>5. Jeder Versuch bleibt unter Meine Ergebnisse. Ein unterbrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
     </message>
     <message>
         <source>Target removed: how much of the required cavity is cut. Not removed: what remains of it.</source>
@@ -6271,7 +6271,7 @@
     </message>
     <message>
         <source>Answers a second</source>
-        <translation>Antworten pro Sekunde</translation>
+        <translation>Antworten je Sekunde</translation>
     </message>
     <message>
         <source>Handle</source>
@@ -7156,7 +7156,7 @@
     </message>
     <message>
         <source>Release to the student</source>
-        <translation>Für Student/in freigeben</translation>
+        <translation>Ergebnis freigeben</translation>
     </message>
     <message>
         <source>The result is confirmed as it stands.</source>
@@ -7164,7 +7164,7 @@
     </message>
     <message>
         <source>The student can read the result now.</source>
-        <translation>Das Ergebnis ist jetzt für Student/in lesbar.</translation>
+        <translation>Das Ergebnis ist jetzt freigegeben und lesbar.</translation>
     </message>
     <message>
         <source>What was said</source>
@@ -7244,7 +7244,7 @@
     </message>
     <message>
         <source>Write it below; the student reads it.</source>
-        <translation>Schreiben Sie sie unten; sie ist für Student/in lesbar.</translation>
+        <translation>Schreiben Sie sie unten; sie ist mit dem Ergebnis lesbar.</translation>
     </message>
     <message>
         <source>These are the points that count already.</source>
@@ -8666,7 +8666,7 @@
     </message>
     <message>
         <source>no due date</source>
-        <translation>ohne Termin</translation>
+        <translation>ohne Frist</translation>
     </message>
     <message>
         <source>%1: %2, version %3, %4</source>
@@ -9072,7 +9072,7 @@
     </message>
     <message>
         <source>Candidate %1</source>
-        <translation>Kandidat %1</translation>
+        <translation>Kandidat/in %1</translation>
     </message>
     <message>
         <source>Remarks</source>
@@ -9526,7 +9526,7 @@
     </message>
     <message>
         <source>Full points: %1</source>
-        <translation>Volle Punkte: %1</translation>
+        <translation>Volle Punktzahl: %1</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -10284,7 +10284,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Every attempt is kept, also one that broke off.</source>
-        <translation>Jeder Versuch wird aufbewahrt, auch ein abgebrochener.</translation>
+        <translation>Jeder Versuch wird aufbewahrt, auch ein unterbrochener.</translation>
     </message>
     <message>
         <source>This station has no exercise that can be read. Ask your instructor.</source>
@@ -11206,7 +11206,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Somebody has to manage people. Make another administrator first.</source>
-        <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einer anderen diese Rolle.</translation>
+        <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einem anderen Konto die Rolle Verwaltung.</translation>
     </message>
     <message>
         <source>This is there already.</source>
@@ -11290,7 +11290,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>%1 is named twice.</source>
-        <translation>%1 ist zweimal genannt.</translation>
+        <translation>%1 ist zweimal angegeben.</translation>
     </message>
     <message>
         <source>%1 names something that is not known.</source>
@@ -13139,11 +13139,11 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>another tooth for each candidate</source>
-        <translation>für jeden Kandidaten ein anderer Zahn</translation>
+        <translation>für alle ein anderer Zahn</translation>
     </message>
     <message>
         <source>Only an assessment draws a tooth for each candidate.</source>
-        <translation>Nur eine Prüfung lost für jeden Kandidaten einen Zahn.</translation>
+        <translation>Nur eine Prüfung lost für jede und jeden einen eigenen Zahn.</translation>
     </message>
     <message>
         <source>The records are damaged.</source>

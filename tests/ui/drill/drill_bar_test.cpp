@@ -65,7 +65,7 @@ struct DrillBarWidth : testing::Test {
   DrillBar bar;
   void show(int width) {
     bar.resize(width, 48);
-    bar.set_exercise(QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"), QStringLiteral("Prüfung, Kandidat 47, fortgesetzt"));
+    bar.set_exercise(QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"), QStringLiteral("Prüfung, Kandidat/in 47, fortgesetzt"));
     bar.set_time_limit(1200);
     DeviceLimits mouse;
     mouse.device_class = "pointer";
@@ -106,7 +106,7 @@ TEST_F(DrillBarWidth, HoldsClockTagAndEveryButtonInHalfOfFullHd) {
   show(960);
   EXPECT_LE(bar.layout()->sizeHint().width(), 960);
   EXPECT_FALSE(label(QStringLiteral("Mouse and keys"))->isVisible());
-  EXPECT_TRUE(label(QStringLiteral("Prüfung, Kandidat 47, fortgesetzt"))->isVisible());
+  EXPECT_TRUE(label(QStringLiteral("Prüfung, Kandidat/in 47, fortgesetzt"))->isVisible());
   EXPECT_EQ(button("Finish")->text(), QStringLiteral(" Finish"));
   EXPECT_LE(button("Finish")->geometry().right(), 960);
 }
@@ -114,7 +114,7 @@ TEST_F(DrillBarWidth, HoldsClockTagAndEveryButtonInHalfOfFullHd) {
 TEST_F(DrillBarWidth, ReadsNoHtmlInTheTitleThatItShowsWholeInItsTooltip) {
   show(720);
   const QString whole = QStringLiteral("<b>Klasse I</b>, Zahn 36, im ganzen Unterkiefer");
-  bar.set_exercise(whole, QStringLiteral("Prüfung, Kandidat 47, fortgesetzt"));
+  bar.set_exercise(whole, QStringLiteral("Prüfung, Kandidat/in 47, fortgesetzt"));
   ASSERT_NE(label(whole), nullptr);
   EXPECT_FALSE(label(whole)->toolTip().isEmpty());
   EXPECT_FALSE(label(whole)->toolTip().contains(u"<b>"));

@@ -86,7 +86,7 @@ struct LargeText : testing::Test {
     plan.scenario.time_limit_s = 1200;
     plan.kind = SessionKind::try_it;
     plan.guidance = guidance;
-    screen->begin(std::move(plan), {QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"), QStringLiteral("Prüfung, Kandidat 47, fortgesetzt")});
+    screen->begin(std::move(plan), {QStringLiteral("Klasse I, Zahn 36, im ganzen Unterkiefer"), QStringLiteral("Prüfung, Kandidat/in 47, fortgesetzt")});
     EXPECT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kOpensWithinMs));
     if (guidance == Guidance::full) {
       EXPECT_TRUE(QTest::qWaitFor([&] { return coach_of(*screen) != nullptr; }, kOpensWithinMs));
