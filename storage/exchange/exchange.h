@@ -41,7 +41,7 @@ struct ReadIn {
 };
 
 /// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema,
-/// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: the key is not the office's);
+/// unknown_key, revoked_key, put_back, differs; not_allowed (where = own_file, office_file: what only the office's file may bring);
 /// duplicate (where = number that somebody else has here); last_administrator.
 Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
 
@@ -55,7 +55,7 @@ struct ExchangeLook {
 };
 
 /// Changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema, differs, and not_allowed
-/// (where = own_file).
+/// (where = own_file, office_file).
 Stored<ExchangeLook> look_into(StorageContext& context, const Actor& actor, const std::filesystem::path& file);
 
 /// A file that was read in: whose, its number, and when.

@@ -84,6 +84,20 @@ constexpr std::string_view kSelectForeign =
     "OR s.type = 'table' AND (s.rootpage = 0 OR EXISTS (SELECT cid, name, type, pk, hidden FROM pragma_table_xinfo(s.name, 'source') "
     "EXCEPT SELECT cid, name, type, pk, hidden FROM pragma_table_xinfo(s.name, 'main')))) LIMIT 1";
 
+/// Rows of a file that an office alone may send: what a results file names without reference, members, start codes, withdrawals.
+constexpr std::string_view kSelectOfficeRow =
+    "SELECT 1 FROM (SELECT id FROM people UNION ALL SELECT id FROM scenario_versions UNION ALL SELECT id FROM assignments) "
+    "WHERE id NOT IN (SELECT id FROM referred) UNION ALL SELECT 1 FROM cohort_students UNION ALL SELECT 1 FROM assessments "
+    "UNION ALL SELECT 1 FROM version_withdrawals UNION ALL SELECT 1 FROM assignment_withdrawals LIMIT 1";
+
+Stored<void> check_kind(Database& file, ExchangeKind kind) {
+  if (kind == ExchangeKind::office) return {};
+  const auto of_office = file.first(kSelectOfficeRow, [](Row) { return true; });
+  if (!of_office) return std::unexpected(of_office.error());
+  if (*of_office) return fail(StorageError::not_allowed, "office_file");
+  return {};
+}
+
 }  // namespace
 
 std::string_view key_of(ExchangeKind kind) noexcept { return kExchangeKinds[static_cast<std::size_t>(kind)]; }
@@ -164,6 +178,7 @@ Stored<void> check_content(Database& file, const ExchangeDescription& descriptio
   if (!tables) return std::unexpected(tables.error());
   const auto same = [](const PackFile& a, const PackFile& b) { return a.name == b.name && a.hash == b.hash; };
   if (!damage->empty() || !std::ranges::equal(*tables, description.tables, same)) return std::unexpected(no_exchange(file));
+  if (auto good = check_kind(file, description.kind); !good) return good;
   const auto blobs = file.all("SELECT hash, packed FROM blobs", [](Row row) {
     const auto bytes = unpack(row.bytes(1));
     return bytes && blake2b_256(*bytes) == row.hash(0);

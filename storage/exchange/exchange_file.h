@@ -60,7 +60,8 @@ StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::pa
 Stored<void> check_schema(Database& records, const std::filesystem::path& file);
 /// Name and content of each table but the description's, by name. not_exchange for a file with views or triggers.
 Stored<std::vector<PackFile>> table_hashes(Database& file);
-/// Structure, every table against the signed list, every blob, every statement. Failures: not_exchange, differs.
+/// Structure, every table against the signed list, every blob, every statement. Failures: not_exchange, differs; not_allowed (where =
+/// office_file) for a results file that brings more than it refers to.
 Stored<void> check_content(Database& file, const ExchangeDescription& description);
 
 }  // namespace cusp::storage

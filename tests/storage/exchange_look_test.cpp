@@ -97,6 +97,23 @@ TEST_F(LookTest, a_table_column_or_index_that_the_records_lack_is_refused_though
   must(read_in(office->context(), chief, results()));
 }
 
+TEST_F(LookTest, a_results_file_brings_no_account_version_or_withdrawal_though_it_is_signed) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  for (const char* sql : {"DELETE FROM referred WHERE id IN (SELECT id FROM people)", "DELETE FROM referred WHERE id IN (SELECT id FROM scenario_versions)",
+                          "INSERT INTO version_withdrawals SELECT id, author, published_at, 1 FROM scenario_versions"}) {
+    const fs::path file = results();
+    sign_after(sql, file, station->context());
+    const auto look = look_into(office->context(), chief, file);
+    const auto read = read_in(office->context(), chief, file);
+    ASSERT_EQ(code_of(look), StorageError::not_allowed) << sql;
+    ASSERT_EQ(code_of(read), StorageError::not_allowed) << sql;
+    EXPECT_EQ(read.error().where, "office_file");
+  }
+  EXPECT_FALSE(office->accounts.find_number("2"));
+  must(read_in(office->context(), chief, results()));
+}
+
 TEST_F(LookTest, a_number_that_leaves_none_for_this_station_is_refused) {
   must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
   complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
