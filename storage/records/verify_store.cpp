@@ -68,7 +68,7 @@ class StoreVerifier {
     return {};
   }
 
-  /// The schema has no trigger and no view: either would change what the program writes or reads.
+  /// The schema has no trigger and no view: either would change what another program writes or reads.
   void check_schema() {
     const auto names = db_.all("SELECT name FROM sqlite_schema WHERE type IN ('trigger', 'view')",
                                [](Row row) { return row.text(0); });

@@ -9,7 +9,11 @@
 namespace cusp::storage {
 Database::Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions::Access access) noexcept
     : handle_{handle}, file_{std::move(file)}, read_only_{access == DatabaseOptions::Access::read_only} {
-  if (handle_ != nullptr) add_pack_attempts(handle_);
+  if (handle_ == nullptr) return;
+  add_pack_attempts(handle_);
+  // Whoever wrote the file chose what they run; the program has none. Those of the connection itself (TEMP) stay.
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
 }
 Database::~Database() { sqlite3_close_v2(handle_); }
 Database::Database(Database&& other) noexcept

@@ -111,7 +111,8 @@ class Database {
   Stored<std::string> integrity_check();
 
  private:
-  /// Makes the program's SQL functions known to the connection. Pre: a handle of sqlite3_open_v2().
+  /// Makes the program's SQL functions known to the connection, and its file's triggers and views dead. Pre: a handle of
+  /// sqlite3_open_v2().
   Database(sqlite3* handle, std::filesystem::path file, DatabaseOptions::Access access) noexcept;
   /// Opens the file and checks its header. Runs no statement.
   static Stored<Database> connect(const std::filesystem::path& file, int flags, const DatabaseOptions& options);

@@ -62,6 +62,17 @@ TEST(Opening, every_table_is_strict) {
   EXPECT_TRUE(not_strict.empty()) << not_strict.front();
 }
 
+TEST(Opening, a_trigger_or_view_of_a_file_is_not_run) {
+  const Folder folder;
+  const auto name = [](Row row) { return row.text(0); };
+  auto db = must(Database::open(folder / "a.db"));
+  must(db.run("CREATE TRIGGER more AFTER INSERT ON cohorts BEGIN UPDATE cohorts SET name = 'other'; END"));
+  must(db.run("CREATE VIEW names AS SELECT name FROM cohorts"));
+  must(db.run("INSERT INTO cohorts VALUES (?1, 'Year 2', 1)", Uuid::v7()));
+  EXPECT_EQ(must(db.first("SELECT name FROM cohorts", name)), std::optional<std::string>("Year 2"));
+  EXPECT_FALSE(db.first("SELECT name FROM names", name));
+}
+
 TEST(Opening, what_was_written_is_there_again) {
   const Folder folder;
   SessionId session;
