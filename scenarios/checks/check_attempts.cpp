@@ -3,12 +3,10 @@
 #include <string>
 #include <utility>
 
-#include "engine/volume/fragments.h"
 #include "scenarios/checks/checks.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
-#include "scenarios/teeth/own_tissues.h"
 
 namespace cusp::scenarios {
 namespace {
@@ -18,8 +16,6 @@ constexpr double kTokenShare = 0.05;
 constexpr double kMostTokenPoints = 5.0;
 /// Points: rounding of a sum, not a merit.
 constexpr double kNoPoints = 1e-9;
-/// A smaller part of a neighbour is a chip of its enamel [M]: the part in a specimen has some 100 mm3.
-constexpr double kChipMm3 = 1.0;
 /// Duration of the idle attempt: time counts, force does not.
 constexpr std::uint64_t kIdleUs = 10'000'000;
 
@@ -94,30 +90,12 @@ Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& 
 /// Of the way, not of the tooth: an attempt that is not played has none.
 bool is_of_process(std::string_view metric) { return metric == "time" || metric.starts_with("force_") || needs_heat(metric); }
 
-/// Of neighbours, which the target alone held: they fall off once it is gone, mm3.
-double severed_neighbours_mm3(const Volume& volume) {
-  const std::vector<std::int32_t> changed(volume.cut_bricks().begin(), volume.cut_bricks().end());
-  std::size_t voxels = 0;
-  for (const std::uint32_t name : find_severed_fragments(volume, changed)) {
-    FragmentRemoval fragment;
-    fragment.receive(volume, static_cast<std::uint16_t>(name >> 15 | 0x8000u));
-    fragment.receive(volume, static_cast<std::uint16_t>(name & 0x7fffu));
-    for (const FragmentRemoval::Entry& entry : fragment.entries())
-      for (int o = 0; o < kBrickVoxels; ++o)
-        voxels += entry.voxels.has(o) && is_neighbour(volume.specimen().tissue_in(entry.brick, o)) ? 1 : 0;
-  }
-  return static_cast<double>(voxels) * std::pow(volume.grid().voxel_mm, 3);
-}
-
 /// The tooth without the whole target: criteria that not even this lets be measured drop out of every grade.
 std::vector<Finding> check_finished(const Scenario& scenario, const Reference& reference, const std::shared_ptr<const Specimen>& specimen,
                                     const Process& process) {
   constexpr double kAll = 1e9;
-  const Volume finished = without_target(reference, specimen, {false, {}}, kAll);
-  const auto measures = measure(reference, finished, process);
+  const auto measures = measure(reference, without_target(reference, specimen, {false, {}}, kAll), process);
   std::vector<Finding> out;
-  const double falls = scenario.specimen.generator == "tooth" ? severed_neighbours_mm3(finished) : 0.0;
-  if (falls > kChipMm3) out.push_back({Severity::error, "/specimen/around", "neighbour_falls", {{"value", falls}}, {}});
   for (std::size_t i = 0; i < scenario.rubric.criteria.size(); ++i) {
     const std::string& metric = scenario.rubric.criteria[i].metric;
     const auto found = std::ranges::find(measures, metric, &Measure::metric);

@@ -39,7 +39,6 @@ QString reason_of_checks(const Finding& f) {
   if (c == "token_passes") return CliText::tr("an attempt that cuts a twentieth of the target passes");
   if (c == "token_earns") return CliText::tr("an attempt that cuts a twentieth of the target earns points");
   if (c == "criterion_unmeasured") return CliText::tr("%1 cannot be measured on this specimen with this target").arg(text(f.detail));
-  if (c == "neighbour_falls") return CliText::tr("once the target is cut, a neighbouring tooth falls off: gingiva or bone would hold it");
   if (c == "text_of_template") return CliText::tr("the text is still that of the exercise it was copied from (%1)").arg(text(f.detail));
   if (c == "text_other_tooth") return CliText::tr("the title names another tooth (%1)").arg(text(f.detail));
   if (c == "text_figure") return CliText::tr("the text names a length that the target has not (%1)").arg(text(f.detail));

@@ -91,7 +91,6 @@ QString exercise_message(const Finding& f, const Region* whole, double value, do
     return CheckText::tr("%1 cannot be measured on this tooth with this target, so nobody would be graded by it. Remove it, or change tooth or target.")
         .arg(metric_name(f.detail, whole));
   }
-  if (c == u"neighbour_falls") return CheckText::tr("Once the target is cut, a neighbouring tooth falls off. Let gums or bone hold it.");
   if (c == u"weight_vanishes") {
     return CheckText::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail, whole));
   }

@@ -12,7 +12,7 @@ namespace cusp::ui {
 namespace {
 
 /// What the exercise lacks on every tooth is no reason to refuse one.
-bool is_refused(const Finding& f) { return f.severity == Severity::error && f.code != "criterion_unmeasured" && f.code != "neighbour_falls"; }
+bool is_refused(const Finding& f) { return f.severity == Severity::error && f.code != "criterion_unmeasured"; }
 
 }  // namespace
 

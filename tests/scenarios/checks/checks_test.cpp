@@ -199,14 +199,6 @@ TEST(Attempts, ACriterionThatTheFinishedTargetDoesNotHaveIsAnError) {
   EXPECT_THAT(u.attempts(), IsEmpty());
 }
 
-TEST(Attempts, ANeighbourThatNothingButTheTargetHoldsIsAnError) {
-  Scenario s = load_builtin("class-2-46-mo").value();
-  s.specimen.voxel_mm = 0.2;
-  EXPECT_THAT(codes(check_attempts(s, grown(s))), IsEmpty());
-  std::erase(s.specimen.around, "gingiva");
-  EXPECT_THAT(codes(check_attempts(s, grown(s))), Contains("error /specimen/around neighbour_falls"));
-}
-
 TEST(Attempts, OfAFilledReadingAreGradedToo) {
   Scenario s = load_builtin("paper-block").value();
   const auto block = grown(s);
