@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -31,14 +32,13 @@ double round_step(double span, int parts) {
   return 10 * power;
 }
 
-/// Oldest first, graded only.
+/// Graded only, oldest first; the sequence orders attempts of one time, as in History::list().
 std::vector<HistoryRow> in_order(const std::vector<HistoryRow>& attempts) {
   std::vector<HistoryRow> graded;
   for (const HistoryRow& attempt : attempts) {
     if (attempt.score) graded.push_back(attempt);
   }
-  std::sort(graded.begin(), graded.end(),
-            [](const HistoryRow& a, const HistoryRow& b) { return a.started_utc_us < b.started_utc_us; });
+  std::ranges::stable_sort(graded, {}, [](const HistoryRow& row) { return std::tuple(row.started_utc_us, row.sequence); });
   return graded;
 }
 

@@ -172,6 +172,25 @@ TEST(HistoryCharts, the_newest_attempt_is_the_strong_point_and_the_axes_hold_eve
   EXPECT_EQ(score_by_attempt(*rows).series[0].points.last().x, 3.0);
 }
 
+TEST(HistoryCharts, attempts_of_one_time_stand_in_the_order_in_which_they_began) {
+  // As History::list() gives them, the newest first: on one station at a time that a clock set back has twice.
+  HistoryRow first, second;
+  first.started_utc_us = second.started_utc_us = 1'790'000'000'000'000;
+  first.sequence = 7;
+  first.attempt = 1;
+  first.score = 54;
+  second.sequence = 9;
+  second.attempt = 2;
+  second.score = 78;
+  for (const ChartData& chart : {time_and_score({second, first}), score_by_attempt({second, first})}) {
+    ASSERT_EQ(chart.series[0].points.size(), 2);
+    EXPECT_DOUBLE_EQ(chart.series[0].points[0].y, 54);
+    EXPECT_DOUBLE_EQ(chart.series[0].points[1].y, 78);
+    EXPECT_TRUE(chart.series[0].points[1].strong);
+    EXPECT_TRUE(chart.summary.contains(QStringLiteral("78"))) << chart.summary.toStdString();
+  }
+}
+
 TEST(HistoryCharts, an_attempt_stands_above_the_number_that_the_table_gives_it) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
