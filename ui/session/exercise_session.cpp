@@ -84,6 +84,13 @@ struct ExerciseSession::Inner {
 
   HapticLoop& loop() const { return driven->loop; }
 
+  /// By the loop's own clock: on a slow machine the mirror lags behind it, and the follower hears of the limit too late.
+  bool time_is_up(const LoopLatest& latest) const {
+    const double limit_us = setup.time_limit_s * 1e6;
+    if (limit_us > 0 && static_cast<double>(latest.output.elapsed_us) >= limit_us) return true;
+    return follower->time_is_up();
+  }
+
   /// Loop, then mirror: every input of the loop is worked through. A driver that stands still gives none.
   void stop() {
     if (stopped) return;
@@ -144,7 +151,7 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
 void ExerciseSession::pause() { inner_->loop().pause(); }
 
 void ExerciseSession::resume() {
-  if (inner_->follower->time_is_up()) return;
+  if (inner_->time_is_up(inner_->loop().hand_over().latest.read())) return;
   if (inner_->recorder && inner_->recorder->state() == RecordingState::failed) inner_->recorder->retry();
   inner_->loop().resume();
 }
@@ -222,7 +229,8 @@ LiveView ExerciseSession::view() const {
   const FollowedView followed = in.follower->view();
   const LiveReading& scores = followed.scores;
   const auto over = [&scores](Place place) { return scores.overcut_mm3[static_cast<std::size_t>(place)]; };
-  view.time_is_up = in.follower->time_is_up();
+  view.time_is_up = in.time_is_up(latest);
+  if (view.time_is_up && view.phase == LoopPhase::running) in.loop().pause();
   view.shown_tick = followed.tick;
   view.target_removed_percent = scores.target_measured ? scores.target_removed : 0.0;
   if (scores.target_measured) view.removed_of_percent = scores.removed_of;

@@ -7,6 +7,7 @@
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
+#include "tests/ui/session/gate.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 
@@ -25,6 +26,14 @@ class Counter final : public Observer {
     cut_bricks = state.volume().cut_bricks().size();
   }
   std::atomic<std::size_t> firsts{0}, lasts{0}, cut_bricks{0};
+};
+
+/// The mirror works through no input until the gate opens.
+class Lagging final : public Observer {
+ public:
+  void on_tick(const StepInput&, const StepState&) override { gate.pass(); }
+  void on_state(const StepState&, const StateNews&) override {}
+  Gate gate;
 };
 
 /// Its driver does not come back while `stuck`.
@@ -100,6 +109,32 @@ TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
   ASSERT_TRUE(result);
   EXPECT_EQ(result->seconds, at);
   EXPECT_FALSE(result->interrupted);
+  const auto events = work.store()->sessions.events(result->session);
+  ASSERT_TRUE(events);
+  EXPECT_TRUE(std::ranges::any_of(*events, [](const SessionEvent& e) { return e.reason == "time_limit"; }));
+}
+
+TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAlsoWhereItsMirrorLags) {
+  const Workplace work;
+  Lagging mirror;
+  SessionPlan plan = work.plan();
+  plan.scenario.time_limit_s = 0.5;
+  plan.observers = {&mirror};
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
+  auto session = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(session);
+  EXPECT_TRUE(eventually([&] { return (*session)->view().time_is_up && (*session)->view().phase == LoopPhase::paused; }));
+  EXPECT_FALSE(mirror.gate.gave_up()) << "the loop's own clock decides";
+  const double at = (*session)->view().seconds;
+  const auto written = port.writes();
+  (*session)->resume();
+  EXPECT_TRUE(eventually([&] { return port.writes() > written + 30; }));
+  EXPECT_EQ((*session)->view().phase, LoopPhase::paused);
+  EXPECT_EQ((*session)->view().shown_tick, 0u) << "the mirror has worked through nothing yet";
+  mirror.gate.open();
+  const auto result = (*session)->finish();
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->seconds, at);
   const auto events = work.store()->sessions.events(result->session);
   ASSERT_TRUE(events);
   EXPECT_TRUE(std::ranges::any_of(*events, [](const SessionEvent& e) { return e.reason == "time_limit"; }));
