@@ -216,6 +216,9 @@ QVector<NavEntry> Desktop::entries() {
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);
                connect(page, &StartPage::assessment_wanted, this, &Desktop::sit);
+               connect(page, &StartPage::assessment_opened, this, [this] {
+                 if (shell_ && this->page() == shell_) shell_->show_again();  // else back() does
+               });
                connect(page, &StartPage::report_wanted, this, &Desktop::open_report);
                return page;
              }};

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +33,7 @@ constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px 
 constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // of the page without the side; the text needs the rest
 constexpr int kAdviceShown = 2;
 constexpr int kShortText = 120;  // characters: about two lines beside the picture
+constexpr std::int64_t kLongestWaitMs = 86'400'000;  // a day: no page stands longer
 
 /// A wrapping value takes the rest of the line and wraps below.
 enum class Value { one_line, wraps };
@@ -102,6 +104,16 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     break;
   }
   if (first != nullptr) setFocusProxy(first);
+  wait_for_opening(now);
+}
+
+void StartPage::wait_for_opening(const QDateTime& now) {
+  std::int64_t wait_ms = kLongestWaitMs;
+  for (const AssignedAssessment& a : assessments_) {
+    if (a.state != AssignedAssessment::State::later) continue;
+    wait_ms = std::min<std::int64_t>(wait_ms, (*a.assignment.opens_utc_us + 999) / 1000 - now.toMSecsSinceEpoch());
+  }
+  if (wait_ms < kLongestWaitMs) QTimer::singleShot(std::chrono::milliseconds(wait_ms), Qt::PreciseTimer, this, &StartPage::assessment_opened);
 }
 
 QWidget* StartPage::make_main(const Account& account) {

@@ -33,6 +33,8 @@ class StartPage : public QWidget {
 
  Q_SIGNALS:
   void assessment_wanted(const AssignedAssessment& assessment);
+  /// One that opened later than the page was made opens now: a page made anew offers its start.
+  void assessment_opened();
   void start_wanted(const Exercise& exercise);
   void briefing_wanted(const Exercise& exercise);
   void report_wanted(const SessionId& session);
@@ -47,6 +49,7 @@ class StartPage : public QWidget {
  private:
   QWidget* make_main(const Account& account);
   void make_assessments(QBoxLayout& column, const Account& account);
+  void wait_for_opening(const QDateTime& now);
   /// An assessment can be started now.
   bool assessed() const {
     return std::ranges::any_of(assessments_, [](const auto& a) { return a.state == AssignedAssessment::State::open; });

@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "scenarios/format/content_hash.h"
@@ -91,6 +92,28 @@ TEST_F(StartPageCards, an_attempt_that_broke_off_after_an_hour_has_its_hours) {
   row.kind = SessionKind::assessment;
   const InterruptedCard assessment(records.store(), row, InterruptedWay::resume, "pointer", ButtonKind::primary);
   EXPECT_TRUE(plain(texts_of(assessment)).contains(QStringLiteral("It broke off after 1:01:40 h. All of it is kept."))) << texts_of(assessment).toStdString();
+}
+
+TEST_F(StartPageCards, a_page_says_when_an_assessment_opens_and_one_made_then_offers_its_start) {
+  const std::int64_t opens_ms = now.toMSecsSinceEpoch();
+  const auto later = records.store().assignments.create(
+      examiner, {.version = exam.version, .cohort = exam.cohort, .kind = SessionKind::assessment, .opens_utc_us = opens_ms * 1000}, "4712");
+  ASSERT_TRUE(later);
+  now = QDateTime::fromMSecsSinceEpoch(opens_ms - 20);
+  page();
+  const auto starts = [&] {
+    int buttons = 0;
+    for (const AssessmentCard* card : shown->findChildren<AssessmentCard*>()) buttons += card->start_button() != nullptr ? 1 : 0;
+    return buttons;
+  };
+  EXPECT_EQ(starts(), 1) << "the other one is open";
+  QSignalSpy opened(shown.get(), &StartPage::assessment_opened);
+  ASSERT_TRUE(opened.wait());
+  now = QDateTime::fromMSecsSinceEpoch(opens_ms);
+  page();
+  EXPECT_EQ(starts(), 2);
+  QSignalSpy again(shown.get(), &StartPage::assessment_opened);
+  EXPECT_FALSE(again.wait(50)) << "once";
 }
 
 TEST_F(StartPageCards, an_interrupted_assessment_stands_above_a_newer_interrupted_practice) {
