@@ -21,7 +21,8 @@ QString kind_of(const SpecimenSource& specimen) {
 
 QString standing_text(const CourseRow& row) {
   if (row.best && row.best->score) return CourseModel::tr("%1 of 100").arg(format_points(*row.best->score));
-  if (row.due_utc_us && !row.over) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us)));
+  // The last day on which it is open: midnight, shown without its time, would read as a further day.
+  if (row.due_utc_us && !row.over) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us - 1)));
   return row.attempts > 0 ? CourseModel::tr("no result yet") : CourseModel::tr("not tried yet");
 }
 
@@ -179,7 +180,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   switch (index.column()) {
     case kExercise: return local(r.exercise.scenario.title);
     case kKind: return kind_of(r.exercise.scenario.specimen);
-    case kDue: return r.due_utc_us ? format_day(local_time(*r.due_utc_us)) : tr("always open");
+    case kDue: return r.due_utc_us ? format_day_time(local_time(*r.due_utc_us)) : tr("always open");
     case kAttempts:
       return r.attempts_allowed ? tr("%1 of %2").arg(r.attempts_counted).arg(*r.attempts_allowed) : format_number(r.attempts, 0);
     case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");

@@ -194,7 +194,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->setContentsMargins(px(24), px(16), px(24), px(16));
   text->setSpacing(px(4));
   line->addLayout(text, 1);
-  const QString due = row.due_utc_us && !row.over ? tr("Next, due %1").arg(format_day(local_time(*row.due_utc_us))) : tr("Next");
+  const QString due = row.due_utc_us && !row.over ? tr("Next, due %1").arg(format_day_time(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
   QLabel* what = make_label(first_sentence(briefing_text(s)), TextRole::body, Weight::regular, "text2");

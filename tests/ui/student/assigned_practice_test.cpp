@@ -9,6 +9,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/course.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::test {
 namespace {
@@ -64,6 +65,14 @@ TEST_F(AssignedPractice, ThatIsOverAndWasNeverTriedIsNoLongerDue) {
   EXPECT_TRUE(text_of(0, CourseModel::StandingRole).startsWith(QStringLiteral("Due ")));
   records.now_us = kMorning + 2 * kHourUs;
   EXPECT_EQ(text_of(0, CourseModel::StandingRole), QStringLiteral("not tried yet"));
+}
+
+TEST_F(AssignedPractice, DueAtMidnightIsShownWithItsTimeOrOnTheDayThatEndsThen) {
+  const QDateTime midnight = local_time(kMorning).date().addDays(1).startOfDay();
+  const std::int64_t due_us = midnight.toMSecsSinceEpoch() * 1000;
+  assign({.version = delivered(), .due_utc_us = due_us});
+  EXPECT_EQ(text_of(CourseModel::kDue), format_day_time(midnight));
+  EXPECT_EQ(text_of(0, CourseModel::StandingRole), QStringLiteral("Due %1").arg(format_day(midnight.addSecs(-1))));
 }
 
 TEST_F(AssignedPractice, WithoutAttemptsLeftGivesWayToTheNextOne) {
