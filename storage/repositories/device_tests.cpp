@@ -36,7 +36,7 @@ Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_v
                                                        std::int64_t now_utc_us) {
   return db.first(
       "SELECT at, actor, detail FROM audit_log INDEXED BY audit_by_action WHERE action = 'device_tested' AND action <> 'session_sealed' "
-      "AND substr(detail, 1, length(?1) + 1) = ?1 || ' ' AND at <= ?2 ORDER BY at DESC LIMIT 1",
+      "AND substr(detail, 1, length(?1) + 1) = ?1 || ' ' AND at <= ?2 ORDER BY number DESC LIMIT 1",
       test_in, device_class, now_utc_us);
 }
 

@@ -21,8 +21,8 @@ struct DeviceTest {
   std::int64_t at_utc_us = 0;
 };
 
-/// The newest test of the device class on this station; none before the first. Reads one row by an index. A test that a wrong clock
-/// dated after `now_utc_us` says nothing of today: it is passed over.
+/// The newest test of the device class on this station, by its number in the log; none before the first. Reads the tests by an index.
+/// A test that a wrong clock dated after `now_utc_us` says nothing of today: it is passed over.
 Stored<std::optional<DeviceTest>> newest_device_test(Database& db, std::string_view device_class, std::int64_t now_utc_us);
 
 /// Whether `test` passed at most `days` days before `now_utc_us`, and not after it.
