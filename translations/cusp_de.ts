@@ -1813,10 +1813,6 @@
         <translation>%1 lässt sich an diesem Zahn mit diesem Ziel nicht messen; niemand würde danach bewertet. Entfernen Sie es, oder ändern Sie Zahn oder Ziel.</translation>
     </message>
     <message>
-        <source>Once the target is cut, a neighbouring tooth falls off. Let gums or bone hold it.</source>
-        <translation>Ist das Ziel präpariert, fällt ein Nachbarzahn ab. Lassen Sie Zahnfleisch oder Knochen ihn halten.</translation>
-    </message>
-    <message>
         <source>%1 stands twice among what fails the attempt. Switch it off and on again.</source>
         <translation>%1 steht zweimal bei dem, was den Versuch scheitern lässt. Schalten Sie es aus und wieder ein.</translation>
     </message>
@@ -3143,10 +3139,6 @@
     <message>
         <source>%1 cannot be measured on this specimen with this target</source>
         <translation>%1 lässt sich an diesem Präparat mit diesem Ziel nicht messen</translation>
-    </message>
-    <message>
-        <source>once the target is cut, a neighbouring tooth falls off: gingiva or bone would hold it</source>
-        <translation>ist das Ziel präpariert, fällt ein Nachbarzahn ab: Gingiva oder Knochen hielten ihn</translation>
     </message>
     <message>
         <source>%1 is named twice among what fails the attempt</source>
