@@ -1,6 +1,5 @@
 #include "ui/text/incident_text.h"
 
-#include "storage/base/clock.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
@@ -48,7 +47,7 @@ QString finding_text(const ChainFinding& f) {
   QString where = f.row >= 0 ? Text::tr("%1, row %2").arg(QString::fromStdString(f.table)).arg(f.row) : QString::fromStdString(f.table);
   if (!f.what.empty()) where += QStringLiteral(", ") + QString::fromStdString(f.what);
   QString when = f.second >= 0 ? Text::tr(", second %1 of the session").arg(f.second) : QString();
-  if (f.at_utc_us > 0) when += Text::tr(", in the audit log since %1").arg(QString::fromStdString(iso_utc(f.at_utc_us)));
+  if (f.at_utc_us > 0) when += Text::tr(", in the audit log since %1").arg(format_date_time_zone(local_time(f.at_utc_us)));
   switch (f.code) {
     case FindingCode::row_changed: return Text::tr("The record was changed: %1%2.").arg(where, when);
     case FindingCode::row_missing: return Text::tr("A part of the record is missing: %1%2.").arg(where, when);

@@ -14,9 +14,11 @@
 #include "tests/ui/desk_records.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
+#include "ui/text/incident_text.h"
 #include "ui/text/names.h"
 #include "ui/text/plain.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::test {
 namespace {
@@ -55,6 +57,14 @@ TEST(Sentences, an_operator_with_one_fault_is_named_with_the_fault_and_its_size)
   EXPECT_EQ(names.size(), 3 * single_faults().size());
   EXPECT_TRUE(operator_name("too_deep:large").startsWith(QStringLiteral("Reference operator with one fault: too deep, ")));
   EXPECT_EQ(operator_name("somebody").toStdString(), "somebody");
+}
+
+TEST(Sentences, what_is_wrong_with_a_record_names_the_time_as_the_audit_log_shows_it) {
+  const QDateTime when(QDate(2026, 7, 20), QTime(10, 14));
+  const ChainFinding finding{.table = "people", .at_utc_us = when.toMSecsSinceEpoch() * 1000};
+  const QString text = finding_text(finding);
+  EXPECT_TRUE(text.contains(QStringLiteral("in the audit log since ") + format_date_time_zone(when))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("10:14"))) << text.toStdString();
 }
 
 TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
