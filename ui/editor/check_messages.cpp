@@ -212,7 +212,7 @@ QString check_message(const Finding& f, const Region* whole) {
                               : CheckText::tr("The briefing is missing in %1.").arg(language_of(f));
   }
   if (c == u"expected_beyond_limit")
-    return CheckText::tr("The expected time, %1, is longer than the time limit, %2.").arg(format_clock(value), format_clock(limit));
+    return CheckText::tr("The expected time, %1, is longer than the time limit, %2.").arg(duration_text(value), duration_text(limit));
   if (c == u"tooth_turned") {
     return CheckText::tr("The tooth lies %1 degrees off its frame. Beyond %2 nobody knows its mesial side: turn the file.")
         .arg(format_number(value, 0), format_number(limit, 0));

@@ -11,6 +11,7 @@
 #include "ui/editor/editor_model.h"
 #include "ui/editor/tissues_form.h"
 #include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::test {
@@ -37,6 +38,11 @@ TEST(check_messages, every_code_of_the_checks_has_a_message) {
     EXPECT_FALSE(shown.startsWith(QStringLiteral("Something is wrong"))) << code;
     EXPECT_FALSE(shown.contains(u'%')) << shown.toStdString();
   }
+}
+
+TEST(check_messages, an_expected_time_beyond_the_limit_is_given_with_units) {
+  const QString shown = check_message({Severity::warning, "/expected_time_s", "expected_beyond_limit", {{"value", 3900}, {"limit", 1200}}, {}});
+  EXPECT_EQ(shown, QStringLiteral("The expected time, %1, is longer than the time limit, %2.").arg(duration_text(3900), duration_text(1200)));
 }
 
 TEST(check_messages, a_number_out_of_range_has_a_name_and_a_unit_as_people_write_it) {

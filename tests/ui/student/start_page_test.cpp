@@ -231,6 +231,14 @@ TEST_F(StartPageCards, an_assessment_that_is_not_handed_in_keeps_its_exercise_fr
   EXPECT_FALSE(refusal("channel-1"));
 }
 
+TEST_F(StartPageCards, a_briefing_gives_the_time_limit_as_a_duration) {
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  exercise.scenario.time_limit_s = 1200;
+  const Briefing briefing(exercise, pictures, {}, std::make_shared<ToothCache>(std::filesystem::path()));
+  EXPECT_TRUE(plain(texts_of(briefing)).contains(QStringLiteral("20:00 min at most"))) << "20:00 alone is an hour of the day";
+}
+
 TEST_F(StartPageCards, an_assessment_that_cannot_be_continued_here_is_the_invigilators_and_keeps_no_exercise) {
   const SessionId session = sit(kEngineVersion - 1);
   ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
