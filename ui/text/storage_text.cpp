@@ -76,7 +76,7 @@ std::optional<Message> describe_file(const StorageFailure& f) {
 Message describe_locked(const StorageFailure& f, const QString& what) {
   const qint64 until_us = QString::fromStdString(f.detail).toLongLong();
   if (until_us <= 0) return {what, Text::tr("Wait a little and try again.")};
-  const QDateTime until = local_time(until_us);
+  const QDateTime until = local_time(until_us + 999'999);  // the seconds shown are cut off, not rounded
   return {what, Text::tr("Signing in is open again at %1.").arg(installed_locale().toString(until.time(), u"HH:mm:ss"_qs))};
 }
 

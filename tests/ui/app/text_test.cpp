@@ -67,6 +67,15 @@ TEST(Sentences, what_is_wrong_with_a_record_names_the_time_as_the_audit_log_show
   EXPECT_TRUE(text.contains(QStringLiteral("10:14"))) << text.toStdString();
 }
 
+TEST(Sentences, a_lock_is_over_at_the_second_that_its_message_names) {
+  const QDateTime half_past(QDate(2026, 7, 20), QTime(10, 14, 30, 500));
+  const auto said = [](const QDateTime& until) {
+    return describe(StorageFailure{StorageError::locked, "sign_in", std::to_string(until.toMSecsSinceEpoch() * 1000)}).line();
+  };
+  EXPECT_TRUE(said(half_past).contains(QStringLiteral("10:14:31"))) << said(half_past).toStdString();
+  EXPECT_TRUE(said(half_past.addMSecs(-500)).contains(QStringLiteral("10:14:30")));
+}
+
 TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
   RealtimeGrant grant;
   grant.level = RealtimeLevel::rtkit;
