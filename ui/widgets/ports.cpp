@@ -23,6 +23,7 @@ void align_text(QMessageBox& box) {
   for (int i = 0; i < grid->count(); ++i)
     if (QSpacerItem* indent = grid->itemAt(i)->spacerItem()) indent->changeSize(0, 0, QSizePolicy::Fixed, QSizePolicy::Fixed);
   grid->setHorizontalSpacing(0);
+  grid->setColumnStretch(grid->columnCount() - 1, 1);  // the buttons may need more width than the text
   grid->invalidate();
 }
 
