@@ -32,6 +32,21 @@ struct TwoStations : ::testing::Test {
     must(give_out(station->context(), keeper, ExchangeKind::results, file));
     return file;
   }
+  std::filesystem::path office_file() {
+    const std::filesystem::path file = next_file();
+    must(give_out(office->context(), chief, ExchangeKind::office, file));
+    return file;
+  }
+  /// Reads a file in there.
+  ReadIn at_office(const std::filesystem::path& file) { return must(read_in(office->context(), chief, file)); }
+  ReadIn at_station(const std::filesystem::path& file) { return must(read_in(station->context(), keeper, file)); }
+  SessionId attempt(const Account& student, double score = 81.5) { return complete_session(*station, student, keep(*station), score); }
+  /// What verification finds; empty if all is whole.
+  static std::string whole(Store& store) {
+    std::string out;
+    for (const ChainFinding& f : must(verify_store(store.context())).findings) out += std::string(key_of(f.code)) + ' ' + f.table + ' ' + f.what + '\n';
+    return out;
+  }
 };
 
 }  // namespace cusp::test

@@ -5,15 +5,12 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineF>
-#include <QPrintDialog>
-#include <QPrinter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <algorithm>
 #include <filesystem>
 
 #include "scenarios/burs/bur_catalogue.h"
-#include "tests/file_limit.h"
 #include "tests/modules.h"
 #include "tests/ui/report/sample_report.h"
 #include "ui/text/grade_text.h"
@@ -372,54 +369,6 @@ TEST(ReportPage, suggests_a_file_name_that_is_no_path) {
   for (QPushButton* b : page.findChildren<QPushButton*>())
     if (b->accessibleName() == u"Save as PDF") b->click();
   EXPECT_EQ(name.toStdString(), "Class II, MO-DO 2026-11-20 10-14.pdf");
-}
-
-/// What the page says after its report was printed to a file.
-QString printed_to(ReportPage& page, const QString& file) {
-  for (QPushButton* b : page.findChildren<QPushButton*>())
-    if (b->accessibleName() == u"Print") b->click();
-  auto* dialog = page.findChild<QPrintDialog*>();
-  dialog->printer()->setOutputFormat(QPrinter::PdfFormat);
-  dialog->printer()->setOutputFileName(file);
-  Q_EMIT dialog->accepted(dialog->printer());
-  delete dialog;
-  QString all;
-  for (const QLabel* label : page.findChildren<QLabel*>()) all += label->isVisible() ? label->text() : QString();
-  return all;
-}
-
-TEST(ReportPage, reports_a_print_that_was_not_begun) {
-  const QTemporaryDir folder;
-  const Ports ports = Ports::of_the_system();
-  ReportPage page(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
-  page.show();
-  EXPECT_TRUE(printed_to(page, folder.filePath(QStringLiteral("missing/r.pdf"))).contains(QStringLiteral("The report was not printed.")));
-  EXPECT_FALSE(printed_to(page, folder.filePath(QStringLiteral("r.pdf"))).contains(QStringLiteral("The report was not printed.")));
-}
-
-TEST(ReportPage, reports_a_file_that_the_disk_does_not_take_whole_and_leaves_the_old_one) {
-  const QTemporaryDir folder;
-  const QString file = folder.filePath(QStringLiteral("r.pdf"));
-  Ports ports = Ports::of_the_system();
-  ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(file); };
-  ReportPage page(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
-  page.show();
-  printed_to(page, file);
-  const qint64 whole = QFile(file).size();
-  ASSERT_GT(whole, 4096);
-  const QString printed = with_files_up_to(4096, [&] { return printed_to(page, file); });
-  EXPECT_TRUE(printed.contains(QStringLiteral("The report was not printed."))) << printed.toStdString();
-  EXPECT_TRUE(printed.contains(QStringLiteral("r.pdf cannot be written: File too large."))) << printed.toStdString();
-  EXPECT_EQ(QFile(file).size(), whole);
-  with_files_up_to(4096, [&] {
-    for (QPushButton* b : page.findChildren<QPushButton*>())
-      if (b->accessibleName() == u"Save as PDF") b->click();
-    return 0;
-  });
-  QString saved;
-  for (const QLabel* label : page.findChildren<QLabel*>()) saved += label->isVisible() ? label->text() : QString();
-  EXPECT_TRUE(saved.contains(QStringLiteral("The report was not saved."))) << saved.toStdString();
-  EXPECT_TRUE(saved.contains(QStringLiteral("File too large"))) << saved.toStdString();
 }
 
 TEST(AgainstBefore, compares_shares_and_gives_the_points_gained) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
@@ -24,7 +23,6 @@
 #include "ui/student/exercise_cards.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/interrupted_card.h"
-#include "ui/student/own_history.h"
 #include "ui/student/start_page.h"
 #include "ui/widgets/table.h"
 
@@ -387,31 +385,6 @@ TEST_F(Pages, the_briefing_scrolls_as_a_whole_and_names_what_fails_the_attempt_o
   QTest::qWait(0);
   EXPECT_EQ(page.findChild<Table*>()->verticalScrollBar()->maximum(), 0);
   EXPECT_EQ(texts(page).count(QStringLiteral("Fails the attempt")), 1);
-}
-
-TEST_F(Pages, my_results_filters_by_exercise_and_opens_a_report) {
-  const Account lena = records.student("1", "Lena Brandt");
-  records.attempt(lena, "channel-1", 60, 300);
-  const SessionId block = records.attempt(lena, "paper-block", 70, 200);
-  OwnHistory page(records.store(), lena.actor());
-  page.show();
-  EXPECT_EQ(page.table()->model()->rowCount(), 2);
-  std::optional<SessionId> wanted;
-  QObject::connect(&page, &OwnHistory::report_wanted, [&](const SessionId& id) { wanted = id; });
-  QTest::keyClick(page.table(), Qt::Key_Return);
-  EXPECT_EQ(wanted, block);  // the newest first
-  page.exercise()->setCurrentIndex(2);
-  EXPECT_EQ(page.table()->model()->rowCount(), 1);
-}
-
-TEST_F(Pages, my_results_without_an_attempt_offers_the_exercises) {
-  const Account lena = records.student("1", "Lena Brandt");
-  OwnHistory page(records.store(), lena.actor());
-  page.show();
-  EXPECT_EQ(page.table(), nullptr);
-  QSignalSpy wanted(&page, &OwnHistory::exercises_wanted);
-  page.findChild<QPushButton*>()->click();
-  EXPECT_EQ(wanted.count(), 1);
 }
 
 }  // namespace

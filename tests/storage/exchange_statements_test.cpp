@@ -1,0 +1,64 @@
+/// Statements of two stations about one session.
+#include <gtest/gtest.h>
+
+#include "tests/storage/two_stations.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExchangeStatements : TwoStations {
+  Actor instructor = make_instructor(*office).actor();
+
+  void SetUp() override { trust_each_other(); }
+};
+
+TEST_F(ExchangeStatements, of_marks_that_two_stations_confirmed_the_later_one_counts_at_both_and_asks_for_a_confirmation_of_both) {
+  const SessionId session = attempt(make_student(*station, "2", "Omar"), 62);
+  const Actor examiner = make_instructor(*station, "haas").actor();
+  at_office(results());
+  for (int i = 0; i < 5; ++i) attempt(make_student(*station, "3" + std::to_string(i), "Noah"));  // its numbers run ahead of the office's
+  constexpr std::int64_t kHour_us = 3'600'000'000;
+  must(station->statements.override_points(examiner, session, "target_removed", 3, "Seen on the tooth."));
+  const SignedStatement early = must(station->statements.confirm(examiner, session));
+  office->context().clock = [] { return kNow + kHour_us; };
+  must(office->statements.override_points(instructor, session, "target_removed", 8, "Seen on the screen."));
+  const SignedStatement late = must(office->statements.confirm(instructor, session));
+  ASSERT_LT(late.sequence, early.sequence);
+  const fs::path there = results(), here = office_file();
+  at_office(there);
+  at_station(here);
+  const auto of = [&](Store& store, const Actor& reader) { return *must(store.history.details(reader, session)).grade; };
+  for (const EffectiveGrade& grade : {of(*office, chief), of(*station, keeper)}) {
+    EXPECT_EQ(grade.grade.criteria.front().points, 8);
+    EXPECT_FALSE(grade.confirmation) << "neither examiner saw the mark of the other";
+  }
+  EXPECT_EQ(must(station->statements.of(keeper, session)).back().id, late.id);
+  EXPECT_EQ(must(office->history.details(chief, session)).row.score, must(station->history.details(keeper, session)).row.score);
+  must(station->statements.confirm(examiner, session));
+  EXPECT_TRUE(of(*station, keeper).confirmation) << "its clock is an hour behind what it has read";
+  at_office(results());
+  EXPECT_TRUE(of(*office, chief).confirmation);
+  EXPECT_EQ(whole(*office), "");
+  EXPECT_EQ(whole(*station), "");
+}
+
+TEST_F(ExchangeStatements, a_statement_waits_for_its_session) {
+  const fs::path away = next_file();
+  const SessionId session = attempt(make_student(*station, "2", "Omar"));
+  at_office(results());
+  must(office->statements.comment(instructor, session, "Well done."));
+  const auto third = open(folder / "third.db");
+  const Actor other = make_administrator(*third, "third").actor();
+  must(trust(third->context(), other, key_of_station(*office), KeyRole::office));
+  must(trust(third->context(), other, key_of_station(*station), KeyRole::station));
+  const fs::path file = office_file();
+  EXPECT_EQ(must(read_in(third->context(), other, file)).waiting, 1u);
+  must(read_in(third->context(), other, results()));
+  EXPECT_EQ(must(read_in(third->context(), other, file)).counts.statements, 1u);
+  EXPECT_EQ(whole(*third), "");
+}
+
+}  // namespace
+}  // namespace cusp::test

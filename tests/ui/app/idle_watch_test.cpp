@@ -1,0 +1,51 @@
+// When nobody has used the station for a while.
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWidget>
+#include <chrono>
+
+#include "tests/modules.h"
+#include "ui/app/idle_watch.h"
+
+namespace cusp::test {
+namespace {
+
+TEST(IdleWatch, speaks_once_after_its_time_without_input_and_never_without_a_limit) {
+  IdleWatch watch;
+  QSignalSpy idle(&watch, &IdleWatch::idle);
+  watch.set_limit(std::chrono::milliseconds(40));
+  ASSERT_TRUE(idle.wait());
+  EXPECT_FALSE(idle.wait(120)) << "once";
+  QWidget somewhere;
+  QTest::keyClick(&somewhere, Qt::Key_A);
+  ASSERT_TRUE(idle.wait());
+  watch.set_limit(std::chrono::milliseconds(0));
+  QTest::keyClick(&somewhere, Qt::Key_A);
+  EXPECT_FALSE(idle.wait(120));
+  EXPECT_EQ(idle.count(), 2);
+}
+
+TEST(IdleWatch, speaks_after_the_computer_slept_and_the_input_that_woke_it_reaches_nobody) {
+  std::chrono::milliseconds now{0};
+  IdleWatch watch([&now] { return now; });
+  QSignalSpy idle(&watch, &IdleWatch::idle);
+  watch.set_limit(std::chrono::minutes(20));
+  QLineEdit field;
+  now += std::chrono::minutes(19);
+  QTest::keyClick(&field, Qt::Key_A);
+  EXPECT_EQ(field.text(), QStringLiteral("a"));
+  now += std::chrono::hours(8);  // of which the window's timers hear nothing
+  QTest::keyClick(&field, Qt::Key_B);
+  EXPECT_EQ(field.text(), QStringLiteral("a"));
+  ASSERT_TRUE(idle.count() == 1 || idle.wait());
+  QTest::keyClick(&field, Qt::Key_C);
+  EXPECT_EQ(field.text(), QStringLiteral("ac"));
+  EXPECT_EQ(idle.count(), 1);
+}
+
+}  // namespace
+}  // namespace cusp::test

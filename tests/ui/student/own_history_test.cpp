@@ -1,0 +1,49 @@
+// A student's own results.
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <optional>
+
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/student/own_history.h"
+#include "ui/widgets/table.h"
+
+namespace cusp::test {
+namespace {
+
+struct OwnResults : ::testing::Test {
+  DeskRecords records;
+};
+
+TEST_F(OwnResults, are_filtered_by_exercise_and_open_a_report) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 60, 300);
+  const SessionId block = records.attempt(lena, "paper-block", 70, 200);
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  EXPECT_EQ(page.table()->model()->rowCount(), 2);
+  std::optional<SessionId> wanted;
+  QObject::connect(&page, &OwnHistory::report_wanted, [&](const SessionId& id) { wanted = id; });
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(wanted, block);  // the newest first
+  page.exercise()->setCurrentIndex(2);
+  EXPECT_EQ(page.table()->model()->rowCount(), 1);
+}
+
+TEST_F(OwnResults, without_an_attempt_offer_the_exercises) {
+  const Account lena = records.student("1", "Lena Brandt");
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  EXPECT_EQ(page.table(), nullptr);
+  QSignalSpy wanted(&page, &OwnHistory::exercises_wanted);
+  page.findChild<QPushButton*>()->click();
+  EXPECT_EQ(wanted.count(), 1);
+}
+
+}  // namespace
+}  // namespace cusp::test
