@@ -172,7 +172,9 @@ void Briefing::add_facts(QVBoxLayout& text) {
   const auto fact = [&](const QString& name, const QString& value) {
     QLabel* label = make_label(value);
     label->setWordWrap(true);
-    facts->addRow(make_label(name, TextRole::body, Weight::regular, "text2"), label);
+    QLabel* head = make_label(name, TextRole::body, Weight::regular, "text2");
+    head->setAlignment(Qt::AlignLeading | Qt::AlignTop);  // beside the first line of several
+    facts->addRow(head, label);
   };
   if (s.level) fact(tr("Level"), level_name(*s.level));
   if (s.expected_time_s > 0) fact(tr("Expected time"), expected_time_text(s.expected_time_s));

@@ -385,6 +385,8 @@ TEST_F(Pages, the_briefing_scrolls_as_a_whole_and_names_what_fails_the_attempt_o
   QTest::qWait(0);
   EXPECT_EQ(page.findChild<Table*>()->verticalScrollBar()->maximum(), 0);
   EXPECT_EQ(texts(page).count(QStringLiteral("Fails the attempt")), 1);
+  for (const QLabel* label : page.findChildren<QLabel*>())
+    EXPECT_TRUE(label->text() != QStringLiteral("Fails the attempt") || label->alignment() & Qt::AlignTop);
 }
 
 }  // namespace
