@@ -163,10 +163,10 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   card->body()->addLayout(line);
   picture_ = new QLabel;
   picture_->setFixedWidth(px(kPictureWidth));
-  picture_->setMinimumHeight(px(226));
   picture_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);  // as high as the text beside it, whatever it shows
   picture_->installEventFilter(this);
   picture_->setAccessibleName(tr("The tooth with its target"));
+  line->addStrut(px(226));
   line->addWidget(picture_);
   auto* text = new QVBoxLayout;
   text->setContentsMargins(px(24), px(16), px(24), px(16));
