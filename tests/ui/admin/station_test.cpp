@@ -9,6 +9,7 @@
 #include <future>
 
 #include "tests/modules.h"
+#include "tests/refused_rows.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/looks.h"
 #include "tests/ui/whole_texts.h"
@@ -194,7 +195,7 @@ TEST_F(Station, SaysWhyARecordingWasNotThinned) {
   old_attempt();
   const auto shown = page();
   RecordingsCard& card = counted(*shown);
-  ASSERT_TRUE(records.store().database().run("CREATE TRIGGER refused BEFORE INSERT ON thinned_traces BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  ASSERT_TRUE(refuse_rows(records.store().database(), "thinned_traces"));
   thin(card);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !card.working() && !shown->message().isEmpty(); }, kPatienceMs));
   EXPECT_TRUE(shown->message().startsWith(QStringLiteral("No recording was thinned. "))) << shown->message().toStdString();

@@ -12,6 +12,7 @@
 #include "scenarios/library/library.h"
 #include "storage/sqlite/database.h"
 #include "tests/modules.h"
+#include "tests/refused_rows.h"
 #include "tests/ui/desk_records.h"
 #include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
@@ -148,7 +149,7 @@ TEST_F(Locking, puts_a_draft_that_cannot_be_saved_behind_the_lock_for_its_owner)
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
   // Refused as on a full disk, but at once.
-  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON scenario_drafts BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  ASSERT_TRUE(refuse_rows(*database, "scenario_drafts"));
   auto* dialog = new QDialog(editor);
   dialog->show();
   desktop->lock_idle();
@@ -170,7 +171,7 @@ TEST_F(Locking, puts_a_draft_that_cannot_be_saved_behind_the_lock_for_its_owner)
   desktop->sign_in(berg);
   ASSERT_EQ(desktop->page(), editor);
   EXPECT_EQ(editor->model().scenario().title.at("en"), "Fresh title");
-  ASSERT_TRUE(database->run("DROP TRIGGER refused"));
+  ASSERT_TRUE(take_rows(*database, "scenario_drafts"));
   desktop->lock_idle();
   EXPECT_FALSE(desktop->account());
   EXPECT_EQ(records.store().scenarios.drafts(berg.actor())->size(), 1u);
@@ -181,10 +182,10 @@ TEST_F(Locking, saves_a_draft_behind_the_lock_when_the_next_person_signs_in) {
   const Account lena = records.student("1", "Lena Brandt");
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
-  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON scenario_drafts BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  ASSERT_TRUE(refuse_rows(*database, "scenario_drafts"));
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
-  ASSERT_TRUE(database->run("DROP TRIGGER refused"));
+  ASSERT_TRUE(take_rows(*database, "scenario_drafts"));
   desktop->sign_in(lena);
   EXPECT_EQ(records.store().scenarios.drafts(berg.actor())->size(), 1u);
   EXPECT_EQ(desktop->findChild<EditorPage*>(), nullptr);

@@ -13,6 +13,7 @@
 
 #include "scenarios/library/library.h"
 #include "storage/sqlite/database.h"
+#include "tests/refused_rows.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/session/gate.h"
 #include "ui/drill/stop_card.h"
@@ -357,8 +358,8 @@ TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is
   QSignalSpy finished(screen.get(), &DrillScreen::finished), failed(screen.get(), &DrillScreen::failed);
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
-  // Every second is refused, as on a full disk, but at once.
-  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON trace_chunks BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  // From the third second on.
+  ASSERT_TRUE(refuse_rows(*database, "trace_chunks", "row <= 1"));
   ASSERT_TRUE(wait_for_card("then resume"));
   screen->ask_finish();
   answer(true);
@@ -367,7 +368,7 @@ TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is
     EXPECT_EQ(button(card(), "Resume"), nullptr) << "the session is stopped";
     EXPECT_EQ(button(card(), "Leave"), nullptr);
     if (tries == 1) {
-      ASSERT_TRUE(database->run("DROP TRIGGER refused"));
+      ASSERT_TRUE(take_rows(*database, "trace_chunks"));
     }
     ASSERT_NE(button(card(), "Try again"), nullptr);
     button(card(), "Try again")->click();
@@ -387,7 +388,7 @@ TEST_F(DrillEnd, leaving_an_attempt_whose_record_is_refused_names_what_goes) {
   begin_recorded(records);
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
-  ASSERT_TRUE(database->run("CREATE TRIGGER refused BEFORE INSERT ON trace_chunks BEGIN SELECT RAISE(FAIL, 'refused'); END"));
+  ASSERT_TRUE(refuse_rows(*database, "trace_chunks", "row <= 1"));
   ASSERT_TRUE(wait_for_card("then resume"));
   screen->ask_leave();
   EXPECT_TRUE(more.contains(QStringLiteral("without what cannot be written"))) << more.toStdString();
