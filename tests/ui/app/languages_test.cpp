@@ -213,6 +213,7 @@ TEST(Languages, no_text_on_any_page_was_forgotten) {
         if (const auto* button = qobject_cast<const QAbstractButton*>(w)) text = button->text();
         if (text.contains(QRegularExpression(QStringLiteral("[\\[\\]]"))) || text.contains(date) || text.contains(caps)) continue;
         if (text.startsWith(u"English") || text.startsWith(u"Deutsch")) continue;
+        text.replace(QChar(0x00A0), u' ');  // between a figure and its unit
         EXPECT_FALSE(translatable(text, own)) << page.toStdString() << ": " << text.toStdString();
       }
     };

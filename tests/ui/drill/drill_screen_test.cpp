@@ -113,7 +113,7 @@ TEST_F(Screen, without_guidance_the_task_is_shown_but_neither_depth_section_prog
   for (const QPushButton* b : screen->findChildren<QPushButton*>()) {
     EXPECT_FALSE(b->isVisible() && (b->text().contains(QStringLiteral("Target")) || b->text().contains(QStringLiteral("Cutaway"))));
   }
-  EXPECT_TRUE(reads(local(load_builtin("channel-1").value().briefing))) << "a candidate need not keep it in mind";
+  EXPECT_TRUE(reads(briefing_text(load_builtin("channel-1").value()))) << "a candidate need not keep it in mind";
   EXPECT_FALSE(shown(QStringLiteral("Section at the bur"))) << "it shows how deep the bur is, and where the pulp lies";
   QTest::keyClick(screen.get(), Qt::Key_3);
   EXPECT_FALSE(screen->view()->scene().cutaway.has_value());
