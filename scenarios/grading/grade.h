@@ -55,6 +55,7 @@ struct Grade {
                                           // 8: the margin counts by its length
                                           // 9: a ridge cut through, a region gone whole and a target left out cost their points
                                           // 10: a box far off its target is measured; over-cut beside a leaning wall is that wall's
+                                          // and an offset of a difference has its faces where they are cut
 };
 
 /// In points. Rounding moves a sum of criteria by less than 1e-12; people read tenths of a point. Test:
