@@ -1820,8 +1820,8 @@
 <context>
     <name>cusp::ui::Cli</name>
     <message>
-        <source>This database has accounts: --as names the one to act as.</source>
-        <translation>Diese Datenbank hat Konten: --as nennt dasjenige, das handelt.</translation>
+        <source>This database has no account “demo”: --as names the account to act as.</source>
+        <translation>Diese Datenbank hat kein Konto „demo“: --as nennt das Konto, das handelt.</translation>
     </message>
     <message>
         <source>Password: </source>
@@ -11091,6 +11091,14 @@ Ihr bester davor</translation>
     <message>
         <source>No file can be made at %1. Choose another place with --db.</source>
         <translation>Unter %1 lässt sich keine Datei anlegen. Wählen Sie mit --db einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>This file holds no records yet.</source>
+        <translation>Diese Datei enthält noch keine Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>%1 is empty: Cusp ended before it wrote to it, or it is another file. It was left as it is.</source>
+        <translation>%1 ist leer: Cusp endete, bevor es etwas schrieb, oder es ist eine andere Datei. Sie blieb, wie sie ist.</translation>
     </message>
     <message>
         <source>This file is not a Cusp database.</source>

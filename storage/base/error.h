@@ -10,7 +10,7 @@ namespace cusp::storage {
 enum class StorageError : std::uint8_t {
   // Opening
   not_found,       // no such file (open only), folder (Failure::detail "folder") or row
-  not_a_database,  // the file is not SQLite, or is SQLite of another program
+  not_a_database,  // not SQLite, or SQLite of another program; Failure::detail "empty": no table yet
   newer_schema,    // a newer version of the program wrote the file; it is unchanged
   network_drive,   // on a drive where write-ahead logging is unsafe
   read_only,       // file, folder or disk cannot be written; Failure::detail "new file": none can be made there

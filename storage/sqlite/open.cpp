@@ -159,7 +159,7 @@ Stored<Database> Database::read_in_place(const fs::path& file, const DatabaseOpt
   if (!database) return database;
   const auto owner = owner_of(*database, options.migrations.size());
   if (!owner) return std::unexpected(owner.error());
-  if (*owner == Owner::new_file) return fail(StorageError::not_a_database, file.string());
+  if (*owner == Owner::new_file) return fail(StorageError::not_a_database, file.string(), "empty");
   return database;
 }
 
@@ -227,7 +227,7 @@ Stored<void> Database::prepare_for_writing(Database& database, const DatabaseOpt
   const auto owner = owner_of(database, options.migrations.size());
   if (!owner) return std::unexpected(owner.error());
   if (*owner == Owner::new_file) {
-    if (options.access == Access::existing) return fail(StorageError::not_a_database, name);
+    if (options.access == Access::existing) return fail(StorageError::not_a_database, name, "empty");
     if (auto done = database.run("PRAGMA page_size = 8192"); !done) return done;
     // So that thinning gives the disk its pages back (storage/retention/thinning.cpp).
     if (auto done = database.run("PRAGMA auto_vacuum = INCREMENTAL"); !done) return done;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <fstream>
 
 #include "storage/sqlite/migrate.h"
@@ -131,6 +132,23 @@ TEST(Opening, an_empty_file_becomes_a_database) {
   const Folder folder;
   write(folder / "empty.db", "");
   EXPECT_TRUE(Database::open(folder / "empty.db"));
+}
+
+TEST(Opening, a_file_whose_maker_ended_before_its_first_table_is_named_empty_to_a_reader_and_becomes_a_database) {
+  const Folder folder;
+  constexpr std::array<std::string_view, 1> fails = {"this is no statement"};
+  EXPECT_FALSE(Database::open(folder / "begun.db", {.migrations = fails}));
+  ASSERT_GT(fs::file_size(folder / "begun.db"), 0u);
+  write(folder / "empty.db", "");
+  for (const char* name : {"begun.db", "empty.db"}) {
+    for (const Access access : {Access::read_only, Access::existing}) {
+      const auto refused = Database::open(folder / name, {.access = access});
+      ASSERT_FALSE(refused);
+      EXPECT_EQ(refused.error().code, StorageError::not_a_database);
+      EXPECT_EQ(refused.error().detail, "empty") << name;
+    }
+    EXPECT_TRUE(Database::open(folder / name)) << name;
+  }
 }
 
 TEST(Opening, what_is_not_there_is_not_found) {

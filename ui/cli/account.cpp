@@ -90,7 +90,7 @@ Result<Account, Message> sign_in(Store& store, const AccountOption& option, With
     }
     const bool missing = demo.error().code == StorageError::not_allowed || demo.error().code == StorageError::not_found;
     if (!missing) return std::unexpected(describe(demo.error()));
-    return std::unexpected(Message{CliText::tr("This database has accounts: --as names the one to act as."), {}});
+    return std::unexpected(Message{CliText::tr("This database has no account “demo”: --as names the account to act as."), {}});
   }
   auto account = sign_in_by_secret(store, option.number);
   if (account) warn_of(store.context());

@@ -27,6 +27,10 @@ std::optional<Message> describe_file(const StorageFailure& f) {
   const QString where = quoted_place(f.where);
   switch (f.code) {
     case StorageError::not_a_database:
+      if (f.detail == "empty") {
+        return Message{Text::tr("This file holds no records yet."),
+                    Text::tr("%1 is empty: Cusp ended before it wrote to it, or it is another file. It was left as it is.").arg(where)};
+      }
       return Message{Text::tr("This file is not a Cusp database."),
                   Text::tr("%1 was left as it is. Choose another file with --db.").arg(where)};
     case StorageError::newer_schema:
