@@ -1,4 +1,5 @@
 #include "tests/architecture/arrows.h"
+#include "tests/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -104,7 +105,7 @@ TEST(Arrows, AChainOfFoldersIsNoCycle) {
 
 std::vector<SourceText> sources_of(const std::string& module) {
   std::vector<SourceText> out;
-  const std::filesystem::path root = CUSP_SOURCE_DIR;
+  const std::filesystem::path root = source_dir();
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / module)) {
     const std::string kind = entry.path().extension().string();
     if (!entry.is_regular_file() || (kind != ".h" && kind != ".cpp")) continue;

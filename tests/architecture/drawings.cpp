@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "tests/architecture/file_text.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 
@@ -64,7 +65,7 @@ struct Drawn {
 const std::vector<Drawn> kDrawn = {{"engine", ""}, {"device", "catalogue"}, {"scenarios", ""}, {"storage", "store"}, {"ui", ""}, {"tests", "random.h"}};
 const std::vector<std::string> kModules = {"engine", "device", "scenarios", "storage", "ui"};
 
-std::string readme_of(const std::string& module) { return text_of(std::filesystem::path(CUSP_SOURCE_DIR) / module / "README.md"); }
+std::string readme_of(const std::string& module) { return text_of(source_dir() / module / "README.md"); }
 
 /// The modules themselves; engine/base counts as one.
 Arrows arrows_of_modules() {
@@ -95,7 +96,7 @@ TEST(Drawings, OfEachModuleAgreeWithItsIncludes) {
 }
 
 TEST(Drawings, OfTheModulesAgreesWithTheirIncludes) {
-  const std::string drawing = drawing_of(text_of(std::filesystem::path(CUSP_SOURCE_DIR) / "README.md"));
+  const std::string drawing = drawing_of(text_of(source_dir() / "README.md"));
   for (const std::string& wrong : against_drawing(arrows_of_modules(), drawing, "")) ADD_FAILURE() << "README.md: " << wrong << "\n" << drawing;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/architecture/file_text.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -88,10 +89,10 @@ TEST(OneDefinition, no_two_files_of_the_program_define_a_type_of_the_same_name) 
   std::map<std::string, std::string> where;
   std::size_t types = 0;
   for (const char* module : {"engine", "device", "scenarios", "storage", "ui"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CUSP_SOURCE_DIR) / module)) {
+    for (const auto& entry : fs::recursive_directory_iterator(source_dir() / module)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;
-      const std::string file = fs::relative(entry.path(), CUSP_SOURCE_DIR).string();
+      const std::string file = fs::relative(entry.path(), source_dir()).string();
       // Of these two only one is ever built.
       if (file == "ui/sound/drill_sound_silent.cpp") continue;
       for (const std::string& type : types_of(text_of(entry.path()))) {

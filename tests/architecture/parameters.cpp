@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/architecture/file_text.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -60,7 +61,7 @@ std::vector<std::string> bools_beside_others(const std::string& text) {
 }
 
 TEST(Parameters, AreNoBoolBesideOthers) {
-  const fs::path root = CUSP_SOURCE_DIR;
+  const fs::path root = source_dir();
   int files = 0;
   for (const char* module : {"engine", "device", "scenarios", "storage", "ui"})
     for (const auto& entry : fs::recursive_directory_iterator(root / module)) {

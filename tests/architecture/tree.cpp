@@ -10,13 +10,14 @@
 
 #include "tests/architecture/file_text.h"
 #include "tests/architecture/rules.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = CUSP_SOURCE_DIR;
+const fs::path kRoot = source_dir();
 
 std::vector<fs::path> sources(const std::vector<std::string>& modules) {
   std::vector<fs::path> out;

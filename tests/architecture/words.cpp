@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/source_dir.h"
+
 namespace cusp::test {
 namespace {
 
@@ -145,7 +147,7 @@ bool is_prose(const fs::path& path) {
 }
 
 TEST(Words, AreThoseOfTheField) {
-  const fs::path root = CUSP_SOURCE_DIR;
+  const fs::path root = source_dir();
   std::vector<fs::path> files = {root / "README.md", root / "CMakeLists.txt"};
   for (const char* folder : {"engine", "device", "scenarios", "storage", "ui", "tests", "translations", "package"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

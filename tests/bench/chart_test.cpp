@@ -11,6 +11,7 @@
 #include "tests/bench/program.h"
 #include "tests/bench/stability.h"
 #include "tests/bench/verdict.h"
+#include "tests/source_dir.h"
 
 namespace cusp::bench {
 namespace {
@@ -169,7 +170,7 @@ TEST(Chart, NamesInEachStabilityRowWhatBroke) {
 }
 
 TEST(Chart, TheCommittedStabilityRowsNameWhatTheirFiguresBreak) {
-  const auto folder = std::filesystem::path(CUSP_SOURCE_DIR) / "tests/bench/results";
+  const auto folder = test::source_dir() / "tests/bench/results";
   const auto read = read_evidence({folder.string()});
   ASSERT_TRUE(read);
   ASSERT_FALSE(read->stability.rows.empty());

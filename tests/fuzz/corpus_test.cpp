@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/fuzz/readers.h"
+#include "tests/source_dir.h"
 
 namespace cusp::fuzz {
 namespace {
@@ -19,7 +20,7 @@ std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
 TEST(Corpora, EveryReaderReadsOrRefusesEveryFileOfItsCorpus) {
   for (const Target& target : kTargets) {
     std::size_t files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(CUSP_SOURCE_DIR) / "tests/fuzz/corpora" / target.name)) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() / "tests/fuzz/corpora" / target.name)) {
       SCOPED_TRACE(entry.path().string());
       target.read(bytes_of(entry.path()));
       ++files;
@@ -30,7 +31,7 @@ TEST(Corpora, EveryReaderReadsOrRefusesEveryFileOfItsCorpus) {
 
 TEST(Corpora, EveryReaderMeetsTheFilesOfTheOthersToo) {
   for (const Target& corpus : kTargets)
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(CUSP_SOURCE_DIR) / "tests/fuzz/corpora" / corpus.name))
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() / "tests/fuzz/corpora" / corpus.name))
       for (const Target& target : kTargets) target.read(bytes_of(entry.path()));
 }
 

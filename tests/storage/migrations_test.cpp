@@ -5,6 +5,7 @@
 
 #include "storage/sqlite/migrate.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -21,7 +22,7 @@ std::string text_of(const fs::path& file) {
 }
 
 TEST(Migrations, the_numbered_files_are_all_embedded_as_they_stand) {
-  const fs::path folder = fs::path(CUSP_SOURCE_DIR) / "storage/sqlite/migrations";
+  const fs::path folder = source_dir() / "storage/sqlite/migrations";
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(folder)) files += entry.path().extension() == ".sql";
   ASSERT_EQ(built_in_migrations().size(), files);
@@ -89,7 +90,7 @@ TEST(Migrations, a_file_of_schema_1_opens_and_holds_what_it_held) {
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(1)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0001.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0001.sql")));
   }
   const auto store = open(folder / "a.db");
   EXPECT_EQ(store->database().schema_version(), static_cast<int>(built_in_migrations().size()));
@@ -120,7 +121,7 @@ TEST(Migrations, a_file_of_schema_1_opened_for_reading_shows_the_same_and_stays_
   const fs::path file = folder / "a.db";
   {
     auto db = must(Database::open(file, {.migrations = built_in_migrations().first(1)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0001.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0001.sql")));
   }
   const std::string before = text_of(file);
   StoreOptions reading = quick();
@@ -142,7 +143,7 @@ TEST(Migrations, an_assessment_of_schema_7_admits_every_device_in_the_usual_text
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(7)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0007.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0007.sql")));
   }
   const auto store = open(folder / "a.db");
   const auto changed = [&] {
@@ -171,7 +172,7 @@ TEST(Migrations, an_attempt_of_schema_11_holds_its_statements_and_takes_an_own_a
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(11)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0011.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0011.sql")));
   }
   const auto store = open(folder / "a.db");
   const auto whole = [&] {
@@ -203,7 +204,7 @@ TEST(Migrations, an_attempt_of_schema_14_holds_and_its_seals_are_listed_and_comp
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(14)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0014.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0014.sql")));
   }
   const auto store = open(folder / "a.db");
   EXPECT_EQ(must(store->database().integrity_check()), "");
@@ -236,7 +237,7 @@ TEST(Migrations, a_statement_whose_session_is_gone_stops_no_migration_and_is_nam
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(11)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0011.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0011.sql")));
     must(db.run("PRAGMA foreign_keys = OFF"));
     must(db.run("DELETE FROM sessions"));
   }
@@ -251,7 +252,7 @@ TEST(Migrations, a_statement_of_no_kind_stops_no_migration_and_is_named_afterwar
   const Folder folder;
   {
     auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(11)}));
-    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0011.sql")));
+    must(db.script(text_of(source_dir() / "tests/storage/fixtures/schema-0011.sql")));
     must(db.run("PRAGMA ignore_check_constraints = ON"));
     must(db.run("UPDATE statements SET kind = 'shout' WHERE kind = 'comment'"));
   }

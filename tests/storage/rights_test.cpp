@@ -1,5 +1,6 @@
 #include "storage/base/rights.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ TEST(Rights, who_teaches_edits_scenarios_and_who_administers_manages_accounts) {
 }
 
 TEST(Rights, the_readme_shows_the_same_table) {
-  std::ifstream in(CUSP_SOURCE_DIR "/storage/README.md");
+  std::ifstream in(source_dir() / "storage/README.md");
   std::ostringstream page;
   page << in.rdbuf();
   for (std::size_t i = 0; i < kActions; ++i) {

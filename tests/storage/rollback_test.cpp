@@ -6,6 +6,7 @@
 
 #include "storage/records/rollback_counter.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -131,7 +132,7 @@ TEST_F(RollbackTest, a_file_of_schema_1_is_sealed_when_it_is_first_opened_for_wr
   const fs::path file = folder / "a.db";
   {
     auto db = must(Database::open(file, {.migrations = built_in_migrations().first(1)}));
-    std::ifstream in(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0001.sql");
+    std::ifstream in(source_dir() / "tests/storage/fixtures/schema-0001.sql");
     std::ostringstream sql;
     sql << in.rdbuf();
     must(db.script(sql.str()));

@@ -1,4 +1,5 @@
 #include "device/falcon/permissions.h"
+#include "tests/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@ namespace cusp::device::falcon {
 namespace {
 
 TEST(FalconPermissions, the_rule_is_the_one_in_the_file) {
-  std::ifstream file(CUSP_SOURCE_DIR "/device/falcon/51-cusp.rules");
+  std::ifstream file(test::source_dir() / "device/falcon/51-cusp.rules");
   std::string line, rule;
   while (std::getline(file, line)) {
     if (!line.empty() && line[0] != '#') rule += line;

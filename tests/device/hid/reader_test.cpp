@@ -11,6 +11,7 @@
 #include "device/hid/settings_text.h"
 #include "tests/device/hid/desk.h"
 #include "tests/eventually.h"
+#include "tests/source_dir.h"
 
 namespace cusp::device::hid {
 namespace {
@@ -185,7 +186,7 @@ TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
 }
 
 TEST(HidPermissions, the_built_in_rules_are_those_of_the_file_and_sort_before_the_seat) {
-  std::ifstream file(CUSP_SOURCE_DIR "/device/hid/52-cusp-hid.rules");
+  std::ifstream file(test::source_dir() / "device/hid/52-cusp-hid.rules");
   std::ostringstream rules;
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with('#')) rules << line << '\n';

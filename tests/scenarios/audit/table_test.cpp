@@ -12,6 +12,7 @@
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -37,7 +38,7 @@ struct Table {
 
 Table read() {
   Table out;
-  std::ifstream in(CUSP_SOURCE_DIR "/scenarios/audit/library.md");
+  std::ifstream in(source_dir() / "scenarios/audit/library.md");
   bool second = false;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("Engine version ")) out.engines = 1 + static_cast<int>(std::ranges::count(line.substr(0, line.find(';')), ','));

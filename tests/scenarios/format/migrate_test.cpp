@@ -10,12 +10,13 @@
 #include "scenarios/format/validate.h"
 #include "tests/modules.h"
 #include "tests/scenarios/format/changed_scenario.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
 
 std::string file_of_format_1(const std::string& name) {
-  std::ifstream file(CUSP_SOURCE_DIR "/tests/scenarios/format/format1/" + name + ".json", std::ios::binary);
+  std::ifstream file(source_dir() / "tests/scenarios/format/format1" / (name + ".json"), std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

@@ -7,6 +7,7 @@
 #include "scenarios/import/import.h"
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -351,7 +352,7 @@ TEST(ImportMesh, FilesThatAreNoMeshesAreRefused) {
 
 /// The design's own example of real data, where a checkout has it beside itself; nothing of it is shipped.
 TEST(ImportMesh, ARealToothHasItsVolumeAndItsPulpInside) {
-  const std::filesystem::path tooth = std::filesystem::path(CUSP_SOURCE_DIR) / ".." / "shared" / "data" / "tooth.obj";
+  const std::filesystem::path tooth = source_dir() / ".." / "shared" / "data" / "tooth.obj";
   if (!std::filesystem::exists(tooth)) GTEST_SKIP() << "no sample data beside the repository";
   const auto list = list_meshes(tooth);
   ASSERT_TRUE(list);

@@ -14,6 +14,7 @@
 #include "scenarios/import/nrrd.h"
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -80,7 +81,7 @@ TEST(TissuesOf, AreThoseThatTheGrownToothHolds) {
 }
 
 TEST(FullLowerJaw, IsAnExerciseThatDescribesEveryTissueThatItHolds) {
-  std::ifstream file(CUSP_SOURCE_DIR "/scenarios/library/class-1-36-jaw/scenario.json");
+  std::ifstream file(source_dir() / "scenarios/library/class-1-36-jaw/scenario.json");
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const auto scenario = read_scenario(text);
   ASSERT_TRUE(scenario) << scenario.error().where;

@@ -19,6 +19,7 @@
 #include "scenarios/teeth/tooth.h"
 #include "tests/full_run.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -70,7 +71,7 @@ TEST(Library, EveryTextStandsAsTheProgramWritesIt) {
 TEST(Library, EmbedsTheFilesAsTheyStand) {
   for (const std::string_view key : builtin_scenarios()) {
     if (load_builtin(key)->specimen.generator.ends_with("block") && key != "paper-block") continue;  // generated
-    std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json",
+    std::ifstream file(source_dir() / "scenarios/library" / key / "scenario.json",
                        std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     EXPECT_EQ(builtin_scenario_text(key), text) << key;

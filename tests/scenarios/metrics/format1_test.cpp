@@ -17,6 +17,7 @@
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 
 namespace cusp::test {
 namespace {
@@ -25,7 +26,7 @@ using Shape = std::function<double(Vec3)>;
 using Lines = std::vector<std::vector<Vec2>>;
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(CUSP_SOURCE_DIR "/tests/scenarios/") + path, std::ios::binary);
+  std::ifstream file(source_dir() / "tests/scenarios" / path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

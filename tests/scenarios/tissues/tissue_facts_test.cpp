@@ -1,6 +1,7 @@
 // The table of tissues: that it reads, what it holds, and how it refuses.
 #include "scenarios/tissues/tissue_facts.h"
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 std::string the_file() {
-  std::ifstream in(std::string(CUSP_SOURCE_DIR) + "/scenarios/tissues/tissues.json");
+  std::ifstream in(source_dir() / "scenarios/tissues/tissues.json");
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();

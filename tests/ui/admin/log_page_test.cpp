@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 #include "tests/ui/desk_records.h"
 #include "ui/admin/log_page.h"
 #include "ui/text/audit_log_text.h"
@@ -193,7 +194,7 @@ QString words(const std::string& action, const std::string& detail = {}) { retur
 std::set<std::string> codes_in_storage() {
   std::set<std::string> out;
   const std::regex line(R"((\.action = |log_account|log_row|log_event|note\(|baseline_action|actions = |_sealed"))"), code(R"re("([a-z]+(_[a-z]+)+|stated|assigned|restored)")re");
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(CUSP_SOURCE_DIR) / "storage")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_dir() / "storage")) {
     if (entry.path().extension() != ".cpp") continue;
     std::ifstream in(entry.path());
     for (std::string text; std::getline(in, text);) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
 #include "ui/text/grade_text.h"
@@ -32,7 +33,7 @@ struct Message {
 
 QVector<Message> read_ts(const QString& name) {
   QVector<Message> messages;
-  QFile file(QStringLiteral(CUSP_SOURCE_DIR "/translations/") + name);
+  QFile file(QString::fromStdString((source_dir() / "translations").string()) + QLatin1Char('/') + name);
   if (!file.open(QIODevice::ReadOnly)) return messages;
   QXmlStreamReader xml(&file);
   QString context;

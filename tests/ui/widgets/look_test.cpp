@@ -20,6 +20,7 @@
 #include <cmath>
 
 #include "tests/modules.h"
+#include "tests/source_dir.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/theme.h"
 
@@ -64,7 +65,7 @@ TEST(Look, no_colour_stands_outside_the_theme) {
   // A literal colour elsewhere would not follow light and dark. The tooth's own colours live in ui/render/colours.h.
   static const QRegularExpression literal(
       QStringLiteral("#[0-9A-Fa-f]{6}\\b|QColor\\([0-9]|rgba?\\([0-9]|Qt::(white|black|red|green|blue|gray|yellow)\\b"));
-  const QString root = QStringLiteral(CUSP_SOURCE_DIR "/ui");
+  const QString root = QString::fromStdString((source_dir() / "ui").string());
   QDirIterator files(root, {QStringLiteral("*.cpp"), QStringLiteral("*.h"), QStringLiteral("*.qss"), QStringLiteral("*.svg")},
                      QDir::Files, QDirIterator::Subdirectories);
   int read = 0;
