@@ -3,10 +3,9 @@
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/modules.h"
 #include "ui/widgets/icon.h"
+#include "ui/widgets/page_style.h"
 
-#include <QAbstractSpinBox>
 #include <QApplication>
-#include <QComboBox>
 #include <QFile>
 #include <QFocusFrame>
 #include <QFontDatabase>
@@ -15,7 +14,6 @@
 #include <QPalette>
 #include <QPointer>
 #include <QRegularExpression>
-#include <QSlider>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -218,23 +216,6 @@ class FocusRing : public QObject {
 
  private:
   QPointer<QFocusFrame> frame_;
-};
-
-/// The wheel scrolls the page unless a spin box, a combo box or a slider has the focus.
-class PageStyle : public CuspStyle {
- public:
-  using CuspStyle::polish;
-  void polish(QWidget* widget) override {
-    CuspStyle::polish(widget);
-    if (!qobject_cast<QAbstractSpinBox*>(widget) && !qobject_cast<QComboBox*>(widget) && !qobject_cast<QSlider*>(widget)) return;
-    if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
-    widget->installEventFilter(this);
-  }
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return CuspStyle::eventFilter(watched, event);
-    event->ignore();  // the parent scrolls
-    return true;
-  }
 };
 
 }  // namespace

@@ -10,14 +10,18 @@
 #include <QFile>
 #include <QRadioButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStyleOptionButton>
+#include <QTabBar>
 #include <QTest>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <cmath>
+#include <vector>
 
 #include "tests/modules.h"
 #include "tests/source_dir.h"
@@ -185,6 +189,53 @@ TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
   apply_theme(*qApp, ColourScheme::light, 100);
 }
 
+/// Whether `over` takes the wheel; if not, its parents get a real one.
+bool roll_down(QWidget* over) {
+  const QPointF at = over->rect().center();
+  QWheelEvent down(at, over->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(over, &down);
+  return down.isAccepted();
+}
+
+TEST(Look, the_wheel_scrolls_a_page_whatever_field_has_the_focus_and_the_keys_change_the_field) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  QScrollArea area;
+  auto* page = new QWidget;
+  auto* body = new QVBoxLayout(page);
+  auto* number = new QSpinBox;
+  auto* choice = new QComboBox;
+  choice->addItems({"a", "b", "c"});
+  auto* slider = new QSlider(Qt::Horizontal);
+  auto* tabs = new QTabBar;
+  for (const char* name : {"a", "b"}) tabs->addTab(name);
+  const std::vector<QWidget*> fields{number, choice, slider, tabs};
+  for (QWidget* field : fields) body->addWidget(field);
+  page->setFixedHeight(2000);
+  area.setWidget(page);
+  area.resize(300, 300);
+  area.show();
+  area.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&area));
+  ASSERT_GT(area.verticalScrollBar()->maximum(), 0);
+  number->setValue(50);
+  slider->setValue(50);
+  for (QWidget* field : fields) {
+    field->setFocus();
+    ASSERT_TRUE(field->hasFocus());
+    EXPECT_FALSE(roll_down(field));
+  }
+  EXPECT_EQ(number->value(), 50);
+  EXPECT_EQ(choice->currentIndex(), 0);
+  EXPECT_EQ(slider->value(), 50);
+  EXPECT_EQ(tabs->currentIndex(), 0);
+  QTest::keyClick(number, Qt::Key_Down);
+  QTest::keyClick(choice, Qt::Key_Down);
+  QTest::keyClick(slider, Qt::Key_Left);
+  EXPECT_EQ(number->value(), 49);
+  EXPECT_EQ(choice->currentIndex(), 1);
+  EXPECT_EQ(slider->value(), 49);
+}
+
 TEST(Look, the_wheel_changes_a_number_a_choice_or_a_slider_only_where_it_has_the_focus) {
   QWidget page;
   auto* body = new QVBoxLayout(&page);
@@ -202,17 +253,12 @@ TEST(Look, the_wheel_changes_a_number_a_choice_or_a_slider_only_where_it_has_the
   number->setValue(50);
   slider->setValue(50);
   other->setFocus();
-  const auto roll = [](QWidget* over) {
-    const QPointF at = over->rect().center();
-    QWheelEvent down(at, over->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(over, &down);
-  };
-  for (QWidget* over : {static_cast<QWidget*>(number), static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)}) roll(over);
+  for (QWidget* over : {static_cast<QWidget*>(number), static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)}) roll_down(over);
   EXPECT_EQ(number->value(), 50);
   EXPECT_EQ(choice->currentIndex(), 0);
   EXPECT_EQ(slider->value(), 50);
   number->setFocus();
-  roll(number);
+  roll_down(number);
   EXPECT_EQ(number->value(), 49);
 }
 
