@@ -9,7 +9,6 @@
 #include "ui/editor/form_parts.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
-#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -54,6 +53,9 @@ BandsForm::BandsForm(EditorModel& model, std::size_t index, QWidget* parent) : Q
   const auto take = [this](const Bands& bands) { return model_.set_bands(index_, bands); };
   picture_ = new BandPicture({name, unit, possible_of(criterion().metric)}, take, [this] { model_.end_gesture(); });
   column->addWidget(picture_);
+  if (is_yes_or_no(criterion().metric)) {
+    column->addWidget(make_label(tr("1 means yes, 0 means no."), TextRole::caption, Weight::regular, "text2"));
+  }
   marks_ = new QVBoxLayout;
   marks_->setSpacing(0);
   column->addLayout(marks_);
@@ -94,7 +96,7 @@ void BandsForm::show_marks() {
     row->setSpacing(px(4));
     row->addWidget(new MarkSign(by));
     const QString who = by == TriedBy::author ? tr("Your try-out") : operator_name(std::string(key_of(by)));
-    QLabel* label = make_label(tr("%1: %2").arg(who, format({measured->value, measured->uncertainty, metric_unit(criterion().metric)})),
+    QLabel* label = make_label(tr("%1: %2").arg(who, measure_text(*measured)),
                                TextRole::caption, Weight::regular, "text2");
     row->addWidget(label, 1);
     marks_->addWidget(line);

@@ -97,7 +97,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
                                                                         : Ink::look);
     case SecondRole:
       if (index.column() == kYours && m.measured && detail_ == Detail::whole) {
-        return format_uncertainty({m.value, m.uncertainty, QString::fromStdString(m.unit)});
+        return measure_uncertainty(m);
       }
       if (index.column() == kPoints && marked) return u"/ "_qs + format_points(points(index.row()).points_max);
       return {};
@@ -118,7 +118,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kName && !change(index.row()).isEmpty()) return tr("%1. %2").arg(text_of(index), change(index.row()));
       if (index.column() == kPlace) return m.where_mm ? tr("shows its place on the tooth") : QString();
       if (index.column() == kYours && m.measured) {
-        return format({m.value, m.uncertainty, QString::fromStdString(m.unit)});
+        return measure_text(m);
       }
       return {};
     case Qt::DisplayRole: return text_of(index);
@@ -136,7 +136,7 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
       return change(index.row()).isEmpty() ? name : tr("%1 (changed)").arg(name);
     }
     case kYours:
-      return m.measured ? format_value({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
+      return m.measured ? measure_value(m) : tr("not measured");
     case kWanted:
       for (const Criterion& wanted : rubric_.criteria) {
         if (wanted.metric == c.id) return wanted_text(wanted);

@@ -322,7 +322,7 @@ void ReportPage::choose(int row) {
   if (row < 0) return;
   const CriterionGrade& c = model_->criterion(row);
   const Measure& m = c.measure;
-  const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
+  const QString value = m.measured ? measure_text(m) : tr("not measured");
   QString why = model_->change(row);
   if (why.isEmpty()) why = reason_text(c);
   tooth_->pin(m.where_mm, metric_name(c.id, &data_.result.scenario.target) + u": "_qs + value, why, c.id);

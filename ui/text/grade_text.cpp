@@ -70,6 +70,26 @@ QString metric_unit(const std::string& m) {
   return metric ? QString::fromUtf8(metric->unit.data(), static_cast<qsizetype>(metric->unit.size())) : QString();
 }
 
+bool is_yes_or_no(const std::string& m) {
+  const auto metric = scenarios::metric_from_key(m);
+  return metric && metric->unit.empty();
+}
+
+namespace {
+
+QString yes_or_no(double value) {
+  constexpr double kYesFrom = 0.5;  // between 0 and 1: bands may lie between them
+  return value < kYesFrom ? Text::tr("no") : Text::tr("yes");
+}
+
+Measured with_uncertainty(const Measure& m) { return {m.value, m.uncertainty, text(m.unit)}; }
+
+}  // namespace
+
+QString measure_text(const Measure& m) { return is_yes_or_no(m.metric) ? yes_or_no(m.value) : format(with_uncertainty(m)); }
+QString measure_value(const Measure& m) { return is_yes_or_no(m.metric) ? yes_or_no(m.value) : format_value(with_uncertainty(m)); }
+QString measure_uncertainty(const Measure& m) { return is_yes_or_no(m.metric) ? QString() : format_uncertainty(with_uncertainty(m)); }
+
 QString critical_name(const std::string& critical) {
   if (critical == "pulp_exposure") return Text::tr("The pulp was opened");
   if (critical == "protected_damage") return Text::tr("Something protected was damaged");
@@ -110,6 +130,11 @@ int decimals_apart(double value, double limit, int least) {
 QString wanted_text(const Criterion& c) {
   const QString unit = metric_unit(c.metric);
   const Bands& b = c.bands;
+  if (is_yes_or_no(c.metric)) {
+    const bool no = b.ideal_lo <= 0 && b.ideal_hi >= 0, yes = b.ideal_lo <= 1 && b.ideal_hi >= 1;
+    if (no && yes) return Text::tr("yes or no");
+    if (no || yes) return yes_or_no(yes ? 1 : 0);
+  }
   // A side whose three edges coincide has no edge: nothing lies beyond it.
   const bool open_low = b.fail_lo == b.ideal_lo && b.acc_lo == b.ideal_lo;
   const bool open_high = b.fail_hi == b.ideal_hi && b.acc_hi == b.ideal_hi;
@@ -131,6 +156,10 @@ QString reason_text(const CriterionGrade& g) {
   const double value = arg("value"), limit = arg("limit");
   if (g.reason_code == "needs_dof") {
     return Text::tr("Brings no points: it takes a device of %1 axes, and this one has %2").arg(format_number(value, 0), format_number(limit, 0));
+  }
+  if (is_yes_or_no(g.id) && (g.reason_code == "too_much" || g.reason_code == "too_little")) {
+    //: Of a measurement that is "yes" or "no": what it is, and what earns full points.
+    return Text::tr("%1; full points for %2").arg(yes_or_no(value), yes_or_no(limit));
   }
   const int decimals = decimals_apart(value, limit, unit == u"%" ? 1 : 2);
   const QString v = format({value, std::nullopt, unit, decimals}), l = with_unit(limit, unit);

@@ -18,6 +18,13 @@ QString metric_name(const std::string& metric, const Region* whole = nullptr);
 /// The title of one of several targets; its name in words where it has none.
 QString target_title(std::string_view name, const Region* whole);
 QString metric_unit(const std::string& metric);
+/// Whether the values of a metric are 1 for yes and 0 for no.
+bool is_yes_or_no(const std::string& metric);
+/// "1.84 mm ± 0.03"; "yes" or "no" alone for a metric of these. Pre: measured.
+QString measure_text(const Measure& measure);
+/// The two halves of the above; the second is empty for "yes" and "no".
+QString measure_value(const Measure& measure);
+QString measure_uncertainty(const Measure& measure);
 QString critical_name(const std::string& critical);
 
 /// "1.5 to 2.0", "under 0.3", "99 or more": what earns full points.

@@ -27,7 +27,7 @@ constexpr std::array kNames = {
     Named{"cavosurface_angle", QT_TRANSLATE_NOOP("cusp::ui::Text", "Cavosurface angle, mean")},
     Named{"cavosurface_off", QT_TRANSLATE_NOOP("cusp::ui::Text", "Margin below 80° or above 110°")},
     Named{"unsupported_enamel", QT_TRANSLATE_NOOP("cusp::ui::Text", "Unsupported enamel")},
-    Named{"contact_broken", QT_TRANSLATE_NOOP("cusp::ui::Text", "Contact open (1 yes, 0 no)")},
+    Named{"contact_broken", QT_TRANSLATE_NOOP("cusp::ui::Text", "Contact open")},
     Named{"clearance_buccal_gingival", QT_TRANSLATE_NOOP("cusp::ui::Text", "Clearance, buccal, gingival third")},
     Named{"clearance_buccal_middle", QT_TRANSLATE_NOOP("cusp::ui::Text", "Clearance, buccal, middle third")},
     Named{"clearance_buccal_occlusal", QT_TRANSLATE_NOOP("cusp::ui::Text", "Clearance, buccal, occlusal third")},

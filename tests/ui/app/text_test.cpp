@@ -119,6 +119,18 @@ TEST(Sentences, what_earns_full_points_reads_as_dentists_say_it) {
   EXPECT_EQ(wanted("depth_mean", {1.2, 1.4, 1.5, 2.0, 2.2, 2.6}), "1.5 to 2 mm");
   EXPECT_EQ(wanted("target_removed", {80, 95, 99, 100, 100, 100}), "99 % or more");
   EXPECT_EQ(wanted("overcut_beyond_floor", {0, 0, 0, 0.3, 1, 3}), "up to 0.3 mm³");
+  EXPECT_EQ(wanted("contact_broken", {0, 0.5, 1, 1, 1, 1}), "yes");
+  EXPECT_EQ(wanted("contact_broken", {0, 0, 0, 0, 0.5, 1}), "no");
+  EXPECT_EQ(wanted("contact_broken", {0, 0, 0, 1, 1, 1}), "yes or no");
+}
+
+TEST(Sentences, a_measurement_of_yes_or_no_is_shown_without_a_number) {
+  const Measure open{"contact_broken", true, 1, 1, "", {}}, closed{"contact_broken", true, 0, 0, "", {}};
+  EXPECT_EQ(metric_name("contact_broken").toStdString(), "Contact open");
+  EXPECT_EQ(measure_text(open).toStdString(), "yes");
+  EXPECT_EQ(measure_value(closed).toStdString(), "no");
+  EXPECT_TRUE(measure_uncertainty(open).isEmpty());
+  for (const MetricKey& metric : kMetricKeys) EXPECT_EQ(is_yes_or_no(std::string(metric.key)), metric.unit.empty()) << metric.key;
 }
 
 TEST(Sentences, reasons_name_value_limit_and_what_lies_between) {
@@ -151,6 +163,10 @@ TEST(Sentences, what_was_too_little_or_too_much_is_shown_with_what_earns_full_po
   EXPECT_EQ(reason(g), "0.40 mm; full points from 1 mm");
   set("overcut_beyond_side", "mm3", "too_much", 2.5, 0.3);
   EXPECT_EQ(reason(g), "2.50 mm³; full points up to 0.3 mm³");
+  set("contact_broken", "", "too_little", 0, 1);
+  EXPECT_EQ(reason(g), "no; full points for yes");
+  set("contact_broken", "", "too_much", 1, 0);
+  EXPECT_EQ(reason(g), "yes; full points for no");
 }
 
 TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_target_alone) {

@@ -57,6 +57,17 @@ TEST(CriteriaModel, shows_the_own_rating_beside_the_points_and_how_it_differs) {
   EXPECT_EQ(own(1), "–");
 }
 
+TEST(CriteriaModel, shows_yes_or_no_without_a_number_or_an_uncertainty) {
+  Grade grade = test::sample_grade(81);
+  grade.criteria[1].id = "contact_broken";
+  grade.criteria[1].measure = {"contact_broken", true, 1, 1, "", {}};
+  const CriteriaModel model(grade, {});
+  const auto yours = [&](int role) { return plain(model.index(1, CriteriaModel::kYours).data(role).toString()); };
+  EXPECT_EQ(yours(Qt::DisplayRole), "yes");
+  EXPECT_EQ(yours(SecondRole), "");
+  EXPECT_EQ(yours(Qt::AccessibleTextRole), "yes");
+}
+
 TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
   Grade grade = test::sample_grade(81);
   grade.criteria[1].measure.measured = false;
