@@ -70,7 +70,7 @@ def filters(desk, database):
                              (0, "--to", "2026-11-20T09:14:02Z"), (0, "--cohort", COHORT, "--to", "2026-11-19"),
                              (1, "--exercise", "channel-1", "--exercise-version", "1"), (0, "--exercise", "channel-1", "--exercise-version", "2"),
                              (1, "--student", "brandt"), (0, "--student", "nobody"), (1, "--device", "pointer"),
-                             (1, "--drilled-by", "students"), (0, "--drilled-by", "staff"),
+                             (1, "--drilled-by", "students"), (0, "--drilled-by", "staff"), (0, "--drilled-by", "scripted"),
                              (1, "--result", "passed"), (0, "--result", "not-passed")):
         seen = exported(desk, database, *arguments)
         check(len(seen) == rows, f"{arguments}: {len(seen)} rows")

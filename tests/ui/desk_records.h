@@ -28,13 +28,17 @@ class DeskRecords {
                const std::string& device_class = "pointer");
   SessionId graded_attempt(const Account& student, const std::string& key, const Grade& grade, double seconds,
                            const std::string& device_class = "pointer");
+  /// One that the scripted expert drilled in the student's name.
+  SessionId scripted_attempt(const Account& student, const std::string& key, double score, double seconds);
   /// An attempt that broke off, not graded.
   SessionId broken_attempt(const Account& student, const std::string& key);
 
   std::int64_t now_us = kMorning;
 
  private:
-  Session begin(const Account& student, const std::string& key, double seconds, const std::string& device_class);
+  Session begin(const Account& student, const std::string& key, double seconds, const std::string& device_class,
+                const std::string& operator_name = std::string(kUserOperator));
+  SessionId grade_it(const Session& session, const Grade& grade);
   QTemporaryDir folder_;
   std::unique_ptr<Store> store_;
   std::optional<Account> administrator_;

@@ -19,10 +19,8 @@
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
-#include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -63,6 +61,10 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   connect(pack, &QPushButton::clicked, this, &Performance::choose_pack);
   body->addWidget(head);
   body->addWidget(make_filters());
+  without_scripted_ = make_label(tr("Attempts of scripted operators are left out. The filter “%1” shows them alone.").arg(tr("Scripted operators")),
+                                 TextRole::caption, Weight::regular, "text2");
+  without_scripted_->setWordWrap(true);
+  body->addWidget(without_scripted_);
   band_ = new Band;
   body->addWidget(band_);
   body->addWidget(make_progress());
@@ -124,84 +126,6 @@ QWidget* Performance::make_table() {
   return card;
 }
 
-QWidget* Performance::make_filters() {
-  auto* bar = new QWidget;
-  auto* row = new HeadRow(bar);  // the search stands alone where the window is narrow
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(px(8));
-  search_ = make_search_field(tr("Find a student"), px(200));
-  row->addWidget(search_);
-  exercise_ = make_choice(tr("Exercise"));
-  version_ = make_choice(tr("Version"));
-  cohort_ = make_choice(tr("Cohort"));
-  who_ = make_choice(tr("Drilled by"));
-  who_->addItem(tr("Everybody"));
-  who_->addItem(tr("Students"), static_cast<int>(DrilledBy::students));
-  who_->addItem(tr("Staff"), static_cast<int>(DrilledBy::staff));
-  kind_ = make_choice(tr("Kind"));
-  kind_->addItem(tr("All kinds"));
-  kind_->addItem(tr("Practice"), static_cast<int>(SessionKind::practice));
-  kind_->addItem(tr("Assessments"), static_cast<int>(SessionKind::assessment));
-  result_ = make_choice(tr("Result"));
-  device_ = make_choice(tr("Device"));
-  period_ = make_choice(tr("From"));
-  result_->addItem(tr("All results"));
-  result_->addItem(tr("Passed"), true);
-  result_->addItem(tr("Not passed"), false);
-  period_->addItem(tr("All dates"));
-  for (const int days : {1, 7, 30, 365}) period_->addItem(tr("Last %n day(s)", nullptr, days), days);
-  for (QComboBox* box : choices()) row->addWidget(box);
-  return bar;
-}
-
-void Performance::fill_filters() {
-  exercise_->addItem(tr("All exercises"));
-  device_->addItem(tr("All devices"));
-  if (auto scenarios = store_.history.scenarios(reader_)) {
-    std::ranges::sort(*scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
-    for (const PractisedScenario& s : *scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
-  }
-  if (const auto devices = store_.history.device_classes(reader_)) {
-    for (const std::string& device : *devices) device_->addItem(device_name(device), QString::fromStdString(device));
-  }
-  cohort_->addItem(tr("All cohorts"));
-  if (auto cohorts = store_.cohorts.list()) {
-    std::ranges::sort(*cohorts, stands_before, &Cohort::name);
-    for (const Cohort& cohort : *cohorts) cohort_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id.text()));
-  }
-  fill_versions();
-  connect(exercise_, &QComboBox::currentIndexChanged, this, &Performance::fill_versions);
-  for (QComboBox* box : choices()) connect(box, &QComboBox::currentIndexChanged, this, &Performance::read);
-  connect(search_, &QLineEdit::textChanged, this, &Performance::read);
-}
-
-void Performance::fill_versions() {
-  const QSignalBlocker quiet(version_);
-  version_->clear();
-  version_->addItem(tr("All versions"));
-  const auto scenario = ScenarioId::parse(exercise_->currentData().toString().toStdString());
-  version_->setVisible(scenario.has_value());
-  if (!scenario) return;
-  const auto versions = store_.scenarios.versions(*scenario);
-  for (const ScenarioVersion& v : versions ? *versions : std::vector<ScenarioVersion>{}) version_->addItem(tr("Version %1").arg(v.number), v.number);
-}
-
-HistoryFilter Performance::filter() const {
-  HistoryFilter f;
-  if (const QVariant number = version_->currentData(); number.isValid()) f.version_number = number.toInt();
-  if (const QString id = cohort_->currentData().toString(); !id.isEmpty()) f.cohort = CohortId::parse(id.toStdString());
-  if (const QVariant who = who_->currentData(); who.isValid()) f.drilled_by = static_cast<DrilledBy>(who.toInt());
-  if (const QVariant kind = kind_->currentData(); kind.isValid()) f.kind = static_cast<SessionKind>(kind.toInt());
-  if (const QString id = exercise_->currentData().toString(); !id.isEmpty()) f.scenario = ScenarioId::parse(id.toStdString());
-  if (const QVariant passed = result_->currentData(); passed.isValid()) f.passed = passed.toBool();
-  if (const QString device = device_->currentData().toString(); !device.isEmpty()) f.device_class = device.toStdString();
-  if (const QVariant days = period_->currentData(); days.isValid()) {
-    f.from_utc_us = ports_.now().addDays(-days.toInt()).toMSecsSinceEpoch() * 1000;
-  }
-  f.search = search_->text().trimmed().toStdString();
-  return f;
-}
-
 QWidget* Performance::make_figures() {
   auto* bar = new QWidget;
   figures_ = new QGridLayout(bar);
@@ -241,6 +165,7 @@ std::optional<HistoryPage> Performance::page(const HistoryFilter& filter, const 
 void Performance::read() {
   band_->clear();  // it speaks of the filters before
   const HistoryFilter shown = filter();
+  without_scripted_->setVisible(any_scripted_ && shown.scripted == false);
   auto first = page(shown, std::nullopt);
   if (!first) return;
   model_->set_pages(std::move(*first), [this, shown](const HistoryKey& after) { return page(shown, after); });
@@ -257,20 +182,6 @@ void Performance::read() {
   const auto by_criterion = store_.history.by_criterion(reader_, shown);
   if (!by_criterion) return show_failure(by_criterion.error());
   criteria_->show_figures(*by_criterion, target_of(shown));
-}
-
-bool Performance::read_again() {
-  const auto scenarios = store_.history.scenarios(reader_);
-  if (!scenarios || std::ssize(*scenarios) + 1 != exercise_->count()) return false;
-  const int row = table_->chosen_row(), fetched = model_->rowCount();
-  const SessionId kept = row < 0 ? SessionId{} : model_->row(sorted_->mapToSource(sorted_->index(row, 0)).row()).session;
-  read();
-  while (model_->canFetchMore() && model_->rowCount() < fetched) model_->fetchMore();
-  const auto at = std::ranges::find(model_->rows(), kept, &HistoryRow::session);
-  const int found = static_cast<int>(at - model_->rows().begin());
-  if (at != model_->rows().end()) table_->choose_row(sorted_->mapFromSource(model_->index(found, 0)).row());
-  table_->setFocus(Qt::OtherFocusReason);
-  return true;
 }
 
 Region Performance::target_of(const HistoryFilter& shown) {

@@ -37,6 +37,7 @@ class Performance : public QWidget, public Rereads {
  public:
   Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent = nullptr);
 
+  /// Without attempts of scripted operators, unless they are chosen as who drilled or as the device.
   HistoryFilter filter() const;
   bool read_again() override;
   const AttemptsModel& attempts() const { return *model_; }
@@ -46,6 +47,7 @@ class Performance : public QWidget, public Rereads {
   QComboBox* version() const { return version_; }
   QComboBox* cohort() const { return cohort_; }
   QComboBox* who() const { return who_; }
+  QComboBox* device() const { return device_; }
   QComboBox* kind() const { return kind_; }
   QComboBox* result() const { return result_; }
   CriteriaCard* criteria() const { return criteria_; }
@@ -98,6 +100,8 @@ class Performance : public QWidget, public Rereads {
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
+  QLabel* without_scripted_ = nullptr;
+  bool any_scripted_ = false;  // attempts of scripted operators in the records
   Busy* busy_ = nullptr;
   QTimer* look_ = nullptr;
   QString exported_to_;

@@ -92,6 +92,11 @@ std::optional<SessionKind> typed_kind(const std::string& typed) {
   return typed == key_of(SessionKind::assessment) ? SessionKind::assessment : SessionKind::practice;
 }
 
+/// Of --drilled-by: a scripted operator's attempt is not that of the person in whose name it was drilled. Without it every attempt counts.
+std::optional<bool> scripted_in(const std::string& drilled_by) {
+  return drilled_by.empty() ? std::nullopt : std::optional(drilled_by == "scripted");
+}
+
 /// The dates, and what names something in the records.
 Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const ExportOptions& o, HistoryFilter filter) {
   if (o.cohort) {
@@ -112,7 +117,8 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
   filter.version_number = o.version;
   if (o.gradebook.empty()) filter.kind = typed_kind(o.kind);  // of a gradebook, it is the assignment's
   filter.search = o.student;
-  if (!o.drilled_by.empty()) filter.drilled_by = o.drilled_by == "staff" ? DrilledBy::staff : DrilledBy::students;
+  filter.scripted = scripted_in(o.drilled_by);
+  if (filter.scripted == false) filter.drilled_by = o.drilled_by == "staff" ? DrilledBy::staff : DrilledBy::students;
   if (!o.result.empty()) filter.passed = o.result == "passed";
   return filter;
 }
@@ -218,8 +224,8 @@ void add_filters(CLI::App& verb, ExportOptions& o) {
       ->check(check_counting)
       ->needs(exercise);
   of_attempts.push_back(verb.add_option("--student", o.student, help(CliText::tr("Part of a name or number")))->type_name("TEXT"));
-  of_attempts.push_back(verb.add_option("--drilled-by", o.drilled_by, help(CliText::tr("Only attempts of students, or of staff")))
-                            ->check(CLI::IsMember({"students", "staff"})));
+  of_attempts.push_back(verb.add_option("--drilled-by", o.drilled_by, help(CliText::tr("Only attempts of students, of staff, or of scripted operators")))
+                            ->check(CLI::IsMember({"students", "staff", "scripted"})));
   of_attempts.push_back(verb.add_option("--result", o.result, help(CliText::tr("Only attempts with this result")))
                             ->check(CLI::IsMember({"passed", "not-passed"})));
   of_attempts.push_back(add_named(verb, "--device", o.device, CliText::tr("Only attempts with a device of this class"))->type_name("CLASS"));

@@ -244,6 +244,40 @@ TEST_F(AdminPages, performance_narrows_to_a_cohort_a_version_and_students_or_sta
   EXPECT_FALSE(page.filter().version_number);
 }
 
+TEST_F(AdminPages, attempts_of_scripted_operators_count_only_where_they_are_chosen) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 60, 100);
+  const auto texts = [](const QWidget& page) {
+    QStringList out;
+    for (const QLabel* label : page.findChildren<QLabel*>())
+      if (!label->isHidden()) out += label->text();
+    return out.join(u'|');
+  };
+  const QString left_out = QStringLiteral("Attempts of scripted operators are left out.");
+  {
+    Performance page(records.store(), records.administrator().actor(), ports);
+    page.show();
+    EXPECT_FALSE(texts(page).contains(left_out)) << "there are none";
+  }
+  records.scripted_attempt(lena, "channel-1", 100, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  const auto rows = [&] { return page.attempts().rowCount(); };
+  EXPECT_EQ(rows(), 1);
+  EXPECT_TRUE(texts(page).contains(left_out)) << texts(page).toStdString();
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("Median score|60|"))) << texts(page).toStdString();
+  page.who()->setCurrentIndex(page.who()->findText(QStringLiteral("Students")));
+  EXPECT_EQ(rows(), 1);
+  page.who()->setCurrentIndex(page.who()->findText(QStringLiteral("Scripted operators")));
+  ASSERT_EQ(rows(), 1);
+  EXPECT_EQ(page.attempts().row(0).operator_name, "expert");
+  EXPECT_FALSE(texts(page).contains(left_out));
+  page.who()->setCurrentIndex(0);
+  page.device()->setCurrentIndex(page.device()->findText(QStringLiteral("Scripted operator")));
+  ASSERT_EQ(rows(), 1);
+  EXPECT_EQ(page.attempts().row(0).operator_name, "expert");
+}
+
 TEST_F(AdminPages, performance_shows_an_exercise_by_criterion_the_hardest_first) {
   records.attempt(records.student("1", "Lena Brandt"), "channel-1", 60, 100);
   Performance page(records.store(), records.administrator().actor(), ports);
