@@ -249,7 +249,7 @@ Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, Use
   const Snapshot snapshot(c_.db);
   auto standings = c_.db.all(
       "SELECT scenario, count(*) FROM session_summaries INDEXED BY summaries_of_student "
-      "WHERE student = ?1 AND listed = 1 GROUP BY scenario",
+      "WHERE student = ?1 AND listed = 1 AND operator = 'person' GROUP BY scenario",
       [](Row row) {
         return ExerciseStanding{row.id<ScenarioId>(0), static_cast<int>(row.integer(1)), std::nullopt, std::nullopt, false};
       },
@@ -258,7 +258,8 @@ Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, Use
   // In the order of the index: by scenario, the oldest first.
   const auto graded = c_.db.all(
       "SELECT scenario, started_at, sequence, session, score, passed FROM session_summaries INDEXED BY graded_of_student "
-      "WHERE student = ?1 AND listed = 1 AND score IS NOT NULL AND (released OR ?2) ORDER BY scenario, started_at, sequence",
+      "WHERE student = ?1 AND listed = 1 AND operator = 'person' AND score IS NOT NULL AND (released OR ?2) "
+      "ORDER BY scenario, started_at, sequence",
       [](Row row) {
         return Graded{row.id<ScenarioId>(0), {row.integer(1), row.integer(2), row.id<SessionId>(3)}, row.real(4), row.flag(5)};
       },

@@ -93,7 +93,7 @@ struct SessionDetails {
   std::vector<Comment> comments{};        // likewise
 };
 
-/// A student's standing in one scenario.
+/// A student's standing in one scenario, by what the student drilled: scripted operators do not count.
 struct ExerciseStanding {
   ScenarioId scenario;
   int attempts = 0;

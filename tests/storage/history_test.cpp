@@ -168,6 +168,22 @@ TEST_F(HistoryTest, standings_count_attempts_and_name_best_and_last) {
   EXPECT_EQ(standings[0].last->session, last);
 }
 
+TEST_F(HistoryTest, standings_leave_out_what_a_scripted_operator_drilled) {
+  const SessionId own = attempt(lena, 40, false);
+  NewSession scripted = new_session(lena, version);
+  scripted.operator_name = "expert";
+  const SessionId played = must(store->sessions.start(lena.actor(), scripted)).id;
+  must(store->traces.append(played, second_from(1)));
+  must(store->sessions.finish(played, volume_after(12), "student"));
+  must(store->grades.save(played, small_grade(100), {}));
+  ASSERT_EQ(must(store->history.list(lena.actor())).size(), 2u);
+  const auto standings = must(store->history.standings(lena.actor(), lena.id));
+  ASSERT_EQ(standings.size(), 1u);
+  EXPECT_EQ(standings[0].attempts, 1);
+  EXPECT_EQ(standings[0].best->session, own);
+  EXPECT_FALSE(standings[0].passed);
+}
+
 TEST_F(HistoryTest, the_newest_comment_is_that_of_the_newest_commented_session) {
   EXPECT_FALSE(must(store->history.newest_comment(lena.actor(), lena.id)));
   const SessionId first = attempt(lena, 60), second = attempt(lena, 70);

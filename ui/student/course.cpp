@@ -73,6 +73,7 @@ Stored<void> load_newest(Course& course, Store& store, const Actor& student, con
   same.student = student.id;
   same.scenario = course.last_graded->scenario;
   same.device_class = course.last_graded->device_class;
+  same.scripted = false;
   auto attempts = store.history.list(student, same);
   if (!attempts) return std::unexpected(attempts.error());
   std::erase_if(*attempts, [](const HistoryRow& row) { return !row.score; });
