@@ -76,6 +76,8 @@ class Performance : public QWidget, public Rereads {
   QWidget* make_table();
   QWidget* make_progress();
   void fill_filters();
+  /// What the records hold to be filtered by; what is chosen stays. False: the records could not be read.
+  bool offer_choices();
   std::vector<QComboBox*> choices() const { return {exercise_, version_, cohort_, who_, kind_, result_, device_, period_}; }
   /// The versions of the chosen exercise.
   void fill_versions();

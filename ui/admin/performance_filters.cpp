@@ -5,6 +5,8 @@
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
@@ -18,7 +20,28 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kScripted = -1;  // "drilled by", beside the values of DrilledBy
-constexpr std::string_view kScriptDevice = "scripted";  // device class of a script that no device plays
+constexpr std::string_view kScriptDevice = "scripted";  // device class of a script
+
+using Entries = std::vector<std::pair<QString, QString>>;  // name and id
+
+/// Chooses the entry with `data`, else the first one, without a signal.
+void choose(QComboBox* box, const QVariant& data) {
+  const QSignalBlocker quiet(box);
+  box->setCurrentIndex(data.isValid() ? std::max(0, box->findData(data)) : 0);
+}
+
+/// `all` and the entries, in place of those that a choice had. Returns whether it still holds what is chosen in it.
+bool offer(QComboBox* box, const QString& all, const Entries& entries) {
+  const QVariant chosen = box->currentData();
+  {
+    const QSignalBlocker quiet(box);
+    box->clear();
+    box->addItem(all);
+    for (const auto& [name, id] : entries) box->addItem(name, id);
+  }
+  choose(box, chosen);
+  return box->currentData() == chosen;
+}
 
 }  // namespace
 
@@ -54,26 +77,37 @@ QWidget* Performance::make_filters() {
 }
 
 void Performance::fill_filters() {
-  exercise_->addItem(tr("All exercises"));
-  device_->addItem(tr("All devices"));
-  if (auto scenarios = store_.history.scenarios(reader_)) {
-    std::ranges::sort(*scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
-    for (const PractisedScenario& s : *scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
-  }
-  if (const auto devices = store_.history.device_classes(reader_)) {
-    for (const std::string& device : *devices) device_->addItem(device_name(device), QString::fromStdString(device));
-  }
-  cohort_->addItem(tr("All cohorts"));
-  if (auto cohorts = store_.cohorts.list()) {
-    std::ranges::sort(*cohorts, stands_before, &Cohort::name);
-    for (const Cohort& cohort : *cohorts) cohort_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id.text()));
-  }
-  const auto scripted = store_.history.page(reader_, {.scripted = true}, std::nullopt, 1);
-  any_scripted_ = scripted && !scripted->rows.empty();
-  fill_versions();
+  static_cast<void>(offer_choices());  // read() names a failure of the records
   connect(exercise_, &QComboBox::currentIndexChanged, this, &Performance::fill_versions);
   for (QComboBox* box : choices()) connect(box, &QComboBox::currentIndexChanged, this, &Performance::read);
   connect(search_, &QLineEdit::textChanged, this, &Performance::read);
+}
+
+bool Performance::offer_choices() {
+  auto scenarios = store_.history.scenarios(reader_);
+  const auto devices = store_.history.device_classes(reader_);
+  auto cohorts = store_.cohorts.list();
+  const auto scripted = store_.history.page(reader_, {.scripted = true}, std::nullopt, 1);
+  Entries exercises, classes, groups;
+  if (scenarios) {
+    std::ranges::sort(*scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
+    for (const PractisedScenario& s : *scenarios) exercises.emplace_back(local(s.title), QString::fromStdString(s.scenario.text()));
+  }
+  if (devices) {
+    for (const std::string& device : *devices) classes.emplace_back(device_name(device), QString::fromStdString(device));
+  }
+  if (cohorts) {
+    std::ranges::sort(*cohorts, stands_before, &Cohort::name);
+    for (const Cohort& cohort : *cohorts) groups.emplace_back(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id.text()));
+  }
+  const QVariant version = version_->currentData();
+  const bool same_exercise = offer(exercise_, tr("All exercises"), exercises);
+  offer(device_, tr("All devices"), classes);
+  offer(cohort_, tr("All cohorts"), groups);
+  fill_versions();
+  if (same_exercise) choose(version_, version);
+  any_scripted_ = scripted && !scripted->rows.empty();
+  return scenarios && devices && cohorts && scripted;
 }
 
 void Performance::fill_versions() {
@@ -107,8 +141,7 @@ HistoryFilter Performance::filter() const {
 }
 
 bool Performance::read_again() {
-  const auto scenarios = store_.history.scenarios(reader_);
-  if (!scenarios || std::ssize(*scenarios) + 1 != exercise_->count()) return false;
+  if (!offer_choices()) return false;
   const int row = table_->chosen_row(), fetched = model_->rowCount();
   const SessionId kept = row < 0 ? SessionId{} : model_->row(sorted_->mapToSource(sorted_->index(row, 0)).row()).session;
   read();

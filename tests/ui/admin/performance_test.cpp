@@ -278,6 +278,31 @@ TEST_F(AdminPages, attempts_of_scripted_operators_count_only_where_they_are_chos
   EXPECT_EQ(page.attempts().row(0).operator_name, "expert");
 }
 
+TEST_F(AdminPages, read_again_performance_offers_new_devices_cohorts_and_exercises_and_keeps_what_is_chosen) {
+  const Actor reader = records.administrator().actor();
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "paper-block", 60, 100);
+  ASSERT_TRUE(records.store().cohorts.create(reader, "Year 4"));
+  Performance page(records.store(), reader, ports);
+  page.show();
+  page.exercise()->setCurrentIndex(1);
+  page.version()->setCurrentIndex(1);
+  page.device()->setCurrentIndex(1);
+  page.cohort()->setCurrentIndex(1);
+  const HistoryFilter chosen = page.filter();
+  ASSERT_TRUE(chosen.scenario && chosen.version_number && chosen.device_class && chosen.cohort);
+  records.attempt(lena, "channel-1", 60, 100, "falcon");
+  ASSERT_TRUE(records.store().cohorts.create(reader, "Year 3"));
+  ASSERT_TRUE(page.read_again());
+  EXPECT_EQ(page.exercise()->count(), 3);
+  EXPECT_EQ(page.cohort()->count(), 3);
+  EXPECT_GE(page.device()->findText(QStringLiteral("Falcon")), 0);
+  EXPECT_EQ(page.filter().scenario, chosen.scenario);
+  EXPECT_EQ(page.filter().version_number, chosen.version_number);
+  EXPECT_EQ(page.filter().device_class, chosen.device_class);
+  EXPECT_EQ(page.filter().cohort, chosen.cohort);
+}
+
 TEST_F(AdminPages, performance_shows_an_exercise_by_criterion_the_hardest_first) {
   records.attempt(records.student("1", "Lena Brandt"), "channel-1", 60, 100);
   Performance page(records.store(), records.administrator().actor(), ports);
