@@ -68,6 +68,7 @@ void LibraryPage::in_background(const QString& meanwhile, Work work, Then then) 
         [self, then, answer] {
           if (!self) return;
           self->working_ = false;
+          self->read_.clear();
           self->band_->clear();
           if (!*answer) return self->show_failure(answer->error());
           then(*self, **answer);
@@ -97,14 +98,17 @@ void LibraryPage::save_chosen() {
                    });
 }
 
+void LibraryPage::offer_again(const Question& question, std::function<void(LibraryPage&)> act) {
+  ports_.ask(this, question, [self = QPointer(this), act = std::move(act)](bool yes) {
+    if (self && yes) act(*self);
+  });
+}
+
 void LibraryPage::save_row(const LibraryRow& row, const QString& title, const QString& picked) {
   const QString path = picked.endsWith(suffix(), Qt::CaseInsensitive) ? picked : picked + suffix();
   if (working()) {
-    ports_.ask(this, {tr("%1 was not written.").arg(QFileInfo(path).fileName()), tr("Another file is still being written or read."), tr("Save again")},
-               [self = QPointer(this), row, title, picked](bool yes) {
-                 if (self && yes) self->save_row(row, title, picked);
-               });
-    return;
+    return offer_again({tr("%1 was not written.").arg(QFileInfo(path).fileName()), tr("Another file is still being written or read."), tr("Save again")},
+                       [row, title, picked](LibraryPage& page) { page.save_row(row, title, picked); });
   }
   using Saved = Result<std::monostate, FileFailure>;
   const auto work = [row, path = path.toStdString(), database = database_](Store& store) -> Saved {
@@ -129,7 +133,12 @@ void LibraryPage::choose_file() {
 }
 
 void LibraryPage::open_file(const QString& path) {
-  if (working()) return;
+  if (working()) {
+    if (path == read_) return;  // opened twice
+    return offer_again({tr("%1 was not opened.").arg(QFileInfo(path).fileName()), tr("Another file is still being written or read."), tr("Open again")},
+                       [path](LibraryPage& page) { page.open_file(path); });
+  }
+  read_ = path;
   std::vector<LibraryRow> rows;
   for (int i = 0; i < model_->rowCount(); ++i) rows.push_back(model_->row(i));
   const auto work = [rows = std::move(rows), path = path.toStdString(), database = database_](Store& store) -> Result<Looked, FileFailure> {
@@ -165,7 +174,10 @@ void LibraryPage::open_looked(const Looked& looked) {
 }
 
 void LibraryPage::open_taken(const ExerciseFile& file, KeepId keep) {
-  if (working()) return;
+  if (working()) {
+    return offer_again({tr("%1 was not opened.").arg(local(file.scenario.title)), tr("Another file is still being written or read."), tr("Open again")},
+                       [file, keep](LibraryPage& page) { page.open_taken(file, keep); });
+  }
   const auto work = [actor = actor_, file, keep, database = database_](Store& store) -> Result<EditorStart, FileFailure> {
     auto start = take_in(store, actor, file, keep, database);
     if (!start) return std::unexpected(FileFailure(start.error()));

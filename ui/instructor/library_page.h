@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <filesystem>
+#include <functional>
 #include <variant>
 
 #include "scenarios/library/exercise_file.h"
@@ -62,7 +63,8 @@ class LibraryPage : public QWidget, public Rereads {
   /// Asks for a file name. Saves the published version; the draft of an exercise that was never published.
   void save_chosen();
   void choose_file();
-  /// Makes a draft of the exercise in the file. Asks if the library has that exercise with another content.
+  /// Makes a draft of the exercise in the file. Asks if the library has that exercise with another content, or if another file is
+  /// still being read or written.
   void open_file(const QString& path);
 
  Q_SIGNALS:
@@ -98,6 +100,8 @@ class LibraryPage : public QWidget, public Rereads {
   /// work(store) on a thread and a store of their own, then then(page, answer), unless the page is gone.
   template <class Work, class Then>
   void in_background(const QString& meanwhile, Work work, Then then);
+  /// Asks whether to do what another file was in the way of.
+  void offer_again(const Question& question, std::function<void(LibraryPage&)> act);
   void open_looked(const Looked& looked);
   void open_taken(const ExerciseFile& file, KeepId keep);
   int row_of(ScenarioId id) const;
@@ -119,6 +123,7 @@ class LibraryPage : public QWidget, public Rereads {
   ThumbnailCache* pictures_;
   BackgroundTask work_;
   bool working_ = false;
+  QString read_;  // path of the file that is being read; empty: none is
   QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;
 };
 

@@ -196,6 +196,25 @@ TEST_F(LibraryFiles, TheWindowDoesNotWaitForAFileAndOneIsOpenedAtATime) {
   EXPECT_EQ(to.drafts().size(), 1u);
 }
 
+TEST_F(LibraryFiles, AnotherFileThanTheOneThatIsReadIsNamedAndOfferedAgain) {
+  send_volume(path("block.cusp"));
+  ASSERT_TRUE(write_exercise_file({from.changed(2.4), {}}, path("deeper.cusp").toStdString()));
+  std::function<void(bool)> then;
+  to.ports.ask = [&](QWidget*, const Question& question, const std::function<void(bool)>& wanted) {
+    to.asked << question.what;
+    then = wanted;
+  };
+  to.page->open_file(path("block.cusp"));
+  to.page->open_file(path("deeper.cusp"));
+  ASSERT_EQ(to.asked, QStringList{QStringLiteral("deeper.cusp was not opened.")});
+  to.worked();
+  ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+  then(true);
+  EXPECT_TRUE(to.page->working());
+  to.worked();
+  EXPECT_EQ(to.asked.size(), 2) << "the library has that exercise with another content";
+}
+
 TEST_F(LibraryFiles, AFileThatIsReadWhileAnotherPageCameDoesNotOpen) {
   send_volume(path("block.cusp"));
   to.page->open_file(path("block.cusp"));
