@@ -292,6 +292,10 @@ bool EditorModel::set_tissue_figures(std::size_t index, double stiffness_n_per_m
   });
 }
 
+bool EditorModel::set_tool_tilt_deg(double deg) {
+  return edit(tr("Tilt of the handpiece"), u"tool_tilt"_qs, [&](Scenario& s) { s.tool_tilt_deg = deg; });
+}
+
 bool EditorModel::set_handpiece(const std::string& key) {
   end_gesture();
   return edit(tr("Handpiece"), u"handpiece"_qs, [&](Scenario& s) {

@@ -116,6 +116,7 @@ class EditorModel : public QObject {
   bool set_bur_radius_mm(std::size_t index, double mm);
   bool set_time_limit_s(double seconds);
   bool set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s);
+  bool set_tool_tilt_deg(double deg);  // of the handpiece at rest, towards buccal
   /// A key of kPhenomenonKeys, "" for none. Without a handpiece the exercise loses vibration and sound too.
   bool set_handpiece(const std::string& key);
   /// Any other phenomenon. Without heat, overheating fails no attempt.

@@ -48,7 +48,7 @@ void EditorPage::follow_reference() {
     Q_EMIT result_wanted(result);
   });
   connect(reference_job_, &OperatorJob::failed, this, [this](OperatorCutError error) {
-    const Message message = describe(error);
+    const Message message = describe(error, model_->scenario().tool_tilt_deg);
     band_->show_message(Band::Kind::look, message.what, message.more);
   });
   connect(reference_job_, &OperatorJob::done, this, &EditorPage::end_reference);

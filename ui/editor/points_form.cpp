@@ -148,7 +148,7 @@ QBoxLayout* PointsForm::make_measuring() {
   connect(job_, &OperatorJob::cut, this, [this](const std::shared_ptr<const SessionResult>& result) {
     model_.now_tried({tried_by(result->operator_name), result->scenario, result->measures});
   });
-  connect(job_, &OperatorJob::failed, this, [this](OperatorCutError error) { measured_->setText(describe(error).line()); });
+  connect(job_, &OperatorJob::failed, this, [this](OperatorCutError error) { measured_->setText(describe(error, model_.scenario().tool_tilt_deg).line()); });
   connect(job_, &OperatorJob::done, this, [this] {
     if (measured_->text() == tr("Measuring")) measured_->clear();
     follow_model();

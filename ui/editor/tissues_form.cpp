@@ -9,6 +9,7 @@
 #include <array>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/format/ranges.h"
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/form_parts.h"
 #include "ui/modules.h"
@@ -53,6 +54,11 @@ TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent),
   handpiece_->addItems({tr("Any: speed is not reckoned"), tr("Turbine"), tr("Electric"), tr("Slow")});
   handpiece_->setAccessibleName(tr("Handpiece"));
   column->addWidget(handpiece_);
+  const NumberRange& deg = *range_of("/device/tool_tilt_deg");
+  tilt_ = new NumberBox(model_, tr("Tilt of the handpiece"), u"deg"_qs, deg.least, deg.most, 1, 1,
+                        [this](double value) { return model_.set_tool_tilt_deg(value); });
+  tilt_->setToolTip(tr("From vertical; above 0 the shank leans towards buccal"));
+  add_row(column, tr("Tilt at rest"), tilt_);
   const auto box = [column, this](const QString& text, const char* key) {
     auto* out = new QCheckBox(text);
     column->addWidget(out);
@@ -133,6 +139,7 @@ void TissuesForm::follow_model() {
     if (has(kHandpieces[i])) handpiece = static_cast<int>(i);
   const QSignalBlocker q1(handpiece_), q2(vibration_), q3(sound_), q4(heat_), q5(friction_);
   handpiece_->setCurrentIndex(handpiece);
+  tilt_->show_value(s.tool_tilt_deg);
   vibration_->setChecked(has("vibration"));
   sound_->setChecked(has("sound"));
   heat_->setChecked(has("heat"));

@@ -40,7 +40,8 @@ bool ReferencePage::offered(const Scenario& scenario) {
 }
 
 ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish& wish, const QString& title, QWidget* parent)
-    : QWidget(parent), player_(std::move(teeth), wish), stack_(new QStackedWidget), expected_time_s_(wish.scenario.expected_time_s) {
+    : QWidget(parent), player_(std::move(teeth), wish), stack_(new QStackedWidget), expected_time_s_(wish.scenario.expected_time_s),
+      tool_tilt_deg_(wish.scenario.tool_tilt_deg) {
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   setAccessibleName(tr("Reference preparation"));
@@ -162,7 +163,12 @@ void ReferencePage::show_failure(const ReferencePlayer::Failure& failure) {
   timer_.stop();
   busy_->finish();
   bar_->setEnabled(false);
-  const Message message = std::visit([](const auto& f) { return describe(f); }, failure);
+  const Message message = std::visit(
+      [this](const auto& f) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(f)>, OperatorCutError>) return describe(f, tool_tilt_deg_);
+        else return describe(f);
+      },
+      failure);
   auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Briefing"), Ink::look);
   connect(state, &EmptyState::acted, this, &ReferencePage::back_wanted);
   stack_->setCurrentIndex(stack_->addWidget(make_page(state)));

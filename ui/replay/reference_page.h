@@ -66,6 +66,7 @@ class ReferencePage : public QWidget {
   int shown_ = 0;
   int mesial_x_ = 1;  // of the tooth
   double expected_time_s_ = 0;
+  double tool_tilt_deg_ = 0;
 };
 
 }  // namespace cusp::ui

@@ -1,5 +1,6 @@
 #include "ui/text/failure_text.h"
 
+#include <cmath>
 #include <variant>
 
 #include "ui/text/import_text.h"
@@ -130,9 +131,13 @@ Message describe(const PortFailure& f) {
   return {Text::tr("The device failed."), where};
 }
 
-Message describe(OperatorCutError error) {
+Message describe(OperatorCutError error, double tool_tilt_deg) {
   switch (error) {
     case OperatorCutError::no_path:
+      if (tool_tilt_deg != 0.0) {
+        const QString tilt = format({tool_tilt_deg, std::nullopt, QStringLiteral("deg"), tool_tilt_deg == std::round(tool_tilt_deg) ? 0 : 1});
+        return {Text::tr("The operator cannot cut it."), Text::tr("No bur of the exercise fits into its target while the handpiece is tilted by %1.").arg(tilt)};
+      }
       return {Text::tr("The operator cannot cut it."), Text::tr("No bur of the exercise fits into its target.")};
     case OperatorCutError::too_much_cut:
       return {Text::tr("The operator cannot cut it."), Text::tr("More is cut than a volume of this exercise can keep.")};

@@ -34,7 +34,8 @@ Message describe(const ImportFailure& failure);
 Message describe(const ExerciseFileFailure& failure);
 Message describe(const PortFailure& failure);
 Message describe(const SessionFailure& failure);
-Message describe(OperatorCutError error);
+/// `tool_tilt_deg` of the exercise: a tilted handpiece can be why no bur fits.
+Message describe(OperatorCutError error, double tool_tilt_deg);
 Message describe(Fault fault);
 /// How the loop of a device stands among other programs.
 Message describe(const RealtimeGrant& grant);

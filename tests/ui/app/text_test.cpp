@@ -101,6 +101,13 @@ TEST(Sentences, a_newer_database_is_refused_by_name_and_stays_as_it_is) {
   EXPECT_TRUE(line.contains(QStringLiteral("left as it is")));
 }
 
+TEST(Sentences, a_tilted_handpiece_is_named_where_no_bur_fits) {
+  EXPECT_FALSE(describe(OperatorCutError::no_path, 0).line().contains(QStringLiteral("tilted")));
+  const QString tilted = describe(OperatorCutError::no_path, 20).line();
+  EXPECT_TRUE(tilted.contains(QStringLiteral("while the handpiece is tilted by"))) << tilted.toStdString();
+  EXPECT_TRUE(tilted.contains(QStringLiteral("20"))) << tilted.toStdString();
+}
+
 TEST(Sentences, nobody_is_shouted_at_or_blamed) {
   for (int i = 0; i <= static_cast<int>(StorageError::differs); ++i) {
     const QString line = describe(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();

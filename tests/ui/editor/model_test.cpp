@@ -87,6 +87,7 @@ const std::vector<Edit>& every_edit() {
       {"bur", [](EditorModel& m) { return m.set_bur_radius_mm(1, 0.55); }},
       {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
       {"tissue", [](EditorModel& m) { return m.set_tissue_figures(0, 2.5, 0.6); }},
+      {"tilt", [](EditorModel& m) { return m.set_tool_tilt_deg(15); }},
       {"handpiece", [](EditorModel& m) { return m.set_handpiece("spindle-electric"); }},
       {"coolant", [](EditorModel& m) { return m.set_phenomenon("heat", EditorModel::Listed::yes); }},
   };
