@@ -233,7 +233,7 @@ QWidget* StartPage::make_list() {
   table_->set_stretch_column(CourseModel::kExercise);
   const bool due = std::ranges::any_of(course_.rows, [](const CourseRow& row) { return row.due_utc_us.has_value(); });
   table_->setColumnHidden(CourseModel::kDue, !due);
-  table_->set_rows_shown(8);
+  table_->set_rows_shown(model->rowCount());  // the page scrolls, the table does not
   table_->choose_row(course_.next());
   card->body()->addWidget(table_);
   const auto open = [this, model](const QModelIndex& at) { Q_EMIT briefing_wanted(model->row(at.row()).exercise); };

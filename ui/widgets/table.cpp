@@ -4,6 +4,8 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
@@ -219,12 +221,25 @@ QSize Table::sizeHint() const {
 }
 QSize Table::minimumSizeHint() const { return rows_shown_ > 0 ? QSize(px(200), sizeHint().height()) : QSize(px(200), px(110)); }
 
+void Table::take_page_along() {
+  const QRect row = visualRect(currentIndex());
+  for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
+    auto* area = qobject_cast<QScrollArea*>(above);
+    if (area == nullptr || area->widget() == nullptr) continue;
+    const int y = viewport()->mapTo(area->widget(), row.center()).y();
+    area->ensureVisible(area->horizontalScrollBar()->value(), y, 0, row.height());
+  }
+}
+
 void Table::keyPressEvent(QKeyEvent* event) {
   if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && currentIndex().isValid()) {
     Q_EMIT row_opened(currentIndex());
     return;
   }
+  const QPersistentModelIndex before = currentIndex();
   QTableView::keyPressEvent(event);
+  // A table as high as its rows does not scroll itself.
+  if (currentIndex().isValid() && before != currentIndex()) take_page_along();
 }
 
 }  // namespace cusp::ui

@@ -3,6 +3,8 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -92,6 +94,31 @@ TEST_F(StartPageCards, an_attempt_that_broke_off_after_an_hour_has_its_hours) {
   row.kind = SessionKind::assessment;
   const InterruptedCard assessment(records.store(), row, InterruptedWay::resume, "pointer", ButtonKind::primary);
   EXPECT_TRUE(plain(texts_of(assessment)).contains(QStringLiteral("It broke off after 1:01:40 h. All of it is kept."))) << texts_of(assessment).toStdString();
+}
+
+TEST_F(StartPageCards, the_list_scrolls_with_the_page_and_its_keys_take_the_page_along) {
+  page();
+  shown->resize(1080, 672);  // of a window of 1280 x 720
+  shown->show();
+  shown->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(shown.get()));
+  Table* table = shown->table();
+  const int rows = table->model()->rowCount();
+  ASSERT_GT(rows, 8);
+  EXPECT_EQ(table->verticalScrollBar()->maximum(), 0);
+  const auto* area = shown->findChild<QScrollArea*>();
+  ASSERT_GT(area->verticalScrollBar()->maximum(), 0);
+  table->setFocus();
+  const auto in_view = [&](int row) {
+    const QRect cell = table->visualRect(table->model()->index(row, CourseModel::kExercise));
+    const QRect there(table->viewport()->mapTo(area->viewport(), cell.topLeft()), cell.size());
+    return area->viewport()->rect().contains(QRect(0, there.top(), 1, there.height()));
+  };
+  QTest::keyClick(table, Qt::Key_End, Qt::ControlModifier);
+  EXPECT_EQ(table->currentIndex().row(), rows - 1);
+  EXPECT_TRUE(in_view(rows - 1));
+  QTest::keyClick(table, Qt::Key_Home, Qt::ControlModifier);
+  EXPECT_TRUE(in_view(0));
 }
 
 TEST_F(StartPageCards, a_page_says_when_an_assessment_opens_and_one_made_then_offers_its_start) {
