@@ -120,8 +120,6 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
   const auto a = vector3(set, DCM_ImageOrientationPatient, 0), d = vector3(set, DCM_ImageOrientationPatient, 3);
   out.placed = at && a && d;
   if (out.placed) {
-    const double skew = std::max({std::abs(glm::length(*a) - 1.0), std::abs(glm::length(*d) - 1.0), std::abs(glm::dot(*a, *d))});
-    if (skew > kSkew) return fail(ImportError::bad_orientation, name + " ImageOrientationPatient");
     out.first_mm = *at;
     out.across = *a;
     out.down = *d;
@@ -181,6 +179,10 @@ struct SliceStep {
   bool known = true;  // the files hold its length
 };
 
+bool is_skewed(const Slice& s) {
+  return std::max({std::abs(glm::length(s.across) - 1.0), std::abs(glm::length(s.down) - 1.0), std::abs(glm::dot(s.across, s.down))}) > kSkew;
+}
+
 /// From the first place to the last in equal steps; a slice that is shifted in its plane is refused.
 Result<SliceStep, ImportFailure> step_of_places(const std::vector<Slice>& slices, Vec3 normal) {
   const Slice& first = slices.front();
@@ -204,6 +206,7 @@ Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const 
   for (Slice& s : slices) {
     if (s.placed != like.placed)
       return fail(ImportError::bad_header, (s.placed ? like : s).file.filename().string() + " ImagePositionPatient");
+    if (placed && is_skewed(s)) return fail(ImportError::bad_orientation, s.file.filename().string() + " ImageOrientationPatient");
     if (s.rows != like.rows || s.columns != like.columns) return fail(ImportError::bad_sizes, s.file.filename().string() + " Rows");
     const Vec3 turned = glm::abs(s.across - like.across) + glm::abs(s.down - like.down);
     if (placed && turned.x + turned.y + turned.z > 1e-3)

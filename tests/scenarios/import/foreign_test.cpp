@@ -237,6 +237,18 @@ TEST_F(Dicom, AnOrientationThatIsNoneAndAPlaceThatOneSliceLacksAreRefused) {
     ASSERT_FALSE(skewed);
     EXPECT_EQ(key_of(skewed.error().code), "bad_orientation");
     EXPECT_EQ(skewed.error().where, "s2 ImageOrientationPatient");
+    // Nor is the rest of the folder a series without it.
+    for (const int n : {0, 2, 3}) {
+      for (int i = 0; i < 4; ++i) {
+        w = slice(i);
+        if (i == n) w.orientation = orientation;
+        put("s" + std::to_string(i), w);
+      }
+      const auto whole = read_dicom(folder.path(), {});
+      ASSERT_FALSE(whole) << n;
+      EXPECT_EQ(whole.error().where, "s" + std::to_string(n) + " ImageOrientationPatient");
+    }
+    put("s3", slice(3));
   }
 }
 
