@@ -1,7 +1,11 @@
 #include "ui/session/drawn_tooth.h"
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "scenarios/checks/checks.h"
 #include "scenarios/templates/other_tooth.h"
@@ -11,8 +15,16 @@ namespace cusp::ui {
 
 namespace {
 
-/// What the exercise lacks on every tooth is no reason to refuse one.
-bool is_refused(const Finding& f) { return f.severity == Severity::error && f.code != "criterion_unmeasured"; }
+bool is_unmeasured(const Finding& f) { return f.code == "criterion_unmeasured"; }
+bool is_refused(const Finding& f) { return f.severity == Severity::error && !is_unmeasured(f); }
+
+/// Criteria that drop out of every grade on this tooth.
+std::set<std::string> unmeasured_in(const std::vector<Finding>& findings) {
+  std::set<std::string> out;
+  for (const Finding& f : findings)
+    if (is_unmeasured(f)) out.insert(f.detail);
+  return out;
+}
 
 }  // namespace
 
@@ -31,12 +43,22 @@ std::uint64_t drawn_seed(AssignmentId assignment, UserId student, int draw) {
 
 Outcome<Scenario> draw_tooth(const Scenario& exercise, AssignmentId assignment, UserId student, const GrowSpecimen& grow) {
   if (const auto bound = bound_to_its_tooth(exercise)) return session_fail(SessionError::no_tooth, bound->where);
+  std::optional<std::set<std::string>> lacks;  // what the exercise's own tooth lacks is no reason to refuse another
   for (int draw = 0; draw < kMostDraws; ++draw) {
     auto drawn = on_other_tooth(exercise, drawn_seed(assignment, student, draw));
     if (!drawn) continue;
     const auto specimen = grow(*drawn);
     if (!specimen) return std::unexpected(specimen.error());
-    if (std::ranges::none_of(check_exercise(*drawn, *specimen), is_refused)) return std::move(*drawn);
+    const std::vector<Finding> findings = check_exercise(*drawn, *specimen);
+    if (std::ranges::any_of(findings, is_refused)) continue;
+    const std::set<std::string> unmeasured = unmeasured_in(findings);
+    if (unmeasured.empty()) return std::move(*drawn);
+    if (!lacks) {
+      const auto own = grow(exercise);
+      if (!own) return std::unexpected(own.error());
+      lacks = unmeasured_in(check_attempts(exercise, *own));
+    }
+    if (std::ranges::includes(*lacks, unmeasured)) return std::move(*drawn);
   }
   return session_fail(SessionError::no_tooth, "/specimen/seed");
 }

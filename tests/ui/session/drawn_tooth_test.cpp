@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "scenarios/format/content_hash.h"
@@ -40,6 +41,14 @@ Outcome<std::shared_ptr<const Specimen>> all_pulp(const Scenario& exercise) {
   return Specimen::build(voxels, Reading::banded);
 }
 
+/// The same tooth without its pulp: nothing is measured over it.
+Outcome<std::shared_ptr<const Specimen>> without_pulp(const Scenario& exercise) {
+  VoxelVolume voxels = make_specimen(exercise.specimen, {}).value();
+  for (Tissue& tissue : voxels.tissue)
+    if (tissue == Tissue::pulp) tissue = Tissue::dentine;
+  return Specimen::build(voxels, Reading::banded);
+}
+
 TEST(DrawnTooth, HasASeedForEachCandidateAndDrawThatIsAlwaysTheSame) {
   EXPECT_EQ(drawn_seed(kExam, kLena, 0), drawn_seed(kExam, kLena, 0));
   std::set<std::uint64_t> seeds;
@@ -61,6 +70,23 @@ TEST(DrawnTooth, IsTheFirstThatTheExerciseSuits) {
   ASSERT_GE(tried.size(), 2u) << "a target that opens the pulp is an error";
   EXPECT_EQ(drawn->specimen.seed, tried.back());
   EXPECT_FALSE(drawn->target == class_1().target);
+}
+
+TEST(DrawnTooth, LacksNoCriterionThatTheExercisesOwnToothHas) {
+  const Scenario exercise = class_1();
+  ASSERT_EQ(std::ranges::count(exercise.rubric.criteria, "remaining_over_pulp", &Criterion::metric), 1);
+  const auto suited = draw_tooth(exercise, kExam, kLena, grown);
+  ASSERT_TRUE(suited) << suited.error().where;
+  const auto drawn_where = [&](const std::set<std::uint64_t>& without) {
+    return draw_tooth(exercise, kExam, kLena, [&](const Scenario& one) { return without.contains(one.specimen.seed) ? without_pulp(one) : grown(one); });
+  };
+  const std::uint64_t seed = suited->specimen.seed;
+  const auto other = drawn_where({seed});
+  ASSERT_TRUE(other) << other.error().where;
+  EXPECT_NE(other->specimen.seed, seed) << "its candidate would be graded without a criterion that the others have";
+  const auto same = drawn_where({seed, exercise.specimen.seed});
+  ASSERT_TRUE(same) << same.error().where;
+  EXPECT_EQ(same->specimen.seed, seed) << "nobody is graded by it";
 }
 
 TEST(DrawnTooth, FailsWithTheCauseWhereNoneIsFound) {
