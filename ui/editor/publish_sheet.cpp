@@ -92,8 +92,8 @@ void PublishSheet::add_uses(QVBoxLayout& column) {
   }
   QStringList lines;
   for (const OlderUse& use : facts_.uses) {
-    const QString due = use.due_utc_us ? tr("due %1").arg(format_day(local_time(*use.due_utc_us))) : tr("no due date");
-    //: %1: a cohort, %2: practice or assessment, %3: number of a version, %4: "due Fri 4 Dec"
+    const QString due = use.due_utc_us ? tr("due %1").arg(format_day_time(local_time(*use.due_utc_us))) : tr("no due date");
+    //: %1: a cohort, %2: practice or assessment, %3: number of a version, %4: "due Fri 4 Dec, 17:00"
     lines << tr("%1: %2, version %3, %4").arg(isolate(QString::fromStdString(use.cohort)), kind_name(use.kind), QString::number(use.version), due);
   }
   column.addWidget(list_of(lines, name));

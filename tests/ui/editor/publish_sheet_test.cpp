@@ -16,6 +16,7 @@
 #include "ui/editor/change_messages.h"
 #include "ui/editor/publish_sheet.h"
 #include "ui/session/background_task.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::test {
 namespace {
@@ -127,6 +128,7 @@ TEST_F(PublishSheets, NameTheCohortsWhoseOpenAssignmentsKeepAnOlderVersion) {
   ASSERT_TRUE(open_sheet(*page));
   const QString text = text_of(*sheet_of(*page));
   EXPECT_TRUE(text.contains(QStringLiteral("Year 3: Practice, version 4"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("due ") + format_day_time(local_time(now_us + 14 * day_us)).replace(QChar(0x00A0), u' '))) << "a day alone is also that of midnight: " << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("Year 4: Practice, version 4"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("no due date"))) << text.toStdString();
   EXPECT_FALSE(text.contains(QStringLiteral("Year 2"))) << "that one is over";
