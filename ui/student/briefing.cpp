@@ -185,7 +185,8 @@ void Briefing::add_facts(QVBoxLayout& text) {
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
   fact(tr("Time limit"), s.time_limit_s > 0 ? tr("%1 at most").arg(duration_text(s.time_limit_s))
-                                      : tr("none; time earns no points"));
+                         : asks_for_time(s) ? tr("none")
+                                            : tr("none; time earns no points"));
   fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
   if (s.self_assessment) fact(tr("Own assessment"), tr("asked for before the result"));
   QStringList critical;

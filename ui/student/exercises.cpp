@@ -1,5 +1,6 @@
 #include "ui/student/exercises.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -29,6 +30,10 @@ const std::vector<Exercise>& builtin_exercises() {
 }
 
 }  // namespace
+
+bool asks_for_time(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.rubric.criteria, [](const Criterion& one) { return one.metric == "time"; });
+}
 
 Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
   const std::filesystem::path part = file.string() + ".part";

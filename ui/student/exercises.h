@@ -34,6 +34,9 @@ Stored<Exercise> load_exercise(Store& store, VersionId version);
 Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exercise,
                                               const std::filesystem::path& cache);
 
+/// Whether an attempt's time brings points.
+bool asks_for_time(const Scenario& scenario);
+
 /// Writes beside the name and renames: a failure leaves what was there, and no half file.
 Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes);
 

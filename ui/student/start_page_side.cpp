@@ -136,9 +136,11 @@ QWidget* StartPage::make_chart() {
   chart->set_data(time_and_score(attempts));
   chart->setFixedHeight(px(200));
   card->body()->addWidget(chart);
-  QLabel* note = make_label(tr("Time earns no points. %1 only, %n attempt(s).", nullptr, static_cast<int>(attempts.size()))
-                                .arg(device_name(last->device_class)),
-                            TextRole::caption, Weight::regular, "text2");
+  const auto row = std::ranges::find(course_.rows, last->scenario, [](const CourseRow& one) { return one.exercise.scenario.id; });
+  const bool free_of_time = row != course_.rows.end() && !asks_for_time(row->exercise.scenario);
+  const int count = static_cast<int>(attempts.size());
+  const QString what = free_of_time ? tr("Time earns no points. %1 only, %n attempt(s).", nullptr, count) : tr("%1 only, %n attempt(s).", nullptr, count);
+  QLabel* note = make_label(what.arg(device_name(last->device_class)), TextRole::caption, Weight::regular, "text2");
   note->setWordWrap(true);
   card->body()->addWidget(note);
   std::reverse(attempts.begin(), attempts.end());

@@ -267,6 +267,26 @@ TEST_F(StartPageCards, a_briefing_gives_the_time_limit_as_a_duration) {
   EXPECT_TRUE(plain(texts_of(briefing)).contains(QStringLiteral("20:00 min at most"))) << "20:00 alone is an hour of the day";
 }
 
+TEST_F(StartPageCards, time_is_said_to_earn_no_points_only_where_no_criterion_asks_for_it) {
+  const QString none = QStringLiteral("ime earns no points");
+  Exercise exercise;
+  exercise.scenario = *load_builtin("channel-1");
+  ASSERT_EQ(exercise.scenario.time_limit_s, 0);
+  const auto said = [&] {
+    const Briefing briefing(exercise, pictures, {}, std::make_shared<ToothCache>(std::filesystem::path()));
+    return texts_of(briefing);
+  };
+  EXPECT_TRUE(said().contains(none));
+  records.attempt(lena, "channel-1", 80, 300);
+  EXPECT_TRUE(texts_of(*page()).contains(none));
+  exercise.scenario.rubric.criteria.push_back({"time", 10, {0, 0, 0, 300, 600, 900}});
+  EXPECT_FALSE(said().contains(none)) << said().toStdString();
+  const Scenario& timed = exercise.scenario;
+  ASSERT_TRUE(records.store().scenarios.ensure(timed, canonical_json(timed), content_hash(timed).bytes));
+  EXPECT_FALSE(texts_of(*page()).contains(none)) << texts_of(*shown).toStdString();
+  EXPECT_TRUE(texts_of(*shown).contains(QStringLiteral("only, 1 attempt")));
+}
+
 TEST_F(StartPageCards, an_assessment_that_cannot_be_continued_here_is_the_invigilators_and_keeps_no_exercise) {
   const SessionId session = sit(kEngineVersion - 1);
   ASSERT_TRUE(records.store().sessions.interrupt(session, "left"));
