@@ -22,13 +22,13 @@ QString kind_of(const SpecimenSource& specimen) {
 QString standing_text(const CourseRow& row) {
   if (row.best && row.best->score) return CourseModel::tr("%1 of 100").arg(format_points(*row.best->score));
   // The last day on which it is open: midnight, shown without its time, would read as a further day.
-  if (row.due_utc_us && !row.over) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us - 1)));
+  if (row.due()) return CourseModel::tr("Due %1").arg(format_day(local_time(*row.due_utc_us - 1)));
   return row.attempts > 0 ? CourseModel::tr("no result yet") : CourseModel::tr("not tried yet");
 }
 
 Chip::Kind standing_kind(const CourseRow& row) {
   if (row.passed) return Chip::Kind::good;
-  return row.due_utc_us && !row.over ? Chip::Kind::look : Chip::Kind::plain;
+  return row.due() ? Chip::Kind::look : Chip::Kind::plain;
 }
 
 /// What a screen reader says of a card besides its name.
@@ -48,7 +48,7 @@ int Course::next() const {
   if (rows.empty()) return -1;
   const auto rank = [](const CourseRow& r) {
     constexpr auto kNever = std::numeric_limits<std::int64_t>::max();
-    return std::tuple(r.passed, r.over ? kNever : r.due_utc_us.value_or(kNever), r.passed && r.best ? r.best->score.value_or(0) : 0.0);
+    return std::tuple(r.passed, r.due() ? *r.due_utc_us : kNever, r.passed && r.best ? r.best->score.value_or(0) : 0.0);
   };
   const auto it = std::min_element(rows.begin(), rows.end(),
                                    [&](const CourseRow& a, const CourseRow& b) { return rank(a) < rank(b); });
@@ -88,9 +88,6 @@ bool is_assigned(Store& store, const Assignment& a, std::int64_t now_us) {
   return withdrawn && !*withdrawn;
 }
 
-/// No further attempt counts for the assignment.
-bool is_used_up(const CourseRow& row) { return row.attempts_allowed && row.attempts_counted >= *row.attempts_allowed; }
-
 /// Of each exercise the practice that is open, has attempts left and is due first, else the last one that is open, else the one that was
 /// over last. The student drills the version of an open one, also when a newer one is published. `assigned`: by due date.
 void add_assignments(Course& course, Store& store, UserId student, const std::vector<Assignment>& assigned) {
@@ -101,7 +98,7 @@ void add_assignments(Course& course, Store& store, UserId student, const std::ve
     if (!exercise) continue;
     const auto row = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.scenario.id == exercise->scenario.id; });
     if (row == course.rows.end()) continue;
-    if (row->assignment && !row->over && !is_used_up(*row)) continue;
+    if (row->assignment && !row->over && !row->used_up()) continue;
     row->over = a.due_utc_us && *a.due_utc_us <= now_us;
     if (!row->over && row->exercise.version != a.version) row->exercise = std::move(*exercise);
     row->assignment = a.id;

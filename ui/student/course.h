@@ -22,6 +22,10 @@ struct CourseRow {
   int attempts_counted = 0;  // of those allowed
   std::optional<AssignmentId> assignment;
   std::vector<std::string> device_classes;  // that the assignment admits; none = every one
+
+  bool used_up() const { return attempts_allowed && attempts_counted >= *attempts_allowed; }
+  /// It has a due date, and a further attempt counts.
+  bool due() const { return due_utc_us && !over && !used_up(); }
 };
 
 struct Course {
@@ -32,7 +36,7 @@ struct Course {
   std::vector<HistoryRow> interrupted;
   std::vector<HistoryRow> charted;          // graded attempts at the exercise and with the device class of last_graded, newest first
 
-  /// Index of the next exercise: not passed before passed, then by due date unless it is over, then by the lowest best score;
+  /// Index of the next exercise: not passed before passed, then by due date where an attempt still counts, then by the lowest best score;
   /// -1 without exercises.
   int next() const;
 };

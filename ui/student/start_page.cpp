@@ -75,7 +75,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   QVBoxLayout* body = nullptr;
   outer->addWidget(make_scroll_page(&body));
   bool due = std::ranges::any_of(assessments_, [](const auto& a) { return a.state != AssignedAssessment::State::missed && a.state != AssignedAssessment::State::handed_in; });
-  for (const CourseRow& row : course_.rows) due = due || (row.due_utc_us && !row.over);
+  due = due || std::ranges::any_of(course_.rows, &CourseRow::due);
   body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
   columns_->setSpacing(px(16));
@@ -172,7 +172,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->setContentsMargins(px(24), px(16), px(24), px(16));
   text->setSpacing(px(4));
   line->addLayout(text, 1);
-  const QString due = row.due_utc_us && !row.over ? tr("Next, due %1").arg(format_day_time(local_time(*row.due_utc_us))) : tr("Next");
+  const QString due = row.due() ? tr("Next, due %1").arg(format_day_time(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
   QLabel* what = make_label(first_sentence(briefing_text(s)), TextRole::body, Weight::regular, "text2");

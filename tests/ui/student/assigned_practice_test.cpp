@@ -75,6 +75,29 @@ TEST_F(AssignedPractice, DueAtMidnightIsShownWithItsTimeOrOnTheDayThatEndsThen) 
   EXPECT_EQ(text_of(0, CourseModel::StandingRole), QStringLiteral("Due %1").arg(format_day(midnight.addSecs(-1))));
 }
 
+TEST_F(AssignedPractice, WithoutAttemptsLeftIsNoLongerDueAndNotNext) {
+  const VersionId version = delivered();
+  const Assignment due = assign({.version = version, .due_utc_us = kMorning + kHourUs, .attempts_allowed = 1});
+  const Scenario other = *load_builtin("paper-block");
+  const VersionId later = records.store().scenarios.ensure(other, canonical_json(other), content_hash(other).bytes)->id;
+  assign({.version = later, .due_utc_us = kMorning + 9 * kHourUs});
+  const auto next = [&] {
+    const Course course = *load_course(records.store(), lena.actor());
+    return course.rows[static_cast<std::size_t>(course.next())];
+  };
+  EXPECT_EQ(next().exercise.version, version);
+  NewSession wanted{.student = lena.id, .version = version, .assignment = due.id};
+  wanted.header.device.device_class = "pointer";
+  wanted.header.scene = "{}";
+  ASSERT_TRUE(records.store().sessions.start(lena.actor(), wanted));
+  EXPECT_EQ(next().exercise.version, later) << "a further attempt at the other one counts for none";
+  const Course course = *load_course(records.store(), lena.actor());
+  const auto used = std::ranges::find_if(course.rows, [&](const CourseRow& r) { return r.exercise.version == version; });
+  ASSERT_NE(used, course.rows.end());
+  EXPECT_TRUE(used->used_up());
+  EXPECT_FALSE(CourseModel({*used}).index(0, 0).data(CourseModel::StandingRole).toString().startsWith(QStringLiteral("Due ")));
+}
+
 TEST_F(AssignedPractice, WithoutAttemptsLeftGivesWayToTheNextOne) {
   const Assignment first = assign({.version = delivered(), .due_utc_us = kMorning + kHourUs, .attempts_allowed = 1});
   const Assignment second = assign({.version = newer(), .due_utc_us = kMorning + 9 * kHourUs});
