@@ -326,18 +326,20 @@ Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view g
     return s.account;
   }
   Transaction transaction(c_.db);
-  // Comparing takes a tenth of a second, in which other processes try too: their lock holds for this try, be it right or wrong.
+  // Comparing takes a tenth of a second, in which other processes try too: their lock holds for this try, be it right or wrong. By the
+  // clock from before, a lock of the longest time would seem to be of a clock that was set back.
+  const std::int64_t compared_at = c_.clock();
   const auto standing = transaction.first(
       "SELECT locked_until, disabled, password = ?2 AND pin = ?3 FROM people WHERE id = ?1",
       [](Row row) { return Standing{row.integer(0), row.flag(1), row.flag(2)}; }, s.account.id, s.password, s.pin);
-  if (standing && lock_holds(standing->locked_until, now)) return std::unexpected(locked_failure(standing->locked_until));
+  if (standing && lock_holds(standing->locked_until, compared_at)) return std::unexpected(locked_failure(standing->locked_until));
   if (right && standing && standing->disabled) return fail(StorageError::disabled, "sign_in");
   if (right && (!standing || standing->same_secrets)) {
     transaction.run("UPDATE people SET wrong_tries = 0, locked_until = 0 WHERE id = ?1", s.account.id);
     log_event(c_, transaction, {.actor = s.account.id, .action = "signed_in", .subject = s.account.id.uuid});
     return committed(c_, transaction, s.account);
   }
-  count_wrong_try(c_, transaction, s.account.id, now);
+  count_wrong_try(c_, transaction, s.account.id, compared_at);
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return fail(StorageError::wrong_password, "sign_in");
 }

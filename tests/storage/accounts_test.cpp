@@ -117,6 +117,30 @@ TEST_F(AccountsTest, what_another_process_does_while_a_secret_is_compared_holds_
   EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", "161803")), StorageError::disabled);
 }
 
+TEST_F(AccountsTest, the_longest_lock_holds_for_a_try_that_began_a_moment_before_it) {
+  make_student(*store);
+  std::function<void()> meanwhile;  // after the account and the clock were read
+  StoreOptions options = quick(now);
+  options.clock = [&] {
+    const std::int64_t read = *now;
+    if (const auto act = std::exchange(meanwhile, {})) act();
+    return read;
+  };
+  const auto other = open(folder / "a.db", options);
+  const auto wrong_try = [&] { EXPECT_EQ(code_of(accounts.sign_in_with_pin("20267314", "000000")), StorageError::wrong_password); };
+  constexpr std::int64_t kLongest_us = 900'000'000, kToCompare_us = 100'000;
+  for (const char* pin : {"314159", "271828"}) {
+    for (int i = 0; i < 9; ++i, *now += kLongest_us) wrong_try();
+    meanwhile = [&] {
+      *now += kToCompare_us;
+      wrong_try();  // the tenth: 15 minutes
+    };
+    EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", pin)), StorageError::locked) << pin;
+    *now += kLongest_us;
+    must(accounts.sign_in_with_pin("20267314", "314159"));  // counting begins anew
+  }
+}
+
 TEST_F(AccountsTest, a_secret_of_the_wrong_kind_is_no_wrong_try_and_the_failure_names_the_number) {
   const Actor admin = make_administrator(*store).actor();
   must(accounts.create(admin, {.number = "271", .name = "Omar", .pin = "271828"}));
