@@ -119,8 +119,20 @@ void count_wrong_try(StorageContext& c, Transaction& transaction, UserId user, s
              .detail = std::to_string(tries.value_or(0))});
 }
 
-/// A wrong one counts as at sign-in: whoever finds a signed-in desk guesses no longer there. An empty one is no try.
-Stored<void> check_old_password(StorageContext& c, UserId user, std::string_view old) {
+/// What stands against a try of which `compared` was the record: another process has locked the account, or changed the password.
+/// Within a transaction.
+std::optional<StorageFailure> barred_since(Transaction& transaction, UserId user, const std::string& compared, std::int64_t now) {
+  const auto own = transaction.first("SELECT locked_until, password = ?2 FROM people WHERE id = ?1",
+                                     [](Row row) { return std::pair{row.integer(0), row.flag(1)}; }, user, compared);
+  if (!own) return std::nullopt;
+  if (lock_holds(own->first, now)) return locked_failure(own->first);
+  if (!own->second) return StorageFailure{StorageError::wrong_password, "password"};
+  return std::nullopt;
+}
+
+/// The record that `old` matches. A wrong one counts as at sign-in: whoever finds a signed-in desk guesses no longer there. An empty one
+/// is no try.
+Stored<std::string> check_old_password(StorageContext& c, UserId user, std::string_view old) {
   struct Own {
     std::string password;
     std::int64_t locked_until = 0;
@@ -129,14 +141,16 @@ Stored<void> check_old_password(StorageContext& c, UserId user, std::string_view
                               [](Row row) { return Own{row.text(0), row.integer(1)}; }, user);
   if (!own) return std::unexpected(own.error());
   if (!*own) return fail(StorageError::not_found, "people");
-  if ((*own)->password.empty() && old.empty()) return {};
-  const std::int64_t now = c.clock();
-  if (lock_holds((*own)->locked_until, now)) return std::unexpected(locked_failure((*own)->locked_until));
-  if (password_matches((*own)->password, old)) return {};
+  const std::string& password = (*own)->password;
+  if (password.empty() && old.empty()) return password;
+  if (const std::int64_t now = c.clock(); lock_holds((*own)->locked_until, now)) return std::unexpected(locked_failure((*own)->locked_until));
+  if (password_matches(password, old)) return password;
   if (!old.empty() && !c.db.read_only()) {
     Transaction transaction(c.db);
+    const std::int64_t now = c.clock();
+    if (auto barred = barred_since(transaction, user, password, now)) return std::unexpected(std::move(*barred));
     count_wrong_try(c, transaction, user, now);
-    if (auto done = commit_sealed(c, transaction); !done) return done;
+    if (auto done = commit_sealed(c, transaction); !done) return std::unexpected(done.error());
   }
   return fail(StorageError::wrong_password, "password");
 }
@@ -262,10 +276,16 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
   const auto there = c_.db.first("SELECT 1 FROM people WHERE id = ?1 AND guest = 0", [](Row) { return true; }, user);
   if (!there) return std::unexpected(there.error());
   if (!*there) return fail(StorageError::not_found, "people");
+  std::optional<std::string> compared;
   if (actor.id == user) {
-    if (auto good = check_old_password(c_, user, old); !good) return good;
+    auto good = check_old_password(c_, user, old);
+    if (!good) return std::unexpected(good.error());
+    compared = std::move(*good);
   }
   Transaction transaction(c_.db);
+  if (compared) {
+    if (auto barred = barred_since(transaction, user, *compared, c_.clock())) return std::unexpected(std::move(*barred));
+  }
   transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1", user,
                   secret(transaction, fresh, c_.cost));
   log_account(c_, transaction, actor.id, "password_changed", user);

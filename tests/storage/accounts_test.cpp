@@ -239,6 +239,30 @@ TEST_F(AccountsTest, a_wrong_old_password_counts_and_locks_as_at_sign_in) {
   EXPECT_TRUE(accounts.sign_in("20267314", "new password"));
 }
 
+TEST_F(AccountsTest, what_another_process_does_while_an_old_password_is_compared_holds_for_that_try) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account student = make_student(*store);
+  std::function<void()> meanwhile;  // after the account was read
+  StoreOptions options = quick(now);
+  options.clock = [&] {
+    if (const auto act = std::exchange(meanwhile, {})) act();
+    return *now;
+  };
+  const auto other = open(folder / "a.db", options);
+  const auto change = [&](const char* old) { return other->accounts.set_password(student.actor(), student.id, old, "new password"); };
+  for (const char* old : {"battery staple", "wrong password"}) {
+    meanwhile = [&] {
+      for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+    };
+    EXPECT_EQ(code_of(change(old)), StorageError::locked) << old;
+    *now += 30'000'000;
+    must(accounts.sign_in("20267314", "battery staple"));  // counting begins anew
+  }
+  meanwhile = [&] { must(accounts.set_password(admin, student.id, "", "given by the office")); };
+  EXPECT_EQ(code_of(change("battery staple")), StorageError::wrong_password);
+  must(accounts.sign_in("20267314", "given by the office"));
+}
+
 TEST_F(AccountsTest, a_number_is_given_once_upper_and_lower_case_alike) {
   const Actor admin = make_administrator(*store).actor();
   EXPECT_EQ(code_of(accounts.create(admin, {.number = "Admin", .name = "x"})), StorageError::duplicate);
