@@ -97,15 +97,26 @@ bool replaces(Merge& merge, const PersonInFile& person) {
   return !merge.late() && changed_in_office(merge, person);
 }
 
+/// Neither name nor secret, and nobody signs in with it, whatever else the file says of an erased account.
+void write_erased(Merge& merge, const PersonInFile& person) {
+  merge.transaction.run(
+      "UPDATE people SET number = ?2, name = '–', password = '', pin = '', disabled = 1, wrong_tries = 0, locked_until = 0 WHERE id = ?1",
+      person.id, person.number);
+}
+
+void write_account(Merge& merge, UserId person) {
+  merge.transaction.run(
+      "UPDATE people SET (number, name, role, password, pin, disabled, wrong_tries, locked_until) = "
+      "(SELECT number, name, role, password, pin, disabled, 0, 0 FROM source.people s WHERE s.id = ?1) WHERE id = ?1",
+      person);
+}
+
 void replace_person(Merge& merge, const PersonInFile& person) {
   const auto read = newest_entry(merge, person.id, kWhenRead), newest = newest_entry(merge, person.id, kAnyTime);
   const bool changed_here = read && newest && (newest->seal != read->seal || renamed_here(merge, person.id));
   if (changed_here && !is_referred(merge.transaction, person.id.uuid)) merge.out.conflicts.push_back(person.number);
   free_number(merge, person);
-  merge.transaction.run(
-      "UPDATE people SET (number, name, role, password, pin, disabled, wrong_tries, locked_until) = "
-      "(SELECT number, name, role, password, pin, disabled, 0, 0 FROM source.people s WHERE s.id = ?1) WHERE id = ?1",
-      person.id);
+  erased_number(person) ? write_erased(merge, person) : write_account(merge, person.id);
   log_account(merge.context, merge.transaction, merge.actor.id, erased_number(person) ? "person_erased" : "person_sealed", person.id);
   if (erased_number(person)) {
     // Cohorts that this station made itself are in no file.

@@ -114,6 +114,22 @@ TEST_F(LookTest, a_results_file_brings_no_account_version_or_withdrawal_though_i
   must(read_in(office->context(), chief, results()));
 }
 
+TEST_F(LookTest, an_erased_account_of_a_results_file_signs_nobody_in_whatever_the_file_says_of_it) {
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  const Account nora = make_student(*station, "3001", "Nora Lind");
+  complete_session(*station, nora, keep(*station), 81.5);
+  must(read_in(office->context(), chief, results()));
+  must(station->accounts.erase(keeper, nora.id));
+  const fs::path file = results();
+  sign_after("UPDATE people SET name = 'Nora Lind', role = 'administrator', password = 'x', disabled = 0 WHERE number LIKE 'erased %'", file, station->context());
+  must(read_in(office->context(), chief, file));
+  const Account here = must(office->accounts.find(nora.id));
+  EXPECT_EQ(here.name, "–");
+  EXPECT_FALSE(here.has_password);
+  EXPECT_TRUE(here.disabled);
+  EXPECT_EQ(whole(*office), "");
+}
+
 TEST_F(LookTest, a_number_that_leaves_none_for_this_station_is_refused) {
   must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
   complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
