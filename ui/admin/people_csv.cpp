@@ -132,9 +132,10 @@ bool is_unseen(QChar c) { return c.category() == QChar::Other_Format || c.catego
 /// Nobody types a mark when signing in.
 QString without_marks(QString typed) { return typed.removeIf(is_unseen).trimmed(); }
 
-/// Persian and Indian names are spelt with joiners; a line's end parts two words.
+/// Persian and Indian names are spelt with joiners; a line's end or a tab parts two words.
 QString without_marks_but_joiners(QString text) {
-  text.replace(u'\n', u' ');
+  for (QChar& c : text)
+    if (c.isSpace()) c = u' ';
   return text.removeIf([](QChar c) { return is_unseen(c) && c != QChar(0x200C) && c != QChar(0x200D); }).simplified();
 }
 

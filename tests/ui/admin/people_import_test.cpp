@@ -114,6 +114,15 @@ TEST(StudentList, takes_no_mark_that_nobody_sees) {
   EXPECT_EQ(list[3].name, QString::fromUtf8("\u0645\u06CC\u200C\u0646\u0627")) << "a joiner is part of the spelling";
 }
 
+TEST(StudentList, a_tab_or_a_line_s_end_within_a_cell_parts_two_words) {
+  const auto list = list_of("number,name,cohort\n1,Lena\tBrandt,Year\t3\n2,\"Omar\r\nHaddad\",\n3,\"Ida\rLind\",\n");
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].name, QStringLiteral("Lena Brandt"));
+  EXPECT_EQ(list[0].cohort, QStringLiteral("Year 3"));
+  EXPECT_EQ(list[1].name, QStringLiteral("Omar Haddad"));
+  EXPECT_EQ(list[2].name, QStringLiteral("Ida Lind"));
+}
+
 TEST(StudentList, is_refused_without_heads_or_lines) {
   EXPECT_EQ(read_student_list("4711,Lena\n", {}).error().code, ListError::no_columns);
   EXPECT_EQ(read_student_list("number,name\n", {}).error().code, ListError::empty);
