@@ -199,7 +199,8 @@ Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArr
     if (student.problem == ListedStudent::Problem::none && !seen.insert(key).second) student.problem = ListedStudent::Problem::twice;
     if (const auto it = by_number.find(key); student.problem == ListedStudent::Problem::none && it != by_number.end()) {
       if (it->second->role != Role::student) student.problem = ListedStudent::Problem::staff;
-      const bool same = QString::fromStdString(it->second->name) == student.name;
+      // An older program kept the marks and blanks of its list.
+      const bool same = without_marks_but_joiners(QString::fromStdString(it->second->name)) == student.name;
       student.state = same ? ListedStudent::State::known : ListedStudent::State::other_name;
     }
     if (student.problem != ListedStudent::Problem::none) student.state = ListedStudent::State::bad;

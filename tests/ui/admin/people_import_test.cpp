@@ -102,6 +102,16 @@ TEST(StudentList, leaves_accounts_that_stand_as_they_are) {
   EXPECT_EQ(list_of("number,name\n4711,Someone\n", {lena})[0].state, State::other_name);
 }
 
+TEST(StudentList, knows_an_account_whose_name_an_older_program_took_with_its_marks_and_blanks) {
+  Account lena, omar;
+  lena.number = "1", lena.name = "Lena  Brandt";
+  omar.number = "2", omar.name = "\u200EOmar Haddad";
+  const auto list = list_of("number,name\n1,Lena  Brandt\n2,\u200EOmar Haddad\n", {lena, omar});
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].state, State::known);
+  EXPECT_EQ(list[1].state, State::known);
+}
+
 TEST(StudentList, takes_no_mark_that_nobody_sees) {
   const auto list = list_of("number,name,pin,cohort\n\u200B4711\u202C,\u202ELena\u202C\u0007 Brandt,\u200E123456,Year\u2066 3\n4711,Other,,\n8,\"Omar\nHaddad\",,\n9,\u0645\u06CC\u200C\u0646\u0627,,\n");
   ASSERT_EQ(list.size(), 4u);
