@@ -12,6 +12,7 @@
 
 #include "ui/admin/account_change.h"
 #include "ui/admin/departed_card.h"
+#include "ui/admin/people_csv.h"
 #include "ui/admin/people_model.h"
 #include "ui/session/records_task.h"
 #include "ui/widgets/choice.h"
@@ -221,6 +222,11 @@ bool PeoplePage::show_if_failed(const Stored<void>& done) {
 
 void PeoplePage::save() {
   if (waiting()) return;
+  const auto take_marks_out = [this](QLineEdit& field, QString (*without)(QString), const std::string Account::*what) {
+    if (!edited_ || field.text().trimmed() != QString::fromStdString((*edited_).*what)) field.setText(without(field.text()));
+  };
+  take_marks_out(*number_, without_marks, &Account::number);  // a web page or a spreadsheet leaves them in what is pasted
+  take_marks_out(*name_, without_marks_but_joiners, &Account::name);
   const AccountChange change{edited_, number_->text().trimmed().toStdString(), name_->text().trimmed().toStdString(),
                              static_cast<Role>(role_->currentIndex()), secret_->text().toStdString()};
   if (change.name.empty() || change.number.empty()) {

@@ -38,6 +38,19 @@ TEST_F(AdminPages, a_student_is_added_and_signs_in_with_the_pin) {
   EXPECT_TRUE(records.store().accounts.sign_in_with_pin("20267314", "271828").has_value());
 }
 
+TEST_F(AdminPages, a_number_that_is_pasted_with_marks_signs_in_as_it_reads) {
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  press(page, "Add a person");
+  field(page, "Name")->setText(QStringLiteral("\u202ELena\u202C Brandt"));
+  field(page, "Number or user name")->setText(QStringLiteral("\u200E4711\u200B"));
+  field(page, "PIN, six digits")->setText(QStringLiteral("271828"));
+  save(page, "Add");
+  const auto lena = records.store().accounts.sign_in_with_pin("4711", "271828");
+  ASSERT_TRUE(lena.has_value());
+  EXPECT_EQ(lena->name, "Lena Brandt");
+}
+
 TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_with_a_message) {
   records.student("20267314", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
