@@ -217,7 +217,7 @@ class Desktop : public QMainWindow {
     QString owner;
     QWidget* pages = nullptr;  // hidden; its children, the lowest page first
   };
-  std::map<UserId, BehindLock> behind_lock_;  // what cannot be saved, by account
+  std::map<std::pair<UserId, Role>, BehindLock> behind_lock_;  // what cannot be saved, by account and the role that its pages act in
   bool closes_anyway_ = false;
 };
 

@@ -80,11 +80,11 @@ void Desktop::put_behind_lock() {
     page->setParent(hidden);
     page->blockSignals(true);  // what ends in the background opens no page for somebody else
   }
-  behind_lock_[account_->id] = {QString::fromStdString(account_->name), hidden};
+  behind_lock_[{account_->id, account_->role}] = {QString::fromStdString(account_->name), hidden};
 }
 
 void Desktop::take_from_behind_lock() {
-  const auto kept = behind_lock_.extract(account_->id);
+  const auto kept = behind_lock_.extract({account_->id, account_->role});
   if (kept.empty()) return;
   QWidget* hidden = kept.mapped().pages;
   for (QWidget* page : hidden->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {

@@ -193,6 +193,27 @@ TEST_F(Locking, saves_a_draft_behind_the_lock_when_the_next_person_signs_in) {
   EXPECT_TRUE(asked.isEmpty());
 }
 
+TEST_F(Locking, gives_no_page_back_to_whoever_has_another_role_by_then) {
+  const Account berg = edit_a_draft();
+  const QPointer<EditorPage> editor = desktop->findChild<EditorPage*>();
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(refuse_rows(*database, "scenario_drafts"));
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  Accounts& accounts = records.store().accounts;
+  const Actor administrator = records.administrator().actor();
+  ASSERT_TRUE(accounts.set_role(administrator, berg.id, Role::student));
+  desktop->sign_in(*accounts.find(berg.id));
+  EXPECT_EQ(desktop->page(), desktop->shell()) << "the editor acts as an instructor";
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  ASSERT_TRUE(accounts.set_role(administrator, berg.id, Role::instructor));
+  desktop->sign_in(*accounts.find(berg.id));
+  ASSERT_TRUE(editor);
+  EXPECT_EQ(desktop->page(), editor);
+}
+
 TEST_F(Locking, closes_the_dialogs_of_whoever_was_signed_out) {
   const Account lena = records.student("1", "Lena Brandt");
   sign_in(lena);
