@@ -21,7 +21,7 @@ inline constexpr std::int64_t kBackupEveryUs = 86'400'000'000;  // a day
 
 struct BackedUp {
   Backup backup;
-  std::optional<StorageFailure> not_removed;  // of an old backup
+  std::optional<StorageFailure> not_removed;  // an old backup: where = its folder, detail = the system's reason
 };
 /// Makes a backup in `into` and removes the oldest beyond kBackupsKept. `then` is called on the task's thread.
 /// Without an actor it is the program's own daily one.

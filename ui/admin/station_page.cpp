@@ -167,7 +167,9 @@ void StationPage::show_backed_up(const Stored<BackedUp>& made) {
     return;
   }
   if (made->not_removed) {
-    band_->show_message(Band::Kind::look, tr("The backup is made and checked. An old one could not be removed."), describe(*made->not_removed).line());
+    const StorageFailure& old = *made->not_removed;
+    band_->show_message(Band::Kind::look, tr("The backup is made and checked. An old one could not be removed."),
+                        tr("%1: %2.").arg(isolate(QString::fromStdString(old.where)), QString::fromLocal8Bit(old.detail.c_str())));
     return;
   }
   const Backup* backup = &made->backup;

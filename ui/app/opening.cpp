@@ -13,6 +13,7 @@
 #include "ui/text/incident_text.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -83,7 +84,10 @@ void Desktop::keep_daily_backup() {
   backup_ = back_up(records_of(*store_), into, std::nullopt, [self = QPointer(this)](const Stored<BackedUp>& made) {
     std::optional<Message> failure;
     if (!made) failure = {tr("The daily backup failed."), describe(made.error()).line()};
-    if (made && made->not_removed) failure = {tr("The daily backup is made. An old one could not be removed."), describe(*made->not_removed).line()};
+    if (made && made->not_removed) {
+      failure = {tr("The daily backup is made. An old one could not be removed."),
+                 tr("%1: %2.").arg(isolate(QString::fromStdString(made->not_removed->where)), QString::fromLocal8Bit(made->not_removed->detail.c_str()))};
+    }
     QMetaObject::invokeMethod(
         qApp,
         [self, failure] {

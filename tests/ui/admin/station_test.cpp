@@ -143,6 +143,7 @@ TEST_F(Station, SaysWhichOldBackupCannotBeRemoved) {
   ASSERT_TRUE(waited(*shown));
   EXPECT_TRUE(shown->message().contains(QStringLiteral("An old one could not be removed"))) << shown->message().toStdString();
   EXPECT_TRUE(shown->message().contains(QString::fromStdString(oldest->folder.filename().string()))) << shown->message().toStdString();
+  EXPECT_FALSE(shown->message().contains(QStringLiteral("database"))) << shown->message().toStdString();
 }
 
 TEST_F(Station, VerifiesAndNamesWhatWasChanged) {
