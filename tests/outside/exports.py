@@ -9,11 +9,14 @@ import csv
 import io
 import json
 import os
+import signal
 import sqlite3
+import subprocess
 import sys
+import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from desk import Desk, check, one_sentence  # noqa: E402
+from desk import HUNG_S, Desk, check, one_sentence  # noqa: E402
 from records import PIN, STUDENT, make_school  # noqa: E402
 
 ADMIN = {"CUSP_PASSWORD": "correct horse"}
@@ -173,6 +176,35 @@ def refusals(desk, database):
     check(status == 1 and "none.db" in err, err)
 
 
+def catches(pid, number):
+    with open(f"/proc/{pid}/status", encoding="ascii") as f:
+        (caught,) = [line.split()[1] for line in f if line.startswith("SigCgt:")]
+    return bool(int(caught, 16) & 1 << (number - 1))
+
+
+def stopped(desk, database):
+    """Ctrl+C while whoever reads stdout is slow: some of the CSV is written, and the sentence does not deny it."""
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    with contextlib.suppress(BlockingIOError):
+        while True:
+            os.write(writing, b" " * 4096)
+    os.set_blocking(writing, True)
+    with subprocess.Popen([desk.cusp, "export", database, "--as", "admin"], stdin=subprocess.DEVNULL, stdout=writing,
+                          stderr=subprocess.PIPE, text=True, env=desk.environment(**ADMIN)) as run:
+        os.close(writing)
+        until = time.monotonic() + HUNG_S
+        while not catches(run.pid, signal.SIGINT):
+            check(run.poll() is None and time.monotonic() < until, "the export caught no Ctrl+C")
+            time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        with open(reading, "rb") as slow:
+            content = slow.read()
+        err = run.stderr.read()
+    one_sentence(err, "a stopped export")
+    check(run.returncode == 1 and b"started_utc" in content and "No file" not in err, f"a stopped export: exit {run.returncode}: {err}")
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("cusp")
@@ -186,6 +218,7 @@ def main():
         columns(desk, database)
         filters(desk, database)
         refusals(desk, database)
+        stopped(desk, database)
         gradebooks(desk, database)
         print("exports name cohort and dates, write gradebooks, and refuse what is wrong")
 

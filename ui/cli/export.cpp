@@ -178,7 +178,7 @@ int export_rows_of(Store& store, const Actor& actor, const ExportOptions& o, con
   });
   if (!written) return kFailed;
   if (!rows) return failed(describe(rows.error()));
-  if (!*rows) return failed(CliText::tr("Stopped. No file was written."));
+  if (!*rows) return failed(o.csv_on_stdout() ? CliText::tr("Stopped. What was written may lack attempts.") : CliText::tr("Stopped. No file was written."));
   if (!csv.finish() || (o.json.wanted() && !o.json.write(json))) return kFailed;
   if (o.csv_on_stdout() || o.json.on_stdout()) return kDone;
   print_line(plain(CliText::tr("%n attempt(s) exported.", nullptr, static_cast<int>(**rows))));
