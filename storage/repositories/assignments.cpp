@@ -125,7 +125,8 @@ Stored<void> Assignments::adjust(const Actor& actor, AssignmentId assignment, Us
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO adjustments (id, assignment, student, extra_time_percent, author, at, sequence, large_text) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+      "VALUES (?1, ?2, ?3, ?4, ?5, max(?6, coalesce((SELECT max(at) FROM adjustments INDEXED BY adjustments_of_assignment "
+      "WHERE assignment = ?2 AND student = ?3), ?6)), ?7, ?8)",
       id, assignment, student, percent, actor.id, c_.clock(), sequence, adjustment.large_text ? 1 : 0);
   log_row(c_, transaction, actor.id, "adjusted", SealedTable::adjustments, id);
   return commit_sealed(c_, transaction);
@@ -134,7 +135,7 @@ Stored<void> Assignments::adjust(const Actor& actor, AssignmentId assignment, Us
 Stored<Adjustment> Assignments::adjustment(AssignmentId assignment, UserId student) {
   const auto found = c_.db.first(
       "SELECT extra_time_percent, coalesce(large_text, 0) FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = ?1 AND student = ?2 "
-      "ORDER BY sequence DESC LIMIT 1",
+      "ORDER BY at DESC, sequence DESC, id DESC LIMIT 1",
       [](Row row) { return Adjustment{static_cast<int>(row.integer(0)), row.flag(1)}; }, assignment, student);
   if (!found) return std::unexpected(found.error());
   return found->value_or(Adjustment{});

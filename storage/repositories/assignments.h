@@ -56,7 +56,8 @@ class Assignments {
   /// is withdrawn.
   Stored<void> withdraw(const Actor& actor, AssignmentId assignment);
   /// Takes the place of the student's adjustment, for attempts that begin afterwards. Needs assign. not_allowed
-  /// (where = assignment) for one who is not in its cohort, bad_value (where = extra_time) outside 0 to kMostExtraTimePercent.
+  /// (where = assignment) for one who is not in its cohort, bad_value (where = extra_time) outside 0 to kMostExtraTimePercent. Numbers of
+  /// two stations tell nothing of their order: the latest time counts, and a new one is not before those that are known here.
   Stored<void> adjust(const Actor& actor, AssignmentId assignment, UserId student, const Adjustment& adjustment);
   Stored<Adjustment> adjustment(AssignmentId assignment, UserId student);
   /// Attempts that the student has begun.

@@ -36,7 +36,7 @@ std::optional<AssignedRules> assigned_rules(Transaction& transaction, Assignment
       "EXISTS (SELECT 1 FROM assignment_withdrawals w WHERE w.assignment = a.id) "
       "FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort AND m.student = ?2 "
       "LEFT JOIN adjustments d ON d.id = (SELECT id FROM adjustments INDEXED BY adjustments_of_assignment WHERE assignment = a.id "
-      "AND student = ?2 ORDER BY sequence DESC LIMIT 1) "
+      "AND student = ?2 ORDER BY at DESC, sequence DESC, id DESC LIMIT 1) "
       "LEFT JOIN assessments x ON x.assignment = a.id WHERE a.id = ?1 "
       "AND NOT EXISTS (SELECT 1 FROM referred r WHERE r.id = a.id AND r.here = 0)",
       [](Row row) {

@@ -1,4 +1,4 @@
-/// Statements of two stations about one session.
+/// Statements of two stations about one session, and what both gave one candidate.
 #include <gtest/gtest.h>
 
 #include "tests/storage/two_stations.h"
@@ -41,6 +41,33 @@ TEST_F(ExchangeStatements, of_marks_that_two_stations_confirmed_the_later_one_co
   at_office(results());
   EXPECT_TRUE(of(*office, chief).confirmation);
   EXPECT_EQ(whole(*office), "");
+  EXPECT_EQ(whole(*station), "");
+}
+
+TEST_F(ExchangeStatements, of_adjustments_that_two_stations_gave_the_later_one_counts) {
+  for (int i = 0; i < 5; ++i) attempt(make_student(*station, "3" + std::to_string(i), "Noah"));  // its numbers run ahead of the office's
+  const Account lena = make_student(*office);
+  const CohortId cohort = must(office->cohorts.create(chief, "Year 2")).id;
+  must(office->cohorts.add(chief, cohort, lena.id));
+  const Assignment exam = must(office->assignments.create(
+      instructor, {.version = keep(*office).id, .cohort = cohort, .kind = SessionKind::assessment}, "4711"));
+  at_station(office_file());
+  const Actor examiner = make_instructor(*station, "haas").actor();
+  constexpr std::int64_t kHour_us = 3'600'000'000;
+  must(station->assignments.adjust(examiner, exam.id, lena.id, {.extra_time_percent = 50}));
+  office->context().clock = [] { return kNow + kHour_us; };
+  must(office->assignments.adjust(instructor, exam.id, lena.id, {.extra_time_percent = 25}));
+  at_station(office_file());
+  const auto sits_with = [&] {
+    NewSession wanted = new_session(lena, must(station->scenarios.version(exam.version)));
+    wanted.assignment = exam.id;
+    wanted.start_code = "4711";
+    return must(station->sessions.start(lena.actor(), wanted)).header.extra_time_percent;
+  };
+  EXPECT_EQ(must(station->assignments.adjustment(exam.id, lena.id)).extra_time_percent, 25);
+  EXPECT_EQ(sits_with(), 25);
+  must(station->assignments.adjust(examiner, exam.id, lena.id, {.extra_time_percent = 10}));
+  EXPECT_EQ(must(station->assignments.adjustment(exam.id, lena.id)).extra_time_percent, 10) << "its clock is an hour behind what it has read";
   EXPECT_EQ(whole(*station), "");
 }
 
