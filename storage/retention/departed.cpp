@@ -42,8 +42,14 @@ Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& ac
   auto departed = departed_students(context, actor, years);
   if (!departed) return departed;
   Accounts accounts(context);
-  for (const DepartedStudent& student : departed->erasable) {
-    if (auto done = accounts.erase(actor, student.account.id); !done) return std::unexpected(done.error());
+  std::vector<DepartedStudent>& going = departed->erasable;
+  for (auto student = going.begin(); student != going.end(); ++student) {
+    auto done = accounts.erase(actor, student->account.id);
+    if (done) continue;
+    if (student == going.begin()) return std::unexpected(std::move(done.error()));
+    departed->failed = std::move(done.error());
+    going.erase(student, going.end());
+    break;
   }
   return departed;
 }

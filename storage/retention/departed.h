@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "storage/repositories/accounts.h"
@@ -17,12 +18,13 @@ struct DepartedStudent {
 struct DepartedStudents {
   std::vector<DepartedStudent> erasable;  // longest gone first
   std::vector<DepartedStudent> waiting;   // they stay: an assessment of theirs is not released, or an attempt runs
+  std::optional<StorageFailure> failed{};  // what ended the erasure before the last one, once others were erased
 };
 
 /// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears. The school says how many. Needs manage_accounts.
 Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years);
 
-/// Accounts::erase() of each who is erasable; returns these. A failure leaves the others as they are.
+/// Accounts::erase() of each who is erasable; returns who was erased. Fails if nobody was; a later failure leaves the others as they are.
 Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years);
 
 }  // namespace cusp::storage

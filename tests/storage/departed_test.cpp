@@ -49,6 +49,16 @@ TEST_F(DepartedTest, are_erased_like_anybody_and_their_attempts_verify) {
   EXPECT_EQ(findings(), "");
 }
 
+TEST_F(DepartedTest, whose_erasure_a_write_ends_are_reported_with_what_ended_it) {
+  for (const char* number : {"a", "b", "c"}) enrolled(number, kThreeYears);
+  must(store->database().run("CREATE UNIQUE INDEX one_erased ON people (iif(name = '–', '', number))"));  // refuses the second
+  const DepartedStudents erased = must(erase_departed(store->context(), admin, 3));
+  EXPECT_EQ(erased.erasable.size(), 1u);
+  EXPECT_TRUE(erased.failed);
+  EXPECT_EQ(must(departed_students(store->context(), admin, 3)).erasable.size(), 2u);
+  EXPECT_FALSE(erase_departed(store->context(), admin, 3)) << "nobody is erased";
+}
+
 TEST_F(DepartedTest, wait_while_an_assessment_of_theirs_is_not_released) {
   student = enrolled("sat", 3000);
   const SessionId sat = assessment(kThreeYears);

@@ -104,8 +104,12 @@ void DepartedCard::show_erased(const Stored<DepartedStudents>& departed) {
   look();
   emit erased();
   if (!departed) return report_failure(departed.error());
-  emit reported(Band::Kind::good, tr("%n student(s) are erased.", nullptr, static_cast<int>(departed->erasable.size())),
-                tr("The attempts stay under a pseudonym."));
+  const QString done = tr("%n student(s) are erased.", nullptr, static_cast<int>(departed->erasable.size()));
+  if (departed->failed) {
+    emit reported(Band::Kind::bad, done, describe(*departed->failed).line() + u' ' + tr("The others are not erased."));
+    return;
+  }
+  emit reported(Band::Kind::good, done, tr("The attempts stay under a pseudonym."));
 }
 
 void DepartedCard::report_failure(const StorageFailure& failure) {

@@ -49,6 +49,7 @@ int retain(const RetainOptions& o) {
       {"years", o.years}, {"dry_run", o.dry_run}, {"erased", json_of(departed->erasable)}, {"waiting", json_of(departed->waiting)}};
   if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) print_departed(*departed, o);
+  if (departed->failed) return failed(describe(*departed->failed));
   return kDone;
 }
 
