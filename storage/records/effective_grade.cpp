@@ -27,9 +27,15 @@ bool changes_result(const SignedStatement& s, const std::vector<SignedStatement>
                           std::ranges::any_of(all, [&](const SignedStatement& o) { return o.id == s.withdraws && overrides(o); }));
 }
 
-/// The newest one in force of this grade that follows each change of the result, and was made where each was known: a greater
-/// sequence says so.
-std::optional<SignedStatement> confirmation_of(const std::vector<SignedStatement>& all, const std::vector<SignedStatement>& standing, int grade) {
+/// Whether the examiner saw this score. A greater sequence alone does not tell: another station's numbers may run ahead of a change that
+/// nobody there has read. Older programs kept no score.
+bool is_of_score(const SignedStatement& confirmation, double score) {
+  return !confirmation.points || std::abs(*confirmation.points - score) <= scenarios::kScoreSlack;
+}
+
+/// The newest one in force of this grade and its score that follows each change of the result, with a greater sequence.
+std::optional<SignedStatement> confirmation_of(const std::vector<SignedStatement>& all, const std::vector<SignedStatement>& standing, int grade,
+                                               double score) {
   std::optional<SignedStatement> out;
   std::int64_t changed = -1;
   for (const SignedStatement& s : all) {
@@ -37,7 +43,7 @@ std::optional<SignedStatement> confirmation_of(const std::vector<SignedStatement
       changed = std::max(changed, s.sequence);
       out.reset();
     }
-    const bool confirms = s.kind == StatementKind::confirmation && s.grade == grade && s.sequence > changed;
+    const bool confirms = s.kind == StatementKind::confirmation && s.grade == grade && s.sequence > changed && is_of_score(s, score);
     if (confirms && std::ranges::find(standing, s.id, &SignedStatement::id) != standing.end()) out = s;
   }
   return out;
@@ -88,7 +94,7 @@ std::optional<EffectiveGrade> effective_grade(const std::vector<StoredGrade>& gr
     out.grade.score = score_of(out.stored.grade, out.grade);
     out.grade.passed = scenarios::reaches(out.grade.score, out.grade.pass_mark) && out.grade.critical.empty();
   }
-  out.confirmation = confirmation_of(statements, standing, out.stored.number);
+  out.confirmation = confirmation_of(statements, standing, out.stored.number, out.grade.score);
   out.release = release_of(statements);
   return out;
 }

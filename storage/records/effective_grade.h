@@ -14,7 +14,7 @@ struct EffectiveGrade {
   StoredGrade stored;                        // the newest, as it was written
   Grade grade;                               // points, score, critical events and pass as they count
   std::vector<SignedStatement> overrides{};  // in force, of this grade; the newest one of each criterion
-  std::optional<SignedStatement> confirmation{};  // made after, and with, each change of the result
+  std::optional<SignedStatement> confirmation{};  // made after each change of the result, of the score that counts
   std::optional<SignedStatement> release{};       // that nobody has withdrawn
   /// A failed result that nobody has confirmed.
   bool needs_confirmation() const noexcept { return !grade.passed && !confirmation; }

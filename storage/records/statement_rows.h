@@ -35,7 +35,7 @@ struct SignedStatement {
   StatementKind kind = StatementKind::comment;
   std::optional<int> grade{};      // number of the grade that it speaks of
   std::string criterion{};         // of an override: the criterion's id, or the critical event
-  std::optional<double> points{};  // of override_points: what counts
+  std::optional<double> points{};  // of override_points: what counts; of a confirmation: the score that it is of, none from older programs
   std::optional<std::uint64_t> tick{};
   std::optional<Vec3> place_mm{};
   Uuid withdraws{};    // of a withdrawal

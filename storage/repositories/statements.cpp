@@ -98,7 +98,10 @@ Stored<SignedStatement> Statements::confirm(const Actor& actor, SessionId sessio
   if (auto allowed = require(actor, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   return state(actor, {.session = session, .kind = StatementKind::confirmation},
                [](Transaction& transaction, SignedStatement& made) {
-                 if (const auto grade = counted(transaction, made.session)) made.grade = grade->stored.number;
+                 const auto grade = counted(transaction, made.session);
+                 if (!grade) return;
+                 made.grade = grade->stored.number;
+                 made.points = grade->grade.score;
                });
 }
 

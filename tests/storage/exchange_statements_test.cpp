@@ -44,6 +44,27 @@ TEST_F(ExchangeStatements, of_marks_that_two_stations_confirmed_the_later_one_co
   EXPECT_EQ(whole(*station), "");
 }
 
+TEST_F(ExchangeStatements, a_confirmation_with_greater_numbers_is_none_of_a_mark_that_its_station_had_not_read) {
+  const SessionId session = attempt(make_student(*station, "2", "Omar"), 62);
+  at_office(results());
+  const SignedStatement unread = must(station->statements.override_points(make_instructor(*station, "haas").actor(), session, "floor_depth_max", 1, "Seen on the tooth."));
+  for (int i = 0; i < 20; ++i) must(office->statements.comment(instructor, session, "Look again."));  // its numbers run ahead
+  constexpr std::int64_t kHour_us = 3'600'000'000;
+  office->context().clock = [] { return kNow + kHour_us; };
+  must(office->statements.override_points(instructor, session, "target_removed", 8, "Seen on the screen."));
+  ASSERT_GT(must(office->statements.confirm(instructor, session)).sequence, unread.sequence);
+  const auto of = [&](Store& store, const Actor& reader) { return *must(store.history.details(reader, session)).grade; };
+  EXPECT_TRUE(of(*office, chief).confirmation);
+  at_office(results());
+  at_station(office_file());
+  EXPECT_FALSE(of(*office, chief).confirmation) << "the depth has another mark than the examiner saw";
+  EXPECT_FALSE(of(*station, keeper).confirmation);
+  must(office->statements.confirm(instructor, session));
+  EXPECT_TRUE(of(*office, chief).confirmation);
+  EXPECT_EQ(whole(*office), "");
+  EXPECT_EQ(whole(*station), "");
+}
+
 TEST_F(ExchangeStatements, of_adjustments_that_two_stations_gave_the_later_one_counts) {
   for (int i = 0; i < 5; ++i) attempt(make_student(*station, "3" + std::to_string(i), "Noah"));  // its numbers run ahead of the office's
   const Account lena = make_student(*office);
