@@ -264,8 +264,36 @@ def outputs(desk):
         with open("/dev/full", "wb") as full:
             done = subprocess.run([desk.cusp, *arguments], stdin=subprocess.DEVNULL, stdout=full, stderr=subprocess.PIPE, text=True,
                                   timeout=HUNG_S, env=desk.environment())
-        check(done.returncode == 1 and "standard output" in done.stderr, f"{arguments} to a full disk: exit {done.returncode}: {done.stderr}")
+        check(done.returncode == 1 and "standard output" in done.stderr and "No space left" in done.stderr,
+              f"{arguments} to a full disk: exit {done.returncode}: {done.stderr}")
         one_sentence(done.stderr, f"{arguments} to a full disk")
+
+
+def causes(desk):
+    """What cannot be written is named with the system's reason, and what was there before stays."""
+    nowhere, folder, missing, directory = desk.path("none", "f"), desk.path("a-folder"), "No such file or directory", "Is a directory"
+    os.makedirs(folder)
+    exercise = desk.small_exercise("caused.json")
+    for what, verb in (("a list", ("template", "list", "--json")), ("an audit", ("audit", exercise, "--json")), ("a leaner copy", ("audit", exercise, "--apply", "-o"))):
+        refused(desk, f"{what} into a folder that is not there", *verb, nowhere, names=(nowhere, missing))
+    refused(desk, "a list in place of a folder", "template", "list", "--json", folder, names=(folder, directory))
+    script, report = desk.small_script(1), desk.path("reported", "report.json")
+    os.makedirs(report)
+    refused(desk, "a report in place of a folder", "play", exercise, "--script", script, "--db", desk.path("reported.db"), "--out", desk.path("reported"),
+            names=(report, directory))
+    for verb in (("play", exercise, "--script", script, "--db", desk.path("reported.db")), ("grade", exercise, "--operator", "reference"),
+                 ("template", "fit", "class-1-adhesive", "--tooth", "36")):
+        refused(desk, f"{verb[0]} into a file", *verb, "--out", exercise, names=(exercise, "Not a directory"))
+    kept = desk.path("kept.json")
+    with open(kept, "w", encoding="utf-8") as f:
+        f.write("old")
+    done = subprocess.run([desk.cusp, "template", "list", "--json", kept], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HUNG_S,
+                          env=desk.environment(), preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+    check(done.returncode == 1 and kept in done.stderr and "File too large" in done.stderr, f"a list that is too large: exit {done.returncode}: {done.stderr}")
+    one_sentence(done.stderr, "a list that is too large")
+    with open(kept, encoding="utf-8") as f:
+        check(f.read() == "old", "a list that is too large replaced what was there")
+    check([name for name in os.listdir(desk.folder) if name.startswith("kept.json.")] == [], "a half file is left")
 
 
 def file_sizes(desk):
@@ -346,5 +374,6 @@ with Desk(sys.argv[1]) as the_desk:
     audits_of_what_changes(the_desk)
     databases(the_desk)
     outputs(the_desk)
+    causes(the_desk)
     file_sizes(the_desk)
     disks(the_desk)

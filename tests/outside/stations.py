@@ -154,7 +154,8 @@ def main():
         check("not known here" in office.refused("trust", desk.path("office.key-text"), "--revoke"), "a key that nobody made known is revoked")
         status, _, err = desk.run("exchange", "trust", desk.path("b.key-text"), "--office", "--revoke", "--db", office.database)
         check(status == 2, f"trusted and revoked at once: exit {status}: {err}")
-        check("cannot be written" in office.refused("out", "--results", desk.path("none", "x")), "a folder that is not there")
+        check("cannot be written: No such file" in office.refused("out", "--results", desk.path("none", "x")), "a folder that is not there")
+        check("cannot be written: No such file" in office.refused("key", desk.path("none", "x")), "a key into a folder that is not there")
         check_whole(office)
         print(f"three stations: {len(office.sessions())} attempts at the office, {os.path.getsize(results) / 1e6:.1f} MB in the last file")
 

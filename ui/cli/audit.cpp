@@ -1,14 +1,17 @@
 // cusp audit SCENARIO [--seeds N] [--detail] [--apply [-o FILE]] [--json FILE]
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "scenarios/audit/audit_json.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
+#include "storage/base/files.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
@@ -58,15 +61,18 @@ void print(const AuditReport& report) {
   print_line(plain(leanest_sentence(report)));
 }
 
-/// Asked before what takes minutes. Leaves nothing. True of a pipe or a device, which is not opened.
-bool can_be_written(const std::filesystem::path& file) {
+/// Asked before what takes minutes. Leaves nothing. No failure of a pipe or a device, which is not opened.
+Stored<void> can_be_written(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status there = std::filesystem::status(file, error);
-  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) return !std::filesystem::is_directory(there);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder, error) || !writable_folder(folder)) return false;
+  const bool exists = std::filesystem::exists(there);
+  if (exists && !std::filesystem::is_regular_file(there) && !std::filesystem::is_directory(there)) return {};
+  if (auto begun = can_begin(file); !begun) return begun;
+  if (auto fits = writable_folder(file.has_parent_path() ? file.parent_path() : "."); !fits) return fits;
+  errno = 0;
   // A file that its owner has locked is not to be replaced either.
-  return !std::filesystem::exists(there) || std::ofstream(file, std::ios::binary | std::ios::app).good();
+  if (!exists || std::ofstream(file, std::ios::binary | std::ios::app).good()) return {};
+  return fail(error_from_errno(errno), file.string(), std::generic_category().message(errno));
 }
 
 /// Whether what is written takes the place of the exercise: without -o, or where -o names the exercise itself.
@@ -87,8 +93,7 @@ int apply(const AuditOptions& o, const std::filesystem::path& file, const Scenar
       return failed(Message{CliText::tr("%1 was changed while it was audited.").arg(QString::fromStdString(file.string())),
                             CliText::tr("Nothing was written: audit it again.")});
   }
-  if (!write_whole(file, write_scenario(leaner)))
-    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  if (const auto written = write_whole(file, write_scenario(leaner)); !written) return failed(cannot_write(file, written.error().detail));
   if (!o.json.on_stdout())
     print_line(plain(CliText::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
   return kDone;
@@ -114,13 +119,15 @@ int audit_verb(const AuditOptions& o) {
   std::filesystem::path file(o.out.empty() ? o.scenario : o.out);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";
-  if (o.apply && !can_be_written(file))
-    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  if (o.apply) {
+    if (const auto may = can_be_written(file); !may) return failed(cannot_write(file, may.error().detail));
+  }
   if (o.apply && leaves_its_volume(file, *loaded))
     return failed(Message{CliText::tr("The copy needs %1 beside it.").arg(QString::fromStdString(loaded->scenario.specimen.volume)),
                           CliText::tr("Write it into the exercise’s folder.")});
-  if (o.json.wanted() && !o.json.on_stdout() && !can_be_written(o.json.file))
-    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.json.file)));
+  if (o.json.wanted() && !o.json.on_stdout()) {
+    if (const auto may = can_be_written(o.json.file); !may) return failed(cannot_write(o.json.file, may.error().detail));
+  }
 
   AuditSettings settings;
   settings.operators.clear();

@@ -48,7 +48,7 @@ int write_key(const ExchangeOptions& o) {
   if (!in) return failed(in.error());
   const auto key = own_key(in->store->context(), in->actor);
   if (!key) return failed(describe(key.error()));
-  if (!write_whole(o.file, key_file_of(*key))) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
+  if (const auto written = write_whole(o.file, key_file_of(*key)); !written) return failed(cannot_write(o.file, written.error().detail));
   const Hash256 id = in->store->context().key->id();
   if (!o.json.write({{"station", in->store->context().station.text()}, {"key", storage::hex(id)}, {"file", o.file}})) return kFailed;
   if (!o.json.on_stdout()) print_line(plain(CliText::tr("Key %1. The other station’s administrator compares it before trusting %2.").arg(fingerprint(id), named(o.file))));
@@ -111,9 +111,12 @@ ordered_json json_of(const ExchangeDescription& d, const Hash256& key, const Exc
   return json;
 }
 
-/// The folder of the new file is not there, or takes no file.
-bool concerns_place(const StorageFailure& failure, const std::string& file) {
-  return failure.code == StorageError::not_found || (failure.code == StorageError::read_only && failure.where == file);
+/// If the folder of the new file is not there, or takes no file: the system's reason.
+std::optional<std::string> reason_of_place(const StorageFailure& failure, const std::string& file) {
+  const bool concerns_place = failure.code == StorageError::not_found || (failure.code == StorageError::read_only && failure.where == file);
+  if (!concerns_place) return std::nullopt;
+  const auto begun = can_begin(file);
+  return begun ? std::nullopt : std::optional(begun.error().detail);
 }
 
 int write_file(const ExchangeOptions& o) {
@@ -122,8 +125,10 @@ int write_file(const ExchangeOptions& o) {
   const auto in = sign_in_to(o);
   if (!in) return failed(in.error());
   const auto made = give_out(in->store->context(), in->actor, o.office ? ExchangeKind::office : ExchangeKind::results, o.file);
-  if (!made && concerns_place(made.error(), o.file)) return failed(CliText::tr("%1 cannot be written.").arg(named(o.file)));
-  if (!made) return failed(describe_exchange_failure(made.error(), named(o.file)));
+  if (!made) {
+    const auto reason = reason_of_place(made.error(), o.file);
+    return failed(reason ? cannot_write(o.file, *reason) : describe_exchange_failure(made.error(), named(o.file)));
+  }
   if (!o.json.write(json_of(made->description, made->key, made->counts))) return kFailed;
   if (!o.json.on_stdout()) print_line(plain(CliText::tr("File %1 under key %2: %3.").arg(made->description.number()).arg(fingerprint(made->key), counts_text(made->counts))));
   return kDone;

@@ -136,7 +136,7 @@ class CsvOutput {
 
  private:
   bool settled(const Stored<void>& done) const {
-    if (!done) failed(CliText::tr("%1 cannot be written.").arg(typed_text(name_)));
+    if (!done) failed(cannot_write(name_, done.error().detail));
     return done.has_value();
   }
   std::string name_;

@@ -63,8 +63,8 @@ int grade_verb(const GradeOptions& o) {
   if (!o.out.empty()) outputs = report_files_in(o.out);
   outputs.emplace_back(o.json.file);
   if (const auto no = refuse_outputs(outputs, o.db, {o.rubric})) return failed(*no);
-  if (!o.out.empty() && !writable_folder(o.out)) {
-    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
+  if (!o.out.empty()) {
+    if (const auto fits = writable_folder(o.out); !fits) return failed(nothing_written_to(o.out, fits.error().detail));
   }
   auto opened_store = open_records(o.db);
   if (!opened_store) return failed(opened_store.error());

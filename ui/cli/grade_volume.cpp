@@ -150,7 +150,8 @@ int grade_volume(const GradeVolumeOptions& o, const JsonOption& json) {
   result.grade = grade(scenario, result.measures);
   const std::string text = report_of(*loaded, result);
   if (!o.out.empty()) {
-    if (!writable_folder(o.out) || !write_whole(report_of(o.out), text)) return failed(cannot_write(report_of(o.out)));
+    if (const auto fits = writable_folder(o.out); !fits) return failed(nothing_written_to(o.out, fits.error().detail));
+    if (const auto done = write_whole(report_of(o.out), text); !done) return failed(cannot_write(report_of(o.out), done.error().detail));
     if (auto written = write_paper(o.out, gather_report(result, nullptr, nullptr)); !written) return failed(written.error());
   }
   if (!json.write(nlohmann::ordered_json::parse(text))) return kFailed;

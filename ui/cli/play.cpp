@@ -93,7 +93,7 @@ int play(const PlayOptions& o) {
   if (const auto no = refuse_outputs(outputs, database, inputs)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
-  if (!writable_folder(folder)) return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
+  if (const auto fits = writable_folder(folder); !fits) return failed(nothing_written_to(o.out, fits.error().detail));
 
   SessionPlan plan;
   plan.scenario = std::move(loaded->scenario);

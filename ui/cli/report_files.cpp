@@ -26,7 +26,8 @@ Result<void, Message> write_picture(const std::filesystem::path& file, const Dra
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
-  if (!tooth->image.save(&buffer, "PNG") || !write_whole(file, png.toStdString())) return std::unexpected(cannot_write(file));
+  if (!tooth->image.save(&buffer, "PNG")) return std::unexpected(cannot_write(file, "PNG"));
+  if (const auto written = write_whole(file, png.toStdString()); !written) return std::unexpected(cannot_write(file, written.error().detail));
   return {};
 }
 
@@ -91,10 +92,6 @@ void show_as_measured(const SessionResult& result, Store& store, ReportData& dat
 
 }  // namespace
 
-Message cannot_write(const std::filesystem::path& file) {
-  return {CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
-}
-
 void print_criteria(const Grade& grade, const std::string& indent, const Region* whole) {
   const std::vector<ScaledPoints> scaled = scaled_points(grade);
   for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
@@ -132,8 +129,9 @@ std::string report_file_text(const SessionResult& result, Store& store, const Re
 
 Result<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
                                          const ReportOrder& order) {
-  if (!write_whole(folder / "report.json", report_file_text(result, store, order))) {
-    return std::unexpected(cannot_write(folder / "report.json"));
+  const std::filesystem::path file = folder / "report.json";
+  if (const auto written = write_whole(file, report_file_text(result, store, order)); !written) {
+    return std::unexpected(cannot_write(file, written.error().detail));
   }
   ReportData data = gather_report(result, &store, &order.reader);
   if (!order.changed) show_as_measured(result, store, data);
@@ -143,7 +141,7 @@ Result<void, Message> write_report_files(const std::filesystem::path& folder, co
 Result<void, Message> write_paper(const std::filesystem::path& folder, const ReportData& data) {
   const DrawnTooth tooth = draw_report_tooth(data.result, order_for_paper(data, kPictureSidePx));
   const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth);
-  if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf"));
+  if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf", pdf.error().detail));
   return write_picture(folder / "tooth.png", tooth);
 }
 

@@ -16,9 +16,6 @@
 
 namespace cusp::ui {
 
-/// "report.json cannot be written."
-Message cannot_write(const std::filesystem::path& file);
-
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
 void print_criteria(const Grade& grade, const std::string& indent, const Region* whole = nullptr);
 

@@ -152,15 +152,15 @@ int fit(const TemplateOptions& o) {
   }
   const auto scenario = fit_template(request);
   if (!scenario) return failed(describe_fit(scenario.error(), o.key));
-  const QString unwritable = CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string()));
-  if (!writable_folder(o.out)) return failed(unwritable);
+  if (const auto fits = writable_folder(o.out); !fits) return failed(nothing_written_to(o.out, fits.error().detail));
   nlohmann::ordered_json json = {{"scenario", file.string()}, {"id", scenario->id.text()}};
   if (own) {
     if (auto written = write_nrrd(own->volume, tooth_file); !written) return failed(describe(written.error()));
     json["volume"] = tooth_file.string();
     json["proposed"] = proposed_json(own->landmarks);
   }
-  if (!write_whole(file, write_scenario(*scenario))) return failed(unwritable);  // after its volume
+  // After its volume.
+  if (const auto written = write_whole(file, write_scenario(*scenario)); !written) return failed(cannot_write(file, written.error().detail));
   if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) print_line(file.string());
   return kDone;

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/ids.h"
+#include "storage/base/files.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/session/whole_file.h"
@@ -64,7 +66,7 @@ int after_output(int status) {
   // CLI11 writes --help without write_out().
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
   if (g_output_error == 0 || g_output_error == EPIPE) return status;
-  return failed(CliText::tr("The standard output cannot be written."));
+  return failed(CliText::tr("The standard output cannot be written: %1.").arg(QString::fromLocal8Bit(std::strerror(g_output_error))));
 }
 
 std::string check_not_negative(const std::string& typed) {
@@ -100,24 +102,35 @@ bool JsonOption::write(const nlohmann::ordered_json& value) const {
   // A file's name may be no UTF-8.
   const std::string text = value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
   if (on_stdout()) return write_out(text);
-  if (write_whole(file, text)) return true;
-  failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file)));
-  return false;
+  const auto written = write_whole(file, text);
+  if (!written) failed(cannot_write(file, written.error().detail));
+  return written.has_value();
 }
 
-bool write_whole(const std::filesystem::path& file, const std::string& bytes) {
+Stored<void> write_whole(const std::filesystem::path& file, const std::string& bytes) {
   WholeFile whole(file);
-  return whole.write(bytes) && whole.finish();
+  if (auto begun = whole.write(bytes); !begun) return begun;
+  return whole.finish();
 }
 
-bool writable_folder(const std::filesystem::path& folder) {
+Stored<void> can_begin(const std::filesystem::path& file) { return WholeFile(file).write({}); }
+
+Stored<void> writable_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return false;
+  if (error) return fail(error_from_errno(error.value()), folder.string(), error.message());
   const std::filesystem::path probe = folder / (".cusp-" + Uuid::v7().text());
-  const bool written = write_whole(probe, "cusp");
+  auto written = write_whole(probe, "cusp");
   std::filesystem::remove(probe, error);
   return written;
+}
+
+Message cannot_write(const std::filesystem::path& file, const std::string& why) {
+  return {CliText::tr("%1 cannot be written: %2.").arg(QString::fromStdString(file.string()), QString::fromStdString(why)), {}};
+}
+
+Message nothing_written_to(const std::filesystem::path& folder, const std::string& why) {
+  return {CliText::tr("Nothing can be written to %1: %2.").arg(QString::fromStdString(folder.string()), QString::fromStdString(why)), {}};
 }
 
 }  // namespace cusp::ui

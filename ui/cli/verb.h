@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "storage/base/error.h"
+#include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/plain.h"
 
@@ -66,10 +68,18 @@ struct JsonOption {
   bool write(const nlohmann::ordered_json& value) const;
 };
 
-/// All of it as a WholeFile (ui/session/whole_file.h). False: nothing is left.
-bool write_whole(const std::filesystem::path& file, const std::string& bytes);
-/// Makes the folder at need; false when nothing can be written there.
-bool writable_folder(const std::filesystem::path& folder);
+// Failure::detail of each is the system's reason, and nothing is left.
+/// All of it as a WholeFile (ui/session/whole_file.h).
+Stored<void> write_whole(const std::filesystem::path& file, const std::string& bytes);
+/// Whether a WholeFile of this name can be begun. Opens a pipe or a device.
+Stored<void> can_begin(const std::filesystem::path& file);
+/// Whether files can be written into the folder. Makes it at need.
+Stored<void> writable_folder(const std::filesystem::path& folder);
+
+/// "report.json cannot be written: No space left on device."
+Message cannot_write(const std::filesystem::path& file, const std::string& why);
+/// The same of a folder.
+Message nothing_written_to(const std::filesystem::path& folder, const std::string& why);
 
 // Validators of CLI11: empty, or what is wrong with the typed value.
 std::string check_not_negative(const std::string& typed);  // a finite number from 0 on
