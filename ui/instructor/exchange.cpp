@@ -40,12 +40,26 @@ bool same_content(const ExerciseFile& a, const ExerciseFile& b) {
   return as_b == b.scenario && a.volume == b.volume;
 }
 
-Stored<void> write_volume(const ExerciseFile& file, const fs::path& folder) {
-  if (file.volume.empty()) return {};
+bool holds_other(const fs::path& file, const std::vector<std::byte>& bytes) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return false;
+  const auto here = bytes_of(file);
+  return !here || *here != bytes;
+}
+
+/// The file's own name for its volume. A number follows if a draft has another volume of that name: instructors share the folder.
+std::string volume_name(const ExerciseFile& file, const fs::path& folder) {
+  const fs::path own = file.scenario.specimen.volume;
+  fs::path name = own;
+  for (int n = 2; holds_other(folder / name, file.volume); ++n) name = own.stem().string() + '-' + std::to_string(n) + own.extension().string();
+  return name.string();
+}
+
+Stored<void> write_volume(const ExerciseFile& file, const fs::path& folder, const std::string& name) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return fail(error_from_errno(error.value()), folder.string(), error.message());
-  return write_beside(folder / file.scenario.specimen.volume, file.volume);
+  return write_beside(folder / name, file.volume);
 }
 
 }  // namespace
@@ -81,7 +95,11 @@ Stored<EditorStart> take_in(Store& store, const Actor& actor, const ExerciseFile
   }
   draft.key.clear();
   draft.version = 1;
-  if (auto written = write_volume(file, drafts_folder(database, draft.id)); !written) return std::unexpected(written.error());
+  if (!file.volume.empty()) {
+    const fs::path folder = drafts_folder(database, draft.id);
+    draft.specimen.volume = volume_name(file, folder);
+    if (auto written = write_volume(file, folder, draft.specimen.volume); !written) return std::unexpected(written.error());
+  }
   const std::string json = canonical_json(draft);
   const auto saved = store.scenarios.save_draft(actor, draft.id, json, std::nullopt);
   if (!saved) return std::unexpected(saved.error());

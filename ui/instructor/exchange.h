@@ -26,7 +26,7 @@ Stored<Standing> standing_of(Store& store, const ExerciseFile& file, const Libra
 enum class KeepId : std::uint8_t { no, yes };
 
 /// Saves the exercise as a draft that was never published, and its volume beside it. KeepId::yes only if the id is unknown here;
-/// else the title is that of a copy.
+/// else the title is that of a copy. Leaves the volume of another's draft: one of the same name gets a number.
 Stored<EditorStart> take_in(Store& store, const Actor& actor, const ExerciseFile& file, KeepId keep,
                             const std::filesystem::path& database);
 

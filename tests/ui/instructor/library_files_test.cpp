@@ -262,6 +262,24 @@ TEST_F(LibraryFiles, AFileThatTheDiskDoesNotTakeLeavesTheVolumeOfAnotherInstruct
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(in), {}), 1) << "a half file is left";
 }
 
+TEST_F(LibraryFiles, AnotherVolumeOfTheNameOfAnotherInstructorsVolumeLiesBesideIt) {
+  const QString file = path("block.cusp");
+  send_volume(file);
+  to.open_file(file);
+  ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+  const std::filesystem::path in = to.opened[0].folder, volume = in / to.opened[0].draft.specimen.volume;
+  const Account other = *to.records.store().accounts.create(to.records.administrator().actor(), {"falk", "Ida Falk", Role::instructor, "correct horse", ""});
+  auto edited = *read_exercise_file(file.toStdString());
+  const auto first = edited.volume;
+  edited.volume.push_back(std::byte{});
+  const auto taken = take_in(to.records.store(), other.actor(), edited, KeepId::yes, to.records.file());
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(*bytes_of(volume), first);
+  EXPECT_EQ(taken->draft.id, to.opened[0].draft.id);
+  EXPECT_NE(taken->draft.specimen.volume, to.opened[0].draft.specimen.volume);
+  EXPECT_EQ(*bytes_of(in / taken->draft.specimen.volume), edited.volume);
+}
+
 TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
   write_text(folder / "notes.cusp", "not an exercise");
   const std::string good = *exercise_file_bytes({from.changed(2.2), {}});
