@@ -19,6 +19,8 @@ using nlohmann::json;
 constexpr const char* kBackupDatabase = "station.db";
 constexpr const char* kBackupKey = "station.db.key";
 constexpr int kBackupFormat = 1;
+/// A restore's folder beside the new database: a UUID follows.
+constexpr std::string_view kRestoring = ".cusp-restore-";
 
 StorageFailure backup_failure(const std::error_code& error, const fs::path& where) {
   return {error_from_errno(error.value()), where.string(), error.message()};
@@ -223,17 +225,32 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional
 
 namespace {
 
-/// A backup that nobody can be writing any more: of our files alone, without a description, unchanged for a day.
+/// A folder that nobody can be writing any more: of files alone whose names begin with `name`, unchanged for a day.
+bool is_left(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24);
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code gone;
+    if (!it->path().filename().string().starts_with(name) || it->last_write_time(gone) > old || gone) return false;
+  }
+  return !error && fs::last_write_time(folder, error) <= old && !error;
+}
+
+/// A backup without a description.
 bool is_abandoned(const fs::path& folder) {
   std::error_code error;
-  if (!folder.filename().string().starts_with("cusp-") || !fs::is_directory(folder, error)) return false;
-  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24);
-  bool ours = false;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    if (!it->path().filename().string().starts_with(kBackupDatabase) || it->last_write_time(error) > old) return false;
-    ours = true;
+  return folder.filename().string().starts_with("cusp-") && is_left(folder, kBackupDatabase) && !fs::is_empty(folder, error) && !error;
+}
+
+/// Restores of `file` that were cut off: each holds a secret key.
+void remove_left_restores(const fs::path& parent, const fs::path& file) {
+  std::error_code error;
+  for (fs::directory_iterator it(parent, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (!name.starts_with(kRestoring) || !Uuid::parse(std::string_view(name).substr(kRestoring.size()))) continue;
+    if (is_left(it->path(), file.filename().string())) remove_new(it->path());
   }
-  return ours && !error && fs::last_write_time(folder, error) <= old && !error;
 }
 
 }  // namespace
@@ -262,7 +279,8 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file, const Fi
   std::error_code error;
   const fs::path parent = fs::absolute(file, error).parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
-  const fs::path folder = parent / (".cusp-restore-" + Uuid::v7().text());
+  remove_left_restores(parent, file);
+  const fs::path folder = parent / (std::string(kRestoring) + Uuid::v7().text());
   if (auto made = make_private_folder(folder); !made) return fail(made.error().code, file.string(), made.error().detail);
   const fs::path fresh = folder / file.filename();
   auto done = copy_back(backup, fresh);

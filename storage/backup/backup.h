@@ -43,7 +43,8 @@ using FinishRestored = std::function<Stored<void>(const std::filesystem::path& d
 
 /// Writes the backup's database to a new file, with key and counter beside it. duplicate if one of them, or a log or journal, exists,
 /// or if one of them comes meanwhile: nothing is overwritten or removed. corrupt if the backup or its key is damaged; detail "sessions":
-/// the database holds another number of them than `backup` says. A failure, also of `finish`, leaves no new file. log_restored()
+/// the database holds another number of them than `backup` says. A failure, also of `finish`, leaves no new file; what a restore of the
+/// same name that was cut off left more than a day ago goes. log_restored()
 /// belongs into `finish`, or follows in the store of the new file.
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file, const FinishRestored& finish = {});
 /// Moves a database that cannot be read, with its log, index, key and counter, to a new folder beside it; nothing is deleted. Returns

@@ -176,24 +176,6 @@ TEST_F(BackupTest, of_another_station_in_the_same_folder_are_neither_listed_nor_
   EXPECT_TRUE(must(backups_in(into(), station())).empty());
 }
 
-TEST_F(BackupTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
-  const Backup cut_off = make();
-  const fs::path of_others = into() / "cusp-notes";
-  fs::create_directories(of_others);
-  std::ofstream(of_others / "read me.txt") << "kept";
-  fs::remove(cut_off.folder / "backup.json");
-  must(thin_backups(into(), station(), 1, *now));
-  EXPECT_TRUE(fs::exists(cut_off.folder)) << "somebody may be writing it";
-  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
-  for (const fs::path& one : {cut_off.folder, of_others}) {
-    for (const auto& file : fs::directory_iterator(one)) fs::last_write_time(file.path(), long_ago);
-    fs::last_write_time(one, long_ago);
-  }
-  must(thin_backups(into(), station(), 1, *now));
-  EXPECT_FALSE(fs::exists(cut_off.folder));
-  EXPECT_TRUE(fs::exists(of_others));
-}
-
 TEST_F(BackupTest, an_unfinished_folder_is_none) {
   const Backup backup = make();
   fs::remove(backup.folder / "backup.json");

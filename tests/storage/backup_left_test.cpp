@@ -1,0 +1,65 @@
+/// What a backup or a restore that was cut off leaves: it holds a secret key, and goes a day later.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "storage/backup/backup.h"
+#include "tests/storage/sample.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BackupLeftTest : ::testing::Test {
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Actor administrator = make_administrator(*store).actor();
+  fs::path into() { return folder / "backups"; }
+  Uuid station() { return store->context().station; }
+  Backup make() { return must(make_backup(store->context(), administrator, into())); }
+};
+
+TEST_F(BackupLeftTest, that_was_cut_off_goes_a_day_later_for_it_holds_a_key) {
+  const Backup cut_off = make();
+  const fs::path of_others = into() / "cusp-notes";
+  fs::create_directories(of_others);
+  std::ofstream(of_others / "read me.txt") << "kept";
+  fs::remove(cut_off.folder / "backup.json");
+  must(thin_backups(into(), station(), 1, *now));
+  EXPECT_TRUE(fs::exists(cut_off.folder)) << "somebody may be writing it";
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
+  for (const fs::path& one : {cut_off.folder, of_others}) {
+    for (const auto& file : fs::directory_iterator(one)) fs::last_write_time(file.path(), long_ago);
+    fs::last_write_time(one, long_ago);
+  }
+  must(thin_backups(into(), station(), 1, *now));
+  EXPECT_FALSE(fs::exists(cut_off.folder));
+  EXPECT_TRUE(fs::exists(of_others));
+}
+
+TEST_F(BackupLeftTest, restoring_takes_away_what_a_restore_of_the_name_left_a_day_ago) {
+  const Backup backup = make();
+  const fs::path left_over = folder / (".cusp-restore-" + Uuid::v7().text()), running = folder / (".cusp-restore-" + Uuid::v7().text()),
+                 of_another = folder / (".cusp-restore-" + Uuid::v7().text()), notes = folder / ".cusp-restore-notes";
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
+  for (const fs::path& one : {left_over, running, of_another, notes}) {
+    fs::create_directories(one);
+    const fs::path database = one / (one == of_another ? "x.db" : "new.db");
+    std::ofstream(database) << "cut off";
+    if (one == running) continue;
+    fs::last_write_time(database, long_ago);
+    fs::last_write_time(one, long_ago);
+  }
+  must(restore_backup(backup, folder / "new.db"));
+  EXPECT_FALSE(fs::exists(left_over));
+  EXPECT_TRUE(fs::exists(running)) << "somebody may be restoring";
+  EXPECT_TRUE(fs::exists(of_another));
+  EXPECT_TRUE(fs::exists(notes));
+}
+
+}  // namespace
+}  // namespace cusp::test
