@@ -10,6 +10,7 @@
 
 #include "engine/base/ids.h"
 #include "scenarios/import/header_text.h"
+#include "scenarios/import/left_parts.h"
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/packed_data.h"
 
@@ -157,6 +158,7 @@ Result<void, ImportFailure> write_binvox(const Binvox& what, const std::filesyst
       return fail(ImportError::io, name, why);
     }
   }
+  remove_left_parts(file, part);
   std::filesystem::rename(part, file, ec);
   if (ec) {
     const std::string why = ec.message();

@@ -7,6 +7,7 @@
 
 #include "engine/base/ids.h"
 #include "scenarios/import/label_map.h"
+#include "scenarios/import/left_parts.h"
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/nrrd_header.h"
 #include "scenarios/import/packed_data.h"
@@ -162,6 +163,7 @@ Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::fil
     errno = 0;
     std::ofstream out(part, std::ios::binary);
     if (!out) return fail(ImportError::io, name, std::generic_category().message(errno));
+    remove_left_parts(file, part);
     const std::string header = nrrd_header_of(volume);
     out.write(header.data(), static_cast<std::streamsize>(header.size()));
     PackedSink sink(out);

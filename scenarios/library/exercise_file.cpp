@@ -10,6 +10,7 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
+#include "scenarios/import/left_parts.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/tar.h"
 
@@ -100,6 +101,7 @@ Result<void, ExerciseFileFailure> write_exercise_file(const ExerciseFile& file, 
   out.write(bytes->data(), static_cast<std::streamsize>(bytes->size()));
   out.close();
   std::error_code error;
+  if (out) remove_left_parts(path, part);
   if (out) std::filesystem::rename(part, path, error);
   if (out && !error) return {};
   std::error_code ignored;  // the failure is that of writing

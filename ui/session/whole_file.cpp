@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/base/ids.h"
+#include "scenarios/import/left_parts.h"
 #include "storage/base/files.h"
 
 namespace cusp::ui {
@@ -23,10 +24,12 @@ WholeFile::WholeFile(std::filesystem::path file) : file_{std::move(file)}, real_
   if (!out_.is_open()) {
     error_ = errno;
     beside_.clear();
-  } else if (replaces && std::filesystem::exists(there)) {
-    // Before the content: others may not have leave to read it.
-    std::filesystem::permissions(beside_, there.permissions(), error);
+    return;
   }
+  if (!replaces) return;
+  // Before the content: others may not have leave to read it.
+  if (std::filesystem::exists(there)) std::filesystem::permissions(beside_, there.permissions(), error);
+  remove_left_parts(real_, beside_);
 }
 
 WholeFile::~WholeFile() {

@@ -13,7 +13,8 @@ namespace cusp::ui {
 /// Goes where links lead to; a file that is there keeps its permissions. Writes straight to a pipe or a device.
 class WholeFile {
  public:
-  /// Begins it. Whether that went well says the first write(), or finish().
+  /// Begins it, and removes what a program that was killed left of the same name (scenarios/import/left_parts.h). Whether that went
+  /// well says the first write(), or finish().
   explicit WholeFile(std::filesystem::path file);
   /// Removes what was not finished.
   ~WholeFile();
