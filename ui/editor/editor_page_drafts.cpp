@@ -178,6 +178,7 @@ void EditorPage::open_sheet() {
   auto* sheet = new PublishSheet(std::move(*facts), local(model_->scenario().title), ports_, this);
   connect(sheet, &PublishSheet::publish_wanted, this, &EditorPage::publish_now);
   connect(sheet, &PublishSheet::try_out_wanted, this, &EditorPage::try_out);
+  activate_after(*sheet, this);
   sheet->open();
 }
 

@@ -1,5 +1,6 @@
 #include "ui/widgets/ports.h"
 
+#include <QApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -81,9 +82,16 @@ Ports Ports::of_the_system() {
       dialog->setFileMode(QFileDialog::Directory);
     }
     QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [then](const QString& path) { then(path); });
+    if (parent != nullptr) activate_after(*dialog, parent);  // the picker itself asks before it replaces a file
     dialog->open();
   };
   return ports;
+}
+
+void activate_after(const QDialog& dialog, QWidget* opener) {
+  QObject::connect(&dialog, &QDialog::finished, opener, [opener] {
+    if (QApplication::activeModalWidget() == nullptr) opener->activateWindow();
+  });
 }
 
 }  // namespace cusp::ui

@@ -6,6 +6,7 @@
 #include <QString>
 #include <functional>
 
+class QDialog;
 class QWidget;
 
 namespace cusp::ui {
@@ -38,5 +39,9 @@ struct Ports {
 
   static Ports of_the_system();
 };
+
+/// Makes the opener's window the active one when `dialog` closes, unless another dialog is open by then.
+/// If a dialog closes together with its own question, some window managers leave no window active, and keys go nowhere.
+void activate_after(const QDialog& dialog, QWidget* opener);
 
 }  // namespace cusp::ui

@@ -4,6 +4,7 @@
 
 #include <QDeadlineTimer>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -81,6 +82,20 @@ TEST_F(PublishSheets, AskOnceMoreBeforeWhatNobodyTriedOutAndOnlyThen) {
   publish_tried(*page);
   EXPECT_EQ(asked.size(), 2u);
   EXPECT_EQ(versions(*page), 3u);
+}
+
+TEST_F(PublishSheets, LeaveTheKeysToThePageWhenTheyCloseWithTheirQuestion) {
+  ports.ask = Ports::of_the_system().ask;
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  ASSERT_TRUE(open_sheet(*page));
+  sheet_of(*page)->publish()->click();
+  auto* box = sheet_of(*page)->findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(box));
+  box->defaultButton()->click();
+  EXPECT_EQ(sheet_of(*page), nullptr);
+  EXPECT_TRUE(QTest::qWaitForWindowActive(page.get()));
 }
 
 TEST_F(PublishSheets, ATrialCountsUntilTheNextChangeThatADrillShows) {

@@ -227,6 +227,33 @@ TEST(Ports, a_name_without_suffix_gets_that_of_the_suggested_one) {
   dialog->reject();
 }
 
+TEST(Ports, the_window_is_the_active_one_after_a_file_is_chosen_or_not) {
+  QWidget page;
+  page.show();
+  Ports::of_the_system().pick_file(&page, {QStringLiteral("Save"), QStringLiteral("molar.cusp"), QStringLiteral("Exercise (*.cusp)")}, [](const QString&) {});
+  auto* dialog = page.findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog));
+  dialog->reject();
+  EXPECT_TRUE(QTest::qWaitForWindowActive(&page));
+}
+
+TEST(Ports, a_question_that_follows_a_chosen_file_stays_the_active_window) {
+  QWidget page;
+  page.show();
+  QDialog first(&page);
+  activate_after(first, &page);
+  first.open();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&first));
+  Ports::of_the_system().ask(&page, {QStringLiteral("Open it?"), {}, QStringLiteral("Open")}, [](bool) {});
+  auto* box = page.findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  first.accept();
+  EXPECT_TRUE(QTest::qWaitForWindowActive(box));
+  EXPECT_FALSE(page.isActiveWindow());
+  box->reject();
+}
+
 TEST(Ports, the_text_of_a_question_begins_where_its_buttons_do) {
   QWidget page;
   page.show();
