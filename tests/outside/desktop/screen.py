@@ -1,8 +1,10 @@
 """A display for a program under test, and waiting for what it shows: `LIMIT_S` only sets when to give up."""
 import os
-import shutil
 import subprocess
+import sys
 import time
+
+from PIL import ImageGrab
 
 MARGIN = 8  # px beside the bar of pages, where a page has nothing
 LIMIT_S = float(os.environ.get("CUSP_DESK_LIMIT_S", "180"))
@@ -85,9 +87,11 @@ class Screen:
                 raise Missing(f"{missing}: {f.read()}") from None
 
     def picture(self, path):
-        """Where ImageMagick is there."""
-        if shutil.which("import"):
-            subprocess.run(["import", "-window", "root", path], check=False, timeout=60)
+        """Of the whole screen; none if the server is gone."""
+        try:
+            ImageGrab.grab(xdisplay=self.display).save(path)
+        except OSError as error:
+            print(f"no picture: {error}", file=sys.stderr)
         return path
 
     def x(self, *arguments):
