@@ -28,8 +28,11 @@ Stored<DepartedStudents> departed_students(StorageContext& context, const Actor&
     return Found{row.id<UserId>(0), row.integer(1), row.flag(2)};
   }, context.clock() - years * kYear_us);
   if (!found) return std::unexpected(found.error());
+  auto doubt = clock_doubt(context);
+  if (!doubt) return std::unexpected(doubt.error());
   Accounts accounts(context);
   DepartedStudents out;
+  out.doubt = std::move(*doubt);
   for (const Found& one : *found) {
     const auto account = accounts.find(one.id);
     if (!account) return std::unexpected(account.error());
@@ -38,9 +41,10 @@ Stored<DepartedStudents> departed_students(StorageContext& context, const Actor&
   return out;
 }
 
-Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years) {
+Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust) {
   auto departed = departed_students(context, actor, years);
   if (!departed) return departed;
+  if (departed->doubt && trust == ClockTrust::checked) return std::unexpected(*departed->doubt);
   Accounts accounts(context);
   std::vector<DepartedStudent>& going = departed->erasable;
   for (auto student = going.begin(); student != going.end(); ++student) {

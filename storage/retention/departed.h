@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "storage/repositories/accounts.h"
+#include "storage/retention/clock_doubt.h"
 
 namespace cusp::storage {
 
@@ -19,12 +20,14 @@ struct DepartedStudents {
   std::vector<DepartedStudent> erasable;  // longest gone first
   std::vector<DepartedStudent> waiting;   // they stay: an assessment of theirs is not released, or an attempt runs
   std::optional<StorageFailure> failed{};  // what ended the erasure before the last one, once others were erased
+  std::optional<StorageFailure> doubt{};  // of the clock: they may have been away for less
 };
 
 /// No attempt for so many years of 365.25 days, 1 to kMostRetainedYears. The school says how many. Needs manage_accounts.
 Stored<DepartedStudents> departed_students(StorageContext& context, const Actor& actor, int years);
 
 /// Accounts::erase() of each who is erasable; returns who was erased. Fails if nobody was; a later failure leaves the others as they are.
-Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years);
+/// Erases nobody while the clock is in doubt.
+Stored<DepartedStudents> erase_departed(StorageContext& context, const Actor& actor, int years, ClockTrust trust = ClockTrust::checked);
 
 }  // namespace cusp::storage

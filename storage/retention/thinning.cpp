@@ -192,7 +192,11 @@ Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, 
   if (!chosen) return std::unexpected(chosen.error());
   const bool carry_out = order.mode == ThinningMode::carry_out;
   if (carry_out && !context.key) return std::unexpected(context.db.unwritable());
+  auto doubt = clock_doubt(context);
+  if (!doubt) return std::unexpected(doubt.error());
+  if (carry_out && *doubt && order.trust == ClockTrust::checked) return std::unexpected(**doubt);
   ThinningReport report;
+  report.doubt = std::move(*doubt);
   report.kept = chosen->kept;
   for (std::size_t i = 0; i < chosen->thinnable.size(); ++i) {
     if (watch && !watch(i, chosen->thinnable.size())) {

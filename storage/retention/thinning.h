@@ -13,6 +13,7 @@
 #include "storage/base/rights.h"
 #include "storage/records/context.h"
 #include "storage/records/verify.h"
+#include "storage/retention/clock_doubt.h"
 
 namespace cusp::storage {
 
@@ -51,6 +52,7 @@ enum class ThinningMode : std::uint8_t { dry_run, carry_out };
 struct ThinningOrder {
   int older_than_days = kThinAfterDays;
   ThinningMode mode = ThinningMode::dry_run;
+  ClockTrust trust = ClockTrust::checked;
 };
 
 struct ThinningReport {
@@ -60,13 +62,15 @@ struct ThinningReport {
   std::vector<ChainFinding> broken{};  // the first finding of each attempt that does not verify; `owner` names it
   bool stopped = false;                // the watch ended it before the last attempt
   std::optional<StorageFailure> failed{};  // what ended it before the last attempt, once others were thinned
+  std::optional<StorageFailure> doubt{};   // of the clock: the attempts may be younger
 };
 
 /// Called before each attempt: so many of so many are done. False ends the run.
 using ThinningWatch = std::function<bool(std::size_t done, std::size_t all)>;
 
 /// Verifies each attempt, and in a dry run goes no further. Each is thinned in a transaction of its own: if the program
-/// ends, or a write fails, the recording of every other attempt is whole. Fails if nothing was thinned. Needs manage_station.
+/// ends, or a write fails, the recording of every other attempt is whole. Fails if nothing was thinned. Thins nothing while the clock is
+/// in doubt. Needs manage_station.
 Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, const ThinningOrder& order,
                                    const ThinningWatch& watch = {});
 

@@ -135,12 +135,12 @@ def thinning(desk, database):
         for end in ("", ".key", ".key-counter"):
             shutil.copy(desk.path("restored.db") + end, desk.path(name) + end)
     thinned, changed = desk.path("thinned.db"), desk.path("changed.db")
-    recent = ("thin", thinned, "--older-than", "1", "--json", "-")  # the attempt is of 20 November 2026
+    recent = ("thin", thinned, "--older-than", "1", "--clock-is-right", "--json", "-")  # the attempt is of 20 November 2026
     status, _, err = desk.run(*recent, "--as", STUDENT, CUSP_PASSWORD=PIN)
     one_sentence(err, "a student thins")
     check(status == 1 and rows(thinned, "trace_chunks") == 3, f"a student thins: {err}")
     check(desk.run("thin", thinned, "--older-than", "0", *as_admin, **secret)[0] == 2, "0 days are wrong usage")
-    status, out, err = desk.run("thin", thinned, "--older-than", "36500", *as_admin, **secret)
+    status, out, err = desk.run("thin", thinned, "--older-than", "36500", "--clock-is-right", *as_admin, **secret)
     check(status == 0 and "0 recording" in out, f"nothing is a hundred years old: {out}{err}")
     status, out, err = desk.run(*recent, "--dry-run", *as_admin, **secret)
     would = json.loads(out)
@@ -161,7 +161,7 @@ def thinning(desk, database):
     with contextlib.closing(sqlite3.connect(changed)) as db:
         db.execute("UPDATE grades SET score = 100")
         db.commit()
-    status, out, err = desk.run("thin", changed, "--older-than", "1", "--json", "-", *as_admin, **secret)
+    status, out, err = desk.run("thin", changed, "--older-than", "1", "--clock-is-right", "--json", "-", *as_admin, **secret)
     one_sentence(err, "an attempt that was changed")
     seen = json.loads(out)
     check(status == 1 and seen["kept"]["broken"] == 1 and seen["broken"][0]["table"] == "grades", f"{out}{err}")
@@ -176,8 +176,18 @@ def retention(desk, database):
     one_sentence(err, "a student erases by years")
     check(status == 1, f"a student erases by years: {err}")
     for dry in (("--dry-run",), ()):
-        status, out, err = desk.run("retain", restored, "--years", "100", "--json", "-", *dry, *as_admin, **secret)
+        status, out, err = desk.run("retain", restored, "--years", "100", "--clock-is-right", "--json", "-", *dry, *as_admin, **secret)
         check(status == 0 and json.loads(out)["erased"] == [], f"nobody is gone for a hundred years: {out}{err}")
+    with contextlib.closing(sqlite3.connect(restored)) as db:
+        half_a_year_and_more = 200 * 86_400_000_000
+        db.execute("UPDATE people SET created_at = created_at - ?", (half_a_year_and_more,))
+        db.execute("UPDATE sessions SET started_at = started_at - ?", (half_a_year_and_more,))
+        db.commit()
+    for verb in (("retain", restored, "--years", "100"), ("thin", restored, "--older-than", "36500")):
+        for dry in (("--dry-run",), ()):
+            status, out, err = desk.run(*verb, *dry, *as_admin, **secret)
+            one_sentence(err, "a clock in doubt")
+            check(status == 1 and "--clock-is-right" in err and not out, f"{verb[0]} with a clock in doubt: exit {status}: {out}{err}")
 
 
 def secrets(desk, database):

@@ -68,6 +68,22 @@ TEST_F(DepartedTest, wait_while_an_assessment_of_theirs_is_not_released) {
   EXPECT_EQ(numbers(must(departed_students(store->context(), admin, 3)).erasable), Numbers{"sat"});
 }
 
+TEST_F(DepartedTest, stay_while_the_clock_is_far_ahead_of_every_record_until_it_is_confirmed) {
+  enrolled("gone", 3000);
+  *now = kNow + kLongestPause_us;
+  EXPECT_FALSE(must(departed_students(store->context(), admin, 3)).doubt) << "a long vacation";
+  attempt(-300);
+  *now = kNow + kLongestPause_us + 1;
+  must(store->accounts.sign_in("admin", "correct horse"));
+  const auto doubt = must(departed_students(store->context(), admin, 3)).doubt;
+  ASSERT_TRUE(doubt) << "the sign-in and the attempt of another wrong clock tell nothing";
+  EXPECT_EQ(doubt->code, StorageError::clock_ahead);
+  EXPECT_EQ(doubt->detail, std::to_string(kNow) + ' ' + std::to_string(*now));
+  EXPECT_EQ(code_of(erase_departed(store->context(), admin, 3)), StorageError::clock_ahead);
+  EXPECT_TRUE(store->accounts.find_number("gone"));
+  EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3, ClockTrust::confirmed)).erasable), Numbers{"gone"});
+}
+
 TEST_F(DepartedTest, are_for_administrators_and_for_whole_years) {
   EXPECT_EQ(code_of(departed_students(store->context(), instructor, 3)), StorageError::not_allowed);
   EXPECT_EQ(code_of(erase_departed(store->context(), student.actor(), 3)), StorageError::not_allowed);

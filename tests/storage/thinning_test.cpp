@@ -33,6 +33,16 @@ TEST_F(ThinningTest, takes_the_recording_and_leaves_all_else_as_it_was) {
   EXPECT_EQ(must(rebuild_summaries(store->context(), admin)), 0u);
 }
 
+TEST_F(ThinningTest, takes_nothing_while_the_clock_is_far_ahead_of_every_record_until_it_is_confirmed) {
+  const SessionId session = attempt(0);
+  *now = kNow + kLongestPause_us + 1;
+  EXPECT_TRUE(thin(ThinningMode::dry_run).doubt);
+  EXPECT_EQ(code_of(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out})), StorageError::clock_ahead);
+  EXPECT_FALSE(is_thinned(session));
+  must(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out, .trust = ClockTrust::confirmed}));
+  EXPECT_TRUE(is_thinned(session));
+}
+
 TEST_F(ThinningTest, leaves_its_length_to_the_report_and_one_code_to_all_who_need_inputs) {
   const SessionId session = attempt(91);
   thin();

@@ -22,11 +22,11 @@ QString names_of(const std::vector<DepartedStudent>& students) {
 enum class Erasure : std::uint8_t { none, all };
 
 /// A look without erasing, or with it, over a store of its own.
-Stored<DepartedStudents> departed_in(const RecordsBeside& records, const Actor& actor, int years, Erasure erasure) {
+Stored<DepartedStudents> departed_in(const RecordsBeside& records, const Actor& actor, int years, Erasure erasure, ClockTrust trust = ClockTrust::checked) {
   const auto store = open_beside(erasure == Erasure::none ? records.for_reading() : records);
   if (!store) return std::unexpected(store.error());
   StorageContext& context = (*store)->context();
-  return erasure == Erasure::none ? departed_students(context, actor, years) : erase_departed(context, actor, years);
+  return erasure == Erasure::none ? departed_students(context, actor, years) : erase_departed(context, actor, years, trust);
 }
 
 }  // namespace
@@ -86,15 +86,17 @@ void DepartedCard::show_found(const Stored<DepartedStudents>& departed) {
 void DepartedCard::erase() {
   if (working_ || departed_.erasable.empty()) return;
   const int gone = static_cast<int>(departed_.erasable.size());
-  const QString more = tr("Names, numbers and PINs go, and every text about their attempts. The attempts stay under a pseudonym. "
-                          "It cannot be undone; backups made before still hold the names.");
-  ports_.ask(this, {tr("Erase %n student(s) for good?", nullptr, gone), more, tr("Erase"), true}, [self = QPointer(this)](bool yes) {
+  QString more = tr("Names, numbers and PINs go, and every text about their attempts. The attempts stay under a pseudonym. "
+                    "It cannot be undone; backups made before still hold the names.");
+  if (departed_.doubt) more.prepend(clock_question_text(*departed_.doubt) + u' ');
+  const ClockTrust trust = departed_.doubt ? ClockTrust::confirmed : ClockTrust::checked;
+  ports_.ask(this, {tr("Erase %n student(s) for good?", nullptr, gone), more, tr("Erase"), true}, [self = QPointer(this), trust](bool yes) {
     if (!self || !yes || self->working_) return;
     self->working_ = true;
     self->erase_->setEnabled(false);
-    self->task_ = BackgroundTask([records = self->records_, actor = self->actor_, years = self->years(),
+    self->task_ = BackgroundTask([records = self->records_, actor = self->actor_, years = self->years(), trust,
                                   then = on_window<Stored<DepartedStudents>>(self.data(), &DepartedCard::show_erased)] {
-      then(departed_in(records, actor, years, Erasure::all));
+      then(departed_in(records, actor, years, Erasure::all, trust));
     });
   });
 }

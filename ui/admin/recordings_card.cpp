@@ -84,14 +84,14 @@ void RecordingsCard::show_count(const Stored<OldTraces>& old) {
   thin_->setEnabled(number > 0 && !working());
 }
 
-void RecordingsCard::begin(ThinningMode mode) {
+void RecordingsCard::begin(ThinningMode mode, ClockTrust trust) {
   progress_ = std::make_shared<ThinningProgress>();
   for (QWidget* part : {static_cast<QWidget*>(thin_), static_cast<QWidget*>(days_)}) part->setEnabled(false);
   busy_->start(mode == ThinningMode::dry_run ? tr("Verifying the attempts") : tr("Thinning recordings"), Busy::Cancel::offered);
   look_->start(kLookAtThinningMs);
   auto then = mode == ThinningMode::dry_run ? on_window<Stored<ThinningReport>>(this, &RecordingsCard::ask_first)
                                             : on_window<Stored<ThinningReport>>(this, &RecordingsCard::show_thinned);
-  task_ = thin_in_background(records_, actor_, {days(), mode}, progress_, std::move(then));
+  task_ = thin_in_background(records_, actor_, {days(), mode, trust}, progress_, std::move(then));
 }
 
 void RecordingsCard::end() {
@@ -125,11 +125,12 @@ void RecordingsCard::ask_first(const Stored<ThinningReport>& would) {
     emit reported(Band::Kind::look, tr("Nothing can be thinned."), left_text(*would));
     return;
   }
-  const QString more = tr("%1 on the disk are given free. %2 It cannot be undone; backups made before still hold the recordings.")
-                           .arg(recording_size_text(would->bytes), left_text(*would));
+  QString more = tr("%1 on the disk are given free. %2 It cannot be undone; backups made before still hold the recordings.")
+                     .arg(recording_size_text(would->bytes), left_text(*would));
+  if (would->doubt) more.prepend(clock_question_text(*would->doubt) + u' ');
   ports_.ask(this, {tr("Thin %n recording(s)?", nullptr, static_cast<int>(would->attempts)), more.simplified(), tr("Thin recordings"), true},
-             [self = QPointer(this)](bool yes) {
-               if (self && yes && !self->working()) self->begin(ThinningMode::carry_out);
+             [self = QPointer(this), trust = would->doubt ? ClockTrust::confirmed : ClockTrust::checked](bool yes) {
+               if (self && yes && !self->working()) self->begin(ThinningMode::carry_out, trust);
              });
 }
 

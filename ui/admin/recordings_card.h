@@ -42,7 +42,7 @@ class RecordingsCard : public Card {
   int days() const;
   void count();
   void show_count(const Stored<OldTraces>& old);
-  void begin(ThinningMode mode);
+  void begin(ThinningMode mode, ClockTrust trust = ClockTrust::checked);
   void end();
   void show_progress();
   void ask_first(const Stored<ThinningReport>& would);

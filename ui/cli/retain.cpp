@@ -17,6 +17,7 @@ struct RetainOptions {
   std::string db;
   int years = 0;
   bool dry_run = false;
+  ClockOption clock;
   AccountOption account;
   JsonOption json;
 };
@@ -43,8 +44,10 @@ int retain(const RetainOptions& o) {
   auto account = sign_in(**store, o.account, WithoutAccounts::refuse);
   if (!account) return failed(account.error());
   StorageContext& context = (*store)->context();
-  const auto departed = o.dry_run ? departed_students(context, account->actor(), o.years) : erase_departed(context, account->actor(), o.years);
-  if (!departed) return failed(describe(departed.error()));
+  const auto departed =
+      o.dry_run ? departed_students(context, account->actor(), o.years) : erase_departed(context, account->actor(), o.years, o.clock.trust());
+  if (!departed) return failed_by_age(departed.error());
+  if (departed->doubt && !o.clock.is_right) return failed_by_age(*departed->doubt);
   const nlohmann::ordered_json json = {
       {"years", o.years}, {"dry_run", o.dry_run}, {"erased", json_of(departed->erasable)}, {"waiting", json_of(departed->waiting)}};
   if (!o.json.write(json)) return kFailed;
@@ -65,6 +68,7 @@ void add_retain(CLI::App& program, Job& job) {
       ->required()
       ->check(CLI::Range(1, kMostRetainedYears));
   verb->add_flag("--dry-run", o->dry_run, help(CliText::tr("Only say who would be erased")));
+  o->clock.add_to(*verb);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return retain(*o); }; });

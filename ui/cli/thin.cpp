@@ -18,6 +18,7 @@ struct ThinOptions {
   std::string db;
   int older_than_days = kThinAfterDays;
   bool dry_run = false;
+  ClockOption clock;
   AccountOption account;
   JsonOption json;
 };
@@ -46,9 +47,10 @@ int thin(const ThinOptions& o) {
   if (!account) return failed(account.error());
   const ThinningMode mode = o.dry_run ? ThinningMode::dry_run : ThinningMode::carry_out;
   catch_interrupt();
-  const auto report = thin_traces((*store)->context(), account->actor(), {o.older_than_days, mode},
+  const auto report = thin_traces((*store)->context(), account->actor(), {o.older_than_days, mode, o.clock.trust()},
                                   [](std::size_t, std::size_t) { return !interrupted(); });
-  if (!report) return failed(describe(report.error()));
+  if (!report) return failed_by_age(report.error());
+  if (report->doubt && !o.clock.is_right) return failed_by_age(*report->doubt);
   if (!o.json.write(json_of(o, *report))) return kFailed;
   if (!o.json.on_stdout()) {
     print_line(plain(thinned_text(*report, mode)));
@@ -74,6 +76,7 @@ void add_thin(CLI::App& program, Job& job) {
       ->check(CLI::Range(1, kMostThinAfterDays))
       ->capture_default_str();
   verb->add_flag("--dry-run", o->dry_run, help(CliText::tr("Only say what would go, and what stays and why")));
+  o->clock.add_to(*verb);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return thin(*o); }; });

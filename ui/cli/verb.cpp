@@ -97,6 +97,16 @@ void JsonOption::add_to(CLI::App& verb) {
   verb.add_option("--json", file, help(CliText::tr("Write the result as JSON to FILE, or to stdout for -")))->type_name("FILE");
 }
 
+void ClockOption::add_to(CLI::App& verb) {
+  verb.add_flag("--clock-is-right", is_right, help(CliText::tr("This computer’s date is right, although the newest attempt is more than half a year old")));
+}
+
+int failed_by_age(const StorageFailure& failure) {
+  Message message = describe(failure);
+  if (failure.code == StorageError::clock_ahead) message.more += u' ' + CliText::tr("If that date is right, add --clock-is-right.");
+  return failed(message);
+}
+
 bool JsonOption::write(const nlohmann::ordered_json& value) const {
   if (!wanted()) return true;
   // A file's name may be no UTF-8.

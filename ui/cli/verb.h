@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "storage/base/error.h"
+#include "storage/retention/clock_doubt.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/plain.h"
@@ -80,6 +81,15 @@ Stored<void> writable_folder(const std::filesystem::path& folder);
 Message cannot_write(const std::filesystem::path& file, const std::string& why);
 /// The same of a folder.
 Message nothing_written_to(const std::filesystem::path& folder, const std::string& why);
+
+/// --clock-is-right, of the verbs that take away what is old.
+struct ClockOption {
+  bool is_right = false;
+  void add_to(CLI::App& verb);
+  ClockTrust trust() const { return is_right ? ClockTrust::confirmed : ClockTrust::checked; }
+};
+/// Names --clock-is-right if the failure is of the clock.
+int failed_by_age(const StorageFailure& failure);
 
 // Validators of CLI11: empty, or what is wrong with the typed value.
 std::string check_not_negative(const std::string& typed);  // a finite number from 0 on

@@ -24,6 +24,8 @@ struct Message {
 };
 
 Message describe(const StorageFailure& failure);
+/// Of clock_ahead, before a question whether to go on: what the clock says, and what to do if that is wrong.
+QString clock_question_text(const StorageFailure& doubt);
 /// What the user was asked for.
 enum class Secret : std::uint8_t { password, pin };
 /// Of signing in, of making an account and of changing one: names the account's number, never the database's file.

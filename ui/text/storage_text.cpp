@@ -144,12 +144,21 @@ Message describe_not_allowed(const StorageFailure& f) {
   return {Text::tr("Your role may not do this."), nothing_changed()};
 }
 
-/// With its year: the recording may be gone for long.
-Message describe_thinned(const StorageFailure& f) {
+/// Of UTC µs, with its year: it may be long ago.
+QString day_text(const QString& utc_us) {
   const QLocale locale = installed_locale();
-  const QDate day = local_time(QString::fromStdString(f.detail).toLongLong()).date();
   const QString form = locale.language() == QLocale::German ? QStringLiteral("d. MMMM yyyy") : QStringLiteral("d MMMM yyyy");
-  return {Text::tr("The recording was thinned on %1.").arg(locale.toString(day, form)),
+  return locale.toString(local_time(utc_us.toLongLong()).date(), form);
+}
+
+/// Of clock_ahead.
+QString clock_text(const StorageFailure& f) {
+  const QString times = text(f.detail);
+  return Text::tr("This computer’s clock says %1. The newest attempt or account is of %2.").arg(day_text(times.section(u' ', 1)), day_text(times.section(u' ', 0, 0)));
+}
+
+Message describe_thinned(const StorageFailure& f) {
+  return {Text::tr("The recording was thinned on %1.").arg(day_text(text(f.detail))),
           Text::tr("Grade, report and final tooth are kept. The attempt can no longer be replayed, graded again or packed for an appeal.")};
 }
 
@@ -247,12 +256,17 @@ Message describe(const StorageFailure& f) {
     case StorageError::wrong_state: return describe_wrong_state(f);
     case StorageError::other_device: return describe_other_device(f);
     case StorageError::self_test_due: return describe_self_test_due(f);
+    case StorageError::clock_ahead: return {Text::tr("The clock may be wrong."), clock_text(f) + u' ' + nothing_changed()};
     case StorageError::bad_trace:
       return {Text::tr("The recording cannot be read."),
               Text::tr("%1 is damaged; the grade and all other attempts are kept.").arg(where)};
     default: break;
   }
   return {Text::tr("The database failed."), where};
+}
+
+QString clock_question_text(const StorageFailure& doubt) {
+  return clock_text(doubt) + u' ' + Text::tr("If that date is wrong, cancel and set the clock.");
 }
 
 Message describe_account(const StorageFailure& f, const QString& number, Secret asked) {

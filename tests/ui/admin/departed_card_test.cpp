@@ -70,6 +70,22 @@ TEST_F(Departed, AreErasedAndLeaveTheList) {
   EXPECT_TRUE(page.message().contains(QStringLiteral("erased"))) << page.message().toStdString();
 }
 
+TEST_F(Departed, AreErasedUnderAClockInDoubtAfterTheQuestionHasNamedIt) {
+  PeoplePage page(records.store(), admin.actor(), ports);
+  looked(page).erase();
+  ASSERT_TRUE(asked);
+  EXPECT_FALSE(asked->more.contains(QStringLiteral("clock"))) << asked->more.toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page.departed().working(); }, kPatience_ms));
+  records.student("4713", "Ida Falk");
+  // The next 14 years after 2026 make the others old.
+  records.now_us += 15 * std::int64_t{31'557'600'000'000};
+  PeoplePage later(records.store(), admin.actor(), ports);
+  looked(later).erase();
+  EXPECT_TRUE(asked->more.contains(QStringLiteral("clock says"))) << asked->more.toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !later.departed().working(); }, kPatience_ms));
+  EXPECT_FALSE(there("4713"));
+}
+
 TEST_F(Departed, LeaveWhatIsTypedAboutANewPerson) {
   PeoplePage page(records.store(), admin.actor(), ports);
   DepartedCard& card = looked(page);

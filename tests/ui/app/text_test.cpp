@@ -37,7 +37,7 @@ void each_code_has_its_own_text(int codes) {
 }
 
 TEST(Sentences, every_code_of_every_module_has_text) {
-  each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::differs) + 1);
+  each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::clock_ahead) + 1);
   each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unwritable) + 1);
   each_code_has_its_own_text<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
   each_code_has_its_own_text<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
@@ -76,6 +76,12 @@ TEST(Sentences, a_lock_is_over_at_the_second_that_its_message_names) {
   EXPECT_TRUE(said(half_past.addMSecs(-500)).contains(QStringLiteral("10:14:30")));
 }
 
+TEST(Sentences, a_clock_in_doubt_is_named_with_its_day_and_that_of_the_newest_record) {
+  const auto utc_us = [](const QDate& day) { return std::to_string(QDateTime(day, QTime(12, 0)).toMSecsSinceEpoch() * 1000); };
+  const StorageFailure doubt{StorageError::clock_ahead, "clock", utc_us(QDate(2026, 5, 3)) + ' ' + utc_us(QDate(2031, 11, 27))};
+  EXPECT_EQ(describe(doubt).line().toStdString(), "The clock may be wrong. This computer’s clock says 27 November 2031. The newest attempt or account is of 3 May 2026. Nothing was changed.");
+}
+
 TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
   RealtimeGrant grant;
   grant.level = RealtimeLevel::rtkit;
@@ -109,7 +115,7 @@ TEST(Sentences, a_tilted_handpiece_is_named_where_no_bur_fits) {
 }
 
 TEST(Sentences, nobody_is_shouted_at_or_blamed) {
-  for (int i = 0; i <= static_cast<int>(StorageError::differs); ++i) {
+  for (int i = 0; i <= static_cast<int>(StorageError::clock_ahead); ++i) {
     const QString line = describe(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
     for (const char* term : {"!", "please", "invalid", "error", "oops", "sorry"}) {
       EXPECT_FALSE(line.contains(QLatin1String(term))) << line.toStdString();
