@@ -1,6 +1,8 @@
 #include "ui/admin/export_work.h"
 
+#include <algorithm>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "ui/session/whole_file.h"
@@ -24,6 +26,41 @@ Stored<std::optional<std::size_t>> export_to_file(StorageContext& context, const
   return rows;
 }
 
+/// All entries, newest first. How many; nullopt: stopped.
+Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& actor, const LogFile& wanted, WholeFile& file, ExportProgress& progress) {
+  const NameOf name_of = [&wanted](const Uuid& id) {
+    const auto found = wanted.names.find(id);
+    return found == wanted.names.end() ? std::string() : found->second;
+  };
+  if (auto done = file.write(audit_csv_head()); !done) return std::unexpected(done.error());
+  std::size_t entries = 0;
+  for (std::int64_t before = INT64_MAX; !progress.stop;) {
+    const auto some = store.audit.list(actor, kLogEntriesAtOnce, before, wanted.filter);
+    if (!some) return std::unexpected(some.error());
+    if (some->empty()) return std::optional(entries);
+    if (progress.all == 0) progress.all = static_cast<std::size_t>(some->front().number + 1);
+    std::string text;
+    for (const AuditEntry& entry : *some) text += audit_csv_line(entry, name_of);
+    if (auto done = file.write(text); !done) return std::unexpected(done.error());
+    entries += some->size();
+    before = some->back().number;
+    progress.done = progress.all - std::min<std::size_t>(progress.all, static_cast<std::size_t>(before));
+  }
+  return std::optional<std::size_t>{};
+}
+
+Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor& actor, const LogFile& wanted, ExportProgress& progress) {
+  WholeFile file(wanted.file);
+  const auto entries = write_entries(store, actor, wanted, file, progress);
+  if (!entries || !*entries) return entries;
+  if (!store.database().read_only()) {
+    const auto noted = store.audit.add({.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)});
+    if (!noted) return std::unexpected(noted.error());
+  }
+  if (auto done = file.finish(); !done) return std::unexpected(done.error());
+  return entries;
+}
+
 }  // namespace
 
 BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<ExportProgress> progress,
@@ -32,6 +69,15 @@ BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, A
     const auto store = open_beside(records);
     if (!store) return then(std::unexpected(store.error()));
     then(export_to_file((*store)->context(), actor, wanted, *progress));
+  });
+}
+
+BackgroundTask export_log_in_background(RecordsBeside records, const Actor& actor, LogFile wanted, std::shared_ptr<ExportProgress> progress,
+                                        std::function<void(Stored<std::optional<std::size_t>>)> then) {
+  return BackgroundTask([records = std::move(records), actor, wanted = std::move(wanted), progress = std::move(progress), then = std::move(then)] {
+    const auto store = open_beside(records);
+    if (!store) return then(std::unexpected(store.error()));
+    then(export_log_to_file(**store, actor, wanted, *progress));
   });
 }
 

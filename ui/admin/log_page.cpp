@@ -12,7 +12,6 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "storage/export/csv.h"
 #include "ui/text/audit_log_text.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/incident_text.h"
@@ -22,14 +21,12 @@
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/save_csv.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
 namespace {
 
 constexpr int kEntriesAtOnce = 200;     // a page of the table
-constexpr int kExportedAtOnce = 5'000;  // entries read at a time for the CSV
 constexpr int kLookMs = 100;            // between two looks at how far a verification is
 constexpr int kMostWho = 180, kMostAbout = 220;  // px at 100 %: a longer name is elided, and What stays on the screen
 constexpr int kBetweenDays = -1;        // data of the period that the two dates set
@@ -64,6 +61,7 @@ LogPage::LogPage(Store& store, const Actor& actor, const Ports& ports, QWidget* 
   busy_ = new Busy;
   busy_->hide();
   outer->addWidget(busy_);
+  outer->addWidget(make_export_progress());
   outer->addWidget(make_table(), 1);
   connect(csv, &QPushButton::clicked, this, &LogPage::export_csv);
   connect(verify_, &QPushButton::clicked, this, &LogPage::verify);
@@ -248,36 +246,6 @@ void LogPage::show_verified(const Stored<Verification>& proof) {
 void LogPage::show_failure(const StorageFailure& failure) {
   const Message message = describe(failure);
   band_->show_message(Band::Kind::bad, message.what, message.more);
-}
-
-std::optional<std::string> LogPage::whole_csv(std::size_t& entries) {
-  std::string out = audit_csv_head();
-  const NameOf name_of = [this](const Uuid& id) {
-    const auto found = names_.find(id);
-    return found == names_.end() ? std::string() : found->second.toStdString();
-  };
-  const AuditFilter shown = filter();
-  std::int64_t before = INT64_MAX;
-  while (true) {
-    const auto some = page(shown, kExportedAtOnce, before);
-    if (!some) return std::nullopt;
-    if (some->empty()) return out;
-    for (const AuditEntry& entry : *some) out += audit_csv_line(entry, name_of);
-    entries += some->size();
-    before = some->back().number;
-  }
-}
-
-void LogPage::export_csv() {
-  std::size_t entries = 0;
-  const auto text = whole_csv(entries);
-  if (!text) return;
-  if (!store_.database().read_only()) {
-    const auto noted = store_.audit.add({.actor = actor_.id, .action = "log_exported", .subject = store_.context().station, .detail = std::to_string(entries)});
-    if (!noted) return show_failure(noted.error());
-  }
-  save_csv(*band_, ports_, {tr("Export CSV"), u"cusp-audit-log-"_qs + ports_.now().toString(u"yyyy-MM-dd"_qs), *text,
-                            tr("%n entry(ies) exported.", nullptr, static_cast<int>(entries))});
 }
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// The audit log, newest first: filters by kind, person and date, verification in the background, CSV. Thread: GUI.
+/// The audit log, newest first: filters by kind, person and date, verification and CSV in the background. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -8,6 +8,7 @@
 #include "storage/store.h"
 #include "ui/admin/log_model.h"
 #include "ui/admin/backup_work.h"
+#include "ui/admin/export_work.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
@@ -40,6 +41,7 @@ class LogPage : public QWidget {
   QDateEdit* last_day() const { return last_day_; }
   QString message() const;
   bool verifying() const { return progress_ != nullptr; }
+  bool exporting() const { return export_ != nullptr; }
   bool shows_none() const;
 
  public Q_SLOTS:
@@ -48,6 +50,7 @@ class LogPage : public QWidget {
   void verify();
   void cancel_verification();
   void export_csv();
+  void cancel_export();
 
  private:
   QWidget* make_filters();
@@ -57,7 +60,10 @@ class LogPage : public QWidget {
   void show_verified(const Stored<Verification>& proof);
   QString entry_line(std::int64_t number);
   std::optional<std::vector<AuditEntry>> page(const AuditFilter& filter, int limit, std::int64_t before_number);
-  std::optional<std::string> whole_csv(std::size_t& entries);
+  QWidget* make_export_progress();
+  void export_to(const QString& path, const AuditFilter& shown);
+  void show_export_progress();
+  void show_exported(const Stored<std::optional<std::size_t>>& entries);
   void show_failure(const StorageFailure& failure);
 
   Store& store_;
@@ -67,12 +73,14 @@ class LogPage : public QWidget {
   LogNames names_;
   std::int64_t entries_ = 0;                // of the whole log when it was last verified
   std::shared_ptr<LogProgress> progress_;  // while a verification runs
-  BackgroundTask task_;
-  QTimer* look_;
+  QString exported_to_;
+  std::shared_ptr<ExportProgress> export_;  // while an export runs
+  BackgroundTask task_, export_task_;
+  QTimer *look_, *look_at_export_ = nullptr;
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
-  Busy* busy_ = nullptr;
+  Busy *busy_ = nullptr, *export_busy_ = nullptr;
   QComboBox *kind_ = nullptr, *person_ = nullptr, *period_ = nullptr;
   QWidget* days_ = nullptr;
   QDateEdit *first_day_ = nullptr, *last_day_ = nullptr;

@@ -3,11 +3,13 @@
 
 #include <QComboBox>
 #include <QDateEdit>
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -158,6 +160,9 @@ TEST_F(LogPages, ExportsWhatTheFiltersLeaveAndLogsThat) {
   const auto shown = page();
   choose(shown->kind(), QStringLiteral("Records and exports"));
   shown->export_csv();
+  EXPECT_TRUE(shown->exporting()) << "the window goes on meanwhile";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown->exporting(); }, kLongestMs));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("exported"))) << shown->message().toStdString();
   QFile csv(file);
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
   const QList<QByteArray> lines = csv.readAll().split('\n');
@@ -166,6 +171,35 @@ TEST_F(LogPages, ExportsWhatTheFiltersLeaveAndLogsThat) {
   for (const QByteArray& line : lines) EXPECT_FALSE(line.contains("account_disabled"));
   shown->read();
   EXPECT_TRUE(cell(*shown, 0, LogModel::kWhat).startsWith(QStringLiteral("Audit log exported"))) << cell(*shown, 0, LogModel::kWhat).toStdString();
+}
+
+TEST_F(LogPages, ACancelledExportLeavesTheFileThatWasThereAndNoEntry) {
+  QFile old(file);
+  ASSERT_TRUE(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+  old.close();
+  const auto shown = page();
+  const QString newest = cell(*shown, 0, LogModel::kWhat);
+  const auto progress = std::make_shared<ExportProgress>();
+  progress->stop = true;
+  std::promise<Stored<std::optional<std::size_t>>> promise;
+  const BackgroundTask task = export_log_in_background(records_of(records.store()), admin.actor(), {file.toStdString(), {}, {}}, progress,
+                                                       [&promise](Stored<std::optional<std::size_t>> entries) { promise.set_value(std::move(entries)); });
+  const auto entries = promise.get_future().get();
+  ASSERT_TRUE(entries);
+  EXPECT_FALSE(*entries);
+  ASSERT_TRUE(old.open(QIODevice::ReadOnly));
+  EXPECT_EQ(old.readAll(), "old");
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(QStringLiteral("log.csv")));
+  shown->read();
+  EXPECT_EQ(cell(*shown, 0, LogModel::kWhat), newest);
+}
+
+TEST_F(LogPages, NamesWhyAnExportWasNotWritten) {
+  file = folder.filePath(QStringLiteral("none/log.csv"));
+  const auto shown = page();
+  shown->export_csv();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown->exporting(); }, kLongestMs));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("No such file or directory"))) << shown->message().toStdString();
 }
 
 TEST_F(LogPages, KeepsWhatWasDoneOnTheScreenBesideLongNames) {
