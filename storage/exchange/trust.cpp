@@ -7,6 +7,7 @@
 #include "storage/exchange/json_read.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -88,6 +89,7 @@ Stored<void> trust(StorageContext& context, const Actor& actor, const PublicKey&
   if (role != KeyRole::station && role != KeyRole::office) return fail(StorageError::bad_value, "role");
   const Hash256 id = key_id(key.bytes);
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::manage_station);
   if (key.station == context.station || own(transaction, id)) transaction.refuse({StorageError::not_allowed, "own_key", hex(id)});
   const auto known = other_key(transaction, id);
   if (known && known->station != key.station) transaction.refuse({StorageError::differs, "other_keys", hex(id)});
@@ -103,6 +105,7 @@ Stored<void> trust(StorageContext& context, const Actor& actor, const PublicKey&
 Stored<void> revoke(StorageContext& context, const Actor& actor, const Hash256& key) {
   if (auto allowed = require(actor, Action::manage_station); !allowed) return allowed;
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::manage_station);
   if (!other_key(transaction, key)) transaction.refuse({StorageError::not_found, "other_keys", hex(key)});
   transaction.run("UPDATE other_keys SET role = ?2, changed_at = ?3 WHERE key = ?1", key, key_of(KeyRole::revoked), context.clock());
   log_key(context, transaction, actor.id, "key_revoked", key);

@@ -5,6 +5,7 @@
 
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/erasure.h"
 
 namespace cusp::storage {
@@ -199,6 +200,7 @@ Stored<Account> Accounts::create(const Actor& actor, const NewAccount& account) 
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return std::unexpected(allowed.error());
   if (auto good = check(account); !good) return std::unexpected(good.error());
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_accounts);
   auto made = insert(c_, transaction, actor.id, account);
   return naming_number(committed(c_, transaction, std::move(made)), account.number);
 }
@@ -208,6 +210,7 @@ Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string
   if (number.empty() || number.size() > kMostNumberBytes) return fail(StorageError::bad_value, "number");
   if (name.empty() || name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
   require_one_change(c_, transaction);
   log_account(c_, transaction, actor.id, "account_renamed", user);
@@ -217,6 +220,7 @@ Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string
 Stored<void> Accounts::set_role(const Actor& actor, UserId user, Role role) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_accounts);
   const auto has_password = transaction.first(
       "SELECT password <> '' FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.flag(0); }, user);
   if (!has_password) transaction.refuse({StorageError::not_found, "people"});
@@ -236,6 +240,7 @@ Stored<void> Accounts::set_status(const Actor& actor, UserId user, Status status
   const bool disabled = status == Status::disabled;
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run("UPDATE people SET disabled = ?2 WHERE id = ?1 AND guest = 0", user, disabled);
   require_one_change(c_, transaction);
   keep_an_administrator(transaction);
@@ -249,6 +254,7 @@ Stored<void> Accounts::erase(const Actor& actor, UserId user) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   if (actor.id == user) return fail(StorageError::not_allowed, "own_account");
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_accounts);
   const auto running = transaction.first(
       "SELECT count(*) FROM session_summaries INDEXED BY running_summaries WHERE state = 'running' AND student = ?1",
       [](Row row) { return row.integer(0); }, user);
@@ -283,6 +289,7 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
     compared = std::move(*good);
   }
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, actor.id == user ? Action::drill : Action::manage_accounts);
   if (compared) {
     if (auto barred = barred_since(transaction, user, *compared, c_.clock())) return std::unexpected(std::move(*barred));
   }
@@ -296,6 +303,7 @@ Stored<void> Accounts::set_pin(const Actor& actor, UserId user, std::string_view
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   if (!pin.empty() && !acceptable_pin(pin)) return fail(StorageError::weak_password, "pin");
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run(
       "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND guest = 0",
       user, secret(transaction, pin, c_.cost));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/key_list.h"
 
 namespace cusp::storage {
@@ -73,6 +74,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
   a.author = actor.id;
   a.created_utc_us = c_.clock();
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::assign);
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO assignments (id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, "
@@ -106,6 +108,7 @@ Stored<std::string> Assignments::start_code(const Actor& actor, AssignmentId ass
 Stored<void> Assignments::withdraw(const Actor& actor, AssignmentId assignment) {
   if (auto allowed = require(actor, Action::assign); !allowed) return allowed;
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::assign);
   transaction.run("INSERT INTO assignment_withdrawals (assignment, author, at, sequence) VALUES (?1, ?2, ?3, ?4)", assignment, actor.id,
                   c_.clock(), c_.next_sequence(transaction));
   log_row(c_, transaction, actor.id, "assignment_withdrawn", SealedTable::assignment_withdrawals, assignment.uuid);
@@ -117,6 +120,7 @@ Stored<void> Assignments::adjust(const Actor& actor, AssignmentId assignment, Us
   if (auto allowed = require(actor, Action::assign); !allowed) return allowed;
   if (percent < 0 || percent > kMostExtraTimePercent) return fail(StorageError::bad_value, "extra_time");
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::assign);
   const auto member = transaction.first(
       "SELECT 1 FROM assignments a JOIN cohort_students m ON m.cohort = a.cohort WHERE a.id = ?1 AND m.student = ?2",
       [](Row) { return true; }, assignment, student);

@@ -2,6 +2,7 @@
 
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -15,6 +16,7 @@ Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   if (name.empty() || name.size() > kMostCohortNameBytes) return fail(StorageError::bad_value, "name");
   const CohortId id = CohortId::make();
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_cohorts);
   transaction.run("INSERT INTO cohorts (id, name, created_at) VALUES (?1, ?2, ?3)", id, name, c_.clock());
   log_row(c_, transaction, actor.id, "cohort_created", SealedTable::cohorts, id.uuid);
   if (auto done = commit_sealed(c_, transaction); !done) {
@@ -30,6 +32,7 @@ Stored<void> Cohorts::add_all(const Actor& actor, CohortId cohort, std::span<con
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return allowed;
   if (students.empty()) return {};
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_cohorts);
   AuditWriter log(c_, transaction);
   for (const UserId& student : students) {
     transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort, student);
@@ -42,6 +45,7 @@ Stored<void> Cohorts::add_all(const Actor& actor, CohortId cohort, std::span<con
 Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return allowed;
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::manage_cohorts);
   transaction.run("DELETE FROM cohort_students WHERE cohort = ?1 AND student = ?2", cohort, student);
   if (transaction.ok() && c_.db.changes() == 0) transaction.refuse({StorageError::not_found, "cohort_students"});
   log_event(c_, transaction,

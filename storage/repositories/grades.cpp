@@ -5,6 +5,7 @@
 #include "storage/records/chain_writer.h"
 #include "storage/records/session_summary.h"
 #include "storage/records/thinned_traces.h"
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
 #include "storage/records/sealing.h"
@@ -42,6 +43,7 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
     if (auto allowed = require(*grader, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   }
   Transaction transaction(c_.db);
+  if (grader) require_now(transaction, grader->id, Action::grade_again);
   require_state(transaction, session, Need::not_running);
   // Nobody could compute the new grade again.
   const auto thinned = thinned_at(c_.db, session);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/title.h"
 #include "storage/records/sealing.h"
 
@@ -68,6 +69,7 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
   const bool published = !author.is_nil();
   const VersionId id = published ? VersionId::make() : id_of_kept(scenario.id, content_hash);
   Transaction transaction(c_.db);
+  if (published) require_now(transaction, author, Action::edit_scenarios);
   if (!published) {
     // Another process may have kept it since ensure() looked.
     const auto kept = transaction.first(kSelectByContent, version_id, scenario.id, content_hash);
@@ -143,6 +145,7 @@ Stored<std::vector<ScenarioVersion>> Scenarios::library() {
 Stored<void> Scenarios::withdraw(const Actor& actor, VersionId version) {
   if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::edit_scenarios);
   transaction.run("INSERT INTO version_withdrawals (version, author, at, sequence) VALUES (?1, ?2, ?3, ?4)", version,
                   actor.id, c_.clock(), c_.next_sequence(transaction));
   log_row(c_, transaction, actor.id, "version_withdrawn", SealedTable::version_withdrawals, version.uuid);

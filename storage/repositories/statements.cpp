@@ -5,6 +5,7 @@
 
 #include "storage/records/sealing.h"
 #include "storage/records/session_summary.h"
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/session_state.h"
 
 namespace cusp::storage {
@@ -26,8 +27,10 @@ std::optional<EffectiveGrade> counted(Transaction& transaction, SessionId sessio
   return out;
 }
 
+/// Of a withdrawal the right is that for what it withdraws: every role has drill.
 Action right_for(StatementKind kind) noexcept {
   if (kind == StatementKind::comment) return Action::comment;
+  if (kind == StatementKind::self_assessment || kind == StatementKind::withdrawal) return Action::drill;
   return kind == StatementKind::release ? Action::assign : Action::grade_again;
 }
 
@@ -36,6 +39,7 @@ Action right_for(StatementKind kind) noexcept {
 Stored<SignedStatement> Statements::state(const Actor& actor, SignedStatement statement, const Check& check) {
   statement.author = actor.id;
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, right_for(statement.kind));
   require_state(transaction, statement.session, Need::not_running);
   if (transaction.ok()) check(transaction, statement);
   insert_statement(c_, transaction, statement);
@@ -142,6 +146,7 @@ Stored<SignedStatement> Statements::withdraw(const Actor& actor, SessionId sessi
       return transaction.refuse({StorageError::not_allowed, std::string(key_of(target->kind)), made.session.text()});
     }
     if (auto allowed = require(actor, right_for(target->kind)); !allowed) transaction.refuse(allowed.error());
+    require_now(transaction, actor.id, right_for(target->kind));
   });
 }
 

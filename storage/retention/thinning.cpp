@@ -5,6 +5,7 @@
 #include "storage/cache/key_state_cache.h"
 #include "storage/records/sealing.h"
 #include "storage/records/thinned_traces.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -87,6 +88,7 @@ Stored<std::vector<ChainFinding>> first_finding(StorageContext& context, Session
 /// False if the attempt has changed since it was chosen and verified: a further event, grade or statement.
 Stored<bool> thin_one(StorageContext& context, const Actor& actor, const OldAttempt& chosen) {
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::manage_station);
   const auto now = transaction.first(select_old(" AND s.id = ?3"), old_attempt, INT64_MAX,
                                      context.station, chosen.session);
   const bool same = now && !reason_to_keep(*now) && now->links == chosen.links;

@@ -198,6 +198,31 @@ TEST_F(AccountsTest, the_last_administrator_stays) {
   must(accounts.disable(second.actor(), admin.id));
 }
 
+TEST_F(AccountsTest, who_was_switched_off_or_lost_the_role_at_another_window_writes_nothing_more) {
+  const Actor admin = make_administrator(*store).actor(), instructor = make_instructor(*store).actor();
+  const Actor second = must(accounts.create(admin, {.number = "b", .name = "B", .role = Role::administrator, .password = "correct horse"})).actor();
+  const Account lena = make_student(*store);
+  const ScenarioVersion version = keep(*store);
+  const CohortId cohort = must(store->cohorts.create(instructor, "Year 2")).id;
+  const SessionId session = complete_session(*store, lena, version);
+  const auto other = open(folder / "a.db", quick(now));
+  must(other->accounts.set_role(admin, second.id, Role::instructor));
+  EXPECT_EQ(code_of(accounts.rename(second, lena.id, "x", "x")), StorageError::not_allowed);
+  EXPECT_EQ(code_of(accounts.erase(second, lena.id)), StorageError::not_allowed);
+  must(store->cohorts.create(second, "Year 3"));
+  must(other->accounts.disable(admin, instructor.id));
+  EXPECT_EQ(code_of(store->cohorts.add(instructor, cohort, lena.id)), StorageError::disabled);
+  EXPECT_EQ(code_of(store->assignments.create(instructor, {.version = version.id, .cohort = cohort}, "")), StorageError::disabled);
+  EXPECT_EQ(code_of(store->statements.override_points(instructor, session, "target_removed", 1, "Late.")), StorageError::disabled);
+  EXPECT_EQ(code_of(store->scenarios.withdraw(instructor, version.id)), StorageError::disabled);
+  EXPECT_EQ(code_of(store->grades.save(session, small_grade(), {}, instructor)), StorageError::disabled);
+  EXPECT_EQ(must(store->grades.all(session)).size(), 1u);
+  must(other->accounts.disable(admin, lena.id));
+  EXPECT_EQ(code_of(accounts.set_password(lena.actor(), lena.id, "battery staple", "new password")), StorageError::disabled);
+  must(other->accounts.enable(admin, instructor.id));
+  must(store->statements.comment(instructor, session, "In time."));
+}
+
 TEST_F(AccountsTest, only_an_administrator_manages_accounts) {
   const Actor student = make_student(*store).actor();
   const Actor instructor = make_instructor(*store).actor();
