@@ -88,6 +88,7 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
   auto store = std::make_unique<Store>(
       StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
   StorageContext& context = store->context();
+  if (options.tries) context.tries = std::move(options.tries);
   const auto key_file = options.key_file.empty() ? key_file_of(file, real) : options.key_file;
   context.key_file = key_file;
   context.counter_file = counter_file_of(key_file);

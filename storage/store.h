@@ -30,6 +30,7 @@ struct StoreOptions {
   PasswordCost cost = PasswordCost::interactive();
   std::filesystem::path key_file{};  // of the station's secret key; empty = the database's name with ".key" added
   bool mark_interrupted = true;      // opening adds the event "interrupted" to sessions whose process has ended
+  std::shared_ptr<UnwrittenTries> tries{};  // of another store of the same records; none: its own
 };
 
 class Store {

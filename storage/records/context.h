@@ -10,6 +10,7 @@
 #include "storage/base/clock.h"
 #include "storage/base/password.h"
 #include "storage/base/process.h"
+#include "storage/base/unwritten_tries.h"
 #include "storage/records/station_key.h"
 #include "storage/sqlite/database.h"
 
@@ -26,6 +27,7 @@ struct StorageContext {
   std::filesystem::path counter_file{};             // rollback_counter.h
   std::optional<StorageFailure> counter_failure{};  // why the counter lags behind the log; none if it does not
   std::optional<std::string> incident{};            // found at opening or by a later write: an action of sealing.h
+  std::shared_ptr<UnwrittenTries> tries = std::make_shared<UnwrittenTries>();  // at sign-in, while the file is read-only
 
   /// The file, beside the database, whose locks show that a session's process still runs.
   std::filesystem::path lock_file() const { return db.file().string() + ".running"; }

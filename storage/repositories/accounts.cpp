@@ -120,6 +120,14 @@ void count_wrong_try(StorageContext& c, Transaction& transaction, UserId user, s
              .detail = std::to_string(tries.value_or(0))});
 }
 
+/// The same in memory, where the records are read-only.
+void count_unwritten_try(StorageContext& c, UserId user, std::int64_t now) {
+  if (const auto lock = lock_us(c.tries->count(user)); lock > 0) c.tries->lock(user, now + lock);
+}
+
+/// The later end of both locks.
+std::int64_t locked_until(StorageContext& c, UserId user, std::int64_t written) { return std::max(written, c.tries->locked_until(user)); }
+
 /// What stands against a try of which `compared` was the record: another process has locked the account, or changed the password.
 /// Within a transaction.
 std::optional<StorageFailure> barred_since(Transaction& transaction, UserId user, const std::string& compared, std::int64_t now) {
@@ -144,8 +152,10 @@ Stored<std::string> check_old_password(StorageContext& c, UserId user, std::stri
   if (!*own) return fail(StorageError::not_found, "people");
   const std::string& password = (*own)->password;
   if (password.empty() && old.empty()) return password;
-  if (const std::int64_t now = c.clock(); lock_holds((*own)->locked_until, now)) return std::unexpected(locked_failure((*own)->locked_until));
+  const std::int64_t until = locked_until(c, user, (*own)->locked_until);
+  if (lock_holds(until, c.clock())) return std::unexpected(locked_failure(until));
   if (password_matches(password, old)) return password;
+  if (!old.empty() && c.db.read_only()) count_unwritten_try(c, user, c.clock());
   if (!old.empty() && !c.db.read_only()) {
     Transaction transaction(c.db);
     const std::int64_t now = c.clock();
@@ -345,13 +355,18 @@ Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view g
   if (const char* other = other_secret(s.account, given, kind)) {
     return fail(StorageError::other_secret, s.account.number, other);
   }
-  if (lock_holds(s.locked_until, now)) return std::unexpected(locked_failure(s.locked_until));
+  const std::int64_t until = locked_until(c_, s.account.id, s.locked_until);
+  if (lock_holds(until, now)) return std::unexpected(locked_failure(until));
   const bool open = s.password.empty() && s.pin.empty() && s.account.role == Role::student;
   const bool right = open ? given.empty() : password_matches(kind == SecretKind::pin ? s.pin : s.password, given);
   if (right && s.account.disabled) return fail(StorageError::disabled, "sign_in");
   if (c_.db.read_only()) {
-    if (!right) return fail(StorageError::wrong_password, "sign_in");
-    return s.account;
+    if (right) {
+      c_.tries->forget(s.account.id);
+      return s.account;
+    }
+    count_unwritten_try(c_, s.account.id, now);
+    return fail(StorageError::wrong_password, "sign_in");
   }
   Transaction transaction(c_.db);
   // Comparing takes a tenth of a second, in which other processes try too: their lock holds for this try, be it right or wrong. By the

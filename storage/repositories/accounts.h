@@ -69,7 +69,8 @@ class Accounts {
   /// Needs manage_accounts. Students only; empty removes the PIN.
   Stored<void> set_pin(const Actor& actor, UserId user, std::string_view pin);
 
-  /// wrong_password, disabled, or locked: five wrong tries lock for 30 s, each further one doubles, up to 15 min.
+  /// wrong_password, disabled, or locked: five wrong tries lock for 30 s, each further one doubles, up to 15 min. Where the records are
+  /// read-only they are counted in memory (base/unwritten_tries.h).
   /// other_secret, not counted as a wrong try: a PIN that is not six digits, a kind of secret that the account does not
   /// have, or six digits as a password, which is never as short.
   /// A student without password and PIN signs in with an empty one. Guests cannot sign in.

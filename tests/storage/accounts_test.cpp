@@ -141,6 +141,22 @@ TEST_F(AccountsTest, the_longest_lock_holds_for_a_try_that_began_a_moment_before
   }
 }
 
+TEST_F(AccountsTest, wrong_tries_at_records_that_are_read_only_lock_as_long_as_the_program_runs) {
+  make_student(*store);
+  StoreOptions reading = quick(now);
+  reading.database.access = DatabaseOptions::Access::read_only;
+  reading.tries = std::make_shared<UnwrittenTries>();
+  const auto first = open(folder / "a.db", reading), second = open(folder / "a.db", reading);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of((i % 2 == 0 ? first : second)->accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+  const auto refused = second->accounts.sign_in("20267314", "battery staple");
+  EXPECT_EQ(code_of(refused), StorageError::locked);
+  EXPECT_EQ(refused.error().detail, std::to_string(*now + 30'000'000));
+  *now += 30'000'001;
+  EXPECT_TRUE(second->accounts.sign_in("20267314", "battery staple"));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(code_of(first->accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+  EXPECT_TRUE(first->accounts.sign_in("20267314", "battery staple")) << "counting began anew";
+}
+
 TEST_F(AccountsTest, a_secret_of_the_wrong_kind_is_no_wrong_try_and_the_failure_names_the_number) {
   const Actor admin = make_administrator(*store).actor();
   must(accounts.create(admin, {.number = "271", .name = "Omar", .pin = "271828"}));

@@ -18,6 +18,7 @@ RecordsBeside records_of(Store& store) {
   options.cost = context.cost;
   options.key_file = context.key_file;
   options.mark_interrupted = false;
+  options.tries = context.tries;
   return {context.db.file(), options};
 }
 

@@ -21,7 +21,7 @@ struct RecordsBeside {
   RecordsBeside for_reading() const;
 };
 
-/// With the clock, the cost of passwords and the key of `store`; only for reading if `store` only reads.
+/// With the clock, the cost of passwords, the key and the unwritten tries of `store`; only for reading if `store` only reads.
 RecordsBeside records_of(Store& store);
 /// Thread: whoever uses the store then.
 OwnStore open_beside(const RecordsBeside& records);

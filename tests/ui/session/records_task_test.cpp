@@ -47,6 +47,19 @@ TEST_F(RecordsTask, AWindowThatOnlyReadsGetsAStoreThatOnlyReads) {
   EXPECT_EQ(made, false);
 }
 
+TEST_F(RecordsTask, WrongTriesOfAWindowThatOnlyReadsAddUp) {
+  make_administrator(*open(folder / "cusp.db"));
+  StoreOptions options = quick();
+  options.database.access = DatabaseOptions::Access::read_only;
+  const auto window = open(folder / "cusp.db", options);
+  std::optional<StorageError> last;
+  for (int i = 0; i < 6; ++i) {
+    with_own_store(*window, [&](OwnStore own) { last = (*own)->accounts.sign_in("admin", "a wrong guess").error().code; });
+    wait_for_dropped_tasks();
+  }
+  EXPECT_EQ(last, StorageError::locked);
+}
+
 TEST_F(RecordsTask, TheTaskSignsWithTheKeyOfTheWindow) {
   StoreOptions options = quick();
   options.key_file = folder / "apart.key";
