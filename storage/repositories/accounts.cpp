@@ -7,6 +7,7 @@
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
 #include "storage/repositories/erasure.h"
+#include "storage/repositories/sign_in_lock.h"
 
 namespace cusp::storage {
 namespace {
@@ -27,20 +28,6 @@ Account account_of(Row row) {
   a.created_utc_us = row.integer(8);
   return a;
 }
-
-constexpr int kFreeTries = 5;
-constexpr std::int64_t kFirstLock_us = 30'000'000, kLongestLock_us = 900'000'000;
-
-std::int64_t lock_us(std::int64_t wrong_tries) noexcept {
-  if (wrong_tries < kFreeTries) return 0;
-  const auto doublings = std::min<std::int64_t>(wrong_tries - kFreeTries, 5);
-  return std::min(kFirstLock_us << doublings, kLongestLock_us);
-}
-
-/// Where the clock was set back, no lock lasts longer than the longest.
-bool lock_holds(std::int64_t locked_until, std::int64_t now) noexcept { return locked_until > now && locked_until - now <= kLongestLock_us; }
-
-StorageFailure locked_failure(std::int64_t locked_until) { return {StorageError::locked, "sign_in", std::to_string(locked_until)}; }
 
 /// What of the account may have changed while a secret was compared.
 struct Standing {
@@ -105,28 +92,6 @@ const char* other_secret(const Account& a, std::string_view given, SecretKind ki
   if (!a.has_password) return "pin";
   return acceptable_pin(given) ? "password" : nullptr;
 }
-
-/// Within a transaction: from the fifth wrong try on the account is locked.
-void count_wrong_try(StorageContext& c, Transaction& transaction, UserId user, std::int64_t now) {
-  const auto tries = transaction.first(
-      "UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
-      [](Row row) { return row.integer(0); }, user);
-  if (const auto lock = lock_us(tries.value_or(0)); lock > 0) {
-    transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", user, now + lock);
-  }
-  log_event(c, transaction,
-            {.action = "sign_in_failed",
-             .subject = user.uuid,
-             .detail = std::to_string(tries.value_or(0))});
-}
-
-/// The same in memory, where the records are read-only.
-void count_unwritten_try(StorageContext& c, UserId user, std::int64_t now) {
-  if (const auto lock = lock_us(c.tries->count(user)); lock > 0) c.tries->lock(user, now + lock);
-}
-
-/// The later end of both locks.
-std::int64_t locked_until(StorageContext& c, UserId user, std::int64_t written) { return std::max(written, c.tries->locked_until(user)); }
 
 /// What stands against a try of which `compared` was the record: another process has locked the account, or changed the password.
 /// Within a transaction.

@@ -1,10 +1,8 @@
-// Text of codes, and what the desktop remembers.
+// Text of codes.
 
 #include <gtest/gtest.h>
 
 #include <QDateTime>
-#include <QFile>
-#include <QTemporaryDir>
 #include <set>
 
 #include "scenarios/format/keys.h"
@@ -17,7 +15,6 @@
 #include "ui/text/incident_text.h"
 #include "ui/text/names.h"
 #include "ui/text/plain.h"
-#include "ui/settings/settings.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::test {
@@ -363,42 +360,6 @@ TEST(Text, TheShareThatCountsNamesTheLeastOfSeveralTargets) {
 TEST(Text, ThatGoesToATerminalHoldsNothingThatItObeys) {
   EXPECT_EQ(plain(QStringLiteral("\x1b[2K\rNothing was changed\n\tsince 2026\u202e\u2066.")), "\uFFFD[2K Nothing was changed  since 2026.");
   EXPECT_EQ(plain(QString(QChar(0)) + QChar(0x7F) + QChar(0x9B) + u'é'), "\uFFFD\uFFFD\uFFFDé");
-}
-
-TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {
-  const QTemporaryDir folder;
-  const QString file = folder.filePath(QStringLiteral("Cusp.ini"));
-  {
-    Settings settings(file);
-    EXPECT_EQ(settings.scheme(), ColourScheme::system);
-    EXPECT_EQ(settings.scale_percent(), 100);
-    settings.set_scheme(ColourScheme::dark);
-    settings.set_language(QStringLiteral("de"));
-    settings.set_scale_percent(900);
-  }
-  const Settings again(file);
-  EXPECT_EQ(again.scheme(), ColourScheme::dark);
-  EXPECT_EQ(again.language().toStdString(), "de");
-  EXPECT_EQ(again.scale_percent(), 200);
-}
-
-TEST(SettingsTest, what_is_no_number_counts_as_missing) {
-  const QTemporaryDir folder;
-  QFile file(folder.filePath(QStringLiteral("Cusp.ini")));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("[sound]\nvolume=loud\n[station]\nidle_minutes=15 min\n");
-  file.close();
-  const Settings settings(file.fileName());
-  EXPECT_EQ(settings.volume_percent(), Settings::kUsualVolumePercent);
-  EXPECT_EQ(settings.idle_minutes(), Settings::kUsualIdleMinutes) << "0 never signs out";
-}
-
-TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
-  EXPECT_EQ(database_path(QStringLiteral("/tmp/x.db")), "/tmp/x.db");
-  qputenv("CUSP_DB", "/tmp/y.db");
-  EXPECT_EQ(database_path({}), "/tmp/y.db");
-  qunsetenv("CUSP_DB");
-  EXPECT_EQ(database_path({}).filename(), "cusp.db");
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+// What the desktop remembers.
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "tests/modules.h"
+#include "ui/settings/settings.h"
+
+namespace cusp::test {
+namespace {
+
+TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("Cusp.ini"));
+  {
+    Settings settings(file);
+    EXPECT_EQ(settings.scheme(), ColourScheme::system);
+    EXPECT_EQ(settings.scale_percent(), 100);
+    settings.set_scheme(ColourScheme::dark);
+    settings.set_language(QStringLiteral("de"));
+    settings.set_scale_percent(900);
+  }
+  const Settings again(file);
+  EXPECT_EQ(again.scheme(), ColourScheme::dark);
+  EXPECT_EQ(again.language().toStdString(), "de");
+  EXPECT_EQ(again.scale_percent(), 200);
+}
+
+TEST(SettingsTest, what_is_no_number_counts_as_missing) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("Cusp.ini")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("[sound]\nvolume=loud\n[station]\nidle_minutes=15 min\n");
+  file.close();
+  const Settings settings(file.fileName());
+  EXPECT_EQ(settings.volume_percent(), Settings::kUsualVolumePercent);
+  EXPECT_EQ(settings.idle_minutes(), Settings::kUsualIdleMinutes) << "0 never signs out";
+}
+
+TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
+  EXPECT_EQ(database_path(QStringLiteral("/tmp/x.db")), "/tmp/x.db");
+  qputenv("CUSP_DB", "/tmp/y.db");
+  EXPECT_EQ(database_path({}), "/tmp/y.db");
+  qunsetenv("CUSP_DB");
+  EXPECT_EQ(database_path({}).filename(), "cusp.db");
+}
+
+}  // namespace
+}  // namespace cusp::test
