@@ -808,6 +808,10 @@
         <source>Your try-out</source>
         <translation>Ihr Probelauf</translation>
     </message>
+    <message>
+        <source>1 means yes, 0 means no.</source>
+        <translation>1 bedeutet ja, 0 bedeutet nein.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BeforeAfter</name>
@@ -934,6 +938,10 @@
     <message>
         <source>asked for before the result</source>
         <translation>wird vor dem Ergebnis erfragt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -1498,6 +1506,10 @@
         <source>Template and its values</source>
         <translation>Vorlage und ihre Werte</translation>
     </message>
+    <message>
+        <source>Tilt of the handpiece</source>
+        <translation>Neigung des Handstücks</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Chart</name>
@@ -1816,6 +1828,10 @@
         <source>%1 stands twice among what fails the attempt. Switch it off and on again.</source>
         <translation>%1 steht zweimal bei dem, was den Versuch scheitern lässt. Schalten Sie es aus und wieder ein.</translation>
     </message>
+    <message>
+        <source>The tilt of the handpiece</source>
+        <translation>Die Neigung des Handstücks</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -1830,10 +1846,6 @@
     <message>
         <source>%1 is not a session’s id.</source>
         <translation>%1 ist keine Kennung eines Versuchs.</translation>
-    </message>
-    <message>
-        <source>Nothing can be written to %1.</source>
-        <translation>In %1 kann nichts geschrieben werden.</translation>
     </message>
     <message>
         <source>%1 of %2 points: %3</source>
@@ -1968,10 +1980,6 @@
     <message>
         <source>Prove it: the record&apos;s chain, then tooth and grade bit for bit</source>
         <translation>Nachweisen: die Kette der Aufzeichnung, dann Zahn und Bewertung Bit für Bit</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written.</source>
-        <translation>%1 kann nicht geschrieben werden.</translation>
     </message>
     <message>
         <source>The record and the report are kept.</source>
@@ -2904,10 +2912,6 @@
         <translation>Nur Versuche dieser Version der Übung</translation>
     </message>
     <message>
-        <source>Only attempts of students, or of staff</source>
-        <translation>Nur Versuche von Studierenden oder vom Personal</translation>
-    </message>
-    <message>
         <source>Only attempts with this result</source>
         <translation>Nur Versuche mit diesem Ergebnis</translation>
     </message>
@@ -2976,10 +2980,6 @@
         <source>“%1” is not assigned to “%2”.</source>
         <extracomment>%3: options as they are typed, such as &quot;--kind practice --due none&quot;.</extracomment>
         <translation>„%1“ ist „%2“ nicht zugewiesen.</translation>
-    </message>
-    <message>
-        <source>The standard output cannot be written.</source>
-        <translation>Die Standardausgabe kann nicht geschrieben werden.</translation>
     </message>
     <message>
         <source>There is no display for the window. A verb needs none (see cusp --help).</source>
@@ -3147,6 +3147,34 @@
     <message>
         <source>No bur of the exercise fits into its target while the handpiece is tilted by %1 degrees.</source>
         <translation>Kein Bohrer der Übung passt in ihr Ziel, wenn das Handstück um %1 Grad geneigt ist.</translation>
+    </message>
+    <message>
+        <source>Stopped. What was written may lack attempts.</source>
+        <translation>Angehalten. Im Geschriebenen können Versuche fehlen.</translation>
+    </message>
+    <message>
+        <source>Only attempts of students, of staff, or of scripted operators</source>
+        <translation>Nur Versuche von Studierenden, von Personal oder von automatischen Operateuren</translation>
+    </message>
+    <message>
+        <source>The standard output cannot be written: %1.</source>
+        <translation>Die Standardausgabe kann nicht geschrieben werden: %1.</translation>
+    </message>
+    <message>
+        <source>This computer’s date is right, although the newest attempt is more than half a year old</source>
+        <translation>Das Datum dieses Computers stimmt, obwohl der neueste Versuch mehr als ein halbes Jahr alt ist</translation>
+    </message>
+    <message>
+        <source>If that date is right, add --clock-is-right.</source>
+        <translation>Wenn dieses Datum stimmt, geben Sie zusätzlich --clock-is-right an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to %1: %2.</source>
+        <translation>In %1 lässt sich nichts schreiben: %2.</translation>
     </message>
 </context>
 <context>
@@ -3677,6 +3705,10 @@
         <source>The attempts stay under a pseudonym.</source>
         <translation>Die Versuche bleiben unter einem Pseudonym.</translation>
     </message>
+    <message>
+        <source>The others are not erased.</source>
+        <translation>Die anderen sind nicht gelöscht.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Desktop</name>
@@ -3894,6 +3926,10 @@
     <message>
         <source>The daily backup is made. An old one could not be removed.</source>
         <translation>Die tägliche Sicherung ist erstellt. Eine alte ließ sich nicht entfernen.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -4420,6 +4456,10 @@
     <message>
         <source>Name of a target</source>
         <translation>Name eines Ziels</translation>
+    </message>
+    <message>
+        <source>Tilt of the handpiece</source>
+        <translation>Neigung des Handstücks</translation>
     </message>
 </context>
 <context>
@@ -5011,7 +5051,7 @@
     </message>
     <message>
         <source>All</source>
-        <translation>Alle</translation>
+        <translation>Alle Übungen</translation>
     </message>
     <message>
         <source>Not passed yet</source>
@@ -6928,6 +6968,14 @@
         <source>Save again</source>
         <translation>Noch einmal speichern</translation>
     </message>
+    <message>
+        <source>%1 was not opened.</source>
+        <translation>%1 wurde nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Noch einmal öffnen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LogModel</name>
@@ -7008,7 +7056,7 @@
     </message>
     <message>
         <source>All dates</source>
-        <translation>Alle Tage</translation>
+        <translation>Gesamter Zeitraum</translation>
     </message>
     <message numerus="yes">
         <source>Last %n day(s)</source>
@@ -7098,6 +7146,18 @@
             <numerusform>%n Eintrag exportiert.</numerusform>
             <numerusform>%n Einträge exportiert.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Exporting the audit log</source>
+        <translation>Das Protokoll wird exportiert</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>Der Export wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 was not written. What was there before is unchanged.</source>
+        <translation>%1 wurde nicht geschrieben. Was vorher da war, ist unverändert.</translation>
     </message>
 </context>
 <context>
@@ -8227,7 +8287,7 @@
     </message>
     <message>
         <source>All dates</source>
-        <translation>Alle Tage</translation>
+        <translation>Gesamter Zeitraum</translation>
     </message>
     <message numerus="yes">
         <source>Last %n day(s)</source>
@@ -8390,7 +8450,7 @@
     </message>
     <message>
         <source>Everybody</source>
-        <translation>Alle</translation>
+        <translation>Alle Personen</translation>
     </message>
     <message>
         <source>Students</source>
@@ -8458,6 +8518,14 @@
     <message>
         <source>%1 was not written. What was there before is unchanged.</source>
         <translation>%1 wurde nicht geschrieben. Was vorher da war, ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Attempts of scripted operators are left out. The filter “%1” shows them alone.</source>
+        <translation>Versuche automatischer Operateure sind weggelassen. Der Filter „%1“ zeigt nur sie.</translation>
+    </message>
+    <message>
+        <source>Scripted operators</source>
+        <translation>Automatische Operateure</translation>
     </message>
 </context>
 <context>
@@ -8662,7 +8730,7 @@
     </message>
     <message>
         <source>%1: %2, version %3, %4</source>
-        <extracomment>%1: a cohort, %2: practice or assessment, %3: number of a version, %4: &quot;due Fri 4 Dec&quot;</extracomment>
+        <extracomment>%1: a cohort, %2: practice or assessment, %3: number of a version, %4: &quot;due Fri 4 Dec, 17:00&quot;</extracomment>
         <translation>%1: %2, Version %3, %4</translation>
     </message>
     <message>
@@ -10321,6 +10389,13 @@ Ihr bester davor</translation>
         <source>An examiner changed the points; the remarks in the report give the reasons.</source>
         <translation>Eine Lehrkraft hat die Punkte geändert; die Bemerkungen im Bericht nennen die Gründe.</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 only, %n attempt(s).</source>
+        <translation>
+            <numerusform>Gerät: %1, %n Versuch.</numerusform>
+            <numerusform>Gerät: %1, %n Versuche.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>
@@ -10455,6 +10530,10 @@ Ihr bester davor</translation>
     <message>
         <source>The backup is made and checked. An old one could not be removed.</source>
         <translation>Die Sicherung ist erstellt und geprüft. Eine alte ließ sich nicht entfernen.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -10923,10 +11002,6 @@ Ihr bester davor</translation>
     <message>
         <source>Cavosurface angle, mean</source>
         <translation>Präparationsrandwinkel, Mittel</translation>
-    </message>
-    <message>
-        <source>Contact open (1 yes, 0 no)</source>
-        <translation>Kontakt offen (1 ja, 0 nein)</translation>
     </message>
     <message>
         <source>Clearance, buccal, gingival third</source>
@@ -13246,6 +13321,43 @@ Ihr bester davor</translation>
         <source>It can be graded as it stands.</source>
         <translation>Er kann bewertet werden, wie er ist.</translation>
     </message>
+    <message>
+        <source>No bur of the exercise fits into its target while the handpiece is tilted by %1.</source>
+        <translation>Kein Bohrer der Übung passt in ihr Ziel, wenn das Handstück um %1 geneigt ist.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>yes or no</source>
+        <translation>ja oder nein</translation>
+    </message>
+    <message>
+        <source>%1; full points for %2</source>
+        <extracomment>Of a measurement that is &quot;yes&quot; or &quot;no&quot;: what it is, and what earns full points.</extracomment>
+        <translation>%1; volle Punktzahl bei %2</translation>
+    </message>
+    <message>
+        <source>Contact open</source>
+        <translation>Kontakt offen</translation>
+    </message>
+    <message>
+        <source>This computer’s clock says %1. The newest attempt or account is of %2.</source>
+        <translation>Die Uhr dieses Computers zeigt den %1. Der neueste Versuch oder das neueste Konto ist vom %2.</translation>
+    </message>
+    <message>
+        <source>The clock may be wrong.</source>
+        <translation>Die Uhr geht vielleicht falsch.</translation>
+    </message>
+    <message>
+        <source>If that date is wrong, cancel and set the clock.</source>
+        <translation>Wenn dieses Datum nicht stimmt, brechen Sie ab und stellen Sie die Uhr.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -13371,6 +13483,18 @@ Ihr bester davor</translation>
     <message>
         <source>Removal speed</source>
         <translation>Abtrag</translation>
+    </message>
+    <message>
+        <source>Tilt of the handpiece</source>
+        <translation>Neigung des Handstücks</translation>
+    </message>
+    <message>
+        <source>From vertical; above 0 the shank leans towards buccal</source>
+        <translation>Von der Senkrechten; über 0 neigt sich der Schaft nach bukkal</translation>
+    </message>
+    <message>
+        <source>Tilt at rest</source>
+        <translation>Neigung in Ruhe</translation>
     </message>
 </context>
 <context>

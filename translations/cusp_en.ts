@@ -583,6 +583,13 @@
             <numerusform>Time earns no points. %1 only, %n attempts.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 only, %n attempt(s).</source>
+        <translation>
+            <numerusform>%1 only, %n attempt.</numerusform>
+            <numerusform>%1 only, %n attempts.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StationPage</name>
