@@ -294,9 +294,11 @@ void Desktop::show_device() {
 }
 
 void Desktop::push(QWidget* fresh) {
+  // If the stack itself gives the focus to the proxy's widget, the page has no proxy any more (theme.cpp).
+  QWidget* begins = fresh->focusProxy() ? fresh->focusProxy() : fresh;
   stack_->addWidget(fresh);
   stack_->setCurrentWidget(fresh);
-  fresh->setFocus();
+  begins->setFocus();
   lead_views(fresh);
 }
 

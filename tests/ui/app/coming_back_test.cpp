@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cstdint>
@@ -16,9 +18,11 @@
 #include "ui/app/shell.h"
 #include "ui/instructor/cohorts_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/student/assessments.h"
 #include "ui/student/course.h"
 #include "ui/student/own_history.h"
 #include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -84,6 +88,25 @@ TEST_F(ComingBack, the_keyboard_is_where_it_was_on_the_page) {
   ASSERT_EQ(QApplication::focusWidget(), cover);
   desktop->back();
   EXPECT_EQ(QApplication::focusWidget(), shown->table());
+}
+
+TEST_F(ComingBack, a_page_that_opens_has_the_keyboard_where_it_begins) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  open<Performance>(records.administrator(), "performance");
+  desktop->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
+  desktop->push(new HandedIn(QStringLiteral("W7C UPT")));
+  const auto* next = qobject_cast<QPushButton*>(QApplication::focusWidget());
+  ASSERT_NE(next, nullptr) << "Enter leads to the next candidate";
+  EXPECT_EQ(next->text().toStdString(), "Next candidate");
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->addWidget(new QPushButton(QStringLiteral("Back")));
+  auto* begins = new QLineEdit;
+  column->addWidget(begins);
+  page->setFocusProxy(begins);
+  desktop->push(page);
+  EXPECT_EQ(QApplication::focusWidget(), begins) << "not on the first control";
 }
 
 TEST_F(ComingBack, performance_offers_an_exercise_that_was_drilled_for_the_first_time) {
