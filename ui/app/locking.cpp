@@ -93,7 +93,9 @@ void Desktop::take_from_behind_lock() {
   }
   delete hidden;
   stack_->setCurrentIndex(stack_->count() - 1);
-  page()->setFocus();
+  // A page that has had the focus knows where it was, and has no proxy any more (theme.cpp).
+  QWidget* last = page()->focusWidget();
+  (last ? last : page())->setFocus();
 }
 
 void Desktop::save_behind_lock() {

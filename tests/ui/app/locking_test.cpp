@@ -1,6 +1,7 @@
 // What is kept, and what is asked, before the station is locked or the window closes.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDialog>
 #include <QFile>
 #include <QPlainTextEdit>
@@ -25,6 +26,7 @@
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -175,6 +177,27 @@ TEST_F(Locking, puts_a_draft_that_cannot_be_saved_behind_the_lock_for_its_owner)
   desktop->lock_idle();
   EXPECT_FALSE(desktop->account());
   EXPECT_EQ(records.store().scenarios.drafts(berg.actor())->size(), 1u);
+}
+
+TEST_F(Locking, gives_the_keyboard_to_a_control_of_the_page_that_was_behind_the_lock) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  const Account berg = edit_a_draft();
+  desktop->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
+  const QPointer<EditorPage> editor = desktop->findChild<EditorPage*>();
+  ASSERT_TRUE(editor);
+  ASSERT_TRUE(editor->isAncestorOf(QApplication::focusWidget()));
+  ASSERT_TRUE(editor->model().set_title("en", QStringLiteral("Fresh title")));
+  auto database = Database::open(records.file());
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(refuse_rows(*database, "scenario_drafts"));
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  desktop->sign_in(berg);
+  ASSERT_EQ(desktop->page(), editor);
+  EXPECT_TRUE(editor->isAncestorOf(QApplication::focusWidget()));
+  EXPECT_NE(QApplication::focusWidget(), editor) << "the page itself answers no keys";
+  ASSERT_TRUE(take_rows(*database, "scenario_drafts"));
 }
 
 TEST_F(Locking, saves_a_draft_behind_the_lock_when_the_next_person_signs_in) {
