@@ -56,13 +56,14 @@ def Atspi_Error():
 
 
 class Screen:
-    """An X server with a window manager; large enough for a window of 1280x800 and its frame."""
+    """An X server with a window manager; large enough for a window of 1280x800 and its frame. Keys do not repeat (-r): on a busy
+    machine a letter would stand there several times."""
 
     def __init__(self, folder, width=1300, height=840):
         self.folder = folder
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "+extension", "GLX"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "+extension", "GLX", "-r"],
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=open(os.path.join(folder, "xvfb.log"), "w"))
         os.close(write)
         with os.fdopen(read) as pipe:
