@@ -100,6 +100,7 @@ def hand_in(program):
     question = program.find("alert")
     program.press("Hand in", within=question)
     program.find(None, "Handed in")
+    desk.until("the keyboard to be on the next act", lambda: program.find("push button", "Next candidate").has("FOCUSED"))
     desk.check(program.here(None, "Report") is None, "the result shows before its release")
 
 
