@@ -393,7 +393,7 @@
     </message>
     <message>
         <source>Another tooth for each candidate</source>
-        <translation>Für alle ein anderer Zahn</translation>
+        <translation>Für jede Person ein anderer Zahn</translation>
     </message>
     <message>
         <source>Of the same number, with its target fitted to it. The session keeps which tooth it was.</source>
