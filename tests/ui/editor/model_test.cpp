@@ -75,8 +75,7 @@ const std::vector<Edit>& every_edit() {
          return m.set_outline(moved(t, handles_of(t).front(), {-2.9, -0.4, t.top_mm}), QStringLiteral("handle/0"));
        }},
       {"leeway", [](EditorModel& m) { return m.set_leeway(0.2, 0.25); }},
-      {"add a criterion",
-       [](EditorModel& m) { return m.add_criterion("uncut_remainder", first_bands("uncut_remainder", m.scenario().target)); }},
+      {"add a criterion", [](EditorModel& m) { return m.add_criterion("uncut_remainder", first_bands("uncut_remainder", m.scenario().target)); }},
       {"remove a criterion", [](EditorModel& m) { return m.remove_criterion(1); }},
       {"weight", [](EditorModel& m) { return m.set_weight(0, 25); }},
       {"bands", [](EditorModel& m) { return m.set_bands(0, {70, 80, 95, 100, 100, 100}); }},
