@@ -8524,8 +8524,8 @@
         <translation>Versuche automatischer Operateure sind weggelassen. Der Filter „%1“ zeigt nur sie.</translation>
     </message>
     <message>
-        <source>Scripted operators</source>
-        <translation>Automatische Operateure</translation>
+        <source>Scripted</source>
+        <translation>Automatisch</translation>
     </message>
 </context>
 <context>

@@ -61,7 +61,7 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   connect(pack, &QPushButton::clicked, this, &Performance::choose_pack);
   body->addWidget(head);
   body->addWidget(make_filters());
-  without_scripted_ = make_label(tr("Attempts of scripted operators are left out. The filter “%1” shows them alone.").arg(tr("Scripted operators")),
+  without_scripted_ = make_label(tr("Attempts of scripted operators are left out. The filter “%1” shows them alone.").arg(tr("Scripted")),
                                  TextRole::caption, Weight::regular, "text2");
   without_scripted_->setWordWrap(true);
   body->addWidget(without_scripted_);

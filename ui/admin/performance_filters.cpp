@@ -59,7 +59,7 @@ QWidget* Performance::make_filters() {
   who_->addItem(tr("Everybody"));
   who_->addItem(tr("Students"), static_cast<int>(DrilledBy::students));
   who_->addItem(tr("Staff"), static_cast<int>(DrilledBy::staff));
-  who_->addItem(tr("Scripted operators"), kScripted);
+  who_->addItem(tr("Scripted"), kScripted);
   kind_ = make_choice(tr("Kind"));
   kind_->addItem(tr("All kinds"));
   kind_->addItem(tr("Practice"), static_cast<int>(SessionKind::practice));

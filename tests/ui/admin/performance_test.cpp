@@ -268,7 +268,7 @@ TEST_F(AdminPages, attempts_of_scripted_operators_count_only_where_they_are_chos
   EXPECT_TRUE(texts(page).contains(QStringLiteral("Median score|60|"))) << texts(page).toStdString();
   page.who()->setCurrentIndex(page.who()->findText(QStringLiteral("Students")));
   EXPECT_EQ(rows(), 1);
-  page.who()->setCurrentIndex(page.who()->findText(QStringLiteral("Scripted operators")));
+  page.who()->setCurrentIndex(page.who()->findText(QStringLiteral("Scripted")));
   ASSERT_EQ(rows(), 1);
   EXPECT_EQ(page.attempts().row(0).operator_name, "expert");
   EXPECT_FALSE(texts(page).contains(left_out));
