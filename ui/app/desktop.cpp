@@ -19,6 +19,7 @@
 #include "ui/app/help_page.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
+#include "ui/app/sparing_records.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
@@ -57,7 +58,7 @@ std::filesystem::path cache_folder() {
 Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database, OpenRecords open, QWidget* parent)
     : QMainWindow(parent),
       settings_(settings),
-      ports_(std::move(ports)),
+      ports_(sparing_records(std::move(ports), database)),
       database_(std::move(database)),
       open_(std::move(open)),
       pictures_(std::make_unique<ThumbnailCache>(cache_folder() / "pictures")),

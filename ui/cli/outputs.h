@@ -10,11 +10,6 @@
 
 namespace cusp::ui {
 
-/// The database whose file `file` is, or whose log, key, counter, lock file, folder of key states or file in that folder.
-/// Known by its key's file beside it; `database` is the one that the verb itself opens, and need not be there yet. Opens nothing.
-std::optional<std::filesystem::path> records_of(const std::filesystem::path& file,
-                                                const std::filesystem::path& database = {});
-
 /// What a verb may read where a scenario is named: the file, or that of a folder.
 std::vector<std::filesystem::path> scenario_files(const std::filesystem::path& named);
 
