@@ -108,11 +108,11 @@ void CarvedBlock::trace_pair(int face_a, int face_b) {
   const Capsule& c = capsules_[static_cast<std::size_t>(face_a)];
   const Frame f = frame_of(c, c.a);
   const double whole = length(c.b - c.a);
-  constexpr int kAround = 48, kCap = 8;
+  constexpr int kAroundCapsule = 48, kCap = 8;
   const int along = static_cast<int>(whole / 0.05) + 2;
   const int rows = along + 2 * kCap;
   const auto at = [&](int row, int column) {
-    const double phi = 6.283185307179586 * column / kAround;
+    const double phi = 6.283185307179586 * column / kAroundCapsule;
     double z = 0.0, rho = c.radius_mm;
     if (row < kCap || row >= kCap + along) {
       const double lift = row < kCap ? 1.5707963 * (kCap - row) / kCap : 1.5707963 * (row - kCap - along + 1) / kCap;
@@ -125,10 +125,10 @@ void CarvedBlock::trace_pair(int face_a, int face_b) {
   };
   const std::size_t first = edges_.size();
   for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < kAround; ++column) {
+    for (int column = 0; column < kAroundCapsule; ++column) {
       const Vec3 p = at(row, column);
       const bool here = void_depth(face_b, p, nullptr) > 0.0;
-      for (const Vec3 other : {at(row, (column + 1) % kAround), at(std::min(row + 1, rows - 1), column)}) {
+      for (const Vec3 other : {at(row, (column + 1) % kAroundCapsule), at(std::min(row + 1, rows - 1), column)}) {
         if ((void_depth(face_b, other, nullptr) > 0.0) == here) continue;
         Vec3 seed = 0.5 * (p + other);
         if (!project_onto(face_a, face_b, seed)) continue;
@@ -341,9 +341,9 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
 }
 
 Vec3 CarvedBlock::settle(Vec3 from, Vec3 q, double precision_mm) {
-  constexpr int kPasses = 400;
+  constexpr int kPassesAtMost = 400;
   Vec3 y = from;
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kPassesAtMost; ++pass) {
     gather(y);
     constraints(y, spaces_);
     Mat3 metric = Mat3(1.0) + bend_;

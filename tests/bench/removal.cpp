@@ -76,7 +76,7 @@ void add_mixed(const Options& options, Method method, std::vector<Row>& rows) {
       const Vec3 u = across(run.direction), w = glm::cross(run.direction, u);
       constexpr double kTurn[3][2] = {{1.0, 0.0}, {0.8, 0.6}, {0.28, -0.96}};
       const Vec3 normal = u * kTurn[turn][0] + w * kTurn[turn][1];
-      run.tissue = [normal, soft, hard](Vec3 p) { return glm::dot(p, normal) > 0.0 ? soft.tissue : hard.tissue; };
+      run.tissue = [normal, above = soft.tissue, below = hard.tissue](Vec3 p) { return glm::dot(p, normal) > 0.0 ? above : below; };
       run.target_mm_s = front_of_voxels_mm_s(run);
       Row& row = rows.emplace_back(speed_row("mixed", run));
       row.tissue = fmt::format("{} and {}", tissue_name(soft.tissue), tissue_name(hard.tissue));

@@ -84,7 +84,7 @@ class CsvReader {
   bool quoted_ = false;
 };
 
-enum Head { kNumber, kName, kFirst, kSurname, kPin, kCohort, kHeads };
+enum Head { kNumberHead, kNameHead, kFirstHead, kSurnameHead, kPinHead, kCohortHead, kHeads };
 
 /// Heads as schools write them, without blanks, dots and case; of several the first here counts.
 const std::array<std::vector<QString>, kHeads>& heads() {
@@ -135,10 +135,10 @@ ListedStudent student_of(const std::vector<QString>& row, const std::array<int, 
     return i >= 0 && static_cast<std::size_t>(i) < row.size() ? row[static_cast<std::size_t>(i)] : QString();
   };
   ListedStudent out;
-  out.number = without_marks(cell(kNumber));
-  out.name = without_marks_but_joiners(whole_name(cell(kFirst), cell(kSurname), cell(kName)));
-  out.pin = without_marks(cell(kPin));
-  out.cohort = without_marks_but_joiners(cell(kCohort));
+  out.number = without_marks(cell(kNumberHead));
+  out.name = without_marks_but_joiners(whole_name(cell(kFirstHead), cell(kSurnameHead), cell(kNameHead)));
+  out.pin = without_marks(cell(kPinHead));
+  out.cohort = without_marks_but_joiners(cell(kCohortHead));
   return out;
 }
 
@@ -182,7 +182,7 @@ Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArr
   if (!table) return fail(ListError::open_quote, table.error().where);
   if (table->rows.empty()) return fail(ListError::empty, "list");
   const auto columns = columns_of(table->rows.front());
-  if (columns[kNumber] < 0 || (columns[kName] < 0 && columns[kSurname] < 0)) return fail(ListError::no_columns, "heads");
+  if (columns[kNumberHead] < 0 || (columns[kNameHead] < 0 && columns[kSurnameHead] < 0)) return fail(ListError::no_columns, "heads");
   if (table->rows.size() < 2) return fail(ListError::empty, "list");
 
   std::map<QString, const Account*> by_number;
