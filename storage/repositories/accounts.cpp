@@ -117,8 +117,8 @@ Stored<std::string> check_old_password(StorageContext& c, UserId user, std::stri
   if (!*own) return fail(StorageError::not_found, "people");
   const std::string& password = (*own)->password;
   if (password.empty() && old.empty()) return password;
-  const std::int64_t until = locked_until(c, user, (*own)->locked_until);
-  if (lock_holds(until, c.clock())) return std::unexpected(locked_failure(until));
+  const std::int64_t asked_at = c.clock(), until = locked_until(c, user, (*own)->locked_until, asked_at);
+  if (lock_holds(until, asked_at)) return std::unexpected(locked_failure(until));
   if (password_matches(password, old)) return password;
   if (!old.empty() && c.db.read_only()) count_unwritten_try(c, user, c.clock());
   if (!old.empty() && !c.db.read_only()) {
@@ -320,7 +320,7 @@ Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view g
   if (const char* other = other_secret(s.account, given, kind)) {
     return fail(StorageError::other_secret, s.account.number, other);
   }
-  const std::int64_t until = locked_until(c_, s.account.id, s.locked_until);
+  const std::int64_t until = locked_until(c_, s.account.id, s.locked_until, now);
   if (lock_holds(until, now)) return std::unexpected(locked_failure(until));
   const bool open = s.password.empty() && s.pin.empty() && s.account.role == Role::student;
   const bool right = open ? given.empty() : password_matches(kind == SecretKind::pin ? s.pin : s.password, given);

@@ -24,7 +24,10 @@ bool lock_holds(std::int64_t locked_until, std::int64_t now) noexcept { return l
 
 StorageFailure locked_failure(std::int64_t locked_until) { return {StorageError::locked, "sign_in", std::to_string(locked_until)}; }
 
-std::int64_t locked_until(StorageContext& c, UserId user, std::int64_t written) { return std::max(written, c.tries->locked_until(user)); }
+std::int64_t locked_until(StorageContext& c, UserId user, std::int64_t written, std::int64_t now) {
+  const std::int64_t in_memory = c.tries->locked_until(user);
+  return lock_holds(in_memory, now) && !(lock_holds(written, now) && written > in_memory) ? in_memory : written;
+}
 
 void count_wrong_try(StorageContext& c, Transaction& transaction, UserId user, std::int64_t now) {
   const auto tries = transaction.first(

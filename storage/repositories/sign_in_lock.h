@@ -11,8 +11,8 @@ namespace cusp::storage {
 bool lock_holds(std::int64_t locked_until, std::int64_t now) noexcept;
 /// `locked`, with the lock's end.
 StorageFailure locked_failure(std::int64_t locked_until);
-/// The later end of the written lock and of the one in memory.
-std::int64_t locked_until(StorageContext& c, UserId user, std::int64_t written);
+/// The later end of the written lock and of the one in memory. One that does not hold hides no other: a clock may have been set back.
+std::int64_t locked_until(StorageContext& c, UserId user, std::int64_t written, std::int64_t now);
 
 /// Within a transaction: from the fifth wrong try on the account is locked.
 void count_wrong_try(StorageContext& c, Transaction& transaction, UserId user, std::int64_t now);

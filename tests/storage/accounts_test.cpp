@@ -82,14 +82,20 @@ TEST_F(AccountsTest, five_wrong_tries_lock_for_half_a_minute_and_each_further_on
   EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));  // counting began anew
 }
 
-TEST_F(AccountsTest, a_lock_of_a_clock_that_was_set_back_ends) {
-  make_student(*store);
+TEST_F(AccountsTest, a_lock_of_a_clock_that_was_set_back_ends_and_hides_none_in_memory) {
+  const Account student = make_student(*store);
   constexpr std::int64_t year = 365 * std::int64_t{86'400'000'000};
   *now += year;
   for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
   *now -= 60'000'000;
   EXPECT_EQ(code_of(accounts.sign_in("20267314", "battery staple")), StorageError::locked);
   *now -= year;
+  StoreOptions reading = quick(now);
+  reading.database.access = DatabaseOptions::Access::read_only;
+  const auto reader = open(folder / "a.db", reading);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(reader->accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(reader->accounts.sign_in("20267314", "battery staple")), StorageError::locked);
+  EXPECT_EQ(code_of(reader->accounts.set_password(student.actor(), student.id, "battery staple", "new password")), StorageError::locked);
   EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));
 }
 
