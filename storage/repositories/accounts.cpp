@@ -345,7 +345,9 @@ Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view g
   if (right && (!standing || standing->same_secrets)) {
     transaction.run("UPDATE people SET wrong_tries = 0, locked_until = 0 WHERE id = ?1", s.account.id);
     log_event(c_, transaction, {.actor = s.account.id, .action = "signed_in", .subject = s.account.id.uuid});
-    return committed(c_, transaction, s.account);
+    // Another process may have changed the role, too.
+    const auto as_it_stands = transaction.first(std::string(kAccountColumns) + "WHERE id = ?1", account_of, s.account.id);
+    return committed(c_, transaction, as_it_stands.value_or(s.account));
   }
   count_wrong_try(c_, transaction, s.account.id, compared_at);
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());

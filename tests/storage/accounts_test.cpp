@@ -121,6 +121,9 @@ TEST_F(AccountsTest, what_another_process_does_while_a_secret_is_compared_holds_
   EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", "314159")), StorageError::wrong_password);
   meanwhile = [&] { must(accounts.disable(admin, student.id)); };
   EXPECT_EQ(code_of(other->accounts.sign_in_with_pin("20267314", "161803")), StorageError::disabled);
+  const Account second = must(accounts.create(admin, {.number = "b", .name = "B", .role = Role::administrator, .password = "correct horse"}));
+  meanwhile = [&] { must(accounts.set_role(admin, second.id, Role::student)); };
+  EXPECT_EQ(must(other->accounts.sign_in("b", "correct horse")).role, Role::student);
 }
 
 TEST_F(AccountsTest, the_longest_lock_holds_for_a_try_that_began_a_moment_before_it) {
