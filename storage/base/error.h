@@ -28,7 +28,7 @@ enum class StorageError : std::uint8_t {
   wrong_password,      // also for an unknown number: the caller cannot tell which
   other_secret,        // this account signs in by Failure::detail, "pin" or "password"; where = number; no wrong try
   locked,              // too many wrong tries; Failure::detail: UTC µs of the end of the lock
-  disabled,            // the account is disabled
+  disabled,            // the account is disabled; where = "actor": that of who acts
   not_allowed,         // the role lacks this right
   weak_password,       // fewer than 8 characters, or a PIN that is not six digits
   last_administrator,  // would leave no enabled administrator

@@ -7,8 +7,8 @@
 
 namespace cusp::storage {
 
-/// Refuses the transaction with `disabled` if the actor's account is switched off, with not_allowed (where = the action's key) if its
-/// role has lost the right. Pre: require() has admitted the role of the sign-in, which counts alone for the program and for an actor
+/// Refuses the transaction with `disabled` (where = actor) if the actor's account is switched off, with not_allowed (where = the
+/// action's key) if its role has lost the right. Pre: require() has admitted the role of the sign-in, which counts alone for the program and for an actor
 /// without an account here.
 void require_now(Transaction& transaction, UserId actor, Action action);
 

@@ -236,7 +236,9 @@ TEST_F(AccountsTest, who_was_switched_off_or_lost_the_role_at_another_window_wri
   EXPECT_EQ(code_of(accounts.erase(second, lena.id)), StorageError::not_allowed);
   must(store->cohorts.create(second, "Year 3"));
   must(other->accounts.disable(admin, instructor.id));
-  EXPECT_EQ(code_of(store->cohorts.add(instructor, cohort, lena.id)), StorageError::disabled);
+  const auto added = store->cohorts.add(instructor, cohort, lena.id);
+  EXPECT_EQ(code_of(added), StorageError::disabled);
+  EXPECT_EQ(added.error().where, "actor") << "whose account it is";
   EXPECT_EQ(code_of(store->assignments.create(instructor, {.version = version.id, .cohort = cohort}, "")), StorageError::disabled);
   EXPECT_EQ(code_of(store->statements.override_points(instructor, session, "target_removed", 1, "Late.")), StorageError::disabled);
   EXPECT_EQ(code_of(store->scenarios.withdraw(instructor, version.id)), StorageError::disabled);

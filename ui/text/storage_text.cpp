@@ -243,7 +243,8 @@ Message describe(const StorageFailure& f) {
       return {Text::tr("%1 signs in with a password.").arg(where), {}};
     case StorageError::locked: return describe_locked(f, Text::tr("Too many wrong tries."));
     case StorageError::disabled:
-      return {Text::tr("This account is switched off."), Text::tr("Ask an administrator to switch it on again.")};
+      return {f.where == "actor" ? Text::tr("Your account is switched off.") : Text::tr("This account is switched off."),
+              Text::tr("Ask an administrator to switch it on again.")};
     case StorageError::not_allowed: return describe_not_allowed(f);
     case StorageError::weak_password: return describe_weak(f);
     case StorageError::last_administrator:
@@ -277,6 +278,7 @@ Message describe_account(const StorageFailure& f, const QString& number, Secret 
       return describe(f);
     case StorageError::locked: return describe_locked(f, Text::tr("Too many wrong tries for %1.").arg(who));
     case StorageError::disabled:
+      if (f.where == "actor") return describe(f);
       return {Text::tr("The account %1 is switched off.").arg(who), Text::tr("Ask an administrator to switch it on again.")};
     case StorageError::not_found:
       if (f.where != "people" && !names_file(f)) return describe(f);

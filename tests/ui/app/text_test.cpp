@@ -226,6 +226,8 @@ TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
   EXPECT_EQ(line(StorageError::not_found, "people", Secret::password), "There is no account 20267314. Nothing was changed.");
   EXPECT_EQ(line(StorageError::disabled, "sign_in", Secret::pin),
             "The account 20267314 is switched off. Ask an administrator to switch it on again.");
+  EXPECT_EQ(line(StorageError::disabled, "actor", Secret::pin), "Your account is switched off. Ask an administrator to switch it on again.")
+      << "not that of the person who is edited";
   const QDateTime until(QDate(2026, 11, 20), QTime(10, 14, 30));
   EXPECT_EQ(line(StorageError::locked, "sign_in", Secret::pin, std::to_string(until.toMSecsSinceEpoch() * 1000)),
             "Too many wrong tries for 20267314. Signing in is open again at 10:14:30.");
