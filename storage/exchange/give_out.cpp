@@ -4,6 +4,7 @@
 #include "storage/exchange/session_copies.h"
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -98,6 +99,7 @@ std::vector<Hash256> earlier_files(StorageContext& context, Transaction& transac
 /// Number, description and entry in the log, in one transaction: no two files have one number.
 Stored<SignedText> sign_given_out(StorageContext& context, const Actor& actor, ExchangeDescription& description) {
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::manage_station);
   description.earlier = earlier_files(context, transaction);
   description.log = transaction.first("SELECT entries, link FROM audit_head", [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; }).value_or(ChainHead{});
   const SignedText text = sign_exchange(*context.key, description);

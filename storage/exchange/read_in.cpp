@@ -8,6 +8,7 @@
 #include "storage/exchange/trust.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -132,6 +133,7 @@ void log_read_in(Merge& merge, const CheckedExchange& file) {
 Stored<ReadIn> merge_file(StorageContext& context, StorageContext& from, const Actor& actor, const CheckedExchange& file) {
   ReadIn out{.description = file.description, .key = key_id(file.public_key)};
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::manage_station);
   Merge merge{context, transaction, from, actor, out};
   const auto schema = transaction.first("PRAGMA source.user_version", [](Row row) { return row.integer(0); });
   if (schema && *schema != static_cast<std::int64_t>(built_in_migrations().size())) {

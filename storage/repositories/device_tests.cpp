@@ -4,6 +4,7 @@
 
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/key_list.h"
 
 namespace cusp::storage {
@@ -49,6 +50,7 @@ Stored<void> DeviceTests::add(const Actor& actor, const DeviceTest& test) {
   if (!is_device_class(test.device_class)) return fail(StorageError::bad_value, "device_class");
   if (test.device.size() > kMostDeviceName) return fail(StorageError::bad_value, "device");
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::see_all_results);
   log_event(c_, transaction, {.actor = actor.id, .action = "device_tested", .subject = c_.station, .detail = detail_of(test)});
   return commit_sealed(c_, transaction);
 }

@@ -241,6 +241,12 @@ TEST_F(AssessmentTest, a_self_test_is_asked_for_within_a_year_and_of_an_assessme
   EXPECT_EQ(where(SessionKind::assessment, kMostSelfTestDays), "made");
 }
 
+TEST_F(AssessmentTest, a_self_test_of_who_was_switched_off_at_another_window_is_not_kept) {
+  must(store->accounts.disable(make_administrator(*store).actor(), instructor.id));
+  EXPECT_EQ(code_of(store->device_tests.add(instructor, {.device_class = "falcon", .device = "room 2, left"})), StorageError::disabled);
+  EXPECT_FALSE(must(store->device_tests.newest("falcon")));
+}
+
 TEST_F(AssessmentTest, a_self_test_is_kept_by_staff_with_device_tester_and_time) {
   EXPECT_FALSE(must(store->device_tests.newest("falcon")));
   EXPECT_EQ(code_of(store->device_tests.add(lena.actor(), {.device_class = "falcon"})), StorageError::not_allowed);

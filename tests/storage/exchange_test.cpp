@@ -200,6 +200,19 @@ TEST_F(ExchangeTest, only_an_administrator_gives_out_reads_in_and_trusts) {
   }
 }
 
+TEST_F(ExchangeTest, who_was_switched_off_at_another_window_gives_out_and_reads_in_nothing) {
+  const Actor second = must(office->accounts.create(chief, {.number = "b", .name = "B", .role = Role::administrator, .password = "correct horse"})).actor();
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  const fs::path file = results(), away = next_file();
+  must(office->accounts.disable(second, chief.id));
+  const auto before = shared_records(*office);
+  EXPECT_EQ(refused_at_office(file), StorageError::disabled);
+  EXPECT_EQ(code_of(give_out(office->context(), chief, ExchangeKind::office, away)), StorageError::disabled);
+  EXPECT_FALSE(fs::exists(away));
+  EXPECT_EQ(shared_records(*office), before);
+  must(read_in(office->context(), second, file));
+}
+
 TEST_F(ExchangeTest, a_station_neither_trusts_itself_nor_reads_its_own_file) {
   EXPECT_EQ(code_of(trust(station->context(), keeper, key_of_station(*station), KeyRole::station)), StorageError::not_allowed);
   EXPECT_EQ(code_of(read_in(station->context(), keeper, results())), StorageError::not_allowed);
