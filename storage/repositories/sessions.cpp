@@ -4,6 +4,7 @@
 #include "storage/records/session_summary.h"
 #include "storage/base/process.h"
 #include "storage/repositories/assignments.h"
+#include "storage/repositories/current_rights.h"
 #include "storage/repositories/device_tests.h"
 #include "storage/repositories/key_list.h"
 #include "storage/repositories/session_header.h"
@@ -105,6 +106,7 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (!header_from_json(header_to_json(h))) return fail(StorageError::bad_value, "header");
   const SessionId id = SessionId::make();
   Transaction transaction(c_.db);
+  require_now(transaction, actor.id, Action::drill);
   const auto guest = transaction.first(
       "SELECT guest FROM people WHERE id = ?1 AND disabled = 0", [](Row row) { return row.flag(0); }, wanted.student);
   if (!guest) transaction.refuse({StorageError::not_found, "people", wanted.student.text()});

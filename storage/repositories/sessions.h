@@ -99,7 +99,7 @@ class Sessions {
   explicit Sessions(StorageContext& context) : c_{context} {}
 
   /// Row and event "started", in one transaction. Needs drill; `student` is the actor. A guest's session is always try_it.
-  /// not_found for an unknown version, bad_value for a header with a number that is not finite, or with an exercise
+  /// disabled (where = actor), not_found for an unknown version, bad_value for a header with a number that is not finite, or with an exercise
   /// where the assignment draws no tooth (where = exercise), or without one where it does.
   /// With an assignment kind and adjustment are the assignment's; not_allowed (where = assignment: not this student's or of another
   /// version; start_code), wrong_state (where = not_open, past_due, attempts_used),

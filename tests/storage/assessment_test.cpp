@@ -241,6 +241,15 @@ TEST_F(AssessmentTest, a_self_test_is_asked_for_within_a_year_and_of_an_assessme
   EXPECT_EQ(where(SessionKind::assessment, kMostSelfTestDays), "made");
 }
 
+TEST_F(AssessmentTest, who_was_switched_off_at_another_window_reads_that_and_begins_nothing) {
+  const Assignment exam = assign(SessionKind::assessment);
+  must(store->accounts.disable(make_administrator(*store).actor(), lena.id));
+  for (const auto& begun : {begin(lena, exam), store->sessions.start(lena.actor(), new_session(lena, version))}) {
+    EXPECT_EQ(code_of(begun), StorageError::disabled);
+    EXPECT_EQ(begun.error().where, "actor");
+  }
+}
+
 TEST_F(AssessmentTest, a_self_test_of_who_was_switched_off_at_another_window_is_not_kept) {
   must(store->accounts.disable(make_administrator(*store).actor(), instructor.id));
   EXPECT_EQ(code_of(store->device_tests.add(instructor, {.device_class = "falcon", .device = "room 2, left"})), StorageError::disabled);
