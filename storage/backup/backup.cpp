@@ -82,6 +82,9 @@ Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& op
   return sessions->value_or(0);
 }
 
+/// Restores of `file` that were cut off: each holds a secret key.
+void remove_left_restores(const fs::path& parent, const fs::path& file);
+
 /// The counter first: it may lag behind the log and never leads.
 Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_t now) {
   if (auto done = copy_private(context.counter_file, counter_file_of(folder / kBackupKey)); !done) return std::unexpected(done.error());
@@ -185,6 +188,8 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
     remove_new(*folder);
     return std::unexpected(done.error());
   }
+  // A restore that succeeded at the second try is the last one of its name.
+  remove_left_restores(context.db.file().parent_path(), context.db.file());
   return backup;
 }
 
@@ -243,7 +248,6 @@ bool is_abandoned(const fs::path& folder) {
   return folder.filename().string().starts_with("cusp-") && is_left(folder, kBackupDatabase) && !fs::is_empty(folder, error) && !error;
 }
 
-/// Restores of `file` that were cut off: each holds a secret key.
 void remove_left_restores(const fs::path& parent, const fs::path& file) {
   std::error_code error;
   for (fs::directory_iterator it(parent, error), end; !error && it != end; it.increment(error)) {

@@ -61,5 +61,20 @@ TEST_F(BackupLeftTest, restoring_takes_away_what_a_restore_of_the_name_left_a_da
   EXPECT_TRUE(fs::exists(notes));
 }
 
+TEST_F(BackupLeftTest, a_backup_takes_away_what_a_restore_left_that_was_tried_again_at_once) {
+  const fs::path left_over = folder / (".cusp-restore-" + Uuid::v7().text()), running = folder / (".cusp-restore-" + Uuid::v7().text());
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
+  for (const fs::path& one : {left_over, running}) {
+    fs::create_directories(one);
+    std::ofstream(one / "a.db.key") << "cut off";
+    if (one == running) continue;
+    fs::last_write_time(one / "a.db.key", long_ago);
+    fs::last_write_time(one, long_ago);
+  }
+  make();
+  EXPECT_FALSE(fs::exists(left_over));
+  EXPECT_TRUE(fs::exists(running)) << "somebody may be restoring";
+}
+
 }  // namespace
 }  // namespace cusp::test
