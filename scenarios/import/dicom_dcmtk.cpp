@@ -132,6 +132,13 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
   return out;
 }
 
+bool is_skewed(const Slice& s) {
+  return std::max({std::abs(glm::length(s.across) - 1.0), std::abs(glm::length(s.down) - 1.0), std::abs(glm::dot(s.across, s.down))}) > kSkew;
+}
+
+/// Slices of a series; 0 if none of them has an orientation that is one: another series of the folder goes first.
+std::size_t usable_slices(const std::vector<Slice>& slices) { return std::ranges::all_of(slices, is_skewed) ? 0 : slices.size(); }
+
 /// The slices that belong together: those of the given file's series, or the largest series of a folder.
 Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path& path, std::size_t& series,
                                                     const ImportProgress& progress) {
@@ -169,7 +176,7 @@ Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path&
   if (all.empty()) return std::unexpected(first_failure.value_or(ImportFailure{ImportError::unknown_format, name}));
   series = all.size();
   const auto chosen = wanted ? all.find(*wanted)
-                             : std::ranges::max_element(all, {}, [](const auto& s) { return s.second.size(); });
+                             : std::ranges::max_element(all, {}, [](const auto& s) { return usable_slices(s.second); });
   if (chosen == all.end()) return fail(ImportError::corrupt, name);
   return std::move(chosen->second);
 }
@@ -178,10 +185,6 @@ struct SliceStep {
   Vec3 mm{0.0};       // from one slice to the next
   bool known = true;  // the files hold its length
 };
-
-bool is_skewed(const Slice& s) {
-  return std::max({std::abs(glm::length(s.across) - 1.0), std::abs(glm::length(s.down) - 1.0), std::abs(glm::dot(s.across, s.down))}) > kSkew;
-}
 
 /// From the first place to the last in equal steps; a slice that is shifted in its plane is refused.
 Result<SliceStep, ImportFailure> step_of_places(const std::vector<Slice>& slices, Vec3 normal) {

@@ -252,6 +252,21 @@ TEST_F(Dicom, AnOrientationThatIsNoneAndAPlaceThatOneSliceLacksAreRefused) {
   }
 }
 
+TEST_F(Dicom, ASeriesWithoutAnyOrientationIsNoneOfAFolderThatHasAnother) {
+  for (int n = 0; n < 4; ++n) put("a" + std::to_string(n), slice(n));
+  for (int n = 0; n < 6; ++n) {
+    DicomWish w = slice(n);
+    w.series = "9.9";
+    w.orientation = {};
+    put("b" + std::to_string(n), w);
+  }
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct) << ct.error().where;
+  EXPECT_EQ(ct->series, 2u);
+  EXPECT_EQ(ct->slices, 4u);
+  EXPECT_EQ(key_of(read_dicom(folder / "b0", {}).error().code), "bad_orientation");
+}
+
 TEST_F(Dicom, ReadsTheLargestOfSeveralSeriesAndReportsIt) {
   for (int n = 0; n < 4; ++n) put("a" + std::to_string(n), slice(n));
   DicomWish scout = slice(0);
