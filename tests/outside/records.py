@@ -114,8 +114,10 @@ def erasure(desk, database):
     check(status == 1, f"a student erases: {err}")
     status, _, err = desk.run("erase", erased, "nobody", "--as", "admin", CUSP_PASSWORD="correct horse")
     one_sentence(err, "erasing an unknown number")
-    status, out, err = desk.run("erase", erased, STUDENT, "--as", "admin", CUSP_PASSWORD="correct horse")
-    check(status == 0, f"erase: {out}{err}")
+    nowhere = os.path.join(desk.path("no folder"), "erased.json")
+    status, out, err = desk.run("erase", erased, STUDENT, "--json", nowhere, "--as", "admin", CUSP_PASSWORD="correct horse")
+    one_sentence(err, "a pseudonym that cannot be written to a file")
+    check(status == 1 and "The person is erased." in out, f"erase: exit {status}: {out}{err}")
     status, out, err = desk.run("history", erased, "verify", "--as", "admin", CUSP_PASSWORD="correct horse")
     check(status == 0, f"after an erasure: {out}{err}")
     with open(erased, "rb") as f:
@@ -188,6 +190,15 @@ def retention(desk, database):
             status, out, err = desk.run(*verb, *dry, *as_admin, **secret)
             one_sentence(err, "a clock in doubt")
             check(status == 1 and "--clock-is-right" in err and not out, f"{verb[0]} with a clock in doubt: exit {status}: {out}{err}")
+    with contextlib.closing(sqlite3.connect(restored)) as db:
+        two_years = 731 * 86_400_000_000
+        db.execute("UPDATE people SET created_at = created_at - ?", (two_years,))
+        db.execute("UPDATE sessions SET started_at = started_at - ?", (two_years,))
+        db.commit()
+    nowhere = os.path.join(desk.path("no folder"), "erased.json")
+    status, out, err = desk.run("retain", restored, "--years", "2", "--clock-is-right", "--json", nowhere, *as_admin, **secret)
+    one_sentence(err, "a list of the erased that cannot be written")
+    check(status == 1 and f"{STUDENT}  20" in out, f"nobody reads who was erased: exit {status}: {out}{err}")
 
 
 def secrets(desk, database):

@@ -28,11 +28,12 @@ int erase(const EraseOptions& o) {
   const auto person = (*store)->accounts.find_number(o.number);
   if (!person) return failed(describe_account(person.error(), QString::fromStdString(o.number), Secret::password));
   if (auto done = (*store)->accounts.erase(account->actor(), person->id); !done) return failed(describe(done.error()));
-  if (!o.json.write({{"erased", person->id.text()}})) return kFailed;
+  const bool written = o.json.write({{"erased", person->id.text()}});
+  // Also if the file cannot be written: nothing else names the pseudonym.
   if (!o.json.on_stdout()) {
     print_line(plain(CliText::tr("The person is erased. The attempts stay under the pseudonym %1.").arg(QString::fromStdString(person->id.text()))));
   }
-  return kDone;
+  return written ? kDone : kFailed;
 }
 
 }  // namespace

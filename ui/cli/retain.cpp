@@ -50,10 +50,11 @@ int retain(const RetainOptions& o) {
   if (departed->doubt && !o.clock.is_right) return failed_by_age(*departed->doubt);
   const nlohmann::ordered_json json = {
       {"years", o.years}, {"dry_run", o.dry_run}, {"erased", json_of(departed->erasable)}, {"waiting", json_of(departed->waiting)}};
-  if (!o.json.write(json)) return kFailed;
+  const bool written = o.json.write(json);
+  // Also if the file cannot be written: nothing else names who is erased.
   if (!o.json.on_stdout()) print_departed(*departed, o);
   if (departed->failed) return failed(describe(*departed->failed));
-  return kDone;
+  return written ? kDone : kFailed;
 }
 
 }  // namespace
