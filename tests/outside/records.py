@@ -105,6 +105,25 @@ def backups(desk, database):
     check(status == 1 and "no whole backup" in err and not os.path.exists(desk.path("again.db")), err)
 
 
+def demo_account(desk):
+    """Without --as a verb acts as the student demo, unless that is switched off or has a secret."""
+    demo = desk.path("demo.db")
+    for end in ("", ".key", ".key-counter"):
+        shutil.copy(desk.path("restored.db") + end, demo + end)
+    with contextlib.closing(sqlite3.connect(demo)) as db:
+        db.execute("INSERT INTO people (id, number, name, role, created_at) VALUES (randomblob(16), 'demo', 'demo', 'student', 0)")
+        db.commit()
+    listed = ("history", demo, "list")
+    check(desk.run(*listed)[0] == 0, "demo reads its own attempts")
+    for change, says in (("disabled = 1", "switched off"), ("disabled = 0, password = 'x'", "password")):
+        with contextlib.closing(sqlite3.connect(demo)) as db:
+            db.execute(f"UPDATE people SET {change} WHERE number = 'demo'")
+            db.commit()
+        status, out, err = desk.run(*listed)
+        one_sentence(err, f"demo with {change}")
+        check(status == 1 and says in err and not out, f"demo with {change}: exit {status}: {out}{err}")
+
+
 def erasure(desk, database):
     """An administrator erases the student: the records verify, and the file holds the name no more."""
     for end in ("", ".key", ".key-counter"):
@@ -370,6 +389,7 @@ def main():
         verify_names(desk)
         rebuild(desk)
         backups(desk, database)
+        demo_account(desk)
         erasure(desk, database)
         thinning(desk, database)
         retention(desk, database)

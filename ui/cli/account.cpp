@@ -84,15 +84,17 @@ Result<Account, Message> sign_in_by_secret(Store& store, const std::string& type
 Result<Account, Message> sign_in(Store& store, const AccountOption& option, WithoutAccounts without) {
   if (option.number.empty()) {
     auto demo = without == WithoutAccounts::make_demo ? store.accounts.demo_student() : store.accounts.find_number("demo");
-    if (demo) {
+    // An administrator may have switched it off, or given it a secret: it then signs in as any other.
+    const bool open = demo && !demo->disabled && !demo->has_password && !demo->has_pin;
+    if (open) {
       warn_of(store.context());
       return std::move(*demo);
     }
-    const bool missing = demo.error().code == StorageError::not_allowed || demo.error().code == StorageError::not_found;
-    if (!missing) return std::unexpected(describe(demo.error()));
-    return std::unexpected(Message{CliText::tr("This database has no account “demo”: --as names the account to act as."), {}});
+    const StorageError code = demo ? StorageError{} : demo.error().code;
+    if (!demo && code != StorageError::not_allowed && code != StorageError::not_found) return std::unexpected(describe(demo.error()));
+    if (!demo) return std::unexpected(Message{CliText::tr("This database has no account “demo”: --as names the account to act as."), {}});
   }
-  auto account = sign_in_by_secret(store, option.number);
+  auto account = sign_in_by_secret(store, option.number.empty() ? "demo" : option.number);
   if (account) warn_of(store.context());
   return account;
 }
