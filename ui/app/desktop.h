@@ -136,6 +136,8 @@ class Desktop : public QMainWindow {
   /// Frees what could be saved meanwhile.
   void save_behind_lock();
   QString behind_lock_text() const;
+  /// Whose comments wait for their authors; empty: none does.
+  QString waiting_comments_text() const;
   /// What whoever was signed out had written into the card.
   void give_back_comment(MarkingCard& card);
   /// True if something would be lost: closing then waits for the answer. Drafts are kept.
@@ -212,7 +214,10 @@ class Desktop : public QMainWindow {
   BackgroundTask backup_, packing_, gathering_;
   int gathered_ = 0;  // calls of gather()
   std::optional<Message> backup_failure_;  // of the last daily backup
-  std::map<std::pair<UserId, SessionId>, QString> unsaved_comments_;  // of whoever was signed out, by account and attempt
+  struct UnsavedComment {
+    QString author, text;
+  };
+  std::map<std::pair<UserId, SessionId>, UnsavedComment> unsaved_comments_;  // of whoever was signed out, by account and attempt
   struct BehindLock {
     QString owner;
     QWidget* pages = nullptr;  // hidden; its children, the lowest page first

@@ -56,7 +56,7 @@ void Desktop::lock_idle() {
   const bool unsaved = has_unsaved_slips(*stack_) || !keep_drafts(*stack_);
   if (!unsaved) {
     for (const MarkingCard* card : stack_->findChildren<MarkingCard*>())
-      if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = card->written();
+      if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = {QString::fromStdString(account_->name), card->written()};
   }
   const int minutes = settings_.idle_minutes();
   QString kept = has_open_import(*stack_) ? tr("What you did is kept, but for the import: begin it anew.")
@@ -113,9 +113,16 @@ QString Desktop::behind_lock_text() const {
   return tr("Not saved yet: the work of %1. It stays here until its owner signs in again, or Cusp ends.").arg(owners.join(u", "_qs));
 }
 
+QString Desktop::waiting_comments_text() const {
+  QStringList authors;
+  for (const auto& [of, comment] : unsaved_comments_) authors += comment.author;
+  authors.removeDuplicates();
+  return authors.isEmpty() ? QString() : tr("The comment of %1 waits until its author signs in again.").arg(authors.join(u", "_qs));
+}
+
 void Desktop::give_back_comment(MarkingCard& card) {
   const auto kept = unsaved_comments_.extract({account_->id, card.session()});
-  if (!kept.empty()) card.write(kept.mapped());
+  if (!kept.empty()) card.write(kept.mapped().text);
 }
 
 bool Desktop::asks_before_closing() {
@@ -125,9 +132,9 @@ bool Desktop::asks_before_closing() {
   if (has_unsaved_slips(*this)) {
     question.what = tr("Close without the PIN slips?");
     question.more = PeopleImport::tr("The PINs stand nowhere else. Each student would need a new one.");
-  } else if (has_unsaved_comment(*this)) {
+  } else if (has_unsaved_comment(*this) || !unsaved_comments_.empty()) {
     question.what = tr("Close without the comment?");
-    question.more = ReportPage::tr("What is written under Marking is not kept yet.");
+    question.more = (ReportPage::tr("What is written under Marking is not kept yet.") + u' ' + waiting_comments_text()).trimmed();
   } else if (!keep_drafts(*this)) {
     question.what = tr("Close without the last edits?");
     question.more = tr("The draft of the exercise cannot be saved. The editor shows why.");

@@ -37,6 +37,7 @@ struct Locking : ::testing::Test {
   Locking() {
     ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
       asked.push_back(question.what);
+      more = question.more;
       answer = std::move(then);
     };
     ports.pick_file = [this](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(folder.filePath(QStringLiteral("list.csv"))); };
@@ -92,6 +93,7 @@ struct Locking : ::testing::Test {
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
   Ports ports = Ports::of_the_system();
   QStringList asked;
+  QString more;  // of the last question
   std::function<void(bool)> answer;
   std::unique_ptr<Desktop> desktop;
 };
@@ -140,6 +142,31 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
   EXPECT_EQ(written_by(other), QString());
   desktop->lock_idle();
   EXPECT_EQ(written_by(berg), QStringLiteral("The floor\nis uneven."));
+}
+
+TEST_F(Locking, asks_before_it_closes_over_a_comment_that_waits_for_its_author) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  const SessionId session = records.attempt(records.student("1", "Lena Brandt"), "channel-1", 66, 90);
+  sign_in(berg);
+  MarkingCard* card = open_report(session);
+  ASSERT_NE(card, nullptr);
+  card->write(QStringLiteral("The floor is uneven."));
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the report that it was written on
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the comment?")});
+  EXPECT_TRUE(more.contains(QStringLiteral("Dr Berg"))) << more.toStdString();
+  answer(false);
+  EXPECT_TRUE(desktop->isVisible());
+  desktop->sign_in(berg);
+  card = open_report(session);
+  ASSERT_NE(card, nullptr);
+  EXPECT_TRUE(card->unsaved());
+  card->write({});
+  desktop->close();
+  EXPECT_EQ(asked.size(), 1);
+  EXPECT_FALSE(desktop->isVisible());
 }
 
 TEST_F(Locking, puts_a_draft_that_cannot_be_saved_behind_the_lock_for_its_owner) {
