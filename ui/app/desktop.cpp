@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QKeyEvent>
+#include <QPointer>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStandardPaths>
@@ -311,12 +312,15 @@ void Desktop::lead_views(QWidget* page) {
 void Desktop::back() {
   if (stack_->count() < 2) return;
   QWidget* old = stack_->currentWidget();
+  // Where the keyboard was on the page below: without `old` Qt puts it on that page's first control.
+  const QPointer<QWidget> last = stack_->widget(stack_->count() - 2)->focusWidget();
   stack_->removeWidget(old);
   old->deleteLater();
   use_text(TextSize::usual);
   stack_->setCurrentIndex(stack_->count() - 1);
   // What lies below may have new results.
-  if (shell_ && page() == shell_) shell_->show_again();
+  if (shell_ && page() == shell_) return shell_->show_again();
+  if (last && page() != sign_in_) last->setFocus(Qt::OtherFocusReason);
 }
 
 void Desktop::drop(QWidget* covered) {

@@ -109,6 +109,28 @@ TEST_F(ComingBack, a_page_that_opens_has_the_keyboard_where_it_begins) {
   EXPECT_EQ(QApplication::focusWidget(), begins) << "not on the first control";
 }
 
+TEST_F(ComingBack, the_keyboard_is_where_it_was_on_a_page_over_the_window) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  open<Performance>(records.administrator(), "performance");
+  desktop->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->addWidget(new QPushButton(QStringLiteral("Back")));
+  auto* candidates = new QLineEdit;
+  column->addWidget(candidates);
+  page->setFocusProxy(candidates);
+  desktop->push(page);
+  ASSERT_EQ(QApplication::focusWidget(), candidates);
+  cover_and_come_back();
+  EXPECT_EQ(QApplication::focusWidget(), candidates) << "Enter would leave the page";
+  auto* report = new QLineEdit;
+  desktop->push(report);
+  ASSERT_EQ(QApplication::focusWidget(), report);
+  desktop->back();
+  EXPECT_EQ(QApplication::focusWidget(), candidates);
+}
+
 TEST_F(ComingBack, performance_offers_an_exercise_that_was_drilled_for_the_first_time) {
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 40, 100);
