@@ -62,7 +62,8 @@ HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
         tr("3. Hold Space or the left button to cut. The target is the solid line, the tolerance zone round it the dashed one."),
         tr("4. Finish ends the attempt and grades it. The report shows what was measured, how well it is known, and what to do "
            "next time."),
-        tr("5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.")}) {
+        role == Role::student ? tr("5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.")
+                              : tr("5. Every attempt stays under Performance. An attempt that broke off is kept up to its last second.")}) {
     add_line(attempt, make_label(line));
   }
   body->addWidget(attempt);

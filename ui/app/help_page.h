@@ -14,7 +14,7 @@ class HelpPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// Staff are offered the quick start.
+  /// Staff are offered the quick start, and have no page of their own results.
   explicit HelpPage(Role role, QWidget* parent = nullptr);
 
  Q_SIGNALS:

@@ -131,6 +131,16 @@ TEST_F(DesktopTest, who_makes_the_first_administrator_sees_five_pictures_and_fin
   EXPECT_NE(qobject_cast<QuickStart*>(desktop->page()), nullptr);
 }
 
+TEST_F(DesktopTest, help_names_a_page_that_the_role_has) {
+  for (const Role role : {Role::student, Role::instructor, Role::administrator}) {
+    const HelpPage help(role);
+    QString all;
+    for (const QLabel* label : help.findChildren<QLabel*>()) all += label->text() + u'\n';
+    EXPECT_EQ(all.contains(QStringLiteral("under My results")), role == Role::student) << all.toStdString();
+    EXPECT_EQ(all.contains(QStringLiteral("under Performance")), role != Role::student) << all.toStdString();
+  }
+}
+
 TEST_F(DesktopTest, a_page_pushed_over_the_shell_is_left_by_going_back) {
   const Account lena = records.student("1", "Lena Brandt");
   open(records.file());
