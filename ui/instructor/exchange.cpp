@@ -32,11 +32,12 @@ Stored<ExerciseFile> file_of_published(Store& store, const Exercise& exercise) {
   return out;
 }
 
-/// The number of a version is the station's own, and a key names an exercise of the program.
+/// The number of a version and the name of a volume's file are the station's own, and a key names an exercise of the program.
 bool same_content(const ExerciseFile& a, const ExerciseFile& b) {
   Scenario as_b = a.scenario;
   as_b.version = b.scenario.version;
   as_b.key = b.scenario.key;
+  as_b.specimen.volume = b.scenario.specimen.volume;
   return as_b == b.scenario && a.volume == b.volume;
 }
 

@@ -280,6 +280,22 @@ TEST_F(LibraryFiles, AnotherVolumeOfTheNameOfAnotherInstructorsVolumeLiesBesideI
   EXPECT_EQ(*bytes_of(in / taken->draft.specimen.volume), edited.volume);
 }
 
+TEST_F(LibraryFiles, AVolumeThatGotANumberHereDoesNotMakeItsFileAStrangeOne) {
+  const QString file = path("block.cusp");
+  const Scenario sent = send_volume(file);
+  const Account other = *to.records.store().accounts.create(to.records.administrator().actor(), {"falk", "Ida Falk", Role::instructor, "correct horse", ""});
+  auto edited = *read_exercise_file(file.toStdString());
+  edited.volume.push_back(std::byte{});
+  ASSERT_TRUE(take_in(to.records.store(), other.actor(), edited, KeepId::yes, to.records.file()));
+  to.open_file(file);
+  ASSERT_EQ(to.opened.size(), 1u) << to.message().toStdString();
+  ASSERT_NE(to.opened[0].draft.specimen.volume, sent.specimen.volume);
+  to.open_file(file);
+  EXPECT_TRUE(to.message().contains(QStringLiteral("already"))) << to.message().toStdString();
+  EXPECT_TRUE(to.asked.isEmpty());
+  EXPECT_EQ(to.drafts().size(), 1u);
+}
+
 TEST_F(LibraryFiles, WhatIsNoExerciseIsRefusedWithItsCauseAndChangesNothing) {
   write_text(folder / "notes.cusp", "not an exercise");
   const std::string good = *exercise_file_bytes({from.changed(2.2), {}});
