@@ -28,10 +28,12 @@ void show_unwritten(Band& band, const QString& path, const QString& reason) {
 }
 
 void save_csv(Band& band, const Ports& ports, const CsvWish& wish) {
-  ports.pick_file(&band, csv_file_wish(wish.title, wish.name), [band = QPointer(&band), done = wish.done, bytes = QByteArray::fromStdString(wish.text)](const QString& path) {
+  ports.pick_file(&band, csv_file_wish(wish.title, wish.name), [band = QPointer(&band), make = wish.make](const QString& path) {
     if (!band) return;
-    if (const auto written = save_bytes(path, bytes)) {
-      band->show_message(Band::Kind::good, done, path);
+    const auto made = make();
+    if (!made) return;
+    if (const auto written = save_bytes(path, QByteArray::fromStdString(made->text))) {
+      band->show_message(Band::Kind::good, made->done, path);
     } else {
       show_unwritten(*band, path, written.error());
     }

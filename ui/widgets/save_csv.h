@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "ui/widgets/parts.h"
@@ -9,11 +11,15 @@
 
 namespace cusp::ui {
 
-struct CsvWish {
-  QString title;     // of the file picker
-  QString name;      // suggested, without ".csv"
+struct CsvText {
   std::string text;  // UTF-8
   QString done;      // "12 attempts exported."
+};
+
+struct CsvWish {
+  QString title;                                 // of the file picker
+  QString name;                                  // suggested, without ".csv"
+  std::function<std::optional<CsvText>()> make;  // called once a file is chosen; nullopt: it has shown why
 };
 
 /// What the file picker asks for.
@@ -21,7 +27,7 @@ FileWish csv_file_wish(const QString& title, const QString& name);
 /// That nothing was written: the path and the system's reason.
 void show_unwritten(Band& band, const QString& path, const QString& reason);
 
-/// The band shows `done` with the path, or why nothing was written.
+/// The band shows `done` with the path, or why nothing was written. `make` is not called once the band is gone.
 void save_csv(Band& band, const Ports& ports, const CsvWish& wish);
 
 }  // namespace cusp::ui

@@ -134,6 +134,23 @@ TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
   EXPECT_TRUE(file.readAll().startsWith("Student,ID,SIS User ID"));
 }
 
+TEST_F(Candidates, AreNoExportInTheLogBeforeAFileIsChosen) {
+  const QTemporaryDir folder;
+  QString path;
+  ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(9, 0)); };
+  ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) {
+    if (!path.isEmpty()) then(path);
+  };
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  const auto exports = [&] { return records.store().audit.list(records.administrator().actor(), 10, INT64_MAX, {.actions = {"gradebook_exported"}})->size(); };
+  page.export_gradebook(Gradebook::moodle);
+  EXPECT_EQ(exports(), 0u) << "the file picker was cancelled";
+  path = folder.filePath(QStringLiteral("out.csv"));
+  page.export_gradebook(Gradebook::moodle);
+  EXPECT_EQ(exports(), 1u);
+  EXPECT_TRUE(QFile::exists(path));
+}
+
 TEST_F(Candidates, AreReleasedThoughAnotherDeskReleasedOrConfirmedSomeMeanwhile) {
   const SessionId third = sit(ida, 90);
   AssessmentPage page(records.store(), examiner, assignment.id, ports);

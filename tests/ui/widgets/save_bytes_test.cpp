@@ -54,7 +54,7 @@ TEST(SaveBytes, OfAListThatIsCutShortIsReportedWithTheCause) {
   ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(path); };
   Band band;
   with_files_up_to(4096, [&] {
-    save_csv(band, ports, {.title = {}, .name = {}, .text = std::string(100'000, 'x'), .done = QStringLiteral("Done.")});
+    save_csv(band, ports, {.title = {}, .name = {}, .make = [] { return CsvText{std::string(100'000, 'x'), QStringLiteral("Done.")}; }});
     return 0;
   });
   EXPECT_TRUE(band.text().contains(QStringLiteral("File too large"))) << band.text().toStdString();
