@@ -101,6 +101,7 @@ void Desktop::replace_root(QWidget* root) {
   }
   stack_->addWidget(root);
   stack_->setCurrentWidget(root);
+  if (QWidget* begins = root->focusProxy()) begins->setFocus();
 }
 
 void Desktop::show_sign_in(SignIn* page) {

@@ -100,7 +100,9 @@ void Desktop::keep_daily_backup() {
 void Desktop::show_refusal(const Message& message) {
   auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Try again"), Ink::bad);
   connect(state, &EmptyState::acted, this, &Desktop::start);
-  replace_root(make_page(state));
+  QWidget* page = make_page(state);
+  page->setFocusProxy(state->button());
+  replace_root(page);
 }
 
 bool Desktop::records_damaged() const { return reading_only_ && is_damage(*reading_only_, database_); }

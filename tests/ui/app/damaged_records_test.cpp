@@ -113,5 +113,27 @@ TEST_F(DamagedRecords, that_can_be_read_in_part_are_read_and_offer_the_way_back)
   EXPECT_EQ(desktop->store(), nullptr) << "nothing holds the file that is to be moved";
 }
 
+TEST_F(DamagedRecords, have_the_keyboard_on_the_next_act_at_each_try) {
+  StorageError error = StorageError::newer_schema;
+  desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file(),
+                                      [&](const std::filesystem::path& file, const StoreOptions&) -> Stored<std::unique_ptr<Store>> {
+                                        return fail(error, file.string());
+                                      });
+  desktop->start();
+  desktop->show();
+  desktop->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
+  const auto press = [&] { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space); };
+  for (const StorageError next : {StorageError::newer_schema, StorageError::corrupt}) {
+    QWidget* before = desktop->page();
+    ASSERT_NE(qobject_cast<QPushButton*>(QApplication::focusWidget()), nullptr);
+    error = next;
+    press();
+    ASSERT_NE(desktop->page(), before) << "it tries again";
+    EXPECT_TRUE(desktop->page()->isAncestorOf(QApplication::focusWidget())) << "the next key goes to what is shown";
+  }
+  EXPECT_NE(qobject_cast<WayBack*>(desktop->page()), nullptr);
+}
+
 }  // namespace
 }  // namespace cusp::test
