@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 
-#include "ui/widgets/icon.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 
@@ -30,6 +30,10 @@ QuickOpen::QuickOpen(QVector<Destination> places, QWidget* parent) : QDialog(par
   connect(list_, &QListWidget::itemActivated, this, &QuickOpen::open_chosen);
   connect(list_, &QListWidget::itemClicked, this, &QuickOpen::open_chosen);
   narrow({});
+  // The keyboard stays in the line, so that a screen reader hears of no item.
+  connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+    if (item != nullptr) announce(line_, item->text());
+  });
 }
 
 void QuickOpen::narrow(const QString& text) {

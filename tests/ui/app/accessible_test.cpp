@@ -4,6 +4,7 @@
 #include <QAccessible>
 #include <QButtonGroup>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QRadioButton>
 #include <QScrollArea>
@@ -139,6 +140,20 @@ TEST_F(Accessible, a_click_that_activates_too_goes_to_a_place_once) {
   Q_EMIT list->itemClicked(list->item(0));
   Q_EMIT list->itemActivated(list->item(0));
   EXPECT_EQ(times, 1);
+}
+
+TEST_F(Accessible, a_place_that_the_arrows_choose_is_spoken) {
+  QWidget window;
+  const auto nothing = [] {};
+  auto* dialog = new QuickOpen({{QStringLiteral("Help"), QStringLiteral("page"), QStringLiteral("book"), nothing},
+                                {QStringLiteral("Device"), QStringLiteral("page"), QStringLiteral("device"), nothing}},
+                               &window);
+  dialog->open();
+  auto* line = dialog->findChild<QLineEdit*>();
+  QTest::keyClick(line, Qt::Key_Down);
+  EXPECT_EQ(line->accessibleDescription().toStdString(), "Device, page");
+  line->setText(QStringLiteral("hel"));
+  EXPECT_EQ(line->accessibleDescription().toStdString(), "Help, page");
 }
 
 TEST_F(Accessible, every_button_on_every_page_can_be_acted_on) {
