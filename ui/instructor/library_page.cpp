@@ -255,9 +255,10 @@ void LibraryPage::discard_draft() {
   if (index < 0 || !model_->row(index).draft) return;
   const LibraryRow row = model_->row(index);
   const ScenarioId id = row.draft->id;
-  ports_.ask(this, {tr("Discard the draft of %1?").arg(local(row.draft->title)),
-                    row.exercise ? tr("What is published stays as it is.") : tr("It was never published: nothing of it is left."),
-                    tr("Discard the draft"), true},
+  const QString follows = row.exercise    ? tr("What is published stays as it is.")
+                          : row.withdrawn ? tr("Its versions are withdrawn: without the draft you cannot edit or publish it again. Results and reports stay.")
+                                          : tr("It was never published: nothing of it is left.");
+  ports_.ask(this, {tr("Discard the draft of %1?").arg(local(row.draft->title)), follows, tr("Discard the draft"), true},
              [this, id, published = row.exercise.has_value(), json = row.draft_json](bool yes) {
                if (!yes) return;
                const auto done = store_.scenarios.drop_draft(actor_, id, json);

@@ -127,6 +127,11 @@ TEST_F(Withdrawals, OfTheOnlyVersionKeepTheExerciseAsADraftThatCanBePublishedAga
   EXPECT_EQ(state(), QStringLiteral("Withdrawn"));
   page->withdraw_chosen();
   EXPECT_EQ(asked.size(), 1u) << "there is nothing left to withdraw";
+  answer = false;
+  page->discard_draft();
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_FALSE(asked[1].more.contains(QStringLiteral("never published"))) << asked[1].more.toStdString();
+  EXPECT_TRUE(asked[1].more.contains(QStringLiteral("Results and reports stay"))) << asked[1].more.toStdString();
   page->open_chosen();
   ASSERT_EQ(opened.size(), 1u);
   EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(opened[0].folder) / "specimen.nrrd"));
