@@ -294,7 +294,8 @@ void LibraryPage::withdraw_chosen() {
 }
 
 void LibraryPage::withdraw_row(const LibraryRow& row, const Withdrawal& plan) {
-  if (const auto done = withdraw(store_, actor_, row, plan, database_, cache_); !done) return show_failure(done.error());
+  const auto done = withdraw(store_, actor_, row, plan, database_, cache_);
+  if (!done && done.error().code != StorageError::duplicate) return show_failure(done.error());  // else another desk was faster
   const ScenarioId id = row.exercise->scenario.id;
   read();
   for (int i = 0; i < model_->rowCount(); ++i)

@@ -97,6 +97,21 @@ TEST_F(Cohorts, TakeStudentsInByTheirNumbersAndOutAfterAQuestion) {
   EXPECT_EQ(page.students().student(0).name, "Omar Said");
 }
 
+TEST_F(Cohorts, HaveOutWhomAnotherDeskTookOutMeanwhile) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.add_numbers(QStringLiteral("4711"));
+  for (Table* table : page.findChildren<Table*>())
+    if (table->model() == &page.students()) table->choose_row(0);
+  ports.ask = [&](QWidget*, const Question&, const std::function<void(bool)>& then) {
+    EXPECT_TRUE(records.store().cohorts.remove(instructor.actor(), page.cohorts().cohort(0).id, lena.id));
+    then(true);
+  };
+  page.remove_chosen_student();
+  EXPECT_EQ(page.students().rowCount(), 0);
+  EXPECT_EQ(page.message().toStdString(), "Lena Brandt is taken out.");
+}
+
 TEST_F(Cohorts, AnAssignedExerciseStandsWithItsDayInTheCourseOfTheirStudentsAlone) {
   CohortsPage page(records.store(), instructor.actor(), ports);
   page.make_cohort(QStringLiteral("Year 3"));

@@ -99,6 +99,18 @@ TEST_F(Withdrawals, HappenAfterAQuestionAndBringTheVersionBeforeBack) {
   EXPECT_TRUE(records.store().scenarios.version(version.id).has_value()) << "the version stays in the records";
 }
 
+TEST_F(Withdrawals, ThatAnotherDeskMadeMeanwhileAreNoFailure) {
+  const ScenarioVersion version = publish_deeper();
+  show_and_choose(version.scenario);
+  ports.ask = [&](QWidget*, const Question&, const std::function<void(bool)>& then) {
+    EXPECT_TRUE(records.store().scenarios.withdraw(instructor.actor(), version.id));
+    then(true);
+  };
+  page->withdraw_chosen();
+  EXPECT_TRUE(page->findChild<Band*>()->text().startsWith(QStringLiteral("Version 4 of "))) << page->findChild<Band*>()->text().toStdString();
+  EXPECT_EQ(state(), QStringLiteral("Version 4 withdrawn"));
+}
+
 TEST_F(Withdrawals, LeaveTheNumberTaken) {
   const ScenarioVersion version = publish_deeper();
   show_and_choose(version.scenario);
