@@ -237,9 +237,11 @@ void AssessmentPage::adjust(const Adjustment& adjustment) {
   const int row = table_->chosen_row();
   if (row < 0) return;
   const QString candidate = model_->row(row).candidate;
-  if (const auto done = store_.assignments.adjust(actor_, assignment_.id, model_->row(row).student, adjustment); !done) {
-    return show_failure(done.error());
+  const auto done = store_.assignments.adjust(actor_, assignment_.id, model_->row(row).student, adjustment);
+  if (!done && done.error().code == StorageError::not_allowed && done.error().where == "assignment") {
+    return band_->show_message(Band::Kind::look, tr("%1 is no longer in the cohort.").arg(candidate), tr("Nothing was changed."));
   }
+  if (!done) return show_failure(done.error());
   read();
   const QString text = adjustment_text(adjustment);
   band_->show_message(Band::Kind::good, text.isEmpty() ? tr("%1 has no adjustment.").arg(candidate) : tr("%1 has %2.").arg(candidate, text), {});

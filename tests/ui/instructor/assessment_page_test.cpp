@@ -116,6 +116,16 @@ TEST_F(Candidates, ReceiveAnAdjustmentThatShowsBesideTheirNumber) {
   EXPECT_EQ(row_of(page, ida).adjustment, both);
 }
 
+TEST_F(Candidates, WhoLeftTheCohortReceiveNoAdjustmentAndTheExaminerReadsWhy) {
+  ASSERT_TRUE(records.store().cohorts.remove(examiner, assignment.cohort, omar.id));
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  for (int i = 0; i < page.model().rowCount(); ++i)
+    if (page.model().row(i).student == omar.id) page.table()->choose_row(i);
+  page.adjust({.extra_time_percent = 25});
+  EXPECT_EQ(row_of(page, omar).adjustment, Adjustment{});
+  EXPECT_EQ(page.message().toStdString(), row_of(page, omar).candidate.toStdString() + " is no longer in the cohort. Nothing was changed.");
+}
+
 TEST_F(Candidates, GoToAGradebookWithTheirReleasedResults) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("out.csv"));
