@@ -3,6 +3,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
@@ -147,7 +149,20 @@ void ExerciseCards::keyPressEvent(QKeyEvent* event) {
     Q_EMIT opened(currentIndex());
     return;
   }
+  const QPersistentModelIndex before = currentIndex();
   QListView::keyPressEvent(event);
+  // Cards as high as their rows do not scroll themselves.
+  if (currentIndex().isValid() && before != currentIndex()) take_page_along();
+}
+
+void ExerciseCards::take_page_along() {
+  const QRect card = visualRect(currentIndex());
+  for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
+    auto* area = qobject_cast<QScrollArea*>(above);
+    if (area == nullptr || area->widget() == nullptr) continue;
+    const int y = viewport()->mapTo(area->widget(), card.center()).y();
+    area->ensureVisible(area->horizontalScrollBar()->value(), y, 0, card.height() / 2);
+  }
 }
 
 void ExerciseCards::focusInEvent(QFocusEvent* event) {
