@@ -50,7 +50,7 @@ class OfGroup : public QSortFilterProxyModel {
 }  // namespace
 
 ExercisesPage::ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& pictures, std::filesystem::path volumes, QWidget* parent)
-    : QWidget(parent), store_(store), pictures_(pictures), volumes_(std::move(volumes)) {
+    : QWidget(parent), store_(store), actor_(actor), pictures_(pictures), volumes_(std::move(volumes)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), 0, 0);
   outer->setSpacing(px(16));
@@ -174,7 +174,34 @@ QImage ExercisesPage::picture_of(const QSortFilterProxyModel& shown, const QMode
 }
 
 void ExercisesPage::open(const QSortFilterProxyModel& shown, const QModelIndex& index) {
-  Q_EMIT briefing_wanted(model_->row(shown.mapToSource(index).row()).exercise);
+  const Exercise exercise = model_->row(shown.mapToSource(index).row()).exercise;
+  opened_ = exercise.scenario.id;
+  Q_EMIT briefing_wanted(exercise);
+}
+
+bool ExercisesPage::read_again() {
+  const auto course = load_course(store_, actor_);
+  if (!course || shown_ == nullptr || !course->unreadable.empty()) return false;
+  delete shown_;
+  for (const Section& section : sections_) delete section.shown;
+  delete model_;
+  sections_.clear();
+  drawn_.clear();
+  static_cast<QVBoxLayout*>(layout())->addWidget(make_shown(*course), 1);
+  filter();
+  shown_->show();  // the layout does it later, and the keyboard goes to what is seen
+  for (const auto& [group, box, shown, cards] : sections_) {
+    for (int row = 0; row < shown->rowCount(); ++row) {
+      const QModelIndex card = shown->index(row, CourseModel::kExercise);
+      if (model_->row(shown->mapToSource(card).row()).exercise.scenario.id != opened_) continue;
+      cards->setCurrentIndex(card);
+      setFocusProxy(nullptr);  // the page has begun already
+      cards->setFocus(Qt::OtherFocusReason);
+      // After the layout has placed the cards.
+      QMetaObject::invokeMethod(cards, &ExerciseCards::take_page_along, Qt::QueuedConnection);
+    }
+  }
+  return true;
 }
 
 }  // namespace cusp::ui

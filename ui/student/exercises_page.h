@@ -10,6 +10,7 @@
 #include "ui/student/course.h"
 #include "ui/student/exercise_groups.h"
 #include "ui/student/thumbnail_cache.h"
+#include "ui/widgets/rereads.h"
 
 class QComboBox;
 class QLineEdit;
@@ -19,12 +20,14 @@ namespace cusp::ui {
 
 class ExerciseCards;
 
-class ExercisesPage : public QWidget {
+class ExercisesPage : public QWidget, public Rereads {
   Q_OBJECT
 
  public:
   /// `volumes`: where files of exercises are written.
   ExercisesPage(Store& store, const Actor& actor, ThumbnailCache& pictures, std::filesystem::path volumes, QWidget* parent = nullptr);
+  /// The card that was opened is the current one again.
+  bool read_again() override;
   /// The cards of a group; nullptr if it has no exercise.
   ExerciseCards* cards(ExerciseGroup group) const;
   QLineEdit* search() const { return search_; }
@@ -49,10 +52,12 @@ class ExercisesPage : public QWidget {
   void open(const QSortFilterProxyModel& shown, const QModelIndex& index);
 
   Store& store_;
+  Actor actor_;
   ThumbnailCache& pictures_;
   std::filesystem::path volumes_;
   CourseModel* model_ = nullptr;
   std::vector<Section> sections_;
+  ScenarioId opened_;  // last; nil: none was
   std::map<int, QImage> drawn_;  // by row of the course: a card is painted often
   QStackedWidget* shown_ = nullptr;  // the sections, or that nothing fits
   QLineEdit* search_ = nullptr;

@@ -20,6 +20,8 @@
 #include "ui/instructor/library_page.h"
 #include "ui/student/assessments.h"
 #include "ui/student/course.h"
+#include "ui/student/exercise_cards.h"
+#include "ui/student/exercises_page.h"
 #include "ui/student/own_history.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
@@ -183,6 +185,27 @@ TEST_F(ComingBack, library_keeps_search_and_row) {
   shown = page<LibraryPage>();
   EXPECT_EQ(shown->search()->text(), QStringLiteral("46"));
   EXPECT_EQ(shown->table()->chosen_row(), last);
+}
+
+TEST_F(ComingBack, exercises_keep_search_standing_and_card_and_count_what_was_passed) {
+  const Account lena = records.student("1", "Lena Brandt");
+  auto* shown = open<ExercisesPage>(lena, "exercises");
+  ASSERT_NE(shown, nullptr);
+  shown->standing()->setCurrentIndex(1);  // not passed yet
+  shown->search()->setText(QStringLiteral("class i, tooth"));
+  ExerciseCards* cards = shown->cards(ExerciseGroup::class_1);
+  ASSERT_EQ(cards->model()->rowCount(), 3);
+  const QString opened = cards->model()->index(1, 0).data().toString();
+  Q_EMIT cards->opened(cards->model()->index(1, 0));
+  ASSERT_NE(desktop->page(), desktop->shell()) << "the briefing";
+  records.attempt(lena, "class-1-36", 90, 100);
+  desktop->back();
+  shown = page<ExercisesPage>();
+  EXPECT_EQ(shown->standing()->currentIndex(), 1);
+  EXPECT_EQ(shown->search()->text().toStdString(), "class i, tooth");
+  cards = shown->cards(ExerciseGroup::class_1);
+  EXPECT_EQ(cards->model()->rowCount(), 2);
+  EXPECT_EQ(cards->currentIndex().data().toString().toStdString(), opened.toStdString());
 }
 
 TEST_F(ComingBack, my_results_keep_the_exercise) {
