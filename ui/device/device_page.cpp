@@ -1,5 +1,6 @@
 #include "ui/device/device_page.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QLabel>
@@ -197,6 +198,7 @@ void DevicePage::look() {
 
 void DevicePage::fill() {
   Inner& in = *inner_;
+  const bool has_keys = in.rows != nullptr && in.rows->isAncestorOf(QApplication::focusWidget());
   delete in.rows;
   in.rows = new QWidget(this);
   auto* column = new QVBoxLayout(in.rows);
@@ -240,6 +242,10 @@ void DevicePage::fill() {
     column->addLayout(line);
   }
   in.list->addWidget(in.rows);
+  if (has_keys && in.group->checkedButton() != nullptr) {
+    in.rows->show();
+    in.group->checkedButton()->setFocus(Qt::OtherFocusReason);
+  }
   if (isVisible()) rows_first(*this, *in.rows);  // before, its parts stand in no window
   in.no_falcon->setText(in.known ? tr("No Falcon is plugged in. One that is plugged in appears here by itself.")
                                  : tr("Looking at what is plugged in."));

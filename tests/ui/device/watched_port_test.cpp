@@ -1,7 +1,10 @@
-// At which port the device page looks for the Inverse3's service.
+// What the device page looks at: the port of the Inverse3's service, and what comes while the keyboard is in its list.
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QRadioButton>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "device/catalogue.h"
 #include "tests/modules.h"
@@ -35,6 +38,42 @@ TEST(DevicePage, a_port_that_staff_type_is_looked_at_at_once) {
   EXPECT_EQ(made, 2);
   page.look();
   EXPECT_EQ(made, 2);
+}
+
+/// A Falcon that is plugged in later.
+class LateWatch final : public DeviceWatch {
+ public:
+  explicit LateWatch(const bool& plugged) : plugged_(plugged) {}
+  std::vector<FoundDevice> list() override {
+    return plugged_ ? with_software_devices({{.kind = "falcon", .name = "FT000001", .port = "1-1"}}) : with_software_devices({});
+  }
+  bool changed() noexcept override { return true; }
+
+ private:
+  const bool& plugged_;
+};
+
+TEST(DevicePage, the_keyboard_stays_in_the_list_when_a_device_comes) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  bool plugged = false;
+  DevicePage page(settings, Ports::of_the_system(), Role::instructor, nullptr, [&plugged] { return std::make_unique<LateWatch>(plugged); });
+  page.show();
+  page.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  const auto chosen = [&page]() -> QRadioButton* {
+    for (QRadioButton* one : page.findChildren<QRadioButton*>())
+      if (one->isChecked()) return one;
+    return nullptr;
+  };
+  ASSERT_NE(chosen(), nullptr);
+  const auto before = page.listed().size();
+  chosen()->setFocus();
+  ASSERT_EQ(QApplication::focusWidget(), chosen());
+  plugged = true;
+  page.look();
+  ASSERT_GT(page.listed().size(), before);
+  EXPECT_EQ(QApplication::focusWidget(), chosen());
 }
 
 }  // namespace
