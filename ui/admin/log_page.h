@@ -8,7 +8,6 @@
 #include "storage/store.h"
 #include "ui/admin/log_model.h"
 #include "ui/admin/backup_work.h"
-#include "ui/admin/export_work.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 
@@ -22,6 +21,7 @@ namespace cusp::ui {
 
 class Band;
 class Busy;
+class ExportRun;
 class Table;
 
 class LogPage : public QWidget {
@@ -41,7 +41,7 @@ class LogPage : public QWidget {
   QDateEdit* last_day() const { return last_day_; }
   QString message() const;
   bool verifying() const { return progress_ != nullptr; }
-  bool exporting() const { return export_ != nullptr; }
+  bool exporting() const;
   bool shows_none() const;
 
  public Q_SLOTS:
@@ -62,8 +62,6 @@ class LogPage : public QWidget {
   std::optional<std::vector<AuditEntry>> page(const AuditFilter& filter, int limit, std::int64_t before_number);
   QWidget* make_export_progress();
   void export_to(const QString& path, const AuditFilter& shown);
-  void show_export_progress();
-  void show_exported(const Stored<std::optional<std::size_t>>& entries);
   void show_failure(const StorageFailure& failure);
 
   Store& store_;
@@ -73,14 +71,13 @@ class LogPage : public QWidget {
   LogNames names_;
   std::int64_t entries_ = 0;                // of the whole log when it was last verified
   std::shared_ptr<LogProgress> progress_;  // while a verification runs
-  QString exported_to_;
-  std::shared_ptr<ExportProgress> export_;  // while an export runs
-  BackgroundTask task_, export_task_;
-  QTimer *look_, *look_at_export_ = nullptr;
+  BackgroundTask task_;
+  QTimer* look_;
+  ExportRun* export_ = nullptr;
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;
   Band* band_ = nullptr;
-  Busy *busy_ = nullptr, *export_busy_ = nullptr;
+  Busy* busy_ = nullptr;
   QComboBox *kind_ = nullptr, *person_ = nullptr, *period_ = nullptr;
   QWidget* days_ = nullptr;
   QDateEdit *first_day_ = nullptr, *last_day_ = nullptr;

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "storage/store.h"
-#include "ui/admin/export_work.h"
 #include "ui/modules.h"
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
@@ -19,15 +18,14 @@ class QLabel;
 class QLineEdit;
 class QSortFilterProxyModel;
 class QStackedWidget;
-class QTimer;
 
 namespace cusp::ui {
 
 class Band;
-class Busy;
 class Chart;
 class Card;
 class CriteriaCard;
+class ExportRun;
 class AttemptsModel;
 class Table;
 
@@ -52,7 +50,7 @@ class Performance : public QWidget, public Rereads {
   QComboBox* result() const { return result_; }
   CriteriaCard* criteria() const { return criteria_; }
   QComboBox* period() const { return period_; }
-  bool exporting() const { return progress_ != nullptr; }
+  bool exporting() const;
 
  public Q_SLOTS:
   void read();
@@ -88,8 +86,6 @@ class Performance : public QWidget, public Rereads {
   Region target_of(const HistoryFilter& shown);
   void show_failure(const StorageFailure& failure);
   void export_to(const QString& path, const HistoryFilter& shown);
-  void show_progress();
-  void show_exported(const Stored<std::optional<std::size_t>>& rows);
   void show_numbers(const Figures& figures);
   void show_spread(const Figures& figures);
   void show_learning(const Figures& figures);
@@ -104,11 +100,7 @@ class Performance : public QWidget, public Rereads {
   Band* band_ = nullptr;
   QLabel* without_scripted_ = nullptr;
   bool any_scripted_ = false;  // attempts of scripted operators in the records
-  Busy* busy_ = nullptr;
-  QTimer* look_ = nullptr;
-  QString exported_to_;
-  std::shared_ptr<ExportProgress> progress_;  // of an export; null: none runs
-  BackgroundTask task_;
+  ExportRun* export_ = nullptr;
   QComboBox *exercise_ = nullptr, *version_ = nullptr, *cohort_ = nullptr, *who_ = nullptr, *kind_ = nullptr;
   QComboBox *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
   QLineEdit* search_ = nullptr;

@@ -17,6 +17,7 @@
 #include "tests/modules.h"
 #include "tests/source_dir.h"
 #include "tests/ui/desk_records.h"
+#include "ui/admin/export_work.h"
 #include "ui/admin/log_page.h"
 #include "ui/text/audit_log_text.h"
 #include "ui/text/language.h"

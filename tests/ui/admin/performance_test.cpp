@@ -19,6 +19,7 @@
 #include "tests/ui/admin/admin_pages.h"
 #include "tests/ui/looks.h"
 #include "ui/admin/criteria_card.h"
+#include "ui/admin/export_work.h"
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
 #include "ui/text/grade_text.h"
