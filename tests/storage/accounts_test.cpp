@@ -8,13 +8,24 @@
 namespace cusp::test {
 namespace {
 
-
 class AccountsTest : public ::testing::Test {
  protected:
   Folder folder;
   std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
   std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
   Accounts& accounts = store->accounts;
+  std::function<void()> meanwhile;  // once, when the other process has read the account and the clock
+
+  /// At the same records.
+  std::unique_ptr<Store> other_process() {
+    StoreOptions options = quick(now);
+    options.clock = [this] {
+      const std::int64_t read = *now;
+      if (const auto act = std::exchange(meanwhile, {})) act();
+      return read;
+    };
+    return open(folder / "a.db", options);
+  }
 };
 
 TEST_F(AccountsTest, the_first_start_has_no_administrator_and_makes_exactly_one) {
@@ -102,13 +113,7 @@ TEST_F(AccountsTest, a_lock_of_a_clock_that_was_set_back_ends_and_hides_none_in_
 TEST_F(AccountsTest, what_another_process_does_while_a_secret_is_compared_holds_for_that_try) {
   const Actor admin = make_administrator(*store).actor();
   const Account student = make_student(*store);
-  std::function<void()> meanwhile;  // after the account was read
-  StoreOptions options = quick(now);
-  options.clock = [&] {
-    if (const auto act = std::exchange(meanwhile, {})) act();
-    return *now;
-  };
-  const auto other = open(folder / "a.db", options);
+  const auto other = other_process();
   const auto five_wrong_tries = [&] {
     for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(accounts.sign_in_with_pin("20267314", "000000")), StorageError::wrong_password);
   };
@@ -128,14 +133,7 @@ TEST_F(AccountsTest, what_another_process_does_while_a_secret_is_compared_holds_
 
 TEST_F(AccountsTest, the_longest_lock_holds_for_a_try_that_began_a_moment_before_it) {
   make_student(*store);
-  std::function<void()> meanwhile;  // after the account and the clock were read
-  StoreOptions options = quick(now);
-  options.clock = [&] {
-    const std::int64_t read = *now;
-    if (const auto act = std::exchange(meanwhile, {})) act();
-    return read;
-  };
-  const auto other = open(folder / "a.db", options);
+  const auto other = other_process();
   const auto wrong_try = [&] { EXPECT_EQ(code_of(accounts.sign_in_with_pin("20267314", "000000")), StorageError::wrong_password); };
   constexpr std::int64_t kLongest_us = 900'000'000, kToCompare_us = 100'000;
   for (const char* pin : {"314159", "271828"}) {
@@ -294,13 +292,7 @@ TEST_F(AccountsTest, a_wrong_old_password_counts_and_locks_as_at_sign_in) {
 TEST_F(AccountsTest, what_another_process_does_while_an_old_password_is_compared_holds_for_that_try) {
   const Actor admin = make_administrator(*store).actor();
   const Account student = make_student(*store);
-  std::function<void()> meanwhile;  // after the account was read
-  StoreOptions options = quick(now);
-  options.clock = [&] {
-    if (const auto act = std::exchange(meanwhile, {})) act();
-    return *now;
-  };
-  const auto other = open(folder / "a.db", options);
+  const auto other = other_process();
   const auto change = [&](const char* old) { return other->accounts.set_password(student.actor(), student.id, old, "new password"); };
   for (const char* old : {"battery staple", "wrong password"}) {
     meanwhile = [&] {

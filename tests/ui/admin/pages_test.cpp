@@ -6,6 +6,8 @@
 #include <QPushButton>
 #include <QTest>
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 #include "tests/modules.h"
 #include "tests/ui/admin/admin_pages.h"
@@ -225,46 +227,47 @@ TEST_F(AdminPages, a_taken_number_leaves_the_pin_as_it_was) {
   EXPECT_TRUE(records.store().accounts.sign_in_with_pin("1", "314159").has_value());
 }
 
-TEST_F(AdminPages, a_taken_number_leaves_the_role_and_the_password_as_they_were) {
-  const Account lena = records.student("1", "Lena Brandt");
-  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
-  PeoplePage page(records.store(), records.administrator().actor(), ports);
-  page.show();
-  for (const auto& [id, role, secret] : {std::tuple{lena.id, 1, "battery staple"}, {berg.id, 0, "271828"}}) {
-    page.table()->choose_row(page.model()->row_of(id));
-    choose_role(page, role);
-    field(page, "Number or user name")->setText(id == lena.id ? QStringLiteral("berg") : QStringLiteral("1"));
-    field(page, role == 0 ? "New PIN, six digits" : "New password, at least 8 characters")->setText(QString::fromLatin1(secret));
-    save(page, "Save changes");
-    EXPECT_TRUE(page.message().contains(QStringLiteral("Nothing was changed."))) << page.message().toStdString();
+/// A student and an instructor. Their form asks for the other role with its secret, and for a number or name that is refused.
+struct RefusedForm : AdminPages {
+  Account lena, berg;
+  void SetUp() override {
+    AdminPages::SetUp();
+    lena = records.student("1", "Lena Brandt");
+    berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
   }
-  EXPECT_EQ(records.store().accounts.find(lena.id)->role, Role::student);
-  EXPECT_FALSE(records.store().accounts.find(lena.id)->has_password);
-  EXPECT_EQ(records.store().accounts.find(berg.id)->role, Role::instructor);
-  EXPECT_TRUE(records.store().accounts.sign_in("berg", "correct horse").has_value());
+  /// `fill` types what is refused of that account.
+  void expect_both_as_they_were(const std::function<void(PeoplePage& page, const Account& account)>& fill) {
+    PeoplePage page(records.store(), records.administrator().actor(), ports);
+    page.show();
+    for (const auto& [account, role, secret] : {std::tuple{lena, 1, "battery staple"}, {berg, 0, "271828"}}) {
+      page.table()->choose_row(page.model()->row_of(account.id));
+      choose_role(page, role);
+      fill(page, account);
+      field(page, role == 0 ? "New PIN, six digits" : "New password, at least 8 characters")->setText(QString::fromLatin1(secret));
+      save(page, "Save changes");
+      EXPECT_TRUE(page.message().contains(QStringLiteral("Nothing was changed."))) << page.message().toStdString();
+    }
+    EXPECT_EQ(records.store().accounts.find(lena.id)->role, Role::student);
+    EXPECT_FALSE(records.store().accounts.find(lena.id)->has_password);
+    EXPECT_EQ(records.store().accounts.find(berg.id)->role, Role::instructor);
+    EXPECT_TRUE(records.store().accounts.sign_in("berg", "correct horse").has_value());
+  }
+};
+
+TEST_F(RefusedForm, of_a_taken_number_leaves_the_role_and_the_password_as_they_were) {
+  expect_both_as_they_were([this](PeoplePage& page, const Account& account) {
+    field(page, "Number or user name")->setText(account.id == lena.id ? QStringLiteral("berg") : QStringLiteral("1"));
+  });
 }
 
-TEST_F(AdminPages, a_number_or_name_that_is_too_long_leaves_the_role_and_the_password_as_they_were) {
-  const Account lena = records.student("1", "Lena Brandt");
-  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
-  PeoplePage page(records.store(), records.administrator().actor(), ports);
-  page.show();
-  for (const auto& [id, role, secret] : {std::tuple{lena.id, 1, "battery staple"}, {berg.id, 0, "271828"}}) {
-    page.table()->choose_row(page.model()->row_of(id));
-    choose_role(page, role);
-    if (id == lena.id) {
+TEST_F(RefusedForm, of_a_number_or_name_that_is_too_long_leaves_the_role_and_the_password_as_they_were) {
+  expect_both_as_they_were([this](PeoplePage& page, const Account& account) {
+    if (account.id == lena.id) {
       field(page, "Number or user name")->setText(QString(65, u'1'));
     } else {
       field(page, "Name")->setText(QString(201, u'n'));
     }
-    field(page, role == 0 ? "New PIN, six digits" : "New password, at least 8 characters")->setText(QString::fromLatin1(secret));
-    save(page, "Save changes");
-    EXPECT_TRUE(page.message().contains(QStringLiteral("Nothing was changed."))) << page.message().toStdString();
-  }
-  EXPECT_EQ(records.store().accounts.find(lena.id)->role, Role::student);
-  EXPECT_FALSE(records.store().accounts.find(lena.id)->has_password);
-  EXPECT_EQ(records.store().accounts.find(berg.id)->role, Role::instructor);
-  EXPECT_TRUE(records.store().accounts.sign_in("berg", "correct horse").has_value());
+  });
 }
 
 TEST_F(AdminPages, the_last_administrator_stays_one) {
