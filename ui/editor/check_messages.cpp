@@ -40,6 +40,7 @@ QString figure_name(const std::string& path) {
   if (path.starts_with("/instruments/")) return CheckText::tr("A measure of a bur");
   if (ends("/full_force_n")) return CheckText::tr("The push at which cutting is fastest");
   if (ends("/tool_tilt_deg")) return CheckText::tr("The tilt of the handpiece");
+  if (ends("/tool_turn_deg")) return CheckText::tr("The turn of the handpiece");
   if (ends("/width_mm")) return CheckText::tr("The target’s width");
   if (ends("/depth_mm") && path.starts_with("/target")) return CheckText::tr("The target’s depth");
   if (path.find("/taper_deg/") != std::string::npos) return CheckText::tr("The lean of a wall");
@@ -233,7 +234,7 @@ EditorPlace place_of(const Finding& f) {
   if (p.starts_with("/instruments")) return EditorPlace::burs;
   if (p.starts_with("/rubric") || p == "/self_assessment") return EditorPlace::points;
   const bool figure = p.ends_with("/stiffness_n_per_mm") || p.ends_with("/speed_mm_s") || f.code == "nothing_can_be_cut";
-  if (p.starts_with("/phenomena") || p == "/device/tool_tilt_deg" || (p.starts_with("/tissues") && figure)) return EditorPlace::tissues;
+  if (p.starts_with("/phenomena") || p.starts_with("/device/tool_") || (p.starts_with("/tissues") && figure)) return EditorPlace::tissues;
   if (p.starts_with("/specimen") || p.starts_with("/tissues") || p.starts_with("/protected")) return EditorPlace::tooth;
   return EditorPlace::shape;
 }

@@ -50,7 +50,7 @@ bool has_same_voxels(const SpecimenSource& a, SpecimenSource b) {
 /// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
   bool all = finite(s.target) && finite(s.specimen) && finite(s.specimen.landmarks) && std::isfinite(s.leeway.floor_mm) && std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.expected_time_s) &&
-             std::isfinite(s.rubric.pass);
+             std::isfinite(s.rubric.pass) && std::isfinite(s.tool_tilt_deg) && std::isfinite(s.tool_turn_deg);
   for (const Criterion& c : s.rubric.criteria) {
     const Bands& b = c.bands;
     for (const double v : {c.weight, b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi}) {
@@ -294,6 +294,10 @@ bool EditorModel::set_tissue_figures(std::size_t index, double stiffness_n_per_m
 
 bool EditorModel::set_tool_tilt_deg(double deg) {
   return edit(tr("Tilt of the handpiece"), u"tool_tilt"_qs, [&](Scenario& s) { s.tool_tilt_deg = deg; });
+}
+
+bool EditorModel::set_tool_turn_deg(double deg) {
+  return edit(tr("Turn of the handpiece"), u"tool_turn"_qs, [&](Scenario& s) { s.tool_turn_deg = deg; });
 }
 
 bool EditorModel::set_handpiece(const std::string& key) {

@@ -117,6 +117,7 @@ class EditorModel : public QObject {
   bool set_time_limit_s(double seconds);
   bool set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s);
   bool set_tool_tilt_deg(double deg);  // of the handpiece at rest, towards buccal
+  bool set_tool_turn_deg(double deg);  // how far the student may turn it from there; 0: not at all
   /// A key of kPhenomenonKeys, "" for none. Without a handpiece the exercise loses vibration and sound too.
   bool set_handpiece(const std::string& key);
   /// Any other phenomenon. Without heat, overheating fails no attempt.

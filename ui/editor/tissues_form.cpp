@@ -54,11 +54,15 @@ TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent),
   handpiece_->addItems({tr("Any: speed is not reckoned"), tr("Turbine"), tr("Electric"), tr("Slow")});
   handpiece_->setAccessibleName(tr("Handpiece"));
   column->addWidget(handpiece_);
-  const NumberRange& deg = *range_of("/device/tool_tilt_deg");
-  tilt_ = new NumberBox(model_, tr("Tilt of the handpiece"), u"deg"_qs, deg.least, deg.most, 1, 1,
+  const NumberRange &tilt = *range_of("/device/tool_tilt_deg"), &turn = *range_of("/device/tool_turn_deg");
+  tilt_ = new NumberBox(model_, tr("Tilt of the handpiece"), u"deg"_qs, tilt.least, tilt.most, 1, 1,
                         [this](double value) { return model_.set_tool_tilt_deg(value); });
   tilt_->setToolTip(tr("From vertical; above 0 the shank leans towards buccal"));
   add_row(column, tr("Tilt at rest"), tilt_);
+  turn_ = new NumberBox(model_, tr("Turn of the handpiece"), u"deg"_qs, turn.least, turn.most, 1, 1,
+                        [this](double value) { return model_.set_tool_turn_deg(value); });
+  turn_->setToolTip(tr("How far the student may turn the handpiece from its tilt at rest; 0: not at all"));
+  add_row(column, tr("Turn from there"), turn_);
   const auto box = [column, this](const QString& text, const char* key) {
     auto* out = new QCheckBox(text);
     column->addWidget(out);
@@ -140,6 +144,7 @@ void TissuesForm::follow_model() {
   const QSignalBlocker q1(handpiece_), q2(vibration_), q3(sound_), q4(heat_), q5(friction_);
   handpiece_->setCurrentIndex(handpiece);
   tilt_->show_value(s.tool_tilt_deg);
+  turn_->show_value(s.tool_turn_deg);
   vibration_->setChecked(has("vibration"));
   sound_->setChecked(has("sound"));
   heat_->setChecked(has("heat"));

@@ -1,4 +1,4 @@
-/// Stiffness and removal speed of each tissue with the source of the figure, and the handpiece with its tilt. Thread: GUI.
+/// Stiffness and removal speed of each tissue with the source of the figure, and the handpiece with its tilt and turn. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -35,7 +35,7 @@ class TissuesForm : public QWidget {
   std::vector<Row> rows_;
   std::vector<Tissue> built_;  // of rows_, in order
   QComboBox* handpiece_;
-  NumberBox* tilt_;
+  NumberBox *tilt_, *turn_;
   QCheckBox *vibration_, *sound_, *heat_, *friction_;
 };
 

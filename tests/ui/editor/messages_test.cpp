@@ -53,6 +53,8 @@ TEST(check_messages, a_number_out_of_range_has_a_name_and_a_unit_as_people_write
   EXPECT_FALSE(message.contains(QStringLiteral("deg;"))) << message.toStdString();
   const Finding tilt{Severity::error, "/device/tool_tilt_deg", "out_of_range", {{"value", 90}, {"least", -80}, {"most", 80}}, {}};
   EXPECT_TRUE(check_message(tilt).startsWith(QStringLiteral("The tilt of the handpiece is"))) << check_message(tilt).toStdString();
+  const Finding turn{Severity::error, "/device/tool_turn_deg", "out_of_range", {{"value", 90}, {"least", 0}, {"most", 60}}, {}};
+  EXPECT_TRUE(check_message(turn).startsWith(QStringLiteral("The turn of the handpiece is"))) << check_message(turn).toStdString();
 }
 
 TEST(check_messages, a_copy_keeps_the_text_of_its_template_and_a_new_version_its_own) {

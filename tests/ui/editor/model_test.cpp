@@ -87,6 +87,7 @@ const std::vector<Edit>& every_edit() {
       {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
       {"tissue", [](EditorModel& m) { return m.set_tissue_figures(0, 2.5, 0.6); }},
       {"tilt", [](EditorModel& m) { return m.set_tool_tilt_deg(15); }},
+      {"turn", [](EditorModel& m) { return m.set_tool_turn_deg(25); }},
       {"handpiece", [](EditorModel& m) { return m.set_handpiece("spindle-electric"); }},
       {"coolant", [](EditorModel& m) { return m.set_phenomenon("heat", EditorModel::Listed::yes); }},
   };
@@ -161,8 +162,10 @@ TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing)
   for (const double bad : {nan, inf, -1.0, 101.0}) {
     EXPECT_FALSE(model.set_pass(bad)) << bad;
     EXPECT_FALSE(model.set_leeway(bad, 0.3)) << bad;
+    EXPECT_FALSE(model.set_tool_turn_deg(bad)) << bad;
   }
   EXPECT_FALSE(model.set_top_mm(nan));
+  EXPECT_FALSE(model.set_tool_tilt_deg(nan));
   EXPECT_FALSE(model.set_weight(0, -1));
   EXPECT_FALSE(model.set_weight(99, 1));
   EXPECT_FALSE(model.set_point_mm(0, 0, nan, 0));

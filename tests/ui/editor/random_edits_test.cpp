@@ -150,6 +150,8 @@ constexpr Edit kEdits[] = {
     [](EditorModel& m, Dice& d) { return m.set_bur_radius_mm(d.below(6), d.mm()); },
     [](EditorModel& m, Dice& d) { return m.set_time_limit_s(100 * d.mm()); },
     [](EditorModel& m, Dice& d) { return m.set_tissue_figures(d.below(6), d.mm(), d.mm()); },
+    [](EditorModel& m, Dice& d) { return m.set_tool_tilt_deg(20 * d.mm()); },
+    [](EditorModel& m, Dice& d) { return m.set_tool_turn_deg(20 * d.mm()); },
     [](EditorModel& m, Dice& d) { return m.set_handpiece(d.one_of(std::array{"", "spindle-turbine", "spindle-slow", "drill"})); },
     [](EditorModel& m, Dice& d) { return m.set_phenomenon(std::string(d.one_of(kPhenomenonKeys)), EditorModel::listed(d.in(2))); },
     [](EditorModel& m, Dice& d) { return m.set_title(d.one_of(std::array{"en", "de", "ar"}), d.text()); },

@@ -1,7 +1,8 @@
-// The tilt of the handpiece: its field, its range, undo, and where its messages lead.
+// Tilt and turn of the handpiece: their fields, ranges, undo, and where their messages lead.
 
 #include <gtest/gtest.h>
 
+#include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
@@ -39,6 +40,31 @@ TEST(TissuesForm, the_handpiece_tilts_as_far_as_the_format_allows) {
   EXPECT_FALSE(model.set_tool_tilt_deg(81));
   EXPECT_EQ(model.scenario().tool_tilt_deg, -80);
   EXPECT_EQ(place_of({Severity::error, "/device/tool_tilt_deg", "out_of_range", {{"value", 90}, {"least", -80}, {"most", 80}}, {}}),
+            EditorPlace::tissues);
+}
+
+TEST_F(EditorPages, the_turn_that_is_typed_stands_in_the_draft_and_undo_takes_it_back) {
+  const EditorStart start = coarse();
+  EditorModel model(start);
+  TissuesForm form(model);
+  auto* turn = named<NumberField>(form, "Turn of the handpiece");
+  ASSERT_NE(turn, nullptr);
+  EXPECT_EQ(turn->minimum(), 0);
+  EXPECT_EQ(turn->maximum(), 60);
+  EXPECT_EQ(turn->suffix(), QStringLiteral("\u00A0°"));
+  turn->selectAll();
+  QTest::keyClicks(turn, QStringLiteral("25"));
+  QTest::keyClick(turn, Qt::Key_Return);
+  EXPECT_EQ(model.scenario().tool_turn_deg, 25);
+  std::optional<std::string> json;
+  ASSERT_TRUE(keep_draft(records.store(), instructor.actor(), model, json).has_value() && json);
+  EXPECT_EQ(read_scenario(*json)->tool_turn_deg, 25);
+  const QStringList changes = change_messages(start.draft, model.scenario());
+  EXPECT_TRUE(changes.size() == 1 && changes.front().startsWith(QStringLiteral("Turn of the handpiece: "))) << changes.join(u'|').toStdString();
+  model.stack().undo();
+  EXPECT_EQ(turn->value(), 0);
+  EXPECT_EQ(model.scenario().tool_turn_deg, 0);
+  EXPECT_EQ(place_of({Severity::error, "/device/tool_turn_deg", "out_of_range", {{"value", 90}, {"least", 0}, {"most", 60}}, {}}),
             EditorPlace::tissues);
 }
 
