@@ -24,11 +24,11 @@ constexpr std::size_t kUploadBytes = 1u << 20;
 constexpr int kTriesAfterLoss = 10, kMostLosses = 3;
 constexpr std::chrono::milliseconds kPauseAfterLoss{100};
 
-QSurfaceFormat wanted_format() {
+QSurfaceFormat wanted_format(PaintContext::Resets resets) {
   QSurfaceFormat format;
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setOption(QSurfaceFormat::ResetNotification);
+  format.setOption(QSurfaceFormat::ResetNotification, resets == PaintContext::Resets::reported);
   return format;
 }
 
@@ -36,14 +36,14 @@ QSurfaceFormat wanted_format() {
 class PlatformContext : public PaintContext {
  public:
   PlatformContext() {
-    surface_.setFormat(wanted_format());
+    surface_.setFormat(wanted_format(Resets::reported));
     surface_.create();
   }
   bool valid() const { return surface_.isValid(); }
 
-  bool make() override {
+  bool make(Resets resets) override {
     context_ = std::make_unique<QOpenGLContext>();
-    context_->setFormat(wanted_format());
+    context_->setFormat(wanted_format(resets));
     if (!context_->create() || !context_->makeCurrent(&surface_)) return false;
     watch_.emplace();
     return true;
@@ -159,8 +159,10 @@ std::optional<FrameOrder> ViewPainter::next_order() {
 bool ViewPainter::make_context() {
   for (int i = 0; i < (losses_ == 0 ? 1 : kTriesAfterLoss); ++i) {
     if (i > 0) std::this_thread::sleep_for(kPauseAfterLoss);
-    if (context_->make()) return true;
-    context_->end();
+    for (const auto resets : {PaintContext::Resets::reported, PaintContext::Resets::unreported}) {
+      if (context_->make(resets)) return true;
+      context_->end();
+    }
   }
   return false;
 }
