@@ -16,6 +16,7 @@
 #include <QSpinBox>
 #include <QStyleOptionButton>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -234,6 +235,27 @@ TEST(Look, the_wheel_scrolls_a_page_whatever_field_has_the_focus_and_the_keys_ch
   EXPECT_EQ(number->value(), 49);
   EXPECT_EQ(choice->currentIndex(), 1);
   EXPECT_EQ(slider->value(), 49);
+}
+
+TEST(Look, no_tab_moves_when_another_is_chosen_or_has_the_focus) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  QTabWidget tabs;
+  tabs.setDocumentMode(true);
+  for (const char* name : {"Shape", "Points", "Burs", "Tissues"}) tabs.addTab(new QWidget, name);
+  tabs.show();
+  const QTabBar& bar = *tabs.tabBar();
+  const auto places = [&bar] {
+    std::vector<QRect> out{bar.geometry()};
+    for (int i = 0; i < bar.count(); ++i) out.push_back(bar.tabRect(i));
+    return out;
+  };
+  const std::vector<QRect> at_first = places();
+  for (int i = 0; i < bar.count(); ++i) {
+    tabs.setCurrentIndex(i);
+    tabs.tabBar()->setFocus();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(places(), at_first) << bar.tabText(i).toStdString();
+  }
 }
 
 TEST(Look, the_wheel_changes_a_number_a_choice_or_a_slider_only_where_it_has_the_focus) {
