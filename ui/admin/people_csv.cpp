@@ -9,6 +9,7 @@
 #include <set>
 
 #include "storage/repositories/cohorts.h"
+#include "ui/widgets/format.h"
 
 namespace cusp::ui {
 namespace {
@@ -126,9 +127,6 @@ QString whole_name(const QString& first, const QString& surname, const QString& 
   return first.isEmpty() || holds_first ? name : (first + u' ' + name).trimmed();
 }
 
-/// A zero-width or direction mark, or a control character.
-bool is_unseen(QChar c) { return c.category() == QChar::Other_Format || c.category() == QChar::Other_Control; }
-
 ListedStudent student_of(const std::vector<QString>& row, const std::array<int, kHeads>& columns) {
   const auto cell = [&](Head head) {
     const int i = columns[head];
@@ -154,14 +152,6 @@ ListedStudent::Problem problem_of(const ListedStudent& student) {
 }
 
 }  // namespace
-
-QString without_marks(QString typed) { return typed.removeIf(is_unseen).trimmed(); }
-
-QString without_marks_but_joiners(QString text) {
-  for (QChar& c : text)
-    if (c.isSpace()) c = u' ';
-  return text.removeIf([](QChar c) { return is_unseen(c) && c != QChar(0x200C) && c != QChar(0x200D); }).simplified();
-}
 
 Result<CsvTable, CsvFailure> read_csv(const QString& text) { return CsvReader(text).read(); }
 

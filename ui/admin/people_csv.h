@@ -45,11 +45,6 @@ enum class ListError : std::uint8_t {
 };
 using ListFailure = Failure<ListError>;
 
-/// A number or PIN without the marks that nobody sees: nobody types one when signing in.
-QString without_marks(QString typed);
-/// A name likewise, but with the joiners of Persian and Indian spelling; a line's end or a tab parts two words.
-QString without_marks_but_joiners(QString text);
-
 /// Columns by their heads, English or German: number, name (or first name and surname), PIN, cohort. Others are left out.
 /// A name beside a first name is the surname unless it holds the first name too. Marks that nobody sees are left out of each cell.
 Result<std::vector<ListedStudent>, ListFailure> read_student_list(const QByteArray& file, const std::vector<Account>& accounts);

@@ -12,11 +12,11 @@
 
 #include "ui/admin/account_change.h"
 #include "ui/admin/departed_card.h"
-#include "ui/admin/people_csv.h"
 #include "ui/admin/people_model.h"
 #include "ui/session/records_task.h"
 #include "ui/widgets/choice.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/head_row.h"
 #include "ui/widgets/parts.h"
 #include "ui/text/failure_text.h"

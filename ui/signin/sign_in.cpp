@@ -11,6 +11,7 @@
 
 #include "ui/session/records_task.h"
 #include "ui/signin/pin_field.h"
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -172,7 +173,9 @@ void SignIn::ask_records(Question question, Answer answer) {
 
 void SignIn::create_administrator() {
   if (waiting()) return;
-  if (name_->text().trimmed().isEmpty() || staff_number_->text().trimmed().isEmpty()) {
+  name_->setText(without_marks_but_joiners(name_->text()));
+  staff_number_->setText(without_marks(staff_number_->text()));
+  if (name_->text().isEmpty() || staff_number_->text().isEmpty()) {
     refuse({tr("Name and user name are needed."), {}});
     return;
   }
@@ -184,12 +187,12 @@ void SignIn::create_administrator() {
     return;
   }
   NewAccount fresh;
-  fresh.number = staff_number_->text().trimmed().toStdString();
-  fresh.name = name_->text().trimmed().toStdString();
+  fresh.number = staff_number_->text().toStdString();
+  fresh.name = name_->text().toStdString();
   fresh.role = Role::administrator;
   fresh.password = password_->text().toStdString();
   ask_records([fresh](Accounts& accounts) { return accounts.create_first_administrator(fresh); },
-              [this, number = staff_number_->text().trimmed()](const Stored<Account>& account) {
+              [this, number = staff_number_->text()](const Stored<Account>& account) {
                 if (!account && account.error().code == StorageError::not_allowed) return Q_EMIT administrator_there();
                 if (!account) return refuse(describe_account(account.error(), number, Secret::password));
                 Q_EMIT signed_in(*account);

@@ -32,6 +32,9 @@ int decimals_of(const Measured& m) {
   return std::min(decimals_from(*m.uncertainty), 2);
 }
 
+/// A zero-width or direction mark, or a control character.
+bool is_unseen(QChar c) { return c.category() == QChar::Other_Format || c.category() == QChar::Other_Control; }
+
 QString time_after_day(const QDateTime& when, const QLocale& locale) {
   return QStringLiteral(", ") + locale.toString(when.toLocalTime(), QStringLiteral("HH:mm"));
 }
@@ -50,6 +53,14 @@ QLocale installed_locale() {
 }
 
 QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
+
+QString without_marks(QString typed) { return typed.removeIf(is_unseen).trimmed(); }
+
+QString without_marks_but_joiners(QString text) {
+  for (QChar& c : text)
+    if (c.isSpace()) c = u' ';
+  return text.removeIf([](QChar c) { return is_unseen(c) && c != QChar(0x200C) && c != QChar(0x200D); }).simplified();
+}
 
 QString as_file_name(QString text) {
   static const QRegularExpression kSigns(QStringLiteral("[/\\\\:*?\"<>|\\x{0}-\\x{1f}]"));

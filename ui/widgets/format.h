@@ -54,6 +54,10 @@ QString tool_tip_text(const QString& text);
 QString short_tool_tip(const QString& text);
 /// A name that holds `text` without what a path or the file system of a stick reads in another way.
 QString as_file_name(QString text);
+/// A number or PIN without the marks that nobody sees, and without blanks around it: nobody types one when signing in.
+QString without_marks(QString typed);
+/// A name likewise, but with the joiners of Persian and Indian spelling; a line's end or a tab parts two words.
+QString without_marks_but_joiners(QString text);
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);
 

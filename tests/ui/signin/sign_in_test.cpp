@@ -186,6 +186,26 @@ TEST_F(SignInTest, the_first_start_makes_the_administrator) {
   EXPECT_TRUE(*records.store().accounts.has_administrator());
 }
 
+TEST_F(SignInTest, the_first_administrator_has_no_mark_that_nobody_sees_in_name_and_user_name) {
+  open();
+  field(*page, "Your name")->setText(QStringLiteral(" \u202EAnna\u202C\u0007\tWeber\u200B "));
+  field(*page, "User name")->setText(QStringLiteral("\u200Eanna\u200B"));
+  field(*page, "Password, at least 8 characters")->setText(QStringLiteral("correct horse"));
+  field(*page, "Password again")->setText(QStringLiteral("correct horse"));
+  answer_press("Make the administrator");
+  ASSERT_TRUE(who.has_value());
+  EXPECT_EQ(who->name, "Anna Weber");
+  EXPECT_TRUE(records.store().accounts.sign_in("anna", "correct horse").has_value());
+}
+
+TEST_F(SignInTest, the_first_start_asks_for_a_name_where_it_has_marks_alone) {
+  open();
+  field(*page, "Your name")->setText(QStringLiteral("\u200B \u200E"));
+  field(*page, "User name")->setText(QStringLiteral("anna"));
+  button(*page, "Make the administrator")->click();
+  EXPECT_EQ(page->message().toStdString(), "Name and user name are needed.");
+}
+
 TEST_F(SignInTest, the_records_are_asked_once_however_often_the_button_is_pressed) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
