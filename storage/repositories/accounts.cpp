@@ -15,6 +15,9 @@ namespace {
 constexpr const char* kAccountColumns =
     "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at FROM people ";
 
+/// Of a row that is an account: a guest's and an erased person's stand for their attempts alone.
+const std::string kIsAccount = "guest = 0 AND number NOT LIKE 'erased ________-____-%'";
+
 Account account_of(Row row) {
   Account a;
   a.id = row.id<UserId>(0);
@@ -186,7 +189,7 @@ Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string
   if (name.empty() || name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
-  transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
+  transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND " + kIsAccount, user, number, name);
   require_one_change(c_, transaction);
   log_account(c_, transaction, actor.id, "account_renamed", user);
   return naming_number(commit_sealed(c_, transaction), number);
@@ -197,7 +200,7 @@ Stored<void> Accounts::set_role(const Actor& actor, UserId user, Role role) {
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
   const auto has_password = transaction.first(
-      "SELECT password <> '' FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.flag(0); }, user);
+      "SELECT password <> '' FROM people WHERE id = ?1 AND " + kIsAccount, [](Row row) { return row.flag(0); }, user);
   if (!has_password) transaction.refuse({StorageError::not_found, "people"});
   if (role != Role::student && has_password && !*has_password) {
     transaction.refuse({StorageError::weak_password, "password"});  // staff need one
@@ -216,7 +219,7 @@ Stored<void> Accounts::set_status(const Actor& actor, UserId user, Status status
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
-  transaction.run("UPDATE people SET disabled = ?2 WHERE id = ?1 AND guest = 0", user, disabled);
+  transaction.run("UPDATE people SET disabled = ?2 WHERE id = ?1 AND " + kIsAccount, user, disabled);
   require_one_change(c_, transaction);
   keep_an_administrator(transaction);
   log_account(c_, transaction, actor.id, disabled ? "account_disabled" : "account_enabled", user);
@@ -254,7 +257,7 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
   if (actor.id != user) {
     if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
   }
-  const auto there = c_.db.first("SELECT 1 FROM people WHERE id = ?1 AND guest = 0", [](Row) { return true; }, user);
+  const auto there = c_.db.first("SELECT 1 FROM people WHERE id = ?1 AND " + kIsAccount, [](Row) { return true; }, user);
   if (!there) return std::unexpected(there.error());
   if (!*there) return fail(StorageError::not_found, "people");
   std::optional<std::string> compared;
@@ -268,8 +271,9 @@ Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string
   if (compared) {
     if (auto barred = barred_since(transaction, user, *compared, c_.clock())) return std::unexpected(std::move(*barred));
   }
-  transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1", user,
+  transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND " + kIsAccount, user,
                   secret(transaction, fresh, c_.cost));
+  require_one_change(c_, transaction);
   log_account(c_, transaction, actor.id, "password_changed", user);
   return commit_sealed(c_, transaction);
 }
@@ -280,7 +284,7 @@ Stored<void> Accounts::set_pin(const Actor& actor, UserId user, std::string_view
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run(
-      "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND guest = 0",
+      "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND " + kIsAccount,
       user, secret(transaction, pin, c_.cost));
   require_one_change(c_, transaction);
   log_account(c_, transaction, actor.id, "pin_changed", user);
@@ -372,7 +376,7 @@ Stored<std::vector<Account>> Accounts::list(const Actor& actor) {
   if (!may(actor.role, Action::manage_accounts) && !may(actor.role, Action::manage_cohorts)) {
     if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
   }
-  return c_.db.all(std::string(kAccountColumns) + "WHERE guest = 0 AND number NOT LIKE 'erased ________-____-%' ORDER BY name, number", account_of);
+  return c_.db.all(kAccountColumns + ("WHERE " + kIsAccount) + " ORDER BY name, number", account_of);
 }
 
 }  // namespace cusp::storage

@@ -248,6 +248,23 @@ TEST_F(AccountsTest, who_was_switched_off_or_lost_the_role_at_another_window_wri
   must(store->statements.comment(instructor, session, "In time."));
 }
 
+TEST_F(AccountsTest, who_was_erased_at_another_window_gets_nothing_back_from_a_list_that_is_older) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account lena = make_student(*store);
+  const auto other = open(folder / "a.db", quick(now));
+  must(other->accounts.erase(admin, lena.id));
+  EXPECT_EQ(code_of(accounts.rename(admin, lena.id, lena.number, lena.name)), StorageError::not_found);
+  EXPECT_EQ(code_of(accounts.set_pin(admin, lena.id, "314159")), StorageError::not_found);
+  EXPECT_EQ(code_of(accounts.set_password(admin, lena.id, "", "battery staple")), StorageError::not_found);
+  EXPECT_EQ(code_of(accounts.set_role(admin, lena.id, Role::student)), StorageError::not_found);
+  EXPECT_EQ(code_of(accounts.enable(admin, lena.id)), StorageError::not_found);
+  const Account left = must(accounts.find(lena.id));
+  EXPECT_EQ(left.number, erased_number(lena.id));
+  EXPECT_EQ(left.name, "–");
+  EXPECT_TRUE(left.disabled);
+  EXPECT_FALSE(left.has_pin || left.has_password);
+}
+
 TEST_F(AccountsTest, only_an_administrator_manages_accounts) {
   const Actor student = make_student(*store).actor();
   const Actor instructor = make_instructor(*store).actor();
