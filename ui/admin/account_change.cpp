@@ -31,7 +31,11 @@ Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountC
   };
   const Step name = [&]() -> Stored<void> {
     if (change.name == before.name && change.number == before.number) return {};
-    return accounts.rename(actor, before.id, change.number, change.name);
+    // Another desk may have changed the one that this form leaves.
+    const auto now = accounts.find(before.id);
+    if (!now) return std::unexpected(now.error());
+    return accounts.rename(actor, before.id, change.number == before.number ? now->number : change.number,
+                           change.name == before.name ? now->name : change.name);
   };
   // Staff need a password before the role. Only a student has a PIN.
   const bool joins_staff = !student && change.role != before.role;

@@ -213,9 +213,10 @@ void PeoplePage::read() {
   if (edited_) table_->choose_row(model_->row_of(edited_->id));  // a search may hide it
 }
 
-bool PeoplePage::show_if_failed(const Stored<void>& done) {
+bool PeoplePage::show_if_failed(const Stored<void>& done, const Account& account) {
   if (done) return false;
-  const Message message = describe_account(done.error(), number_->text().trimmed(), role_->currentIndex() == static_cast<int>(Role::student) ? Secret::pin : Secret::password);
+  const Message message = describe_account(done.error(), QString::fromStdString(account.number), account.role == Role::student ? Secret::pin : Secret::password);
+  read();
   band_->show_message(Band::Kind::bad, message.what, message.more);
   return true;
 }
@@ -250,7 +251,7 @@ void PeoplePage::show_saved(const AccountChange& change, const Stored<void>& don
   wait_->finish();
   if (!done) {
     const Message message = describe_account(done.error(), QString::fromStdString(change.number), change.role == Role::student ? Secret::pin : Secret::password);
-    if (change.before && change.role != change.before->role) read();  // the role may be written, the name refused
+    if (change.before) read();  // the role may be written, the name refused; another desk may have erased the person
     fit_save();
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
@@ -285,7 +286,7 @@ void PeoplePage::switch_account() {
   const bool off = !account.disabled;
   const QString name = QString::fromStdString(account.name);
   const auto act = [this, account, off, name] {
-    if (show_if_failed(off ? store_.accounts.disable(actor_, account.id) : store_.accounts.enable(actor_, account.id))) return;
+    if (show_if_failed(off ? store_.accounts.disable(actor_, account.id) : store_.accounts.enable(actor_, account.id), account)) return;
     read();
     band_->show_message(off ? Band::Kind::look : Band::Kind::good,
                         off ? tr("%1 can no longer sign in.").arg(name) : tr("%1 can sign in again.").arg(name),
@@ -312,7 +313,7 @@ void PeoplePage::erase_person() {
                        "It cannot be undone; backups made before still hold the name."),
                     tr("Erase"), true},
              [this, account](bool yes) {
-               if (!yes || show_if_failed(store_.accounts.erase(actor_, account.id))) return;
+               if (!yes || show_if_failed(store_.accounts.erase(actor_, account.id), account)) return;
                read();
                begin_new();
                band_->show_message(Band::Kind::good, tr("The person is erased."), tr("The attempts stay under a pseudonym."));

@@ -56,7 +56,8 @@ class PeoplePage : public QWidget {
   bool changed() const;
   void switch_account();
   void erase_person();
-  bool show_if_failed(const Stored<void>& done);
+  /// Of an act on `account`: shows the list and the account as they stand now, and why it failed.
+  bool show_if_failed(const Stored<void>& done, const Account& account);
 
   Store& store_;
   Actor actor_;

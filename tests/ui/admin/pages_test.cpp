@@ -135,6 +135,38 @@ TEST_F(AdminPages, a_pin_that_is_typed_does_not_take_back_what_another_desk_chan
   EXPECT_TRUE(records.store().accounts.find(lena.id)->has_pin);
 }
 
+TEST_F(AdminPages, a_changed_name_leaves_the_number_that_another_desk_has_changed) {
+  const Account lena = records.student("1", "Lena Brandt");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  ASSERT_TRUE(records.store().accounts.rename(records.administrator().actor(), lena.id, "2", "Lena Brandt"));
+  field(page, "Name")->setText(QStringLiteral("Lena Weber"));
+  save(page, "Save changes");
+  EXPECT_EQ(records.store().accounts.find(lena.id)->name, "Lena Weber");
+  EXPECT_EQ(records.store().accounts.find(lena.id)->number, "2");
+  EXPECT_EQ(field(page, "Number or user name")->text(), QStringLiteral("2"));
+}
+
+TEST_F(AdminPages, a_person_who_was_erased_at_another_desk_leaves_the_list_with_the_next_act) {
+  const Account lena = records.student("1", "Lena Brandt"), omar = records.student("2", "Omar Said");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  for (const Account& gone : {lena, omar}) {
+    page.table()->choose_row(page.model()->row_of(gone.id));
+    ASSERT_TRUE(records.store().accounts.erase(records.administrator().actor(), gone.id));
+    if (gone.id == lena.id) {
+      field(page, "Name")->setText(QStringLiteral("Lena Weber"));
+      save(page, "Save changes");
+    } else {
+      press(page, "Switch account off");
+    }
+    EXPECT_EQ(plain_text(page.message()).find("There is no account " + gone.number + "."), 0u) << page.message().toStdString();
+    EXPECT_EQ(page.model()->row_of(gone.id), -1);
+    EXPECT_EQ(records.store().accounts.find(gone.id)->name, "–");
+  }
+}
+
 TEST_F(AdminPages, a_person_whom_a_search_hides_is_shown_as_the_records_have_them) {
   const Account lena = records.student("1", "Lena Brandt");
   records.student("2", "Omar Said");
