@@ -35,6 +35,7 @@ struct ListedStudent {
   int line = 0;
   QString number, name, pin, cohort;  // pin and cohort may be empty
   State state = State::fresh;
+  bool made = false;  // the account, by this import
   Problem problem = Problem::none;
 };
 

@@ -180,8 +180,10 @@ void PeopleImport::end(const PeopleImportEnd& end) {
   // A second start makes what is left: lines that were done are known now. A line that was left out may repeat the number of another.
   std::vector<ListedStudent> lines = model_->students();
   for (ListedStudent& line : lines)
-    if (line.state == State::fresh && std::ranges::any_of(slips_, [&](const PinSlip& slip) { return slip.number == line.number; }))
+    if (line.state == State::fresh && std::ranges::any_of(slips_, [&](const PinSlip& slip) { return slip.number == line.number; })) {
       line.state = State::known;
+      line.made = true;
+    }
   model_->set_students(std::move(lines));
   fit_buttons();
   const QString what = !end.failure ? (stopped ? tr("Stopped.") : tr("The list is imported."))

@@ -63,7 +63,9 @@ QVariant StudentListModel::data(const QModelIndex& index, int role) const {
     case kState: return state_text(s);
     case kName: return s.name;
     case kNumber: return s.number;
-    case kPin: return s.state == State::bad ? QString() : s.pin.isEmpty() ? tr("made here") : tr("from the file");
+    case kPin:
+      if (s.state != State::fresh && !s.made) return {};  // an account that stands keeps its PIN
+      return s.pin.isEmpty() ? tr("made here") : tr("from the file");
     case kCohort: return s.cohort;
     default: return {};
   }

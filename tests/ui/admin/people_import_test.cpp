@@ -163,10 +163,15 @@ TEST_F(Import, makes_accounts_with_pins_cohorts_and_slips) {
   PeopleImport page(records.store(), records.administrator().actor(), ports);
   page.choose_file();
   ASSERT_EQ(page.model().count(State::fresh), 2) << page.message().toStdString();
+  const auto pin = [&page](int line) { return page.model().index(line, StudentListModel::kPin).data().toString().toStdString(); };
+  EXPECT_EQ(pin(0), "") << "an account that stands keeps its own";
   page.start();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !page.working(); }, 60'000));
   ASSERT_EQ(page.slips().size(), 2u) << page.message().toStdString();
   EXPECT_EQ(page.slips()[0].pin, QStringLiteral("222222"));
+  EXPECT_EQ(pin(0), "");
+  EXPECT_EQ(pin(1), "from the file");
+  EXPECT_EQ(pin(2), "made here");
   for (const PinSlip& slip : page.slips())
     EXPECT_TRUE(records.store().accounts.sign_in_with_pin(slip.number.toStdString(), slip.pin.toStdString())) << slip.number.toStdString();
   const auto cohorts = records.store().cohorts.list();
