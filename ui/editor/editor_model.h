@@ -130,7 +130,7 @@ class EditorModel : public QObject {
   void set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm = {},
                  std::shared_ptr<const Specimen> specimen = nullptr);
   /// Takes what check_attempts() (scenarios/checks) found of this exercise before publishing: an untouched specimen and two token cuts
-  /// are graded. False if one of them earns points or passes; findings() contains it until the next edit.
+  /// are graded. False if one of them earns points or passes. findings() contains what was found until the next edit.
   bool prove(std::vector<Finding> of_attempts);
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
   /// Of the facts; null until it is grown.

@@ -59,10 +59,11 @@ void EditorModel::add(std::vector<Finding> findings) {
 }
 
 bool EditorModel::prove(std::vector<Finding> of_attempts) {
+  const bool found = !of_attempts.empty();
+  check();  // what the check before found goes
   add(std::move(of_attempts));
-  const bool holds = !has_error(findings_);
-  if (!holds) Q_EMIT changed();
-  return holds;
+  if (found) Q_EMIT changed();
+  return !has_error(findings_);
 }
 
 void EditorModel::check_pulp() {

@@ -149,6 +149,18 @@ TEST(editor_model, a_number_turned_back_to_where_it_was_leaves_no_step) {
   EXPECT_TRUE(model.unchanged());
 }
 
+TEST(editor_model, a_warning_of_the_check_before_publishing_is_shown_and_stands_once) {
+  EditorModel model(class_one());
+  const std::size_t before = model.findings().size();
+  int shown = 0;
+  QObject::connect(&model, &EditorModel::changed, &model, [&shown] { ++shown; });
+  const Finding warning{Severity::warning, "/rubric/criteria", "token_earns", {{"value", 31}, {"limit", 5}}, {}};
+  EXPECT_TRUE(model.prove({warning}));
+  EXPECT_EQ(shown, 1);
+  EXPECT_TRUE(model.prove({warning})) << "as after Cancel";
+  EXPECT_EQ(model.findings().size(), before + 1);
+}
+
 TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing) {
   EditorModel model(class_one());
   const Scenario before = model.scenario();
