@@ -161,7 +161,9 @@ void AuditPage::use_leanest() {
 
 void AuditPage::follow_model() {
   measure_->setEnabled(!job_->running());
-  const bool same = report_ && model_.scenario() == measured_;
+  Scenario now = model_.scenario();
+  now.version = measured_.version;  // publishing changes nothing else
+  const bool same = report_ && now == measured_;
   use_->setEnabled(same && report_->changed());
   if (!report_) return list_choices();
   const int attempts = static_cast<int>(report_->operators.size());

@@ -119,6 +119,19 @@ TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
   EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
 }
 
+TEST(AuditPage, what_was_measured_can_be_used_once_it_is_published) {
+  EditorModel model(draft());
+  AuditPage page(model, at_once);
+  page.show();
+  button(page, "Measure")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page.report() != nullptr; }, kAnswersWithinMs));
+  model.now_published(model.scenario());
+  EXPECT_FALSE(texts(page).contains(QStringLiteral("changed since")));
+  ASSERT_TRUE(button(page, "Use the leanest")->isEnabled());
+  button(page, "Use the leanest")->click();
+  EXPECT_EQ(model.scenario().phenomena, std::vector<std::string>{"heat"});
+}
+
 TEST(AuditText, names_why_half_the_voxels_do_not_hold) {
   AuditReport report;
   report.scenario = report.leanest = draft().draft;
