@@ -34,9 +34,11 @@ bool is_spoken(const QString& code) {
 LocalText title_of_copy(const LocalText& title) {
   LocalText out;
   for (const auto& [language, text] : title) {
-    const QString name = QString::fromStdString(text);
     // Content of the exercise, which is not translated by tr().
-    out[language] = (language == "de" ? u"%1 (Kopie)"_qs : u"%1 (copy)"_qs).arg(name).toStdString();
+    const QString end = language == "de" ? u" (Kopie)"_qs : u" (copy)"_qs;
+    const auto most = static_cast<qsizetype>(kMostTextCharacters) - end.size();
+    const std::u32string name = QString::fromStdString(text).toStdU32String();
+    out[language] = (QString::fromStdU32String(name.substr(0, static_cast<std::size_t>(most))) + end).toStdString();
   }
   return out;
 }

@@ -46,7 +46,7 @@ class TextsForm : public QWidget {
   NumberBox* expected_ = nullptr;  // minutes
 };
 
-/// "Fissure (copy)", in each language of the title.
+/// "Fissure (copy)", in each language of the title; no longer than an exercise can hold.
 LocalText title_of_copy(const LocalText& title);
 
 /// Shows the text of a language. Spaces at the end of the typed text stay.

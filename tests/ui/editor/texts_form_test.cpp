@@ -11,12 +11,25 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "scenarios/format/ranges.h"
+#include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "ui/text/language.h"
 
 namespace cusp::test {
 namespace {
+
+TEST(title_of_copy, is_one_that_an_exercise_can_hold) {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  const QString longest(static_cast<int>(kMostTextCharacters), u'ä');
+  start.draft.title = title_of_copy({{"en", longest.toStdString()}, {"de", "Rinne"}});
+  EXPECT_TRUE(read_scenario(canonical_json(start.draft)).has_value());
+  EXPECT_TRUE(QString::fromStdString(start.draft.title.at("en")).endsWith(QStringLiteral("ä (copy)")));
+  EXPECT_EQ(start.draft.title.at("de"), "Rinne (Kopie)");
+}
 
 struct TextsInLanguages : ::testing::Test {
   EditorStart start;
