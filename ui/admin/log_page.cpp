@@ -120,23 +120,30 @@ QWidget* LogPage::make_table() {
   return card;
 }
 
-/// The people of the filter, and the names of what entries concern.
+/// The people of the filter.
 void LogPage::fill_people() {
   person_->addItem(tr("All people"));
   person_->addItem(u"Cusp"_qs, QString::fromStdString(UserId{}.text()));
+  std::vector<Account> people = read_names();
+  std::ranges::sort(people, stands_before, &Account::name);
+  for (const Account& account : people) person_->addItem(QString::fromStdString(account.name), QString::fromStdString(account.id.text()));
+}
+
+/// Another window may have added or erased a person since.
+std::vector<Account> LogPage::read_names() {
   auto people = store_.accounts.list(actor_);
-  if (!people) return show_failure(people.error());
-  std::ranges::sort(*people, stands_before, &Account::name);
-  for (const Account& account : *people) {
-    const QString name = QString::fromStdString(account.name);
-    names_[account.id.uuid] = name;
-    person_->addItem(name, QString::fromStdString(account.id.text()));
+  if (!people) {
+    show_failure(people.error());
+    return {};
   }
+  names_.clear();
+  for (const Account& account : *people) names_[account.id.uuid] = QString::fromStdString(account.name);
   if (const auto cohorts = store_.cohorts.list()) {
     for (const Cohort& cohort : *cohorts) names_[cohort.id.uuid] = QString::fromStdString(cohort.name);
   }
   names_[store_.context().station] = tr("this station");
   model_->set_names(names_);
+  return std::move(*people);
 }
 
 QString LogPage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
@@ -166,6 +173,7 @@ std::optional<std::vector<AuditEntry>> LogPage::page(const AuditFilter& filter, 
 
 void LogPage::read() {
   days_->setVisible(period_->currentData() == kBetweenDays);
+  read_names();
   model_->begin([this, shown = filter()](std::int64_t before_number) { return page(shown, kEntriesAtOnce, before_number); });
   below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
   for (const int column : {LogModel::kNumber, LogModel::kWhen, LogModel::kWho, LogModel::kAbout}) table_->resizeColumnToContents(column);

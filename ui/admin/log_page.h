@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "storage/store.h"
 #include "ui/admin/log_model.h"
@@ -56,6 +57,8 @@ class LogPage : public QWidget {
   QWidget* make_filters();
   QWidget* make_table();
   void fill_people();
+  /// The names of what entries concern. Returns the accounts; none if they cannot be read, which the band then says.
+  std::vector<Account> read_names();
   void show_progress();
   void show_verified(const Stored<Verification>& proof);
   QString entry_line(std::int64_t number);

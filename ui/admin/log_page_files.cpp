@@ -33,6 +33,7 @@ void LogPage::export_csv() {
 }
 
 void LogPage::export_to(const QString& path, const AuditFilter& shown) {
+  read_names();
   LogFile wanted{path.toStdString(), shown, {}};
   for (const auto& [id, name] : names_) wanted.names[id] = name.toStdString();
   export_->start(path, [this, &wanted](std::shared_ptr<ExportProgress> progress, std::function<void(ExportRun::Outcome)> then) {

@@ -69,6 +69,16 @@ TEST_F(LogPages, ShowsWhoDidWhatToWhomNewestFirst) {
   }
 }
 
+TEST_F(LogPages, KnowsWhoWasAddedOrErasedAtAnotherWindowWhenItReadsAnew) {
+  const auto shown = page();
+  ASSERT_TRUE(records.store().accounts.erase(admin.actor(), lena.id));
+  records.student("4712", "Omar Haddad");
+  shown->read();
+  EXPECT_EQ(cell(*shown, 0, LogModel::kWhat), QStringLiteral("Account created"));
+  EXPECT_EQ(cell(*shown, 0, LogModel::kAbout), QStringLiteral("Omar Haddad"));
+  for (int row = 0; row < shown->model().rowCount(); ++row) EXPECT_FALSE(cell(*shown, row, LogModel::kAbout).contains(QStringLiteral("Lena")));
+}
+
 TEST_F(LogPages, WritesDaysAsTheLanguageDoes) {
   install_language(*qApp, QStringLiteral("de"));
   const auto shown = page();
