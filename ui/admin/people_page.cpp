@@ -104,6 +104,7 @@ void PeoplePage::filter() {
 QWidget* PeoplePage::make_form() {
   form_ = new Card(tr("Add a person"));
   form_->setFixedWidth(px(320));
+  form_->wrap_title();  // a name
   name_ = new QLineEdit;
   number_ = new QLineEdit;
   role_ = new QComboBox;

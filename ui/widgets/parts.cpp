@@ -94,6 +94,10 @@ void Card::set_title(const QString& title) {
   if (title_) title_->setText(title);
   setAccessibleName(title);
 }
+void Card::wrap_title() {
+  title_->setWordWrap(true);
+  head_->setStretchFactor(title_, 1);
+}
 void Card::set_aside(const QString& aside) {
   aside_text_ = aside;
   if (aside_) show_aside();

@@ -43,6 +43,8 @@ class Card : public QFrame {
   QVBoxLayout* body() { return body_; }
   QHBoxLayout* head() { return head_; }
   void set_title(const QString& title);
+  /// Lets a long one take lines. The card's height then depends on its width.
+  void wrap_title();
   void set_aside(const QString& aside);
   /// Lets a long one take lines beside the title. The card's height then depends on its width.
   void wrap_aside();

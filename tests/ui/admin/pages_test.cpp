@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
@@ -11,6 +12,7 @@
 
 #include "tests/modules.h"
 #include "tests/ui/admin/admin_pages.h"
+#include "tests/ui/whole_texts.h"
 #include "ui/admin/people_model.h"
 #include "ui/admin/people_page.h"
 #include "ui/widgets/parts.h"
@@ -199,6 +201,20 @@ TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) 
   save(page, "Add");
   EXPECT_EQ(page.message().toStdString(), "Omar Said is added.");
   EXPECT_TRUE(records.store().accounts.find_number("2"));
+}
+
+TEST_F(AdminPages, the_form_shows_the_whole_of_a_long_name) {
+  const char* name = "Maximiliane Charlotte Friederike von Hohenstein-Schwarzenberg";
+  const Account one = records.student("1", name);
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.resize(1280, 800);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(one.id));
+  QTest::qWait(0);
+  const QList<QLabel*> labels = page.findChildren<QLabel*>();
+  const auto title = std::ranges::find(labels, QString::fromLatin1(name), &QLabel::text);
+  ASSERT_NE(title, labels.end());
+  EXPECT_FALSE(clipped(**title)) << (*title)->width() << " of " << (*title)->sizeHint().width();
 }
 
 TEST_F(AdminPages, an_own_password_is_not_offered_where_it_cannot_be_changed) {
