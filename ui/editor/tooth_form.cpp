@@ -213,6 +213,7 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
   row.site->setAccessibleName(tr("Place of carious lesion %1").arg(number));
   head->addWidget(row.kind, 1);
   QToolButton* remove = make_icon_button(u"minus"_qs, tr("Remove carious lesion %1").arg(number));
+  remove->setFocusPolicy(Qt::StrongFocus);  // a number that is half typed goes to this lesion, not to the next one
   head->addWidget(remove);
   column->addLayout(head);
   column->addWidget(row.site);

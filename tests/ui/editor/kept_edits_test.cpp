@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <filesystem>
 #include <thread>
@@ -231,6 +232,31 @@ TEST(ToothForm, offers_each_tooth_its_own_kinds_of_carious_lesions) {
   EXPECT_FALSE(kinds().contains(QStringLiteral("fissure"))) << kinds().join(u' ').toStdString();
   model.stack().undo();
   EXPECT_EQ(kinds(), of_a_molar);
+}
+
+TEST(ToothForm, gives_no_number_that_was_typed_for_a_removed_carious_lesion_to_the_next_one) {
+  EditorModel model(class_one());
+  SpecimenSource molar = model.scenario().specimen;
+  LesionSource mesial;
+  mesial.kind = "proximal";
+  mesial.site = "mesial";
+  LesionSource distal = mesial;
+  distal.site = "distal";
+  molar.lesions = {mesial, distal};
+  ASSERT_TRUE(model.set_tooth(molar, QStringLiteral("lesions")));
+  model.end_gesture();
+  ToothForm form(model);
+  form.show();
+  form.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&form));
+  auto* width = named<NumberField>(form, "Width of carious lesion 1");
+  ASSERT_NE(width, nullptr);
+  width->setFocus();
+  width->selectAll();
+  QTest::keyClicks(width, QStringLiteral("3"));
+  QTest::mouseClick(named<QToolButton>(form, "Remove carious lesion 1"), Qt::LeftButton);
+  width->clearFocus();
+  EXPECT_EQ(model.scenario().specimen.lesions, std::vector<LesionSource>{distal});
 }
 
 TEST(ShapeForm, changes_one_number_of_a_point_and_leaves_the_other_to_its_last_digit) {
