@@ -172,7 +172,9 @@ void Desktop::show_report(const std::shared_ptr<const SessionResult>& result, Re
     if (own && details->session.header.large_text) use_text(TextSize::large);
   }
   const QString back_name = !signed_in ? tr("Sign in") : tr("Back");
-  const auto again = own && exercise && !reading_only_ ? ReportPage::TryAgain::offered : ReportPage::TryAgain::hidden;
+  auto again = own && exercise && !reading_only_ ? ReportPage::TryAgain::offered : ReportPage::TryAgain::hidden;
+  const bool assessed = gathered.kind == SessionKind::assessment;
+  if (again == ReportPage::TryAgain::offered && assessed && why_no_practice(*store_, reader, exercise->scenario.id)) again = ReportPage::TryAgain::refused;
   auto* report = new ReportPage(std::move(gathered), ports_, again, back_name);
   connect(report, &ReportPage::back_wanted, this, &Desktop::back);
   if (exercise) {

@@ -221,7 +221,7 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   QPushButton* back = add_way_back({bar, row}, back_name);
   connect(back, &QPushButton::clicked, this, &ReportPage::leave);
   // Staff write on this page: Escape is no wish to leave it.
-  if (again == TryAgain::offered) let_escape_go_back(back);
+  if (again != TryAgain::hidden) let_escape_go_back(back);
   row->addWidget(title_ = make_label(data_.title, TextRole::section, Weight::bold));
   QString aside = occasion_text(data_, Medium::screen);
   if (!data_.student.isEmpty() && again == TryAgain::hidden) aside = data_.student + u" · "_qs + aside;
@@ -239,12 +239,20 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
   connect(pack_, &QPushButton::clicked, this, &ReportPage::pack_wanted);
   row->addWidget(pack_);
   for (QPushButton* button : {paper, pdf, pack_}) saves_.emplace_back(button, button->text());
-  if (again == TryAgain::offered) {
-    QPushButton* fresh = make_button(tr("Try again"), ButtonKind::primary);
-    connect(fresh, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
-    row->addWidget(fresh);
-  }
+  if (again == TryAgain::offered) row->addWidget(make_again());
   return bar;
+}
+
+/// An assessment is not begun from its report.
+QPushButton* ReportPage::make_again() {
+  const bool assessed = data_.kind == SessionKind::assessment;
+  QPushButton* out = make_button(assessed ? tr("Practise it") : tr("Try again"), ButtonKind::primary);
+  if (assessed) {
+    out->setToolTip(tr("Begins a practice attempt. It does not count for the assessment."));
+    out->setAccessibleDescription(out->toolTip());
+  }
+  connect(out, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
+  return out;
 }
 
 QWidget* ReportPage::make_score() {

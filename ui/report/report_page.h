@@ -31,8 +31,9 @@ class ReportPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `offered`: to the one who drilled it; the page then leaves out the student's name.
-  enum class TryAgain { hidden, offered };
+  /// `offered` and `refused`: to the one who drilled it, with and without a button to a further attempt; the page then leaves out the
+  /// student's name. After an assessment that button names its attempt practice.
+  enum class TryAgain { hidden, refused, offered };
   ReportPage(ReportData data, const Ports& ports, TryAgain again, const QString& back_name, QWidget* parent = nullptr);
   Table* table() const { return table_; }
   const ReportData& data() const { return data_; }
@@ -57,6 +58,7 @@ class ReportPage : public QWidget {
 
  private:
   QWidget* make_bar(TryAgain again, const QString& back_name);
+  QPushButton* make_again();
   QWidget* make_tooth();
   QWidget* make_tools(QWidget& legend);
   struct TeethButtons {

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -16,6 +17,7 @@
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
+#include "ui/report/report_page.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::test {
@@ -31,7 +33,7 @@ struct LeftAssessment : ::testing::Test {
     };
     Store& store = records.store();
     lena = records.student("1", "Lena Brandt");
-    const Actor examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
+    examiner = store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""})->actor();
     const CohortId cohort = store.cohorts.create(examiner, "Year 3")->id;
     EXPECT_TRUE(store.cohorts.add(examiner, cohort, lena.id));
     exercise.scenario = *load_builtin("channel-1");
@@ -88,6 +90,7 @@ struct LeftAssessment : ::testing::Test {
   std::vector<Question> asked;
   std::function<void(bool)> answer;
   Account lena;
+  Actor examiner;
   Exercise exercise;
   Assignment exam;
   std::unique_ptr<Desktop> desktop;
@@ -146,6 +149,39 @@ TEST_F(LeftAssessment, keeps_its_exercise_from_practice_until_it_is_handed_in) {
   desktop->back();
   desktop->drill(exercise);
   EXPECT_NE(screen(), nullptr);
+}
+
+TEST_F(LeftAssessment, keeps_the_button_to_practise_from_the_report_of_an_earlier_one_until_it_is_handed_in) {
+  Store& store = records.store();
+  const auto begin = [&](const Assignment& of, const char* code) {
+    NewSession wanted{.student = lena.id, .version = of.version, .kind = SessionKind::assessment, .assignment = of.id, .start_code = code};
+    wanted.header.scene = "{}";
+    return store.sessions.start(lena.actor(), wanted)->id;
+  };
+  const SessionId earlier = begin(exam, "4711");
+  ASSERT_TRUE(store.sessions.interrupt(earlier, "left"));
+  ASSERT_TRUE(store.grades.save(earlier, sample_grade(80), Hash256{}));
+  ASSERT_TRUE(store.statements.release(examiner, earlier));
+  const auto resit = store.assignments.create(examiner, {.version = exam.version, .cohort = exam.cohort, .kind = SessionKind::assessment}, "4712");
+  ASSERT_TRUE(resit);
+  const SessionId left = begin(*resit, "4712");
+  ASSERT_TRUE(store.sessions.interrupt(left, "left"));
+  const auto report_offers_practice = [&] {
+    auto result = std::make_shared<SessionResult>();
+    result->session = earlier;
+    result->scenario = exercise.scenario;
+    result->grade = sample_grade(80);
+    desktop->end_attempt(result, exercise);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return qobject_cast<ReportPage*>(desktop->page()) != nullptr; }, kDrillingMs));
+    const auto buttons = desktop->page()->findChildren<QPushButton*>();
+    const bool offers = std::ranges::any_of(buttons, [](const QPushButton* b) { return b->accessibleName() == QStringLiteral("Practise it"); });
+    EXPECT_FALSE(shows(QStringLiteral("Candidate"))) << "the report is the student's own";
+    desktop->back();
+    return offers;
+  };
+  EXPECT_FALSE(report_offers_practice());
+  ASSERT_TRUE(store.grades.save(left, sample_grade(60), Hash256{}));
+  EXPECT_TRUE(report_offers_practice());
 }
 
 TEST_F(LeftAssessment, leads_from_the_results_to_the_start_page_and_one_that_runs_is_named_so) {
