@@ -83,7 +83,9 @@ void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) 
   in.bar->enable_leave(true);
   if (!*result && result->error().code == SessionError::recording_failed) {
     // The record may become writable again: nothing is lost while this screen stands.
-    in.stage->show_stopped(DrillStage::Stop::record_at_end, describe(result->error()));
+    const SessionFailure& f = result->error();
+    const auto* code = std::get_if<StorageError>(&f.cause);
+    in.stage->show_stopped(DrillStage::Stop::record_at_end, code ? describe_refused_record({*code, f.where, f.detail}) : describe(f));
     in.bar->enable_finish(true);
     return;
   }

@@ -271,7 +271,7 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   } else if (live.phase == LoopPhase::paused) {
     stop = Stop::paused;
   }
-  show_stopped(stop, live.recording_failure ? describe(*live.recording_failure) : Message{}, live.fault);
+  show_stopped(stop, live.recording_failure ? describe_refused_record(*live.recording_failure) : Message{}, live.fault);
   if (stop_card_->show_falcon(falcon)) place_all();
 
   if (look_) show_coach(coach(live, look_->shape(), leeway_, radius));

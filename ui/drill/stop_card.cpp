@@ -12,6 +12,24 @@
 #include "ui/widgets/theme.h"
 
 namespace cusp::ui {
+namespace {
+
+QString what_helps(const StorageFailure& f) {
+  const QString where = isolate(QString::fromStdString(f.where)), reason = isolate(QString::fromStdString(f.detail));
+  switch (f.code) {
+    case StorageError::disk_full: return StopCard::tr("Free some space for %1.").arg(where);
+    case StorageError::quota_exceeded: return StopCard::tr("Your quota is used up: free some space for %1.").arg(where);
+    case StorageError::busy: return StopCard::tr("Close the program that holds %1.").arg(where);
+    case StorageError::read_only: return StopCard::tr("Make %1 and its folder writable again.").arg(where);
+    default:
+      return f.detail.empty() ? StopCard::tr("Remove the cause at %1.").arg(where)
+                              : StopCard::tr("Remove the cause at %1: %2.").arg(where, reason);
+  }
+}
+
+}  // namespace
+
+Message describe_refused_record(const StorageFailure& failure) { return {describe(failure).what, what_helps(failure)}; }
 
 StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   set_kind(this, "card");
@@ -78,11 +96,11 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
       break;
     case Stop::record:
       title = tr("The record cannot be written");
-      more = tr("%1 What you drilled so far is safe while this window stays open. Remove the cause, then resume.").arg(cause);
+      more = tr("%1 What you drilled so far is kept while this window stays open. Resume then writes it and goes on.").arg(cause);
       break;
     case Stop::record_at_end:
       title = tr("The record cannot be written");
-      more = tr("%1 What you drilled is safe while this window stays open. Remove the cause, then finish again.").arg(cause);
+      more = tr("%1 What you drilled is kept while this window stays open. Try again then writes it and measures the tooth.").arg(cause);
       break;
     case Stop::behind:
       title = tr("This computer is too slow for the exercise");

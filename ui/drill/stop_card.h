@@ -15,6 +15,9 @@ namespace cusp::ui {
 
 class HomingView;
 
+/// Why a record cannot be written, and in one sentence what helps: the card itself says what is kept and what its button does.
+Message describe_refused_record(const StorageFailure& failure);
+
 class StopCard : public QFrame {
   Q_OBJECT
 
@@ -24,7 +27,7 @@ class StopCard : public QFrame {
   enum class Stop { none, paused, fault, device_gone, device_back, silent, record, record_at_end, behind };
 
   explicit StopCard(QWidget* parent = nullptr);
-  /// `record`: why the record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause
+  /// `record`: of describe_refused_record(); `fault`: of Stop::fault. Read out when another stop or another cause
   /// stands there. True if it did.
   bool show_stop(Stop stop, const Message& record, Fault fault);
   /// While a Falcon is gone, its state, with the picture of homing. True if the card grew or shrank.

@@ -360,11 +360,11 @@ TEST_F(DrillEnd, a_refused_record_is_finished_again_from_its_card_and_nothing_is
   ASSERT_TRUE(database);
   // From the third second on.
   ASSERT_TRUE(refuse_rows(*database, "trace_chunks", "row <= 1"));
-  ASSERT_TRUE(wait_for_card("then resume"));
+  ASSERT_TRUE(wait_for_card("Resume then writes"));
   screen->ask_finish();
   answer(true);
   for (int tries = 0; tries < 2; ++tries) {
-    ASSERT_TRUE(wait_for_card("then finish again"));
+    ASSERT_TRUE(wait_for_card("Try again then writes"));
     EXPECT_EQ(button(card(), "Resume"), nullptr) << "the session is stopped";
     EXPECT_EQ(button(card(), "Leave"), nullptr);
     if (tries == 1) {
@@ -389,7 +389,7 @@ TEST_F(DrillEnd, leaving_an_attempt_whose_record_is_refused_names_what_goes) {
   auto database = Database::open(records.file());
   ASSERT_TRUE(database);
   ASSERT_TRUE(refuse_rows(*database, "trace_chunks", "row <= 1"));
-  ASSERT_TRUE(wait_for_card("then resume"));
+  ASSERT_TRUE(wait_for_card("Resume then writes"));
   screen->ask_leave();
   EXPECT_TRUE(more.contains(QStringLiteral("without what cannot be written"))) << more.toStdString();
   answer(false);

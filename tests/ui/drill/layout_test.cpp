@@ -282,13 +282,15 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
     return text;
   };
   const QString full = shown({StorageError::disk_full, "/data/cusp.db", {}});
-  EXPECT_TRUE(full.contains(u"The disk is full."_qs)) << full.toStdString();
-  EXPECT_TRUE(full.contains(u"/data/cusp.db"_qs)) << full.toStdString();
+  EXPECT_TRUE(full.contains(u"The disk is full. Free some space for %1. What you drilled so far is kept while this window stays open. "
+                            "Resume then writes it and goes on."_qs.arg(isolate(u"/data/cusp.db"_qs)))) << full.toStdString();
   for (const StorageError other : {StorageError::read_only, StorageError::busy, StorageError::io, StorageError::corrupt}) {
     const StorageFailure failure{other, "/data/cusp.db", {}};
     const QString text = shown(failure);
     EXPECT_TRUE(text.contains(describe(failure).what)) << text.toStdString();
     EXPECT_FALSE(text.contains(u"room on the disk"_qs) || text.contains(u"disk is full"_qs)) << text.toStdString();
+    EXPECT_TRUE(text.contains(u"/data/cusp.db"_qs)) << text.toStdString();
+    EXPECT_FALSE(text.contains(u"try again"_qs) || text.contains(u"Nothing was changed"_qs)) << "beside what the card says: " << text.toStdString();
   }
 }
 
