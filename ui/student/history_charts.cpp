@@ -16,6 +16,8 @@ struct ChartText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::HistoryCharts)
 };
 
+constexpr qsizetype kMostJoined = 60;  // attempts: the lines and rings of more would run into one band
+
 double minutes_of(const HistoryRow& attempt) { return static_cast<double>(attempt.elapsed_us) * 1e-6 / 60.0; }
 
 QString label_of(const HistoryRow& attempt) {
@@ -42,6 +44,34 @@ std::vector<HistoryRow> in_order(const std::vector<HistoryRow>& attempts) {
   return graded;
 }
 
+/// Attempts count from 1: a short axis begins there. The numbers of a long one are multiples of its step.
+ChartAxis attempts_axis(int last) {
+  constexpr int kLeastShown = 4;
+  const double step = std::max(1.0, round_step(std::max(last, kLeastShown), 10));
+  const double least = step <= 2 ? 1 : 0;
+  return {ChartText::tr("attempt"), least, std::max<double>(kLeastShown, least + step * std::ceil((last + 0.5 - least) / step)), step, 0};
+}
+
+ChartSeries series_of(const QString& name, QVector<ChartPoint> points) {
+  ChartSeries out;
+  out.name = name;
+  out.draw = points.size() > kMostJoined ? ChartSeries::Draw::dots : ChartSeries::Draw::line_dots;
+  if (!points.isEmpty()) points.last().strong = true;
+  out.points = std::move(points);
+  return out;
+}
+
+/// For a screen reader.
+QString summary_of(const std::vector<HistoryRow>& graded) {
+  if (graded.empty()) return {};
+  const auto best = std::ranges::max_element(graded, {}, [](const HistoryRow& row) { return *row.score; });
+  QStringList out{ChartText::tr("Attempts: %1. The last has %2 of 100 points.")
+                      .arg(format_number(static_cast<double>(graded.size()), 0), format_points(*graded.back().score))};
+  if (graded.size() > 1) out += ChartText::tr("The best has %1.").arg(format_points(*best->score));
+  if (graded.back().pass_mark) out += ChartText::tr("The pass mark is %1.").arg(format_points(*graded.back().pass_mark));
+  return out.join(u' ');
+}
+
 void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
   double lowest = graded.empty() ? 100 : graded.back().pass_mark.value_or(100);
   for (const HistoryRow& attempt : graded) lowest = std::min(lowest, *attempt.score);
@@ -51,9 +81,14 @@ void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
     d.mark = *graded.back().pass_mark;
     d.mark_text = ChartText::tr("pass %1").arg(format_points(*d.mark));
   }
-  d.summary = graded.empty() ? QString()
-                             : ChartText::tr("%n attempt(s), the last with %1 points.", nullptr, static_cast<int>(graded.size()))
-                                   .arg(format_points(*graded.back().score));
+  d.summary = summary_of(graded);
+}
+
+QString summary_of_ratings(int count, double last) {
+  const QString rated = format_number(count, 0), apart = format_number(std::abs(last), 0);
+  if (last > 0) return ChartText::tr("Rated attempts: %1. The last was rated %2 of 100 points higher than it was measured.").arg(rated, apart);
+  if (last < 0) return ChartText::tr("Rated attempts: %1. The last was rated %2 of 100 points lower than it was measured.").arg(rated, apart);
+  return ChartText::tr("Rated attempts: %1. The last was rated as it was measured.").arg(rated);
 }
 
 }  // namespace
@@ -62,24 +97,18 @@ ChartData time_and_score(const std::vector<HistoryRow>& attempts) {
   const std::vector<HistoryRow> graded = in_order(attempts);
   ChartData d;
   d.title = ChartText::tr("Time and score");
-  double longest = 0, shortest = 1e9;
-  for (const HistoryRow& attempt : graded) {
-    longest = std::max(longest, minutes_of(attempt));
-    shortest = std::min(shortest, minutes_of(attempt));
-  }
+  double longest = graded.empty() ? 1 : 0;
+  for (const HistoryRow& attempt : graded) longest = std::max(longest, minutes_of(attempt));
   // Below two minutes the axis counts seconds.
   const bool seconds = longest < 2;
   const double factor = seconds ? 60 : 1;
-  if (graded.empty()) longest = shortest = 1;
   const double step = round_step(std::max(longest * factor, seconds ? 10.0 : 2.0), 6);
   const double most = step * (std::floor(longest * factor / step) + 1);
   d.x = {seconds ? ChartText::tr("seconds") : ChartText::tr("minutes"), 0, most, step, step < 1 ? 1 : 0};
   put_scores(d, graded);
-  ChartSeries own;
-  own.name = ChartText::tr("You");
-  for (const HistoryRow& attempt : graded) own.points += {minutes_of(attempt) * factor, *attempt.score, label_of(attempt), false};
-  if (!own.points.isEmpty()) own.points.last().strong = true;
-  d.series += own;
+  QVector<ChartPoint> points;
+  for (const HistoryRow& attempt : graded) points += {minutes_of(attempt) * factor, *attempt.score, label_of(attempt), false};
+  d.series += series_of(ChartText::tr("You"), std::move(points));
   return d;
 }
 
@@ -89,15 +118,11 @@ ChartData score_by_attempt(const std::vector<HistoryRow>& attempts) {
   d.title = ChartText::tr("Points by attempt");
   int last = 0;
   for (const HistoryRow& attempt : graded) last = std::max(last, attempt.attempt);
-  const auto n = static_cast<double>(last);
-  const double step = std::max(1.0, round_step(std::max(n, 4.0), 10));
-  d.x = {ChartText::tr("attempt"), 0, std::max(4.0, step * std::ceil((n + 0.5) / step)), step, 0};
+  d.x = attempts_axis(last);
   put_scores(d, graded);
-  ChartSeries own;
-  own.name = ChartText::tr("Points");
-  for (const HistoryRow& attempt : graded) own.points += {static_cast<double>(attempt.attempt), *attempt.score, label_of(attempt), false};
-  if (!own.points.isEmpty()) own.points.last().strong = true;
-  d.series += own;
+  QVector<ChartPoint> points;
+  for (const HistoryRow& attempt : graded) points += {static_cast<double>(attempt.attempt), *attempt.score, label_of(attempt), false};
+  d.series += series_of(ChartText::tr("Points"), std::move(points));
   return d;
 }
 
@@ -105,10 +130,8 @@ ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
   ChartData d;
   d.title = ChartText::tr("Own assessment");
   double widest = 20;
-  int last = 4;
-  ChartSeries own;
-  own.name = ChartText::tr("Own less measured");
-  own.draw = ChartSeries::Draw::line_dots;
+  int last = 0;
+  QVector<ChartPoint> points;
   for (const RatedAttempt& a : attempts) {
     if (a.points.criteria == 0) continue;
     const double difference = a.points.own - a.points.measured;
@@ -118,19 +141,15 @@ ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
     const QString label = ChartText::tr("%1: own %2, measured %3")
                               .arg(format_day_time(local_time(a.started_utc_us)), format_points(std::round(a.points.own)),
                                    format_points(std::round(a.points.measured)));
-    own.points += {static_cast<double>(a.attempt), std::round(difference), label, false};
+    points += {static_cast<double>(a.attempt), std::round(difference), label, false};
   }
-  const double step = widest <= 40 ? 20 : 50, most = step * std::ceil(widest / step), step_x = std::max(1.0, round_step(last, 10));
-  d.x = {ChartText::tr("attempt"), 0, step_x * std::ceil((last + 0.5) / step_x), step_x, 0};
+  const double step = widest <= 40 ? 20 : 50, most = step * std::ceil(widest / step);
+  d.x = attempts_axis(last);
   d.y = {ChartText::tr("points"), -most, most, step, 0};
   d.mark = 0;
   d.mark_text = ChartText::tr("as measured");
-  if (!own.points.isEmpty()) {
-    own.points.last().strong = true;
-    d.summary = ChartText::tr("%n rated attempt(s), the last %1 points from what was measured.", nullptr, static_cast<int>(own.points.size()))
-                    .arg(format_number(own.points.last().y, 0));
-  }
-  d.series += own;
+  if (!points.isEmpty()) d.summary = summary_of_ratings(static_cast<int>(points.size()), points.last().y);
+  d.series += series_of(ChartText::tr("Own less measured"), std::move(points));
   return d;
 }
 

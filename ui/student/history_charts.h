@@ -1,4 +1,5 @@
-/// Charts over attempts, as plain data: no widget.
+/// Charts over attempts, as plain data: no widget. An axis of points ends at 100; it begins at 40, or at 0 if an attempt or the pass
+/// mark lies below 40.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace cusp::ui {
 
-/// Minutes against points, the attempts joined in the order in which they were made, the newest one filled and named.
+/// Minutes against points, up to 60 attempts joined in the order in which they were made, the newest one filled and named.
 /// `attempts`: of one exercise and one device class; those without a grade are left out.
 ChartData time_and_score(const std::vector<HistoryRow>& attempts);
 

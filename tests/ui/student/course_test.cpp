@@ -207,6 +207,36 @@ TEST(HistoryCharts, an_attempt_stands_above_the_number_that_the_table_gives_it) 
   EXPECT_GT(chart.x.most, 4.0);
 }
 
+TEST(HistoryCharts, the_axis_of_attempts_counts_from_the_first_one) {
+  const auto chart = [](int attempts) {
+    std::vector<HistoryRow> rows(static_cast<std::size_t>(attempts));
+    for (int i = 0; i < attempts; ++i) {
+      rows[static_cast<std::size_t>(i)].attempt = rows[static_cast<std::size_t>(i)].sequence = i + 1;
+      rows[static_cast<std::size_t>(i)].score = 50 + i % 40;
+    }
+    return score_by_attempt(rows);
+  };
+  for (const int attempts : {1, 4, 10, 11, 20, 200}) {
+    const ChartAxis x = chart(attempts).x;
+    EXPECT_EQ(x.least, attempts > 20 ? 0 : 1) << attempts;
+    EXPECT_GT(x.most, attempts) << attempts;
+    EXPECT_LE((x.most - x.least) / x.step, 12) << attempts << ": figures that do not meet";
+  }
+  EXPECT_EQ(chart(60).series[0].draw, ChartSeries::Draw::line_dots);
+  EXPECT_EQ(chart(200).series[0].draw, ChartSeries::Draw::dots) << "lines and rings would run into one band";
+}
+
+TEST(HistoryCharts, the_summary_has_the_last_and_the_best_points_and_the_pass_mark) {
+  HistoryRow best, last;
+  best.sequence = 1;
+  last.sequence = 2;
+  best.score = 83.4;
+  last.score = 1;
+  best.pass_mark = last.pass_mark = 70;
+  EXPECT_EQ(score_by_attempt({last, best}).summary, QStringLiteral("Attempts: 2. The last has 1 of 100 points. The best has 83.4. The pass mark is 70."));
+  EXPECT_EQ(score_by_attempt({last}).summary, QStringLiteral("Attempts: 1. The last has 1 of 100 points. The pass mark is 70."));
+}
+
 TEST(HistoryCharts, without_an_attempt_there_is_nothing_to_draw) {
   EXPECT_TRUE(time_and_score({}).series[0].points.isEmpty());
   EXPECT_TRUE(score_by_attempt({}).summary.isEmpty());

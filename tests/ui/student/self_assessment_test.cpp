@@ -96,6 +96,10 @@ TEST(OwnAgainstMeasured, IsTheDifferenceInPointsByAttempt) {
   EXPECT_EQ(d.mark, 0);
   EXPECT_EQ(d.y.least, -40);
   EXPECT_EQ(d.y.most, 40);
+  EXPECT_EQ(d.x.least, 1);
+  EXPECT_EQ(d.summary, QStringLiteral("Rated attempts: 2. The last was rated 12 of 100 points lower than it was measured."));
+  EXPECT_EQ(own_against_measured({{.attempt = 1, .points = {3, 61, 60}}}).summary,
+            QStringLiteral("Rated attempts: 1. The last was rated 1 of 100 points higher than it was measured."));
 }
 
 TEST(OwnAgainstMeasured, IsChartedInOwnHistoryOnceAnAttemptIsRated) {
