@@ -18,9 +18,9 @@ constexpr int kRow = 23, kNumber = 44;  // px at 100 %: height of a row, width o
 constexpr int kLeastLine = 36;          // px at 100 %: length of a line; the names take the rest at most
 constexpr int kGaps = 14;               // px at 100 %: about a line
 
-QString with_sign(double points) {
-  if (std::abs(points) < 0.05) return u"0"_qs;
-  return isolate((points > 0 ? u"+"_qs : QString()) + format_points(points));
+QString with_sign(double points, int decimals) {
+  if (std::abs(points) < 0.05) return isolate(format_points_to(0, decimals));
+  return isolate((points > 0 ? u"+"_qs : QString()) + format_points_to(points, decimals));
 }
 
 }  // namespace
@@ -38,9 +38,12 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, const Region
       const double most = points_now[i].points_max;
       const double earlier = points_before[j].points_max == most ? points_before[j].points : most * b.points / b.points_max;
       rows_ += {metric_name(c.id, whole), b.points / b.points_max, c.points / c.points_max, points_now[i].points - earlier};
-      spoken += tr("%1 %2").arg(rows_.last().name, with_sign(rows_.last().points));
     }
   }
+  std::vector<double> gained;
+  for (const Row& row : rows_) gained.push_back(row.points);
+  decimals_ = points_decimals(gained);
+  for (const Row& row : rows_) spoken += tr("%1 %2").arg(row.name, with_sign(row.points, decimals_));
   setAccessibleName(tr("Against your best before"));
   setAccessibleDescription(spoken.join(u", "_qs));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -98,7 +101,7 @@ void AgainstBefore::paintEvent(QPaintEvent*) {
     p.drawEllipse(QPointF(xn, y), px(4.6), px(4.6));
     p.setFont(font_of(TextRole::body, Weight::bold));
     p.setPen(t.text);
-    p.drawText(QRectF(width() - number, y - px(10), number, px(20)), Qt::AlignRight | Qt::AlignVCenter, with_sign(r.points));
+    p.drawText(QRectF(width() - number, y - px(10), number, px(20)), Qt::AlignRight | Qt::AlignVCenter, with_sign(r.points, decimals_));
   }
 }
 

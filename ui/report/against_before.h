@@ -38,6 +38,7 @@ class AgainstBefore : public QWidget {
   double names_width() const;
 
   QVector<Row> rows_;
+  int decimals_ = 0;  // of the points gained
 };
 
 }  // namespace cusp::ui

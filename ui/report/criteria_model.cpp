@@ -8,7 +8,17 @@
 namespace cusp::ui {
 
 CriteriaModel::CriteriaModel(const Grade& grade, const Scenario& scenario, std::vector<PointsChange> changes, QObject* parent)
-    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(scenario.rubric), target_(scenario.target), changes_(std::move(changes)) {}
+    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(scenario.rubric), target_(scenario.target), changes_(std::move(changes)) {
+  std::vector<double> points, most;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!(grade_.criteria[i].points_max > 0)) continue;
+    points.push_back(points_[i].points);
+    most.push_back(points_[i].points_max);
+  }
+  decimals_ = points_decimals(points);
+  most_decimals_ = points_decimals(most);
+  for (const double one : most) most_size_ = std::max(most_size_, format_points_to(one, most_decimals_).size());
+}
 
 int CriteriaModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(grade_.criteria.size());
@@ -20,6 +30,11 @@ void CriteriaModel::set_detail(Detail detail) {
   Q_EMIT layoutAboutToBeChanged();
   detail_ = detail;
   Q_EMIT layoutChanged();  // the columns' widths change
+}
+
+QString CriteriaModel::most_text(int row) const {
+  constexpr QChar kFigureSpace(0x2007);  // as wide as a figure
+  return u"/ "_qs + format_points_to(points(row).points_max, most_decimals_).rightJustified(most_size_, kFigureSpace);
 }
 
 QString CriteriaModel::change(int row) const {
@@ -99,7 +114,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kYours && m.measured && detail_ == Detail::whole) {
         return measure_uncertainty(m);
       }
-      if (index.column() == kPoints && marked) return u"/ "_qs + format_points(points(index.row()).points_max);
+      if (index.column() == kPoints && marked) return most_text(index.row());
       return {};
     case ShareRole:
       return index.column() == kPoints && marked && detail_ == Detail::whole ? QVariant(c.points / c.points_max) : QVariant();
@@ -142,7 +157,7 @@ QString CriteriaModel::text_of(const QModelIndex& index) const {
         if (wanted.metric == c.id) return wanted_text(wanted);
       }
       return {};
-    case kPoints: return marked ? format_points(points(index.row()).points) : tr("no points");
+    case kPoints: return marked ? format_points_to(points(index.row()).points, decimals_) : tr("no points");
     default: return {};
   }
 }

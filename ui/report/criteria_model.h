@@ -48,12 +48,16 @@ class CriteriaModel : public QAbstractTableModel {
   /// No points were lost here, or none could be: the table shows a dash.
   bool neutral(int row) const;
   QString text_of(const QModelIndex& index) const;
+  /// "/ 33.3", as wide as the widest of its column: the decimal signs of the points before it stand below each other.
+  QString most_text(int row) const;
   std::optional<OwnRating> own_rating(int row) const;
   QVariant own_data(int row, int role) const;
   /// How it compares with what was measured; empty if nothing was measured or marked.
   QString own_against_measured(int row) const;
   Grade grade_;
   std::vector<ScaledPoints> points_;
+  int decimals_ = 0, most_decimals_ = 0;  // of the column's points, and of what they are out of
+  qsizetype most_size_ = 0;               // characters of the widest of the latter
   Rubric rubric_;
   Region target_;  // of the exercise: titles of several targets
   std::vector<PointsChange> changes_;

@@ -202,9 +202,10 @@ QWidget* Briefing::make_points() {
   auto* model = new QStandardItemModel(this);
   model->setHorizontalHeaderLabels({tr("Criterion"), tr("Full points"), tr("Points")});
   const std::vector<double> maxima = scaled_maxima(s);
+  const int decimals = points_decimals(maxima);
   for (std::size_t i = 0; i < maxima.size(); ++i) {
     const Criterion& c = s.rubric.criteria[i];
-    auto* weight = new QStandardItem(format_points(maxima[i]));
+    auto* weight = new QStandardItem(format_points_to(maxima[i], decimals));
     weight->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
     model->appendRow({new QStandardItem(metric_name(c.metric, &s.target)), new QStandardItem(wanted_text(c)), weight});
   }

@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "ui/student/exercise_groups.h"
 #include "ui/text/names.h"
@@ -146,7 +147,12 @@ std::optional<Exercise> exercise_to_drill(Store& store, const Actor& student, Sc
 }
 
 CourseModel::CourseModel(std::vector<CourseRow> rows, QObject* parent)
-    : QAbstractTableModel(parent), rows_(std::move(rows)) {}
+    : QAbstractTableModel(parent), rows_(std::move(rows)) {
+  std::vector<double> best;
+  for (const CourseRow& row : rows_)
+    if (row.best && row.best->score) best.push_back(*row.best->score);
+  decimals_ = points_decimals(best);
+}
 
 int CourseModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
 int CourseModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
@@ -181,7 +187,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
     case kDue: return r.due_utc_us ? format_day_time(local_time(*r.due_utc_us)) : tr("always open");
     case kAttempts:
       return r.attempts_allowed ? tr("%1 of %2").arg(r.attempts_counted).arg(*r.attempts_allowed) : format_number(r.attempts, 0);
-    case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");
+    case kBest: return r.best && r.best->score ? format_points_to(*r.best->score, decimals_) : tr("none yet");
     default: return {};
   }
 }
@@ -210,15 +216,24 @@ int result_chip(const HistoryRow& row) {
   return static_cast<int>(row.state == SessionState::interrupted ? Chip::Kind::look : Chip::Kind::plain);
 }
 
+int AttemptsModel::decimals_of_rows() const {
+  std::vector<double> scores;
+  for (const HistoryRow& row : rows_)
+    if (row.score) scores.push_back(*row.score);
+  return points_decimals(scores);
+}
+
 void AttemptsModel::set_rows(std::vector<HistoryRow> rows) {
   beginResetModel();
   rows_ = std::move(rows);
+  decimals_ = decimals_of_rows();
   after_.reset();
   endResetModel();
 }
 void AttemptsModel::set_pages(HistoryPage first, Fetch fetch) {
   beginResetModel();
   rows_ = std::move(first.rows);
+  decimals_ = decimals_of_rows();
   after_ = first.after;
   fetch_ = std::move(fetch);
   endResetModel();
@@ -232,6 +247,8 @@ void AttemptsModel::fetchMore(const QModelIndex& parent) {
   beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(page->rows.size()) - 1);
   std::ranges::move(page->rows, std::back_inserter(rows_));
   endInsertRows();
+  const int before = std::exchange(decimals_, decimals_of_rows());
+  if (decimals_ != before) Q_EMIT dataChanged(index(0, kScore), index(rowCount() - 1, kScore));
 }
 int AttemptsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
 int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
@@ -270,7 +287,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kStudent: return QString::fromStdString(r.student_name);
     case kExercise: return local(r.title);
     case kAttempt: return format_number(r.attempt, 0);
-    case kScore: return r.score ? format_points(*r.score) : QStringLiteral("–");
+    case kScore: return r.score ? format_points_to(*r.score, decimals_) : QStringLiteral("–");
     case kResult: return result_text(r);
     case kTime: return format_clock(static_cast<double>(r.elapsed_us) * 1e-6);
     case kDevice: return device_name(r.device_class);

@@ -63,6 +63,7 @@ class CourseModel : public QAbstractTableModel {
 
  private:
   std::vector<CourseRow> rows_;
+  int decimals_ = 0;  // of the column kBest
 };
 
 inline constexpr int kAttemptsAtOnce = 100;  // rows that a table of attempts fetches at once: several screens
@@ -88,7 +89,9 @@ class AttemptsModel : public QAbstractTableModel {
   const std::vector<HistoryRow>& rows() const { return rows_; }
 
  private:
+  int decimals_of_rows() const;
   std::vector<HistoryRow> rows_;
+  int decimals_ = 0;                 // of the column kScore
   std::optional<HistoryKey> after_;  // none: all rows are here
   Fetch fetch_;
 };

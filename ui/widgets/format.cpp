@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 #include <QTextDocument>
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
@@ -123,6 +124,13 @@ QString format_points(double points, const QLocale& locale) {
   const double shown = shown_points(points);
   return format_number(shown, shown == std::floor(shown) ? 0 : 1, locale);
 }
+
+int points_decimals(std::span<const double> points) {
+  const auto has_tenths = [](double p) { return shown_points(p) != std::floor(shown_points(p)); };
+  return std::ranges::any_of(points, has_tenths) ? 1 : 0;
+}
+
+QString format_points_to(double points, int decimals, const QLocale& locale) { return format_number(shown_points(points), decimals, locale); }
 
 QString format_clock(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");

@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QString>
 #include <optional>
+#include <span>
 
 namespace cusp::ui {
 
@@ -34,6 +35,10 @@ QString format_number(double value, int decimals, const QLocale& locale = instal
 double shown_points(double points);
 /// shown_points(): whole where they are whole, else with one decimal.
 QString format_points(double points, const QLocale& locale = installed_locale());
+/// Decimals of a column of points: one if any of them shows one, else none.
+int points_decimals(std::span<const double> points);
+/// format_points() with the decimals of its column.
+QString format_points_to(double points, int decimals, const QLocale& locale = installed_locale());
 /// "7:38" from seconds.
 QString format_clock(double seconds);
 /// A stored time, µs since 1970 UTC, as local time.

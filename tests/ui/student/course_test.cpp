@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QSignalSpy>
+
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
@@ -147,6 +149,25 @@ TEST(AttemptsModel, fetches_the_next_page_when_asked_and_stops_after_the_last_an
   model.fetchMore();
   EXPECT_EQ(model.rowCount(), 3);
   EXPECT_FALSE(model.canFetchMore());
+}
+
+TEST(AttemptsModel, shows_the_points_of_every_row_with_the_same_decimals_also_once_a_later_page_needs_them) {
+  const auto rows = [](std::initializer_list<double> scores) {
+    std::vector<HistoryRow> out(1);  // one without a result
+    for (const double score : scores) out.emplace_back().score = score;
+    return out;
+  };
+  AttemptsModel model;
+  model.set_pages({rows({81, 7}), HistoryKey{5}}, [&](const HistoryKey&) { return std::optional(HistoryPage{rows({66.7}), std::nullopt}); });
+  const auto shown = [&](int row) { return model.index(row, AttemptsModel::kScore).data().toString().toStdString(); };
+  EXPECT_EQ(shown(1), "81");
+  QSignalSpy changed(&model, &AttemptsModel::dataChanged);
+  model.fetchMore();
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(shown(0), "–");
+  EXPECT_EQ(shown(1), "81.0");
+  EXPECT_EQ(shown(2), "7.0");
+  EXPECT_EQ(shown(4), "66.7");
 }
 
 TEST(HistoryCharts, the_newest_attempt_is_the_strong_point_and_the_axes_hold_every_attempt) {

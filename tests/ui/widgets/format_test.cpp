@@ -9,6 +9,7 @@
 #include <atomic>
 #include <limits>
 #include <thread>
+#include <vector>
 
 #include "tests/modules.h"
 #include "ui/widgets/format.h"
@@ -126,6 +127,16 @@ class LocalZone {
   }
   QByteArray before_;
 };
+
+TEST(Format, points_of_a_column_have_the_same_decimals) {
+  const std::vector<double> whole = {81, 100, 0}, tenths = {81, 69.96, 100};
+  EXPECT_EQ(points_decimals(whole), 0);
+  EXPECT_EQ(points_decimals(tenths), 1);
+  EXPECT_EQ(points_decimals({}), 0);
+  EXPECT_EQ(format_points_to(81, 1, kEnglish).toStdString(), "81.0");
+  EXPECT_EQ(format_points_to(69.96, 1, kEnglish).toStdString(), "69.9") << "never up to the pass mark";
+  EXPECT_EQ(format_points_to(81, 0, kEnglish).toStdString(), "81");
+}
 
 TEST(Format, what_is_kept_has_its_year_and_on_paper_the_offset_from_utc) {
   const QDateTime when(QDate(2026, 11, 27), QTime(8, 21), QTimeZone::utc());
