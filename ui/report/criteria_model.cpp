@@ -135,6 +135,8 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kYours && m.measured) {
         return measure_text(m);
       }
+      //: Points of a criterion, and the most it can bring.
+      if (index.column() == kPoints && marked) return tr("%1 of %2").arg(format_points(points(index.row()).points), format_points(points(index.row()).points_max));
       return {};
     case Qt::DisplayRole: return text_of(index);
     default: return {};

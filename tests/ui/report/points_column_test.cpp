@@ -38,6 +38,11 @@ TEST(CriteriaModel, points_of_every_row_have_the_same_decimals_and_their_maxima_
   EXPECT_EQ(column(whole, Qt::DisplayRole), (QStringList{QStringLiteral("20"), QStringLiteral("5")}));
 }
 
+TEST(CriteriaModel, reads_the_points_of_a_criterion_with_the_most_it_can_bring) {
+  const CriteriaModel model(with_points({{3.2, 5}, {95, 95}, {0, 0}}), {});
+  EXPECT_EQ(column(model, Qt::AccessibleTextRole), (QStringList{QStringLiteral("3.2 of 5"), QStringLiteral("95 of 95"), QString()}));
+}
+
 TEST(CriteriaModel, what_brings_no_points_gives_its_column_no_decimals) {
   const CriteriaModel model(with_points({{20, 25}, {75, 75}, {0, 0}}), {});
   EXPECT_EQ(column(model, Qt::DisplayRole), (QStringList{QStringLiteral("20"), QStringLiteral("75"), QStringLiteral("no points")}));
