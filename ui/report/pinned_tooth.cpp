@@ -47,6 +47,7 @@ class Ring : public QWidget {
 
 constexpr int kClear = 36;  // px at 100 % between a place and its card, at least
 constexpr int kHead = 64;   // px at 100 %: below the buttons at the view's head
+constexpr double kLegendEndMm = 0.5;  // deviation at either end of the legend
 constexpr int kWideLegend = 190;  // px at 100 %: a shorter bar has numbers at its ends and its middle alone
 constexpr int kToothMargin = 12;  // px at 100 % between the tooth and the edge of the view, where there is room
 constexpr qsizetype kCardText = 160, kCardLines = 6;  // characters and lines of a card, which stands before the tooth
@@ -319,7 +320,8 @@ void PinnedTooth::resizeEvent(QResizeEvent*) {
 }
 
 DeviationLegend::DeviationLegend(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Colours: uncut remainder, on target, over-cut; from -0.5 to +0.5 mm"));
+  //: %1: a depth with its unit, of both ends.
+  setAccessibleName(tr("Colours: from %1 not removed, through on target, to %1 over-cut").arg(format({kLegendEndMm, std::nullopt, u"mm"_qs, 1})));
 }
 QSize DeviationLegend::sizeHint() const { return {px(440), px(66)}; }
 
@@ -356,14 +358,14 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setPen(QPen(t.border, 1));
   p.setBrush(gradient);
   p.drawRoundedRect(bar, px(3), px(3));
-  for (const double mm : {-0.5, -0.3, 0.0, 0.3, 0.5}) {
-    const double x = x0 + (mm + 0.5) * w;
+  for (const double mm : {-kLegendEndMm, -0.3, 0.0, 0.3, kLegendEndMm}) {
+    const double x = x0 + (mm + kLegendEndMm) / (2 * kLegendEndMm) * w;
     p.setPen(QPen(t.border, 1));
     p.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + px(4)));
     if (close && std::abs(mm) == 0.3) continue;  // its number would meet that of the end
     p.setPen(t.text2);
     QString text = mm == 0 ? u"0"_qs : (mm > 0 ? u"+"_qs : QString()) + format_number(mm, 1);
-    if (mm == 0.5) text += QChar(0x00A0) + u"mm"_qs;
+    if (mm == kLegendEndMm) text += QChar(0x00A0) + u"mm"_qs;
     p.drawText(QRectF(x - px(40), bar.bottom() + px(5), px(80), px(16)), Qt::AlignCenter, isolate(text));
   }
 }

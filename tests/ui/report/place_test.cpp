@@ -242,5 +242,12 @@ TEST(PinnedTooth, names_the_sides_of_a_tooth_and_none_of_a_block) {
   }
 }
 
+TEST(DeviationLegend, reads_its_two_ends_in_words_without_a_sign) {
+  const QString name = DeviationLegend().accessibleName().remove(QChar(0x2069));
+  EXPECT_TRUE(name.contains(QStringLiteral("mm not removed"))) << name.toStdString();
+  EXPECT_TRUE(name.contains(QStringLiteral("mm over-cut"))) << name.toStdString();
+  EXPECT_FALSE(name.contains(QStringLiteral("-0")) || name.contains(u'+')) << name.toStdString();
+}
+
 }  // namespace
 }  // namespace cusp::test
