@@ -75,7 +75,7 @@ HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
        {tr("Target removed: how much of the required cavity is cut. Not removed: what remains of it."),
         tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
         tr("± shows how well a figure is known. If an edge of the marking is nearer than that, the report shows it."),
-        tr("Time earns no points.")}) {
+        tr("Time earns points only in an exercise whose briefing lists it under What earns points.")}) {
     add_line(marking, make_label(line, TextRole::body, Weight::regular, "text2"));
   }
   body->addWidget(marking);
