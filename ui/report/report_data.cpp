@@ -11,6 +11,7 @@
 #include "ui/render/target_look.h"
 #include "ui/session/operator_cut.h"
 #include "ui/text/bur_text.h"
+#include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -151,8 +152,11 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
   }
   if (const auto chunks = store->traces.chunks(result.session)) {
     BurUse use;
-    for (const ChunkInfo& chunk : *chunks)
-      if (const auto inputs = store->traces.inputs(result.session, chunk.number)) use.add(*inputs);
+    for (const ChunkInfo& chunk : *chunks) {
+      const auto inputs = store->traces.inputs(result.session, chunk.number);
+      if (inputs) use.add(*inputs);
+      if (!inputs && inputs.error().where == "thinned") data.thinned = describe(inputs.error()).what;
+    }
     data.burs = use.spans();
   }
   if (!data.peak_push_n) {
@@ -245,6 +249,8 @@ QString circumstances_text(const ReportData& data) {
 
 QStringList burs_used_text(const ReportData& data) {
   constexpr int kMostSpans = 4;  // of a line; with more changes the line ends in a remark
+  //: %1: the sentence that says when the recording was thinned.
+  if (!data.thinned.isEmpty()) return {ReportText::tr("%1 When each bur was used is no longer known.").arg(data.thinned)};
   QStringList lines;
   const std::vector<Bur>& burs = data.result.scenario.instruments;
   for (std::size_t i = 0; i < burs.size(); ++i) {

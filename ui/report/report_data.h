@@ -39,7 +39,8 @@ struct ReportData {
   SessionKind kind = SessionKind::try_it;
   int attempt = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
-  std::vector<BurSpan> burs;    // times of each bur; empty without records
+  std::vector<BurSpan> burs;    // times of each bur; empty without records, and where the recording was thinned
+  QString thinned;              // when that was, as a sentence; empty: it was not
   std::vector<CriticalEvent> critical;  // an opened pulp first
   std::optional<EffectiveGrade> counts;  // with what examiners changed; none without records
   std::vector<PointsChange> changes;     // by examiners, of points that count
@@ -78,7 +79,8 @@ QString occasion_text(const ReportData& data, Medium medium);
 /// "7:38 min · peak push 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
 
-/// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; empty without records.
+/// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; of a thinned recording one line that says so; empty
+/// without records.
 QStringList burs_used_text(const ReportData& data);
 
 /// "Own assessment: 75 of 100 on 8 rated criteria, measured 82", or that it was skipped; empty without one.

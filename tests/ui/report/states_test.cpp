@@ -1,0 +1,46 @@
+// What a report says of an attempt that lacks something: a thinned recording, a result to compare with.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "storage/retention/thinning.h"
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "tests/ui/report/sample_report.h"
+#include "ui/report/report_page.h"
+
+namespace cusp::test {
+namespace {
+
+QString texts_on(const ReportPage& page) {
+  QString all;
+  for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
+  return all;
+}
+
+TEST(ReportStates, a_thinned_recording_is_named_where_the_times_of_the_burs_stood) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  SessionResult result;
+  result.scenario = *load_builtin("channel-1");
+  result.grade = sample_grade(78);
+  result.session = records.attempt(lena, "channel-1", 78, 100);
+  const Actor reader = lena.actor();
+  EXPECT_TRUE(burs_used_text(gather_report(result, &records.store(), &reader)).filter(QStringLiteral("thinned")).isEmpty());
+  records.now_us += 91 * std::int64_t{86'400'000'000};
+  const auto thinned = thin_traces(records.store().context(), records.administrator().actor(), {.mode = ThinningMode::carry_out});
+  ASSERT_TRUE(thinned);
+  ASSERT_EQ(thinned->attempts, 1u);
+  const ReportData data = gather_report(result, &records.store(), &reader);
+  const QStringList burs = burs_used_text(data);
+  ASSERT_EQ(burs.size(), 1);
+  EXPECT_TRUE(burs[0].startsWith(QStringLiteral("The recording was thinned on "))) << burs[0].toStdString();
+  EXPECT_TRUE(burs[0].endsWith(QStringLiteral("When each bur was used is no longer known."))) << burs[0].toStdString();
+  EXPECT_EQ(data.peak_push_n, 2.1) << "the measurements of each second stay";
+  const Ports ports = Ports::of_the_system();
+  EXPECT_TRUE(texts_on(ReportPage(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"))).contains(burs[0]));
+}
+
+}  // namespace
+}  // namespace cusp::test
