@@ -95,7 +95,7 @@ QWidget* ReportPage::make_against() {
   if (!data_.before) {
     const QString why = data_.alone          ? tr("An appeal pack holds one attempt alone.")
                         : data_.attempt == 0 ? tr("Nothing of this attempt is kept, so it is compared with no other.")
-                                             : tr("No attempt with this device came before. From the next one on this compares the two.");
+                                             : tr("No result with this device came before. From the next one on this compares the two.");
     QLabel* label = make_label(why, TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);
     card->body()->addWidget(label);

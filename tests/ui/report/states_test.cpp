@@ -42,5 +42,13 @@ TEST(ReportStates, a_thinned_recording_is_named_where_the_times_of_the_burs_stoo
   EXPECT_TRUE(texts_on(ReportPage(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"))).contains(burs[0]));
 }
 
+TEST(ReportStates, of_a_second_attempt_after_one_that_broke_off_no_attempt_is_denied) {
+  ReportData data = sample();
+  ASSERT_GT(data.attempt, 1);
+  const Ports ports = Ports::of_the_system();
+  const QString texts = texts_on(ReportPage(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back")));
+  EXPECT_TRUE(texts.contains(QStringLiteral("No result with this device came before."))) << texts.toStdString();
+}
+
 }  // namespace
 }  // namespace cusp::test
