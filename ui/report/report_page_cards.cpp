@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <memory>
 
 #include "ui/report/against_before.h"
 #include "ui/report/pinned_tooth.h"
@@ -92,15 +93,17 @@ QWidget* ReportPage::make_next_time() {
 
 QWidget* ReportPage::make_against() {
   auto* card = new Card(tr("Against your best before"));
-  if (!data_.before) {
-    const QString why = data_.alone          ? tr("An appeal pack holds one attempt alone.")
-                        : data_.attempt == 0 ? tr("Nothing of this attempt is kept, so it is compared with no other.")
-                                             : tr("No result with this device came before. From the next one on this compares the two.");
+  const auto say = [card](const QString& why) {
     QLabel* label = make_label(why, TextRole::body, Weight::regular, "text2");
     label->setWordWrap(true);
     card->body()->addWidget(label);
     card->body()->addStretch();
     return card;
+  };
+  if (!data_.before) {
+    return say(data_.alone          ? tr("An appeal pack holds one attempt alone.")
+               : data_.attempt == 0 ? tr("Nothing of this attempt is kept, so it is compared with no other.")
+                                    : tr("No result with this device came before. From the next one on this compares the two."));
   }
   auto* legend = new QHBoxLayout;
   legend->setSpacing(px(6));
@@ -115,8 +118,9 @@ QWidget* ReportPage::make_against() {
   dot(u"dot"_qs, Ink::accent, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
   legend->addStretch();
   card->body()->addLayout(legend);
-  against_ = new AgainstBefore(data_.result.grade, *data_.before, &data_.result.scenario.target);
-  card->body()->addWidget(against_);
+  auto against = std::make_unique<AgainstBefore>(data_.result.grade, *data_.before, &data_.result.scenario.target);
+  if (against->rows().isEmpty()) return say(tr("That attempt was marked by other criteria: only the points of the two compare."));
+  card->body()->addWidget(against_ = against.release());
   card->body()->addStretch();
   return card;
 }

@@ -8,6 +8,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "tests/ui/report/sample_report.h"
+#include "ui/report/against_before.h"
 #include "ui/report/report_page.h"
 
 namespace cusp::test {
@@ -48,6 +49,24 @@ TEST(ReportStates, of_a_second_attempt_after_one_that_broke_off_no_attempt_is_de
   const Ports ports = Ports::of_the_system();
   const QString texts = texts_on(ReportPage(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back")));
   EXPECT_TRUE(texts.contains(QStringLiteral("No result with this device came before."))) << texts.toStdString();
+}
+
+TEST(ReportStates, a_best_attempt_that_was_marked_by_other_criteria_compares_by_its_points) {
+  ReportData data = sample();
+  data.before = sample_grade(74);
+  data.before_when = data.when;
+  const Ports ports = Ports::of_the_system();
+  const QString sentence = QStringLiteral("only the points of the two compare");
+  {
+    const ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+    EXPECT_FALSE(texts_on(page).contains(sentence));
+    EXPECT_NE(page.findChild<AgainstBefore*>(), nullptr);
+  }
+  for (CriterionGrade& c : data.before->criteria) c.id = "surface_within_" + c.id;  // of an older version of the exercise
+  const ReportPage page(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+  EXPECT_TRUE(texts_on(page).contains(sentence));
+  EXPECT_TRUE(texts_on(page).contains(QStringLiteral(", 74"))) << "the points stay";
+  EXPECT_EQ(page.findChild<AgainstBefore*>(), nullptr);
 }
 
 }  // namespace
