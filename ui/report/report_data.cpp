@@ -48,7 +48,7 @@ QString remark_head(const SignedStatement& s, const Grade& stored, const Region*
     case StatementKind::override_points: {
       const auto criterion = std::ranges::find(stored.criteria, s.criterion, &CriterionGrade::id);
       const double before = criterion == stored.criteria.end() ? 0 : criterion->points;
-      return ReportText::tr("%1: %2 instead of %3 points")
+      return ReportText::tr("%1: %2 instead of %3 point(s)", nullptr, point_forms(before))
           .arg(metric_name(s.criterion, whole), format_points(s.points.value_or(0)), format_points(before));
     }
     case StatementKind::override_critical: return ReportText::tr("Does not count: %1").arg(critical_name(s.criterion));
@@ -103,7 +103,7 @@ std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts)
     const auto measured = std::ranges::find(counts.stored.grade.criteria, s.criterion, &CriterionGrade::id);
     const double before = measured == counts.stored.grade.criteria.end() ? 0 : measured->points;
     //: %1: points that count, %2: measured points, %3: an examiner, %4: the reason.
-    out.push_back({s.criterion, ReportText::tr("%1 instead of %2 points, changed by %3: %4")
+    out.push_back({s.criterion, ReportText::tr("%1 instead of %2 point(s), changed by %3: %4", nullptr, point_forms(before))
                                     .arg(format_points(s.points.value_or(0)), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
   }
   return out;

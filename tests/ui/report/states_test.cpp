@@ -1,4 +1,4 @@
-// What a report says of an attempt that lacks something: a thinned recording, a result to compare with.
+// What a report says of an attempt that lacks something, a recording or a result to compare with, and of points that were changed.
 
 #include <gtest/gtest.h>
 
@@ -67,6 +67,25 @@ TEST(ReportStates, a_best_attempt_that_was_marked_by_other_criteria_compares_by_
   EXPECT_TRUE(texts_on(page).contains(sentence));
   EXPECT_TRUE(texts_on(page).contains(QStringLiteral(", 74"))) << "the points stay";
   EXPECT_EQ(page.findChild<AgainstBefore*>(), nullptr);
+}
+
+TEST(ReportStates, one_point_that_was_changed_is_read_in_the_singular) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  const auto examiner = records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  ASSERT_TRUE(examiner);
+  SessionResult result;
+  result.scenario = *load_builtin("channel-1");
+  result.grade = sample_grade(40);
+  result.grade.criteria[1].points = 1;
+  result.session = records.graded_attempt(lena, "channel-1", result.grade, 90);
+  ASSERT_TRUE(records.store().statements.override_points(examiner->actor(), result.session, "depth_most", 3, "The block was worn."));
+  const Actor reader = lena.actor();
+  const ReportData data = gather_report(result, &records.store(), &reader);
+  ASSERT_EQ(data.remarks.size(), 1u);
+  EXPECT_TRUE(data.remarks[0].what.endsWith(QStringLiteral("3 instead of 1 point"))) << data.remarks[0].what.toStdString();
+  ASSERT_EQ(data.changes.size(), 1u);
+  EXPECT_TRUE(data.changes[0].text.startsWith(QStringLiteral("3 instead of 1 point, changed by"))) << data.changes[0].text.toStdString();
 }
 
 }  // namespace
