@@ -80,7 +80,7 @@ Chip::Kind state_kind(State state) {
 
 QString attempts_text(const AssignedAssessment& a) {
   return a.assignment.attempts_allowed
-             ? AssessmentCard::tr("%1 of %2 attempts used").arg(a.attempts).arg(*a.assignment.attempts_allowed)
+             ? AssessmentCard::tr("Attempts used: %1 of %2").arg(a.attempts).arg(*a.assignment.attempts_allowed)
              : AssessmentCard::tr("%n attempt(s) so far", nullptr, a.attempts);
 }
 

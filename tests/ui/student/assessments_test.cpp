@@ -169,6 +169,13 @@ TEST_F(Assessments, AskForASelfTestOfTheDeviceInOneSentence) {
   EXPECT_TRUE(question->findChild<Band*>()->text().contains(QStringLiteral("newer self-test of the device")));
 }
 
+TEST_F(Assessments, CountTheAttemptsUsedAlsoOfOne) {
+  QStringList texts;
+  const AssessmentCard card(at(kMorning + 1000)[0], lena.id, "pointer");
+  for (const QLabel* label : card.findChildren<QLabel*>()) texts += label->text();
+  EXPECT_TRUE(texts.join(u'|').contains(QStringLiteral("Attempts used: 0 of 1"))) << texts.join(u'|').toStdString();
+}
+
 TEST_F(Assessments, SayThatEachCandidateHasAnotherTooth) {
   AssignedAssessment one = at(kMorning + 1000)[0];
   const auto texts = [](const QWidget& widget) {
