@@ -8,7 +8,10 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStandardItemModel>
+#include <algorithm>
+#include <cmath>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
 #include "ui/render/opengl_allowed.h"
@@ -23,6 +26,34 @@
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
+namespace {
+
+QString depth_text(double mm) {
+  const bool tenths = std::abs(mm * 10 - std::round(mm * 10)) < 1e-6;
+  return format({mm, std::nullopt, u"mm"_qs, tenths ? 1 : 2});
+}
+
+bool asks_for_depth(const Scenario& s) {
+  return std::ranges::any_of(s.rubric.criteria, [](const Criterion& c) { return scenarios::split_metric(c.metric).metric.starts_with("depth_"); });
+}
+
+/// Of the first outline, from whose plane depth is measured; of several targets with different depths one line for each. Empty: none is
+/// asked for. The outline about a lesion is the way to it, and the lesion's end is the floor.
+QString required_depth_text(const Scenario& s) {
+  const auto outlines = outlines_of(s.target);
+  if (outlines.empty() || (needs_voxels(s.target) && !asks_for_depth(s))) return {};
+  QStringList lines;
+  bool same = true;
+  for (const Region* target : named_targets(s.target)) {
+    const auto own = outlines_of(*target);
+    if (own.empty()) continue;
+    lines += Briefing::tr("%1: %2", "a target, its depth").arg(target_title(target->name, &s.target), depth_text(own.front()->depth_mm));
+    same = same && own.front()->depth_mm == outlines.front()->depth_mm;
+  }
+  return same ? depth_text(outlines.front()->depth_mm) : lines.join(u'\n');
+}
+
+}  // namespace
 
 QString burs_text(const Scenario& scenario) {
   QStringList parts;
@@ -179,8 +210,7 @@ void Briefing::add_facts(QVBoxLayout& text) {
   if (s.level) fact(tr("Level"), level_name(*s.level));
   if (s.expected_time_s > 0) fact(tr("Expected time"), expected_time_text(s.expected_time_s));
   fact(tr("Burs"), burs_text(s));
-  if (const auto outlines = outlines_of(s.target); !outlines.empty())
-    fact(tr("Required depth"), format({outlines.front()->depth_mm, std::nullopt, u"mm"_qs, 1}));
+  if (const QString depth = required_depth_text(s); !depth.isEmpty()) fact(tr("Required depth"), depth);
   fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));

@@ -1,0 +1,54 @@
+// What a briefing says of the depth that its exercise asks for.
+
+#include <gtest/gtest.h>
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QTemporaryDir>
+
+#include "scenarios/library/library.h"
+#include "tests/modules.h"
+#include "ui/student/briefing.h"
+
+namespace cusp::test {
+namespace {
+
+/// The value beside "Required depth"; empty without such a line.
+std::string required_depth(const Scenario& scenario) {
+  const QTemporaryDir cache;
+  ThumbnailCache pictures(cache.path().toStdString());
+  Exercise exercise;
+  exercise.scenario = scenario;
+  const Briefing page(exercise, pictures, {}, nullptr);
+  for (const QFormLayout* form : page.findChildren<QFormLayout*>())
+    for (int row = 0; row < form->rowCount(); ++row) {
+      const auto* name = qobject_cast<QLabel*>(form->itemAt(row, QFormLayout::LabelRole)->widget());
+      const auto* value = qobject_cast<QLabel*>(form->itemAt(row, QFormLayout::FieldRole)->widget());
+      if (name->text() == QStringLiteral("Required depth"))
+        return value->text().remove(QChar(0x2066)).remove(QChar(0x2069)).replace(QChar(0x00A0), u' ').toStdString();
+    }
+  return {};
+}
+
+TEST(RequiredDepth, is_that_of_the_floor_that_is_measured) {
+  EXPECT_EQ(required_depth(*load_builtin("class-1-36")), "1.8 mm");
+  EXPECT_EQ(required_depth(*load_builtin("class-2-36-do")), "1.6 mm");
+  Scenario finer = *load_builtin("class-1-36");
+  finer.target.outline.depth_mm = 1.85;
+  EXPECT_EQ(required_depth(finer), "1.85 mm");
+}
+
+TEST(RequiredDepth, is_not_that_of_the_way_to_a_lesion) {
+  for (const char* key : {"caries-26", "caries-46"}) EXPECT_EQ(required_depth(*load_builtin(key)), "") << key << " ends where the caries does";
+}
+
+TEST(RequiredDepth, of_several_targets_is_given_once_or_for_each) {
+  Scenario two = *load_builtin("class-1-16");
+  EXPECT_EQ(required_depth(two), "1.8 mm");
+  ASSERT_EQ(two.target.parts.size(), 2u);
+  two.target.parts[1].outline.depth_mm = 2.2;
+  EXPECT_EQ(required_depth(two), "mesial cavity: 1.8 mm\ndistal cavity: 2.2 mm");
+}
+
+}  // namespace
+}  // namespace cusp::test
