@@ -14,6 +14,15 @@
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
+namespace {
+
+/// `rows`: newest first.
+std::optional<HistoryRow> newest_result(const std::vector<HistoryRow>& rows) {
+  const auto found = std::ranges::find_if(rows, [](const HistoryRow& row) { return row.score.has_value(); });
+  return found == rows.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
 
 OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
     : QWidget(parent), store_(store), student_(student) {
@@ -105,8 +114,11 @@ void OwnHistory::show_attempts() {
   };
   auto first = page_after(std::nullopt);
   if (!first || first->rows.empty()) return;
-  const auto graded = std::ranges::find_if(first->rows, [](const HistoryRow& row) { return row.score.has_value(); });
-  draw(graded != first->rows.end() ? *graded : first->rows.front());
+  auto newest = newest_result(first->rows);
+  if (!newest && first->after) {
+    if (const auto all = store_.history.list(student_, filter())) newest = newest_result(*all);
+  }
+  draw(newest);
   model_->set_pages(std::move(*first), page_after);
   table_->choose_row(0);
 }
@@ -124,18 +136,23 @@ bool OwnHistory::read_again() {
   return true;
 }
 
-/// A chart shows one exercise and one device class: those of the newest row with points.
-void OwnHistory::draw(const HistoryRow& newest) {
-  const QString device = device_name(newest.device_class);
-  charted_->setText(exercise_->currentData().toString().isEmpty() ? tr("%1, %2", "exercise, device").arg(local(newest.title), device) : device);
+/// A chart shows one exercise and one device class: those of the newest row with points. Without one there is none.
+void OwnHistory::draw(const std::optional<HistoryRow>& newest) {
+  for (Chart* chart : {by_attempt_, by_time_}) chart->parentWidget()->setVisible(newest.has_value());
+  if (!newest) {
+    by_rating_->parentWidget()->hide();
+    return charted_->setText(tr("No result yet, so there is nothing to draw."));
+  }
+  const QString device = device_name(newest->device_class);
+  charted_->setText(exercise_->currentData().toString().isEmpty() ? tr("%1, %2", "exercise, device").arg(local(newest->title), device) : device);
   HistoryFilter same = filter();
-  same.scenario = newest.scenario;
-  same.device_class = newest.device_class;
+  same.scenario = newest->scenario;
+  same.device_class = newest->device_class;
   const auto drawn = store_.history.list(student_, same);
   if (!drawn) return;
   by_attempt_->set_data(score_by_attempt(*drawn));
   by_time_->set_data(time_and_score(*drawn));
-  const auto rated = store_.history.rated_attempts(student_, student_.id, newest.scenario, newest.device_class);
+  const auto rated = store_.history.rated_attempts(student_, student_.id, newest->scenario, newest->device_class);
   by_rating_->parentWidget()->setVisible(rated && !rated->empty());
   if (rated) by_rating_->set_data(own_against_measured(*rated));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "ui/student/course.h"
 #include "ui/widgets/rereads.h"
@@ -33,7 +34,7 @@ class OwnHistory : public QWidget, public Rereads {
   QBoxLayout* make_charts();
   void make_table();
   void show_attempts();
-  void draw(const HistoryRow& newest);
+  void draw(const std::optional<HistoryRow>& newest);
   HistoryFilter filter() const;
   Store& store_;
   Actor student_;

@@ -3,14 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <optional>
+#include <utility>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/own_history.h"
+#include "ui/widgets/chart.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::test {
@@ -33,6 +36,25 @@ TEST_F(OwnResults, are_filtered_by_exercise_and_open_a_report) {
   EXPECT_EQ(wanted, block);  // the newest first
   page.exercise()->setCurrentIndex(2);
   EXPECT_EQ(page.table()->model()->rowCount(), 1);
+}
+
+TEST_F(OwnResults, without_a_result_draw_no_empty_charts_and_say_why) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.broken_attempt(lena, "channel-1");
+  const auto shows = [](const OwnHistory& page) {
+    int charts = 0;
+    for (const Chart* chart : page.findChildren<Chart*>()) charts += chart->isVisible() ? 1 : 0;
+    bool says = false;
+    for (const QLabel* label : page.findChildren<QLabel*>()) says = says || label->text() == QStringLiteral("No result yet, so there is nothing to draw.");
+    return std::pair{charts, says};
+  };
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  EXPECT_EQ(page.table()->model()->rowCount(), 1);
+  EXPECT_EQ(shows(page), std::pair(0, true));
+  records.attempt(lena, "channel-1", 60, 300);
+  ASSERT_TRUE(page.read_again());
+  EXPECT_EQ(shows(page), std::pair(2, false));
 }
 
 TEST_F(OwnResults, without_an_attempt_offer_the_exercises) {
