@@ -251,7 +251,8 @@ QWidget* StartPage::make_comment(const Account& account) {
   const auto author = store_.accounts.find(c.author);
   auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(local_time((*newest)->started_utc_us))));
   const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
-  QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
+  const QString said = QString::fromStdString(c.text).toHtmlEscaped().replace(u'\n', u"<br>"_qs);
+  QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), said));
   text->setTextFormat(Qt::RichText);
   text->setWordWrap(true);
   card->body()->addWidget(text);

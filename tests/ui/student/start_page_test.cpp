@@ -352,5 +352,11 @@ TEST_F(StartPageCards, the_best_before_is_compared_as_both_are_shown) {
   EXPECT_TRUE(texts_of(*page()).contains(QStringLiteral("the same as\nyour best before")));
 }
 
+TEST_F(StartPageCards, a_comment_keeps_its_lines) {
+  const SessionId session = records.attempt(lena, "channel-1", 60, 300);
+  ASSERT_TRUE(records.store().statements.comment(examiner, session, "First the floor.\nThen <the> wall."));
+  EXPECT_TRUE(texts_of(*page()).contains(QStringLiteral("First the floor.<br>Then &lt;the&gt; wall."))) << texts_of(*shown).toStdString();
+}
+
 }  // namespace
 }  // namespace cusp::test
