@@ -74,8 +74,7 @@ ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish&
 QWidget* ReferencePage::make_bar(const QString& title) {
   const auto [bar, row] = make_bar_top();
   connect(add_way_back({bar, row}, tr("Briefing")), &QPushButton::clicked, this, &ReferencePage::back_wanted);
-  row->addWidget(make_label(tr("Reference: %1").arg(title), TextRole::section, Weight::bold));
-  row->addStretch();
+  add_title({bar, row}, tr("Reference: %1").arg(title));
   return bar;
 }
 

@@ -191,7 +191,9 @@ AssessmentStart::AssessmentStart(Store& store, const Actor& student, const Assig
   column->setSpacing(px(12));
   band_ = new Band;
   column->addWidget(band_);
-  column->addWidget(make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold));
+  QLabel* title = make_label(local(a.exercise.scenario.title), TextRole::section, Weight::bold);
+  title->setWordWrap(true);
+  column->addWidget(title);
   const QString candidate = QString::fromStdString(candidate_number(a.assignment.id, student.id));
   column->addWidget(make_paragraph(tr("You are candidate %1. Your name is not shown to who marks.").arg(candidate)));
   if (purpose == Purpose::start) {

@@ -159,17 +159,16 @@ QWidget* Briefing::make_bar() {
   QPushButton* back = add_way_back({bar, row}, tr("Back"));
   connect(back, &QPushButton::clicked, this, &Briefing::back_wanted);
   let_escape_go_back(back);
-  row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, Weight::bold));
-  row->addStretch();
+  add_title({bar, row}, local(exercise_.scenario.title));
   return bar;
 }
 
 void Briefing::fill_text(QVBoxLayout& text) {
   const Scenario& s = exercise_.scenario;
-  text.addWidget(make_label(local(s.title), TextRole::page_title, Weight::bold));
-  QLabel* what = make_label(briefing_text(s));
-  what->setWordWrap(true);
-  text.addWidget(what);
+  for (QLabel* label : {make_label(local(s.title), TextRole::page_title, Weight::bold), make_label(briefing_text(s))}) {
+    label->setWordWrap(true);
+    text.addWidget(label);
+  }
   text.addSpacing(px(8));
   add_facts(text);
   text.addSpacing(px(16));

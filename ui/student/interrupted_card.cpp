@@ -63,7 +63,9 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   auto* text = new QVBoxLayout;
   text->setSpacing(px(2));
   line->addLayout(text, 1);
-  text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, Weight::bold));
+  QLabel* title = make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, Weight::bold);
+  title->setWordWrap(true);
+  text->addWidget(title);
   QString remark = how_far(store, row);
   if (way != InterruptedWay::resume) remark += u' ' + why_not_on(way, row, device_class);
   QLabel* what = make_label(remark, TextRole::body, Weight::regular, "text2");

@@ -47,6 +47,7 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
   make_choice(*scenarios);
   head->buttons()->addWidget(exercise_);
   charted_ = make_label({}, TextRole::body, Weight::bold);
+  charted_->setWordWrap(true);
   outer->addWidget(charted_);
   outer->addLayout(make_charts());
   make_table();
@@ -63,6 +64,7 @@ void OwnHistory::make_choice(std::vector<PractisedScenario> scenarios) {
   exercise_ = new QComboBox;
   exercise_->setAccessibleName(tr("Exercise"));
   exercise_->setMinimumWidth(px(240));
+  exercise_->setMaximumWidth(px(420));  // a longer name is cut in the closed list
   exercise_->addItem(tr("All exercises"));
   for (const PractisedScenario& s : scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
   connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);

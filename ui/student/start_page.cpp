@@ -174,7 +174,9 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   line->addLayout(text, 1);
   const QString due = row.due() ? tr("Next, due %1").arg(format_day_time(local_time(*row.due_utc_us))) : tr("Next");
   text->addWidget(make_label(due, TextRole::caption, Weight::regular, "text2"));
-  text->addWidget(make_label(local(s.title), TextRole::live, Weight::bold));
+  QLabel* title = make_label(local(s.title), TextRole::live, Weight::bold);
+  title->setWordWrap(true);
+  text->addWidget(title);
   QLabel* what = make_label(first_sentence(briefing_text(s)), TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);

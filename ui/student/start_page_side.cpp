@@ -72,7 +72,9 @@ QWidget* StartPage::make_last(const Account& account) {
     row->addWidget(against);
   }
   card->body()->addLayout(row);
-  card->body()->addWidget(make_label(local(last->title), TextRole::caption, Weight::regular, "text2"));
+  QLabel* title = make_label(local(last->title), TextRole::caption, Weight::regular, "text2");
+  title->setWordWrap(true);
+  card->body()->addWidget(title);
   card->body()->addWidget(make_rule());
   card->body()->addWidget(make_label(tr("What to do next time"), TextRole::body, Weight::bold));
   add_advice(*card, *last, account);
@@ -128,6 +130,7 @@ QWidget* StartPage::make_chart() {
   const auto& last = course_.last_graded;
   std::vector<HistoryRow> attempts = course_.charted;
   auto* card = new Card(tr("Time and score"), last ? local(last->title) : QString());
+  card->wrap_aside();
   if (attempts.empty()) {
     card->body()->addWidget(new EmptyState(u"clock"_qs, tr("Nothing to draw yet"), tr("Each attempt becomes one point.")));
     return card;

@@ -1,10 +1,13 @@
 #include "ui/widgets/bar_top.h"
 
 #include <QBoxLayout>
+#include <QEvent>
 #include <QFrame>
+#include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
 
+#include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -12,6 +15,26 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kBarHeight = 48, kBarSide = 12, kBarGap = 8, kBarRule = 24;  // px at 100 %
+
+/// Elides the text of a label to its width; goes with the label.
+class Elider : public QObject {
+ public:
+  Elider(QLabel* label, const QString& text) : QObject(label), label_(label), text_(text) { label->installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Resize) {
+      const QString shown = label_->fontMetrics().elidedText(text_, Qt::ElideRight, label_->contentsRect().width());
+      label_->setText(shown);
+      label_->setToolTip(shown == text_ ? QString() : tool_tip_text(text_));
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QLabel* label_;
+  QString text_;
+};
 
 }  // namespace
 
@@ -32,6 +55,15 @@ QPushButton* add_way_back(const BarTop& top, const QString& name) {
   rule->setFixedHeight(px(kBarRule));
   top.row->addWidget(rule);
   return back;
+}
+
+QLabel* add_title(const BarTop& top, const QString& title) {
+  QLabel* label = make_label(title, TextRole::section, Weight::bold);
+  label->setAccessibleName(title);
+  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its text asks for no width
+  new Elider(label, title);
+  top.row->addWidget(label, 1);
+  return label;
 }
 
 void let_escape_go_back(QPushButton* back) {

@@ -50,6 +50,12 @@ struct Watching : testing::Test {
   ReferencePage page;
 };
 
+TEST(Reference, of_a_very_long_name_is_no_wider_than_its_window) {
+  const QString name = QString(QStringLiteral("Class II cavity with two boxes ")).repeated(10);
+  const ReferencePage page(std::make_shared<ToothCache>(std::filesystem::path()), {coarse_channel(), {}, Guidance::full, nullptr}, name);
+  EXPECT_LE(page.minimumSizeHint().width(), 1080);
+}
+
 TEST_F(Watching, begins_by_itself_with_the_tooth_uncut_and_names_what_it_shows) {
   wait_until_ready();
   EXPECT_TRUE(page.bar()->playing());
