@@ -1,6 +1,7 @@
 #include "storage/records/effective_grade.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cusp::storage {
@@ -27,15 +28,16 @@ bool changes_result(const SignedStatement& s, const std::vector<SignedStatement>
                           std::ranges::any_of(all, [&](const SignedStatement& o) { return o.id == s.withdraws && overrides(o); }));
 }
 
-/// Whether the examiner saw this score. A greater sequence alone does not tell: another station's numbers may run ahead of a change that
-/// nobody there has read. Older programs kept no score.
-bool is_of_score(const SignedStatement& confirmation, double score) {
-  return !confirmation.points || std::abs(*confirmation.points - score) <= scenarios::kScoreSlack;
+/// Whether the examiner saw this result. A greater sequence alone does not tell: another station's numbers may run ahead of a change
+/// that nobody there has read. Older programs kept no score, or the score alone.
+bool is_of_result(const SignedStatement& confirmation, const Grade& result) {
+  const bool of_score = !confirmation.points || std::abs(*confirmation.points - result.score) <= scenarios::kScoreSlack;
+  return of_score && (!confirmation.shown || *confirmation.shown == shown_hash(result));
 }
 
-/// The newest one in force of this grade and its score that follows each change of the result, with a greater sequence.
+/// The newest one in force of this grade and its result that follows each change of the result, with a greater sequence.
 std::optional<SignedStatement> confirmation_of(const std::vector<SignedStatement>& all, const std::vector<SignedStatement>& standing, int grade,
-                                               double score) {
+                                               const Grade& result) {
   std::optional<SignedStatement> out;
   std::int64_t changed = -1;
   for (const SignedStatement& s : all) {
@@ -43,7 +45,7 @@ std::optional<SignedStatement> confirmation_of(const std::vector<SignedStatement
       changed = std::max(changed, s.sequence);
       out.reset();
     }
-    const bool confirms = s.kind == StatementKind::confirmation && s.grade == grade && s.sequence > changed && is_of_score(s, score);
+    const bool confirms = s.kind == StatementKind::confirmation && s.grade == grade && s.sequence > changed && is_of_result(s, result);
     if (confirms && std::ranges::find(standing, s.id, &SignedStatement::id) != standing.end()) out = s;
   }
   return out;
@@ -94,9 +96,17 @@ std::optional<EffectiveGrade> effective_grade(const std::vector<StoredGrade>& gr
     out.grade.score = score_of(out.stored.grade, out.grade);
     out.grade.passed = scenarios::reaches(out.grade.score, out.grade.pass_mark) && out.grade.critical.empty();
   }
-  out.confirmation = confirmation_of(statements, standing, out.stored.number, out.grade.score);
+  out.confirmation = confirmation_of(statements, standing, out.stored.number, out.grade);
   out.release = release_of(statements);
   return out;
+}
+
+Hash256 shown_hash(const Grade& grade) {
+  Blake2b hash;
+  hash.add_text("cusp shown result 1").add_u64(grade.passed ? 1 : 0).add_u64(grade.critical.size());
+  for (const std::string& event : grade.critical) hash.add_text(event);
+  for (const CriterionGrade& c : grade.criteria) hash.add_text(c.id).add_u64(std::bit_cast<std::uint64_t>(c.points));
+  return hash.finish();
 }
 
 std::optional<SignedStatement> release_of(const std::vector<SignedStatement>& statements) {

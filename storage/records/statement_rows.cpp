@@ -51,7 +51,11 @@ Read read_statement(Row row) {
   out.kind = kind_from_key(row.text(5));
   s.kind = out.kind.value_or(StatementKind::comment);
   if (!row.is_null(6)) s.grade = static_cast<int>(row.integer(6));
-  s.criterion = row.text(7);
+  if (out.kind == StatementKind::confirmation) {
+    s.shown = hash_from_hex(row.text(7));
+  } else {
+    s.criterion = row.text(7);
+  }
   s.points = row.maybe_real(8);
   if (!row.is_null(9)) s.tick = row.u64(9);
   if (!row.is_null(10) && !row.is_null(11) && !row.is_null(12)) s.place_mm = Vec3(row.real(10), row.real(11), row.real(12));
@@ -87,7 +91,7 @@ std::int64_t time_of_next(StorageContext& context, Transaction& transaction, Ses
                            .value_or(now));
 }
 
-/// Inserts the columns that the signature covers.
+/// Inserts the columns that the signature covers. A confirmation is of no criterion: its column holds the hash of what was shown.
 void insert_unsigned(Transaction& transaction, const StorageContext& context, const SignedStatement& s,
                      const std::optional<Hash256>& hash) {
   std::optional<double> x, y, z;
@@ -103,8 +107,8 @@ void insert_unsigned(Transaction& transaction, const StorageContext& context, co
       "tick, where_x_mm, where_y_mm, where_z_mm, withdraws, text_hash, key, signature) "
       "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, links, link, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, zeroblob(64) "
       "FROM session_heads WHERE session = ?2",
-      s.id, s.session, context.station, s.author, s.at_utc_us, s.sequence, key_of(s.kind), s.grade, s.criterion, s.points,
-      s.tick, x, y, z, withdraws, hash, context.key->id());
+      s.id, s.session, context.station, s.author, s.at_utc_us, s.sequence, key_of(s.kind), s.grade, s.shown ? hex(*s.shown) : s.criterion,
+      s.points, s.tick, x, y, z, withdraws, hash, context.key->id());
 }
 
 }  // namespace

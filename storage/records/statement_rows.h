@@ -36,6 +36,7 @@ struct SignedStatement {
   std::optional<int> grade{};      // number of the grade that it speaks of
   std::string criterion{};         // of an override: the criterion's id, or the critical event
   std::optional<double> points{};  // of override_points: what counts; of a confirmation: the score that it is of, none from older programs
+  std::optional<Hash256> shown{};  // of a confirmation: shown_hash() of the result that it is of, none from older programs
   std::optional<std::uint64_t> tick{};
   std::optional<Vec3> place_mm{};
   Uuid withdraws{};    // of a withdrawal

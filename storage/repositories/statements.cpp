@@ -106,6 +106,7 @@ Stored<SignedStatement> Statements::confirm(const Actor& actor, SessionId sessio
                  if (!grade) return;
                  made.grade = grade->stored.number;
                  made.points = grade->grade.score;
+                 made.shown = shown_hash(grade->grade);
                });
 }
 

@@ -65,6 +65,46 @@ TEST_F(ExchangeStatements, a_confirmation_with_greater_numbers_is_none_of_a_mark
   EXPECT_EQ(whole(*station), "");
 }
 
+TEST_F(ExchangeStatements, a_confirmation_is_none_of_critical_events_and_points_that_another_station_changed_unread_under_the_same_score) {
+  const Account omar = make_student(*station, "2", "Omar");
+  const Actor examiner = make_instructor(*station, "haas").actor();
+  const SessionId pardoned = complete_session(*station, omar, keep(*station), 80, false);
+  const SessionId failed_again = complete_session(*station, omar, keep(*station), 80, false), moved = attempt(omar, 80);
+  const SignedStatement pardon = must(station->statements.override_critical(examiner, failed_again, "pulp_exposure", "It was open before."));
+  at_office(results());
+  // Nobody at the office reads these before it confirms.
+  must(station->statements.override_critical(examiner, pardoned, "pulp_exposure", "It was open before."));
+  const SignedStatement unread = must(station->statements.withdraw(examiner, failed_again, pardon.id, "It was not."));
+  must(station->statements.override_points(examiner, moved, "target_removed", 17, "Seen on the tooth."));
+  must(station->statements.override_points(examiner, moved, "floor_depth_max", 5, "Seen on the tooth."));
+  for (int i = 0; i < 20; ++i) must(office->statements.comment(instructor, moved, "Look again."));  // its numbers run ahead
+  constexpr std::int64_t kHour_us = 3'600'000'000;
+  office->context().clock = [] { return kNow + kHour_us; };
+  const auto of = [](Store& store, const Actor& reader, SessionId session) { return *must(store.history.details(reader, session)).grade; };
+  for (const SessionId session : {pardoned, failed_again, moved}) {
+    ASSERT_GT(must(office->statements.confirm(instructor, session)).sequence, unread.sequence);
+    EXPECT_TRUE(of(*office, chief, session).confirmation);
+  }
+  at_office(results());
+  at_station(office_file());
+  for (const SessionId session : {pardoned, failed_again, moved}) {
+    for (const EffectiveGrade& grade : {of(*office, chief, session), of(*station, keeper, session)}) {
+      EXPECT_NEAR(grade.grade.score, 80, 1e-6);
+      EXPECT_FALSE(grade.confirmation) << session.text();
+    }
+  }
+  EXPECT_TRUE(of(*office, chief, pardoned).grade.passed);
+  EXPECT_TRUE(of(*station, keeper, failed_again).needs_confirmation()) << "nobody has confirmed that it fails";
+  for (const SessionId session : {pardoned, failed_again, moved}) must(office->statements.confirm(instructor, session));
+  at_station(office_file());
+  for (const SessionId session : {pardoned, failed_again, moved}) {
+    EXPECT_TRUE(of(*office, chief, session).confirmation) << session.text();
+    EXPECT_TRUE(of(*station, keeper, session).confirmation) << session.text();
+  }
+  EXPECT_EQ(whole(*office), "");
+  EXPECT_EQ(whole(*station), "");
+}
+
 TEST_F(ExchangeStatements, of_adjustments_that_two_stations_gave_the_later_one_counts) {
   for (int i = 0; i < 5; ++i) attempt(make_student(*station, "3" + std::to_string(i), "Noah"));  // its numbers run ahead of the office's
   const Account lena = make_student(*office);

@@ -227,6 +227,24 @@ TEST_F(StatementsTest, a_confirmation_covers_the_result_as_it_stood) {
   EXPECT_TRUE(counts(id).needs_confirmation());
 }
 
+TEST_F(StatementsTest, a_confirmation_is_of_the_result_that_it_kept_and_that_of_an_older_program_of_its_score) {
+  StoredGrade stored;
+  stored.grade = small_grade(50, false);
+  SignedStatement made;
+  made.id = Uuid::v7();
+  made.kind = StatementKind::confirmation;
+  made.grade = stored.number;
+  made.points = 50;
+  const auto counts_for = [&] { return effective_grade({stored}, {made})->confirmation.has_value(); };
+  EXPECT_TRUE(counts_for());
+  made.shown = shown_hash(small_grade(50, true));
+  EXPECT_FALSE(counts_for());
+  made.shown = shown_hash(stored.grade);
+  EXPECT_TRUE(counts_for());
+  stored.grade.criteria.front().points -= 1;
+  EXPECT_FALSE(counts_for());
+}
+
 TEST_F(StatementsTest, nothing_is_stated_of_a_running_or_unknown_session_nor_of_a_missing_grade) {
   const SessionId running = must(store->sessions.start(lena.actor(), new_session(lena, version))).id;
   EXPECT_EQ(code_of(statements().comment(instructor, running, "x")), StorageError::wrong_state);
