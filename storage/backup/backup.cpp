@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "storage/base/files.h"
+#include "storage/base/left_folders.h"
 #include "storage/records/rollback_counter.h"
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
@@ -81,9 +81,6 @@ Stored<std::uint64_t> check_copy(const fs::path& file, const DatabaseOptions& op
   if (!sessions) return std::unexpected(sessions.error());
   return sessions->value_or(0);
 }
-
-/// Restores of `file` that were cut off: each holds a secret key.
-void remove_left_restores(const fs::path& parent, const fs::path& file);
 
 /// The counter first: it may lag behind the log and never leads.
 Stored<Backup> fill(StorageContext& context, const fs::path& folder, std::int64_t now) {
@@ -189,7 +186,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
     return std::unexpected(done.error());
   }
   // A restore that succeeded at the second try is the last one of its name.
-  remove_left_restores(context.db.file().parent_path(), context.db.file());
+  remove_left_folders(context.db.file().parent_path(), kRestoring, context.db.file().filename().string());
   return backup;
 }
 
@@ -230,31 +227,10 @@ Stored<std::vector<Backup>> backups_in(const fs::path& into, const std::optional
 
 namespace {
 
-/// A folder that nobody can be writing any more: of files alone whose names begin with `name`, unchanged for a day.
-bool is_left(const fs::path& folder, const std::string& name) {
-  std::error_code error;
-  if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
-  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(24);
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    std::error_code gone;
-    if (!it->path().filename().string().starts_with(name) || it->last_write_time(gone) > old || gone) return false;
-  }
-  return !error && fs::last_write_time(folder, error) <= old && !error;
-}
-
 /// A backup without a description.
 bool is_abandoned(const fs::path& folder) {
   std::error_code error;
-  return folder.filename().string().starts_with("cusp-") && is_left(folder, kBackupDatabase) && !fs::is_empty(folder, error) && !error;
-}
-
-void remove_left_restores(const fs::path& parent, const fs::path& file) {
-  std::error_code error;
-  for (fs::directory_iterator it(parent, error), end; !error && it != end; it.increment(error)) {
-    const std::string name = it->path().filename().string();
-    if (!name.starts_with(kRestoring) || !Uuid::parse(std::string_view(name).substr(kRestoring.size()))) continue;
-    if (is_left(it->path(), file.filename().string())) remove_new(it->path());
-  }
+  return folder.filename().string().starts_with("cusp-") && is_left_folder(folder, kBackupDatabase) && !fs::is_empty(folder, error) && !error;
 }
 
 }  // namespace
@@ -283,7 +259,7 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file, const Fi
   std::error_code error;
   const fs::path parent = fs::absolute(file, error).parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
-  remove_left_restores(parent, file);
+  remove_left_folders(parent, kRestoring, file.filename().string());  // each holds a secret key
   const fs::path folder = parent / (std::string(kRestoring) + Uuid::v7().text());
   if (auto made = make_private_folder(folder); !made) return fail(made.error().code, file.string(), made.error().detail);
   const fs::path fresh = folder / file.filename();

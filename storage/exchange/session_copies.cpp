@@ -1,6 +1,10 @@
 #include "storage/exchange/session_copies.h"
 
 #include <array>
+#include <string_view>
+
+#include "storage/base/files.h"
+#include "storage/base/left_folders.h"
 
 namespace cusp::storage {
 namespace {
@@ -45,6 +49,10 @@ constexpr std::array kCopies = {
     "INSERT OR IGNORE INTO session_summaries SELECT * FROM source.session_summaries WHERE session = ?1",
 };
 
+/// A copy is made in a folder beside its name: a UUID follows.
+constexpr std::string_view kCopying = ".cusp-copy-";
+constexpr const char* kCopied = "copy.db";
+
 /// In the older journal mode the file needs no log beside it.
 Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
   auto to = Database::open(file, {.on_network_drive = admits_network_drive});
@@ -55,16 +63,35 @@ Stored<void> fill_new(const fs::path& file, const fs::path& from, const std::fun
   return to->run("PRAGMA journal_mode = DELETE");
 }
 
+Stored<void> name_copy(const fs::path& made, const fs::path& file) {
+  std::error_code error;
+  // SQLite keeps its log if closing could not write all of it into the database.
+  if (fs::exists(made.string() + "-wal", error)) return fail(StorageError::io, file.string());
+  return rename_new(made, file);
+}
+
+/// People know the name that they gave.
+StorageFailure failure_of_copy(const StorageFailure& failure, const fs::path& file) {
+  return {failure.code, file.string(), failure.code == StorageError::duplicate ? std::string() : failure.detail};
+}
+
 }  // namespace
 
 Stored<void> make_copy(const fs::path& file, const fs::path& from, const std::function<Stored<void>(Database&)>& fill) {
   std::error_code error;
   if (fs::exists(file, error)) return fail(StorageError::duplicate, file.string());
-  auto done = fill_new(file, from, fill);
-  if (!done) {
-    for (const char* beside : {"", "-wal", "-shm", "-journal"}) fs::remove(file.string() + beside, error);
-  }
-  return done;
+  const fs::path real = fs::absolute(behind_links(file), error), parent = real.parent_path();
+  if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
+  remove_left_folders(parent, kCopying, kCopied);
+  const fs::path folder = parent / (std::string(kCopying) + Uuid::v7().text());
+  if (auto made = make_private_folder(folder); !made) return std::unexpected(failure_of_copy(made.error(), file));
+  auto done = fill_new(folder / kCopied, from, fill);
+  if (done) done = name_copy(folder / kCopied, real);
+  fs::remove_all(folder, error);
+  if (done) return done;
+  const std::string& where = done.error().where;
+  const bool of_copy = where == real.string() || where.starts_with(folder.string());
+  return std::unexpected(of_copy ? failure_of_copy(done.error(), file) : done.error());
 }
 
 void copy_session(Transaction& to, SessionId session) {

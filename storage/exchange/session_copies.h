@@ -8,8 +8,9 @@
 
 namespace cusp::storage {
 
-/// Makes `file`; while `fill` writes to it, `from` is attached as `source`. One file, without a log beside it; a failure
-/// leaves none. Its owner alone may read it. duplicate if the file exists.
+/// Makes `file`; while `fill` writes to it, `from` is attached as `source`. One file, without a log beside it; its owner alone may
+/// read it. It takes its name once it is whole: a failure or a crash leaves nothing of that name, and what a program that was killed
+/// left in the folder goes a day later. duplicate if the file exists.
 Stored<void> make_copy(const std::filesystem::path& file, const std::filesystem::path& from,
                        const std::function<Stored<void>(Database&)>& fill);
 

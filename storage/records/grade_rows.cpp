@@ -69,7 +69,7 @@ CriterionGrade criterion_of(Row row) {
 double number_or_nan(const json& value) { return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(); }
 
 /// Places in the array of a criterion.
-enum Place : std::size_t { kId, kMetric, kMeasured, kValue, kUncertainty, kUnit, kWhereMm, kBand, kPoints, kPointsMax, kReason, kArgs };
+enum Cell : std::size_t { kId, kMetric, kMeasured, kValue, kUncertainty, kUnit, kWhereMm, kBand, kPoints, kPointsMax, kReason, kArgs };
 
 /// An array: it packs smaller and reads faster than an object with names.
 json json_of(const CriterionGrade& c) {
