@@ -203,11 +203,13 @@ Stored<ThinningReport> thin_traces(StorageContext& context, const Actor& actor, 
   for (std::size_t i = 0; i < chosen->thinnable.size(); ++i) {
     if (watch && !watch(i, chosen->thinnable.size())) {
       report.stopped = true;
+      report.left = chosen->thinnable.size() - i;
       break;
     }
     if (auto done = run_one(context, actor, chosen->thinnable[i], order.mode, report); !done) {
       if (!carry_out || report.attempts == 0) return std::unexpected(done.error());
       report.failed = std::move(done.error());
+      report.left = chosen->thinnable.size() - i - 1;
       break;
     }
   }

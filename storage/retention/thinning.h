@@ -61,7 +61,8 @@ struct ThinningReport {
   KeptTraces kept{};
   std::vector<ChainFinding> broken{};  // the first finding of each attempt that does not verify; `owner` names it
   bool stopped = false;                // the watch ended it before the last attempt
-  std::optional<StorageFailure> failed{};  // what ended it before the last attempt, once others were thinned
+  std::optional<StorageFailure> failed{};  // what ended it at one attempt, once others were thinned
+  std::uint64_t left = 0;                  // attempts after the last one that it took up: it was stopped, or failed there
   std::optional<StorageFailure> doubt{};   // of the clock: the attempts may be younger
 };
 

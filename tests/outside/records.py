@@ -170,6 +170,7 @@ def thinning(desk, database):
     status, out, err = desk.run(*recent, *as_admin, **secret)
     did = json.loads(out)
     check(status == 0 and did["attempts"] == 1 and did["bytes"] == would["bytes"] > 0, f"thin: {out}{err}")
+    check(did["failed"] == did["left"] == 0, f"none failed and none is left: {out}")
     check(rows(thinned, "trace_chunks") == rows(thinned, "key_states") == 0 and rows(thinned, "grades") == 1, "what thinning took")
     status, out, err = desk.run("history", thinned, "verify", *as_admin, **secret)
     check(status == 0, f"after thinning: {out}{err}")

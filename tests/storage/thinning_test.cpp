@@ -157,6 +157,7 @@ TEST_F(ThinningTest, ends_between_two_attempts_when_the_watch_says_so) {
   }));
   EXPECT_TRUE(report.stopped);
   EXPECT_EQ(report.attempts, 2u);
+  EXPECT_EQ(report.left, 1u);
   EXPECT_EQ(count("thinned_traces"), 2);
   EXPECT_EQ(findings(), "");
 }
@@ -167,6 +168,7 @@ TEST_F(ThinningTest, that_a_write_ends_reports_what_was_thinned_and_why_it_ended
   const auto report = must(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out}));
   EXPECT_EQ(report.attempts, 1u);
   EXPECT_TRUE(report.failed);
+  EXPECT_EQ(report.left, 1u) << "one was thinned, one failed";
   EXPECT_EQ(count("thinned_traces"), 1);
   EXPECT_FALSE(thin_traces(store->context(), admin, {.mode = ThinningMode::carry_out})) << "nothing is thinned";
 }

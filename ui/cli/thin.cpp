@@ -35,6 +35,8 @@ nlohmann::ordered_json json_of(const ThinOptions& o, const ThinningReport& repor
   for (const ChainFinding& f : report.broken) {
     json["broken"].push_back({{"session", f.owner.text()}, {"code", std::string(key_of(f.code))}, {"table", f.table}, {"row", f.row}, {"second", f.second}});
   }
+  json["failed"] = report.failed ? 1 : 0;  // the first failure ends the run
+  json["left"] = report.left;
   json["stopped"] = report.stopped;
   return json;
 }
