@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "storage/base/text_length.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
@@ -39,8 +40,8 @@ struct Standing {
 };
 
 Stored<void> check(const NewAccount& a) {
-  if (a.number.empty() || a.number.size() > kMostNumberBytes) return fail(StorageError::bad_value, "number");
-  if (a.name.empty() || a.name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
+  if (!has_length(a.number, 1, kMostNumber)) return fail(StorageError::bad_value, "number");
+  if (!has_length(a.name, 1, kMostName)) return fail(StorageError::bad_value, "name");
   if (!a.pin.empty() && a.role != Role::student) return fail(StorageError::bad_value, "pin");
   const bool password_optional = a.role == Role::student;
   if (!(a.password.empty() && password_optional) && !acceptable_password(a.password)) {
@@ -185,8 +186,8 @@ Stored<Account> Accounts::create(const Actor& actor, const NewAccount& account) 
 
 Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string& number, const std::string& name) {
   if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
-  if (number.empty() || number.size() > kMostNumberBytes) return fail(StorageError::bad_value, "number");
-  if (name.empty() || name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
+  if (!has_length(number, 1, kMostNumber)) return fail(StorageError::bad_value, "number");
+  if (!has_length(name, 1, kMostName)) return fail(StorageError::bad_value, "name");
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND " + kIsAccount, user, number, name);

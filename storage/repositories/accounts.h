@@ -29,11 +29,11 @@ struct Account {
 /// The number that an erased account has in place of its own: nobody outside knows it.
 std::string erased_number(UserId user);
 
-inline constexpr std::size_t kMostNumberBytes = 64, kMostNameBytes = 200;
+inline constexpr std::size_t kMostNumber = 64, kMostName = 200;  // characters
 
 struct NewAccount {
-  std::string number{};  // 1 to kMostNumberBytes
-  std::string name{};    // 1 to kMostNameBytes
+  std::string number{};  // 1 to kMostNumber characters
+  std::string name{};    // 1 to kMostName characters
   Role role = Role::student;
   std::string password{};  // optional for students
   std::string pin{};       // students only: six digits, or empty

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "storage/base/text_length.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
 #include "storage/repositories/key_list.h"
@@ -60,7 +61,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
     return fail(StorageError::bad_value, "kind");
   if (a.opens_utc_us && a.due_utc_us && *a.opens_utc_us >= *a.due_utc_us) return fail(StorageError::bad_value, "due");
   const bool assessment = a.kind == SessionKind::assessment;
-  const bool admitted = start_code.size() >= kLeastStartCode && start_code.size() <= kMostStartCode;
+  const bool admitted = has_length(start_code, kLeastStartCode, kMostStartCode);
   if (assessment ? !admitted : !start_code.empty()) return fail(StorageError::bad_value, "start_code");
   if (a.device_classes.size() > kMostDeviceClasses || !std::ranges::all_of(a.device_classes, is_device_class))
     return fail(StorageError::bad_value, "device_classes");

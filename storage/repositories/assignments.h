@@ -36,7 +36,7 @@ struct Adjustment {
   bool large_text = false;
   friend bool operator==(const Adjustment&, const Adjustment&) = default;
 };
-inline constexpr std::size_t kLeastStartCode = 4, kMostStartCode = 32;  // bytes
+inline constexpr std::size_t kLeastStartCode = 4, kMostStartCode = 32;  // characters
 
 bool admits(const std::vector<std::string>& device_classes, std::string_view device_class);
 

@@ -1,5 +1,6 @@
 #include "storage/repositories/cohorts.h"
 
+#include "storage/base/text_length.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
@@ -13,7 +14,7 @@ Cohort cohort_of(Row row) { return {row.id<CohortId>(0), row.text(1), static_cas
 
 Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return std::unexpected(allowed.error());
-  if (name.empty() || name.size() > kMostCohortNameBytes) return fail(StorageError::bad_value, "name");
+  if (!has_length(name, 1, kMostCohortName)) return fail(StorageError::bad_value, "name");
   const CohortId id = CohortId::make();
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::manage_cohorts);

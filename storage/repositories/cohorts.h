@@ -11,11 +11,11 @@
 
 namespace cusp::storage {
 
-inline constexpr std::size_t kMostCohortNameBytes = 200;
+inline constexpr std::size_t kMostCohortName = 200;  // characters
 
 struct Cohort {
   CohortId id;
-  std::string name;  // 1 to kMostCohortNameBytes
+  std::string name;  // 1 to kMostCohortName characters
   int students = 0;
 };
 

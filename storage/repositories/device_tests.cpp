@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "storage/base/text_length.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
@@ -11,7 +12,7 @@ namespace cusp::storage {
 namespace {
 
 constexpr std::int64_t kDayUs = 86'400'000'000;
-constexpr std::size_t kMostDeviceName = 200;
+constexpr std::size_t kMostDeviceName = 200;  // characters
 
 /// "falcon passed FT8XYZ": a device's name may hold spaces.
 std::string detail_of(const DeviceTest& test) {
@@ -48,7 +49,7 @@ bool is_recent(const std::optional<DeviceTest>& test, int days, std::int64_t now
 Stored<void> DeviceTests::add(const Actor& actor, const DeviceTest& test) {
   if (auto allowed = require(actor, Action::see_all_results); !allowed) return allowed;
   if (!is_device_class(test.device_class)) return fail(StorageError::bad_value, "device_class");
-  if (test.device.size() > kMostDeviceName) return fail(StorageError::bad_value, "device");
+  if (!has_length(test.device, 0, kMostDeviceName)) return fail(StorageError::bad_value, "device");
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::see_all_results);
   log_event(c_, transaction, {.actor = actor.id, .action = "device_tested", .subject = c_.station, .detail = detail_of(test)});

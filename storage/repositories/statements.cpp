@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "storage/base/text_length.h"
 #include "storage/records/sealing.h"
 #include "storage/records/session_summary.h"
 #include "storage/repositories/current_rights.h"
@@ -11,7 +12,7 @@
 namespace cusp::storage {
 namespace {
 
-bool good_text(const std::string& text) noexcept { return !text.empty() && text.size() <= kMostStatementText; }
+bool good_text(const std::string& text) noexcept { return has_length(text, 1, kMostStatementText); }
 
 /// Grade and statements as the transaction sees them; refuses without a grade.
 std::optional<EffectiveGrade> counted(Transaction& transaction, SessionId session) {

@@ -16,7 +16,7 @@
 
 namespace cusp::storage {
 
-inline constexpr std::size_t kMostStatementText = 10'000;  // bytes
+inline constexpr std::size_t kMostStatementText = 10'000;  // characters
 
 struct CommentPlace {
   std::optional<std::uint64_t> tick{};  // moment in the session

@@ -333,6 +333,27 @@ TEST_F(AccountsTest, a_number_is_given_once_upper_and_lower_case_alike) {
   EXPECT_EQ(must(accounts.list(admin)).size(), 1u);
 }
 
+TEST_F(AccountsTest, limits_of_names_count_characters_whatever_their_bytes) {
+  const Actor admin = make_administrator(*store).actor(), instructor = make_instructor(*store).actor();
+  const auto times = [](std::size_t count, const std::string& character) {
+    std::string out;
+    for (std::size_t i = 0; i < count; ++i) out += character;
+    return out;
+  };
+  for (const std::string character : {"n", "\xC3\xBC", "\xE6\x9D\x8E", "\xF0\xA0\xAE\xB7"}) {  // n, u umlaut, and two names of China
+    const std::string number = times(kMostNumber, character), name = times(kMostName, character);
+    const UserId user = must(accounts.create(admin, {.number = number, .name = name})).id;
+    must(accounts.rename(admin, user, number, name));
+    must(store->cohorts.create(instructor, times(kMostCohortName, character)));
+    EXPECT_EQ(accounts.create(admin, {.number = number + character, .name = "x"}).error().where, "number");
+    EXPECT_EQ(accounts.create(admin, {.number = "x", .name = name + character}).error().where, "name");
+    EXPECT_EQ(accounts.rename(admin, user, number + character, name).error().where, "number");
+    EXPECT_EQ(accounts.rename(admin, user, number, name + character).error().where, "name");
+    EXPECT_EQ(code_of(store->cohorts.create(instructor, times(kMostCohortName + 1, character))), StorageError::bad_value);
+  }
+  EXPECT_EQ(code_of(accounts.create(admin, {.number = "x", .name = "n" + times(4 * kMostName, "\x80")})), StorageError::bad_value) << "no UTF-8";
+}
+
 TEST_F(AccountsTest, a_guest_of_an_older_program_is_in_no_list_and_cannot_sign_in) {
   const Actor admin = make_administrator(*store).actor();
   const Account guest = make_guest(*store);

@@ -256,6 +256,17 @@ TEST_F(AssessmentTest, a_self_test_of_who_was_switched_off_at_another_window_is_
   EXPECT_FALSE(must(store->device_tests.newest("falcon")));
 }
 
+TEST_F(AssessmentTest, a_start_code_has_4_to_32_characters_whatever_their_bytes) {
+  const auto where = [&](std::size_t count) {
+    std::string code;
+    for (std::size_t i = 0; i < count; ++i) code += "\xC3\xBC";
+    const auto made = store->assignments.create(instructor, {.version = version.id, .cohort = cohort, .kind = SessionKind::assessment}, code);
+    return made ? "made" : made.error().where;
+  };
+  for (const std::size_t count : {kLeastStartCode - 1, kMostStartCode + 1}) EXPECT_EQ(where(count), "start_code") << count;
+  for (const std::size_t count : {kLeastStartCode, kMostStartCode}) EXPECT_EQ(where(count), "made") << count;
+}
+
 TEST_F(AssessmentTest, a_self_test_is_kept_by_staff_with_device_tester_and_time) {
   EXPECT_FALSE(must(store->device_tests.newest("falcon")));
   EXPECT_EQ(code_of(store->device_tests.add(lena.actor(), {.device_class = "falcon"})), StorageError::not_allowed);

@@ -39,8 +39,12 @@ TEST_F(StatementsTest, a_comment_has_a_moment_and_a_place_and_stays_outside_the_
   EXPECT_EQ(code_of(statements().comment(administrator, id, "x")), StorageError::not_allowed);
   EXPECT_EQ(code_of(statements().comment(instructor, id, "")), StorageError::bad_value);
   EXPECT_EQ(code_of(statements().comment(instructor, id, std::string(kMostStatementText + 1, 'x'))), StorageError::bad_value);
+  std::string longest;
+  for (std::size_t i = 0; i < kMostStatementText; ++i) longest += "\xC3\xBC";
+  EXPECT_EQ(code_of(statements().comment(instructor, id, longest + '.')), StorageError::bad_value);
+  must(statements().comment(instructor, id, longest));
   const auto comments = must(store->comments.of(id));
-  ASSERT_EQ(comments.size(), 2u);
+  ASSERT_EQ(comments.size(), 3u);
   EXPECT_EQ(comments[0].tick, 24u);
   EXPECT_EQ(comments[0].place_mm, Vec3(1, 2, 3));
   EXPECT_FALSE(comments[1].tick);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "storage/base/password.h"
+#include "storage/base/text_length.h"
 
 namespace cusp::ui {
 
@@ -16,8 +17,8 @@ Stored<void> write_change(Accounts& accounts, const Actor& actor, const AccountC
   const Account& before = *change.before;
   if (!change.secret.empty() && !(student ? storage::acceptable_pin(change.secret) : storage::acceptable_password(change.secret)))
     return fail(StorageError::weak_password, student ? "pin" : "password");
-  if (change.number.size() > kMostNumberBytes) return fail(StorageError::bad_value, "number");
-  if (change.name.size() > kMostNameBytes) return fail(StorageError::bad_value, "name");
+  if (!has_length(change.number, 0, kMostNumber)) return fail(StorageError::bad_value, "number");
+  if (!has_length(change.name, 0, kMostName)) return fail(StorageError::bad_value, "name");
   if (change.number != before.number)
     if (const auto taken = accounts.find_number(change.number); taken && taken->id != before.id) return fail(StorageError::duplicate, change.number);
   using Step = std::function<Stored<void>()>;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "storage/base/text_length.h"
 #include "storage/repositories/cohorts.h"
 #include "ui/widgets/format.h"
 
@@ -145,8 +146,8 @@ ListedStudent::Problem problem_of(const ListedStudent& student) {
   static const QRegularExpression kSixDigits(QStringLiteral("^[0-9]{6}$"));
   if (student.number.isEmpty()) return no_number;
   if (student.name.isEmpty()) return no_name;
-  const auto longer = [](const QString& text, std::size_t most) { return static_cast<std::size_t>(text.toUtf8().size()) > most; };
-  if (longer(student.number, kMostNumberBytes) || longer(student.name, kMostNameBytes) || longer(student.cohort, kMostCohortNameBytes)) return too_long;
+  const auto longer = [](const QString& text, std::size_t most) { return !has_length(text.toStdString(), 0, most); };
+  if (longer(student.number, kMostNumber) || longer(student.name, kMostName) || longer(student.cohort, kMostCohortName)) return too_long;
   if (!student.pin.isEmpty() && !kSixDigits.match(student.pin).hasMatch()) return bad_pin;
   return none;
 }
