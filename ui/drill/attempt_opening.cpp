@@ -143,12 +143,13 @@ void AttemptOpening::open(Order order, const Answer& answer) {
     if (!device) return answer(nullptr, std::move(session_fail(SessionError::device, device.error()).error()));
     attempt->device = std::move(*device);
   }
+  const auto called_off = [this] { return stop_.load(); };
+  wait_for_dropped_devices(called_off);  // a page may still be closing the device
   if (stop_) return answer(nullptr, session_fail(SessionError::specimen, ImportFailure{ImportError::cancelled, "attempt", {}}).error());
-  wait_for_dropped_devices();  // a page may still be closing the device
   falcon_.store(attempt->device.falcon, std::memory_order_release);
   inverse_.store(attempt->device.inverse, std::memory_order_release);
   attempt->idle = std::make_shared<IdlePort>(std::move(attempt->device.port), std::move(plan.pedal));
-  auto session = ExerciseSession::start(std::move(plan), attempt->idle);
+  auto session = ExerciseSession::start(std::move(plan), attempt->idle, called_off);
   falcon_.store(nullptr, std::memory_order_release);
   inverse_.store(nullptr, std::memory_order_release);
   if (!session) {

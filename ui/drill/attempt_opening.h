@@ -49,7 +49,7 @@ class AttemptOpening {
 
   /// Begins at once.
   AttemptOpening(Order order, Answer answer);
-  /// Cancels, and waits until the device is released.
+  /// Cancels, and waits until the device is released; for a driver that does not come back 3 s at most (ExerciseSession::start).
   ~AttemptOpening();
   AttemptOpening(const AttemptOpening&) = delete;
   AttemptOpening& operator=(const AttemptOpening&) = delete;
@@ -63,7 +63,7 @@ class AttemptOpening {
   Progress progress() const;
   /// A Falcon that is being opened; nullptr before and after, and for other devices.
   FalconPort* falcon() const noexcept { return falcon_.load(std::memory_order_acquire); }
-  /// Tooth and device are waited for no longer. Comes as a failure.
+  /// Tooth and device are waited for no longer, a driver that does not come back for 3 s. Comes as a failure.
   void call_off() noexcept;
   bool called_off() const noexcept { return called_off_; }
 

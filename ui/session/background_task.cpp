@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <list>
 #include <mutex>
@@ -21,10 +22,12 @@ namespace {
 
 using Holds = BackgroundTask::Holds;
 
+constexpr std::chrono::milliseconds kDeviceLook{1};
+
 /// BackgroundTasks that nobody holds any more.
 class Dropped {
  public:
-  ~Dropped() { wait(Holds::nothing); }
+  ~Dropped() { wait(); }
 
   /// Keeps the thread until it is over.
   void take(Holds holds, std::function<bool()> is_over, std::thread thread) {
@@ -33,16 +36,14 @@ class Dropped {
     left_.push_back({holds, std::move(is_over), std::move(thread)});
   }
 
-  /// For those that hold `least` or more.
-  void wait(Holds least) {
+  void wait() {
     for (;;) {
       One one;
       {
         const std::lock_guard lock(mutex_);
-        const auto at = std::ranges::find_if(left_, [least](const One& other) { return other.holds >= least; });
-        if (at == left_.end()) return;
-        one = std::move(*at);
-        left_.erase(at);
+        if (left_.empty()) return;
+        one = std::move(left_.front());
+        left_.pop_front();
         ++waited_for(one.holds);
       }
       one.thread.join();
@@ -52,11 +53,18 @@ class Dropped {
     }
   }
 
-  void wait_for_all(Holds least) {
-    wait(least);
+  void wait_for_all() {
+    wait();
     // Another may have taken one over to wait for it.
     std::unique_lock lock(mutex_);
-    joined_.wait(lock, [&] { return waited_for(Holds::device) == 0 && (least == Holds::device || waited_for(Holds::nothing) == 0); });
+    joined_.wait(lock, [&] { return waited_for(Holds::device) == 0 && waited_for(Holds::nothing) == 0; });
+  }
+
+  /// Whether none is left that holds a device.
+  bool devices_are_free() {
+    const std::lock_guard lock(mutex_);
+    sweep();
+    return waited_for(Holds::device) == 0 && std::ranges::none_of(left_, [](const One& one) { return one.holds == Holds::device; });
   }
 
  private:
@@ -117,7 +125,10 @@ BackgroundTask& BackgroundTask::operator=(BackgroundTask&& other) noexcept {
 
 bool BackgroundTask::over() const noexcept { return !job_ || job_->over.load(std::memory_order_acquire); }
 
-void wait_for_dropped_tasks() { dropped().wait_for_all(Holds::nothing); }
-void wait_for_dropped_devices() { dropped().wait_for_all(Holds::device); }
+void wait_for_dropped_tasks() { dropped().wait_for_all(); }
+
+void wait_for_dropped_devices(const std::function<bool()>& called_off) {
+  while (!dropped().devices_are_free() && !(called_off && called_off())) std::this_thread::sleep_for(kDeviceLook);
+}
 
 }  // namespace cusp::ui

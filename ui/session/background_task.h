@@ -30,8 +30,8 @@ class BackgroundTask {
 
 /// Until every background task that was dropped is over. The window's thread calls it at its end alone (TasksEndHere).
 void wait_for_dropped_tasks();
-/// The same for those that hold a device.
-void wait_for_dropped_devices();
+/// The same for those that hold a device, or until `called_off` says true.
+void wait_for_dropped_devices(const std::function<bool()>& called_off = {});
 
 /// Waits for dropped tasks where it goes. It stands between the application and whoever starts tasks: they use the application and
 /// the statics of the program.

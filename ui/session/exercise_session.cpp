@@ -1,6 +1,7 @@
 #include "ui/session/exercise_session.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <thread>
@@ -21,8 +22,40 @@ namespace {
 constexpr std::uint32_t kShowUs = 10'000;
 /// A driver that does not come back for so long stands still; USB transfers time out within some ms.
 constexpr std::chrono::seconds kSilent{1};
-/// At the end of a session. A tick takes some ms even on a machine that is far too slow.
+/// At the end of a session, or of an opening that was called off. A tick takes some ms even on a machine that is far too slow.
 constexpr std::chrono::seconds kDriverPatience{3};
+constexpr std::chrono::milliseconds kOpeningLook{5};
+
+/// Shared by whoever waits for a port to open and the thread that opens it.
+struct Opening {
+  std::atomic<bool> settled{false};  // the first to set it decides: the port is open, or it was given up
+  std::promise<Result<void, PortFailure>> opened;
+};
+
+/// Opens the port. If that can be called off, the thread "cusp-driver" opens it: once it is called off and the driver has not come back
+/// within kDriverPatience, this thread keeps the port, and closes it when the driver comes back. It ends with the process at the latest.
+Result<void, PortFailure> open_port(const std::shared_ptr<HapticPort>& port, const std::function<bool()>& called_off) {
+  if (!called_off || port.use_count() == 0) return port->open();  // not owned: the port may go with the caller
+  const std::string name = port->limits().name;
+  const auto opening = std::make_shared<Opening>();
+  auto opened = opening->opened.get_future();
+  std::thread driver([port, opening] {
+    name_this_thread("cusp-driver");
+    auto result = port->open();
+    if (!opening->settled.exchange(true)) return opening->opened.set_value(std::move(result));
+    if (result) port->close();
+  });
+  std::optional<std::chrono::steady_clock::time_point> until;
+  while (opened.wait_for(kOpeningLook) != std::future_status::ready) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!until && called_off()) until = now + kDriverPatience;
+    if (!until || now < *until || opening->settled.exchange(true)) continue;
+    driver.detach();
+    return fail(PortError::io, name, std::string(kStandsStill));
+  }
+  driver.join();
+  return opened.get();
+}
 }  // namespace
 
 struct ExerciseSession::Inner {
@@ -114,8 +147,9 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
   return start(std::move(plan), std::shared_ptr<HapticPort>(std::shared_ptr<void>(), &port));
 }
 
-Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan plan, std::shared_ptr<HapticPort> port) {
-  if (auto opened = port->open(); !opened) return session_fail(SessionError::device, opened.error());
+Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan plan, std::shared_ptr<HapticPort> port,
+                                                                 const std::function<bool()>& called_off) {
+  if (auto opened = open_port(port, called_off); !opened) return session_fail(SessionError::device, opened.error());
   auto setup = set_up(plan, port->limits());
   if (!setup) {
     port->close();

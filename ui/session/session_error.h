@@ -33,6 +33,9 @@ enum class SessionError : std::uint8_t {
   no_tooth,           // no tooth was drawn that the exercise suits; where: JSON pointer to what held it
 };
 
+/// PortFailure::detail of a driver that did not come back from open().
+inline constexpr std::string_view kStandsStill = "stands_still";
+
 /// Stable keys, for --json.
 std::string_view key_of(SessionError code) noexcept;
 

@@ -33,6 +33,7 @@ struct Hand {
   std::atomic<bool> plugged{true};
   std::atomic<bool> stuck{false};  // its driver does not come back
   std::atomic<bool> open{false};
+  std::shared_ptr<Gate> opens{};   // its driver comes back from open() when this gate opens; null: at once
   std::atomic<double> force_n{0};  // as it was written last
   std::atomic<int> ticks{0};
 };
@@ -43,6 +44,7 @@ class SinkingPort final : public HapticPort {
   explicit SinkingPort(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {}
   Result<void, PortFailure> open() override {
     hand_->open = true;
+    if (hand_->opens) hand_->opens->pass();
     return {};
   }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
@@ -246,6 +248,31 @@ TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_left_and_kept) {
   EXPECT_FALSE(chunks->empty());
   let_driver_go();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs)) << "the thread that waits for it closes it";
+}
+
+TEST_F(DrillEnd, an_attempt_whose_driver_does_not_open_is_left) {
+  hand->opens = std::make_shared<Gate>();
+  QSignalSpy left(screen.get(), &DrillScreen::left);
+  screen->begin(plan(), {QStringLiteral("Channel"), QStringLiteral("Practice")}, std::make_unique<SinkingPort>(hand));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hand->open.load(); }, kComesWithinMs));
+  screen->ask_leave();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left.count() == 1; }, kComesWithinMs));
+  EXPECT_FALSE(hand->opens->gave_up()) << "nobody waits for the driver";
+  screen.reset();
+  EXPECT_TRUE(hand->open) << "its driver has not come back";
+  hand->opens->open();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs)) << "the thread that waits for it closes it";
+}
+
+TEST_F(DrillEnd, the_window_closes_while_a_driver_does_not_open) {
+  hand->opens = std::make_shared<Gate>();
+  screen->begin(plan(), {QStringLiteral("Channel"), QStringLiteral("Practice")}, std::make_unique<SinkingPort>(hand));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hand->open.load(); }, kComesWithinMs));
+  screen.reset();
+  EXPECT_FALSE(hand->opens->gave_up());
+  EXPECT_TRUE(hand->open);
+  hand->opens->open();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs));
 }
 
 TEST_F(DrillEnd, the_stop_card_is_hidden_while_the_tooth_is_measured) {

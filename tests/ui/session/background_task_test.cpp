@@ -61,6 +61,18 @@ TEST(BackgroundTask, who_needs_a_device_waits_for_the_tasks_that_hold_one_alone)
   wait_for_dropped_tasks();
 }
 
+TEST(BackgroundTask, who_needs_a_device_may_stop_waiting_for_it) {
+  auto gate = std::make_shared<Gate>();
+  BackgroundTask([gate] { gate->pass(); }, BackgroundTask::Holds::device);
+  int asked = 0;
+  wait_for_dropped_devices([&asked] { return ++asked > 3; });
+  EXPECT_EQ(asked, 4);
+  EXPECT_FALSE(gate->gave_up());
+  gate->open();
+  wait_for_dropped_devices();
+  EXPECT_FALSE(gate->gave_up());
+}
+
 std::atomic<bool> g_made{false}, g_gone{false};
 
 [[noreturn]] void end_with_a_task_at_work() {

@@ -49,6 +49,22 @@ class StickingPort final : public DrillingPort {
   std::shared_ptr<std::atomic<bool>> stuck_;
 };
 
+/// Its driver comes back from open() when the gate opens.
+class ShutPort final : public DrillingPort {
+ public:
+  ShutPort(std::shared_ptr<Gate> gate, std::shared_ptr<std::atomic<bool>> closed)
+      : DrillingPort(1u << 30, Pace::to_deadline), gate_(std::move(gate)), closed_(std::move(closed)) {}
+  Result<void, PortFailure> open() override {
+    gate_->pass();
+    return {};
+  }
+  void close() noexcept override { *closed_ = true; }
+
+ private:
+  std::shared_ptr<Gate> gate_;
+  std::shared_ptr<std::atomic<bool>> closed_;
+};
+
 TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   const Workplace work;
   Counter counter;
@@ -214,6 +230,37 @@ TEST(ExerciseSession, WhoseDriverStandsStillIsInterruptedAndEndsWithoutIt) {
   *stuck = false;
   stuck->notify_all();
   EXPECT_TRUE(eventually([&] { return device.expired(); }));
+}
+
+TEST(ExerciseSession, WhoseDriverDoesNotOpenIsCalledOffWithoutIt) {
+  const Workplace work;
+  const auto gate = std::make_shared<Gate>();
+  const auto closed = std::make_shared<std::atomic<bool>>(false);
+  auto port = std::make_shared<ShutPort>(gate, closed);
+  const std::weak_ptr<HapticPort> device = port;
+  int asked = 0;
+  const auto started = ExerciseSession::start(work.plan(), std::move(port), [&] { return ++asked > 3; });
+  EXPECT_FALSE(gate->gave_up()) << "nobody waits for the driver";
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().code, SessionError::device);
+  EXPECT_EQ(std::get<PortError>(started.error().cause), PortError::io);
+  EXPECT_EQ(started.error().detail, kStandsStill);
+  EXPECT_EQ(started.error().where, "Test device");
+  EXPECT_FALSE(device.expired()) << "its thread is in it";
+  EXPECT_FALSE(*closed);
+  EXPECT_TRUE(work.store()->history.list(work.demo.actor())->empty());
+  gate->open();
+  EXPECT_TRUE(eventually([&] { return device.expired(); }));
+  EXPECT_TRUE(*closed);
+}
+
+TEST(ExerciseSession, ThatCouldBeCalledOffAndWasNotBegins) {
+  const Workplace work;
+  const auto gate = std::make_shared<Gate>();
+  gate->open();
+  const auto started = ExerciseSession::start(work.plan(), std::make_shared<ShutPort>(gate, std::make_shared<std::atomic<bool>>(false)), [] { return false; });
+  ASSERT_TRUE(started);
+  EXPECT_TRUE(eventually([&] { return (*started)->view().seconds > 0; }));
 }
 
 TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
