@@ -7,6 +7,8 @@
 #include <future>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <tuple>
+#include <utility>
 
 #include "engine/step/step.h"
 #include "scenarios/operators/faults.h"
@@ -24,6 +26,8 @@ constexpr double kTravelMmS = 30.0;
 constexpr double kSilenceS = 0.050;
 constexpr double kStartAboveMm = 1.5;
 constexpr std::size_t kMostOperators = 64;
+/// A loader that does not answer takes up to a minute (FalconPort::open); homing sends a packet a millisecond.
+constexpr std::chrono::seconds kQuiet{120};
 
 /// Scripted operators one after the other, as the hand of an emulated Falcon. Made before the attempt; the haptic thread neither
 /// allocates nor waits in it.
@@ -93,6 +97,23 @@ Vec3 start_above(const Specimen& specimen, const Scenario& scenario) {
   return at;
 }
 
+/// Whether an opening driver still works: something of what it shows has changed within kQuiet.
+class DriverLife {
+ public:
+  /// `view` null: it shows nothing.
+  bool stands_still(const FalconView* view) {
+    const auto now = std::chrono::steady_clock::now();
+    const Shown shown = view == nullptr ? Shown{} : Shown{view->session.phase, view->session.attempt, view->session.uploaded, view->session.sent};
+    if (std::exchange(shown_, shown) != shown) since_ = now;
+    return now - since_ > kQuiet;
+  }
+
+ private:
+  using Shown = std::tuple<falcon::Phase, int, std::uint32_t, std::uint64_t>;
+  Shown shown_{};
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
 void print_phase(const FalconView& view, falcon::Phase& printed) {
   if (view.session.phase == printed) return;
   printed = view.session.phase;
@@ -157,7 +178,7 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
                          const std::function<bool()>& stop, LiveFigures& figures) {
   Vec3 start_mm = start_above(*plan.specimen, plan.scenario);
   std::shared_ptr<OperatorsInTurn> operators;
-  SessionDevice device;
+  const auto emulated = std::make_shared<std::atomic<EmulatedFalconPort*>>(nullptr);  // a driver that stands still keeps its hand beyond this call
   EmulatedHand lead;
   if (choice.kind == "emulated-falcon") {
     std::vector<ScriptedOperator> made;
@@ -169,11 +190,11 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
     operators = std::make_shared<OperatorsInTurn>(std::move(made));
     start_mm = operators->start_mm();
     // The emulated device falls mute from its own thread: only the hand's calls reach it.
-    lead = [operators, &device, every = options.silence_every_s](const Feedback& felt, double dt_s) noexcept {
+    lead = [operators, emulated, every = options.silence_every_s](const Feedback& felt, double dt_s) noexcept {
       const EmulatedHandPose pose = operators->next(felt, dt_s);
-      if (every > 0) {
+      if (EmulatedFalconPort* own = emulated->load(std::memory_order_relaxed); own != nullptr && every > 0) {
         const double s = operators->clock_s();
-        device.emulated->falcon().fall_mute(s >= every && s - every * static_cast<double>(static_cast<long>(s / every)) < kSilenceS);
+        own->falcon().fall_mute(s >= every && s - every * static_cast<double>(static_cast<long>(s / every)) < kSilenceS);
       }
       return pose;
     };
@@ -181,14 +202,20 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
   }
   auto made = make_session_device(choice, start_mm, plan.scenario.instruments.size(), std::move(lead));
   if (!made) return session_fail(SessionError::device, made.error());
-  device = std::move(*made);
+  SessionDevice device = std::move(*made);
+  *emulated = device.emulated;
+  const std::shared_ptr<HapticPort> port = std::move(device.port);
 
-  auto starting = std::async(std::launch::async, [&plan, &device] { return ExerciseSession::start(std::move(plan), *device.port); });
+  std::atomic<bool> called_off{false};
+  auto starting = std::async(std::launch::async, [&plan, &port, &called_off] {
+    return ExerciseSession::start(std::move(plan), port, [&called_off] { return called_off.load(); });
+  });
   falcon::Phase printed = falcon::Phase::unplugged;
+  DriverLife life;
   while (starting.wait_for(kLook) != std::future_status::ready) {
-    if (device.falcon == nullptr) continue;
-    if (options.progress) print_phase(device.falcon->view(), printed);
-    if (stop()) device.falcon->cancel();
+    if (device.falcon != nullptr && options.progress) print_phase(device.falcon->view(), printed);
+    if (life.stands_still(device.view()) || stop()) called_off = true;
+    if (device.falcon != nullptr && called_off) device.falcon->cancel();
   }
   auto started = starting.get();
   if (!started) return std::unexpected(started.error());

@@ -34,7 +34,8 @@ nlohmann::ordered_json to_json(const LiveFigures& figures);
 
 /// Whether such a device can be played on without a window.
 bool can_play_live(const DeviceChoice& choice) noexcept;
-/// `choice` of the station; `stop` is looked at twenty times a second.
+/// `choice` of the station; `stop` is looked at twenty times a second. An opening driver that shows no life for two minutes, or that
+/// does not come back within 3 s after `stop`, fails (device, kStandsStill).
 Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, const LiveOptions& options,
                          const std::function<bool()>& stop, LiveFigures& figures);
 

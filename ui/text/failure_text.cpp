@@ -126,6 +126,7 @@ Message describe(const PortFailure& f) {
     case PortError::bad_file:
       return {Text::tr("The script cannot be read."), Text::tr("Look at %1.").arg(where)};
     case PortError::io:
+      if (f.detail == kStandsStill) return {Text::tr("The driver of the device stands still."), Text::tr("%1: unplug it and plug it in again.").arg(where)};
       return {Text::tr("The device does not answer."), Text::tr("%1: check cable and power.").arg(where)};
   }
   return {Text::tr("The device failed."), where};

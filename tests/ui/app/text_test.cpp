@@ -43,6 +43,12 @@ TEST(Sentences, every_code_of_every_module_has_text) {
   }
 }
 
+TEST(Sentences, a_driver_that_does_not_come_back_is_named_as_such) {
+  const Message t = describe(SessionFailure{SessionError::device, "Novint Falcon", std::string(kStandsStill), PortError::io});
+  EXPECT_TRUE(t.what.contains(QStringLiteral("driver of the device stands still"))) << t.what.toStdString();
+  EXPECT_TRUE(t.more.contains(QStringLiteral("Novint Falcon"))) << t.more.toStdString();
+}
+
 TEST(Sentences, an_operator_with_one_fault_is_named_with_the_fault_and_its_size) {
   std::set<QString> names;
   for (const SingleFaultRow& row : single_faults())
