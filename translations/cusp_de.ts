@@ -73,10 +73,6 @@
         <source>The time is over</source>
         <translation>Die Zeit ist um</translation>
     </message>
-    <message>
-        <source>%1 of %2 attempts used</source>
-        <translation>%1 von %2 Versuchen verbraucht</translation>
-    </message>
     <message numerus="yes">
         <source>%n attempt(s) so far</source>
         <translation>
@@ -139,6 +135,10 @@
     <message>
         <source>Until then the exercise cannot be practised. Continue the assessment or hand it in on the start page.</source>
         <translation>Bis dahin ist zu dieser Übung kein Training möglich. Setzen Sie die Prüfung auf der Startseite fort, oder geben Sie sie dort ab.</translation>
+    </message>
+    <message>
+        <source>Attempts used: %1 of %2</source>
+        <translation>Verbrauchte Versuche: %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -261,6 +261,14 @@
     <message>
         <source>withdrawn</source>
         <translation>zurückgezogen</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the cohort.</source>
+        <translation>%1 ist nicht mehr in der Kohorte.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>
@@ -943,6 +951,11 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a target, its depth</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::BurText</name>
@@ -1510,6 +1523,10 @@
         <source>Tilt of the handpiece</source>
         <translation>Neigung des Handstücks</translation>
     </message>
+    <message>
+        <source>Turn of the handpiece</source>
+        <translation>Drehung des Handstücks</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Chart</name>
@@ -1831,6 +1848,10 @@
     <message>
         <source>The tilt of the handpiece</source>
         <translation>Die Neigung des Handstücks</translation>
+    </message>
+    <message>
+        <source>The turn of the handpiece</source>
+        <translation>Die Drehung des Handstücks</translation>
     </message>
 </context>
 <context>
@@ -3600,6 +3621,11 @@
         <source>Own rating</source>
         <translation>Einschätzung</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <extracomment>Points of a criterion, and the most it can bring.</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CriterionFiguresModel</name>
@@ -3931,6 +3957,10 @@
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
     </message>
+    <message>
+        <source>The comment of %1 waits until its author signs in again.</source>
+        <translation>Der Kommentar von %1 wartet, bis sich dieselbe Person wieder anmeldet.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -3939,16 +3969,17 @@
         <translation>auf dem Ziel</translation>
     </message>
     <message>
-        <source>Colours: uncut remainder, on target, over-cut; from -0.5 to +0.5 mm</source>
-        <translation>Farben: nicht entfernt, auf dem Ziel, überpräpariert; von -0,5 bis +0,5 mm</translation>
-    </message>
-    <message>
         <source>Over-cut</source>
         <translation>Überpräpariert</translation>
     </message>
     <message>
         <source>Not removed</source>
         <translation>Nicht entfernt</translation>
+    </message>
+    <message>
+        <source>Colours: from %1 not removed, through on target, to %1 over-cut</source>
+        <extracomment>%1: a depth with its unit, of both ends.</extracomment>
+        <translation>Farben: von %1 nicht entfernt über auf dem Ziel bis %1 überpräpariert</translation>
     </message>
 </context>
 <context>
@@ -4460,6 +4491,10 @@
     <message>
         <source>Tilt of the handpiece</source>
         <translation>Neigung des Handstücks</translation>
+    </message>
+    <message>
+        <source>Turn of the handpiece</source>
+        <translation>Drehung des Handstücks</translation>
     </message>
 </context>
 <context>
@@ -5664,10 +5699,6 @@
         <translation>± zeigt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so zeigt es der Bericht.</translation>
     </message>
     <message>
-        <source>Time earns no points.</source>
-        <translation>Zeit bringt keine Punkte.</translation>
-    </message>
-    <message>
         <source>coolant on and off, where the exercise has it</source>
         <translation>Kühlung ein und aus, wo die Übung sie hat</translation>
     </message>
@@ -5739,6 +5770,14 @@
         <source>views of the tooth, target and handpiece</source>
         <translation>Ansichten des Zahns, Ziel und Handstück</translation>
     </message>
+    <message>
+        <source>5. Every attempt stays under Performance. An attempt that broke off is kept up to its last second.</source>
+        <translation>5. Jeder Versuch bleibt unter Leistungen. Ein unterbrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Time earns points only in an exercise whose briefing lists it under What earns points.</source>
+        <translation>Zeit bringt nur in einer Übung Punkte, deren Aufgabe sie unter Was Punkte bringt aufführt.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::HistoryCharts</name>
@@ -5770,13 +5809,6 @@
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
-    <message numerus="yes">
-        <source>%n attempt(s), the last with %1 points.</source>
-        <translation>
-            <numerusform>%n Versuch mit %1 Punkten.</numerusform>
-            <numerusform>%n Versuche, der letzte mit %1 Punkten.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Points by attempt</source>
         <translation>Punkte je Versuch</translation>
@@ -5802,12 +5834,29 @@
         <source>as measured</source>
         <translation>wie gemessen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n rated attempt(s), the last %1 points from what was measured.</source>
-        <translation>
-            <numerusform>%n eingeschätzter Versuch, der letzte %1 Punkte vom Gemessenen entfernt.</numerusform>
-            <numerusform>%n eingeschätzte Versuche, der letzte %1 Punkte vom Gemessenen entfernt.</numerusform>
-        </translation>
+    <message>
+        <source>Attempts: %1. The last has %2 of 100 points.</source>
+        <translation>Versuche: %1. Der letzte hat %2 von 100 Punkten.</translation>
+    </message>
+    <message>
+        <source>The best has %1.</source>
+        <translation>Der beste hat %1.</translation>
+    </message>
+    <message>
+        <source>The pass mark is %1.</source>
+        <translation>Die Bestehensgrenze ist %1.</translation>
+    </message>
+    <message>
+        <source>Rated attempts: %1. The last was rated %2 of 100 points higher than it was measured.</source>
+        <translation>Eingeschätzte Versuche: %1. Der letzte wurde um %2 von 100 Punkten höher eingeschätzt, als gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Rated attempts: %1. The last was rated %2 of 100 points lower than it was measured.</source>
+        <translation>Eingeschätzte Versuche: %1. Der letzte wurde um %2 von 100 Punkten niedriger eingeschätzt, als gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Rated attempts: %1. The last was rated as it was measured.</source>
+        <translation>Eingeschätzte Versuche: %1. Der letzte wurde so eingeschätzt, wie gemessen wurde.</translation>
     </message>
 </context>
 <context>
@@ -6976,6 +7025,10 @@
         <source>Open again</source>
         <translation>Noch einmal öffnen</translation>
     </message>
+    <message>
+        <source>Its versions are withdrawn: without the draft you cannot edit or publish it again. Results and reports stay.</source>
+        <translation>Die Versionen der Übung sind zurückgezogen: Ohne den Entwurf können Sie sie nicht mehr bearbeiten und nicht erneut veröffentlichen. Ergebnisse und Berichte bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::LogModel</name>
@@ -7441,6 +7494,10 @@
         <source>%1, %2</source>
         <comment>exercise, device</comment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No result yet, so there is nothing to draw.</source>
+        <translation>Noch kein Ergebnis, also nichts zu zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -9115,10 +9172,6 @@
         <translation>Wo Punkte verloren gingen</translation>
     </message>
     <message>
-        <source>%1: %2 instead of %3 points</source>
-        <translation>%1: %2 statt %3 Punkte</translation>
-    </message>
-    <message>
         <source>Does not count: %1</source>
         <translation>Zählt nicht: %1</translation>
     </message>
@@ -9137,11 +9190,6 @@
     <message>
         <source>Remarks</source>
         <translation>Bemerkungen</translation>
-    </message>
-    <message>
-        <source>%1 instead of %2 points, changed by %3: %4</source>
-        <extracomment>%1: points that count, %2: measured points, %3: an examiner, %4: the reason.</extracomment>
-        <translation>%1 statt %2 Punkte, geändert von %3: %4</translation>
     </message>
     <message>
         <source>%1, its cuts made at once: time, force and heat are not measured</source>
@@ -9190,6 +9238,26 @@
     <message>
         <source>This attempt broke off. It is marked as it stands.</source>
         <translation>Dieser Versuch brach ab. Er ist bewertet, wie er ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 instead of %3 point(s)</source>
+        <translation>
+            <numerusform>%1: %2 statt %3 Punkt</numerusform>
+            <numerusform>%1: %2 statt %3 Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 instead of %2 point(s), changed by %3: %4</source>
+        <extracomment>%1: points that count, %2: measured points, %3: an examiner, %4: the reason.</extracomment>
+        <translation>
+            <numerusform>%1 statt %2 Punkt, geändert von %3: %4</numerusform>
+            <numerusform>%1 statt %2 Punkte, geändert von %3: %4</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 When each bur was used is no longer known.</source>
+        <extracomment>%1: the sentence that says when the recording was thinned.</extracomment>
+        <translation>%1 Wann jeder Bohrer benutzt wurde, ist nicht mehr bekannt.</translation>
     </message>
 </context>
 <context>
@@ -9295,10 +9363,6 @@
         <translation>Noch einmal</translation>
     </message>
     <message>
-        <source>No attempt with this device came before. From the next one on this compares the two.</source>
-        <translation>Davor gab es keinen Versuch mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
-    </message>
-    <message>
         <source>this attempt, %1</source>
         <translation>dieser Versuch, %1</translation>
     </message>
@@ -9369,6 +9433,22 @@
     <message>
         <source>The printer takes nothing. The attempt and its grade are kept.</source>
         <translation>Der Drucker nimmt nichts an. Versuch und Bewertung sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Practise it</source>
+        <translation>Trainieren</translation>
+    </message>
+    <message>
+        <source>Begins a practice attempt. It does not count for the assessment.</source>
+        <translation>Beginnt einen Trainingsversuch. Er zählt nicht für die Prüfung.</translation>
+    </message>
+    <message>
+        <source>No result with this device came before. From the next one on this compares the two.</source>
+        <translation>Davor gab es kein Ergebnis mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
+    </message>
+    <message>
+        <source>That attempt was marked by other criteria: only the points of the two compare.</source>
+        <translation>Jener Versuch wurde nach anderen Kriterien bewertet: Nur die Punkte der beiden sind vergleichbar.</translation>
     </message>
 </context>
 <context>
@@ -10112,6 +10192,21 @@
     </message>
 </context>
 <context>
+    <name>cusp::ui::SparingRecords</name>
+    <message>
+        <source>%1 belongs to the records.</source>
+        <translation>%1 gehört zu den Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>A file of that name would take the place of one of theirs. Nothing was written.</source>
+        <translation>Eine Datei dieses Namens würde eine davon ersetzen. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Anderen Namen wählen</translation>
+    </message>
+</context>
+<context>
     <name>cusp::ui::SpecimenForm</name>
     <message>
         <source>%1, upper right</source>
@@ -10622,10 +10717,6 @@ Ihr bester davor</translation>
         <translation>Dieser Rechner ist zu langsam für die Übung</translation>
     </message>
     <message>
-        <source>%1 What you drilled so far is safe while this window stays open. Remove the cause, then resume.</source>
-        <translation>%1 Was bisher abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Ursache beheben, dann fortsetzen.</translation>
-    </message>
-    <message>
         <source>The attempt ends here and is measured as it stands.</source>
         <translation>Der Versuch endet hier und wird vermessen, wie er ist.</translation>
     </message>
@@ -10634,8 +10725,36 @@ Ihr bester davor</translation>
         <translation>Noch einmal versuchen</translation>
     </message>
     <message>
-        <source>%1 What you drilled is safe while this window stays open. Remove the cause, then finish again.</source>
-        <translation>%1 Was abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Beheben Sie die Ursache, und beenden Sie dann noch einmal.</translation>
+        <source>Free some space for %1.</source>
+        <translation>Schaffen Sie Speicherplatz für %1.</translation>
+    </message>
+    <message>
+        <source>Your quota is used up: free some space for %1.</source>
+        <translation>Ihr Speicherkontingent ist erschöpft: Schaffen Sie Platz für %1.</translation>
+    </message>
+    <message>
+        <source>Close the program that holds %1.</source>
+        <translation>Schließen Sie das Programm, das %1 belegt.</translation>
+    </message>
+    <message>
+        <source>Make %1 and its folder writable again.</source>
+        <translation>Machen Sie %1 und den Ordner wieder beschreibbar.</translation>
+    </message>
+    <message>
+        <source>Remove the cause at %1.</source>
+        <translation>Beheben Sie die Ursache bei %1.</translation>
+    </message>
+    <message>
+        <source>Remove the cause at %1: %2.</source>
+        <translation>Beheben Sie die Ursache bei %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 What you drilled so far is kept while this window stays open. Resume then writes it and goes on.</source>
+        <translation>%1 Was bisher abgetragen wurde, bleibt erhalten, solange dieses Fenster offen ist. Fortsetzen schreibt es dann und macht weiter.</translation>
+    </message>
+    <message>
+        <source>%1 What you drilled is kept while this window stays open. Try again then writes it and measures the tooth.</source>
+        <translation>%1 Was abgetragen wurde, bleibt erhalten, solange dieses Fenster offen ist. Noch einmal versuchen schreibt es dann und vermisst den Zahn.</translation>
     </message>
 </context>
 <context>
@@ -13358,6 +13477,18 @@ Ihr bester davor</translation>
         <source>If that date is wrong, cancel and set the clock.</source>
         <translation>Wenn dieses Datum nicht stimmt, brechen Sie ab und stellen Sie die Uhr.</translation>
     </message>
+    <message>
+        <source>Your account is switched off.</source>
+        <translation>Ihr Konto ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The driver of the device stands still.</source>
+        <translation>Der Treiber des Geräts steht still.</translation>
+    </message>
+    <message>
+        <source>%1: unplug it and plug it in again.</source>
+        <translation>%1: Stecken Sie es aus und schließen Sie es wieder an.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::TextsForm</name>
@@ -13495,6 +13626,18 @@ Ihr bester davor</translation>
     <message>
         <source>Tilt at rest</source>
         <translation>Neigung in Ruhe</translation>
+    </message>
+    <message>
+        <source>Turn of the handpiece</source>
+        <translation>Drehung des Handstücks</translation>
+    </message>
+    <message>
+        <source>How far the student may turn the handpiece from its tilt at rest; 0: not at all</source>
+        <translation>Wie weit Studierende das Handstück aus seiner Neigung in Ruhe drehen dürfen; 0: gar nicht</translation>
+    </message>
+    <message>
+        <source>Turn from there</source>
+        <translation>Drehung von dort aus</translation>
     </message>
 </context>
 <context>

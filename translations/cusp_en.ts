@@ -280,23 +280,6 @@
     </message>
 </context>
 <context>
-    <name>cusp::ui::HistoryCharts</name>
-    <message numerus="yes">
-        <source>%n attempt(s), the last with %1 points.</source>
-        <translation>
-            <numerusform>%n attempt, the last with %1 points.</numerusform>
-            <numerusform>%n attempts, the last with %1 points.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rated attempt(s), the last %1 points from what was measured.</source>
-        <translation>
-            <numerusform>%n rated attempt, the last %1 points from what was measured.</numerusform>
-            <numerusform>%n rated attempts, the last %1 points from what was measured.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>cusp::ui::ImportPage</name>
     <message numerus="yes">
         <source>%n slice(s) of a CT, in the order of their places.</source>
@@ -571,6 +554,21 @@
         <translation>
             <numerusform>Own assessment: %1 of 100 on %n rated criterion, measured %2</numerusform>
             <numerusform>Own assessment: %1 of 100 on %n rated criteria, measured %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 instead of %3 point(s)</source>
+        <translation>
+            <numerusform>%1: %2 instead of %3 point</numerusform>
+            <numerusform>%1: %2 instead of %3 points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 instead of %2 point(s), changed by %3: %4</source>
+        <extracomment>%1: points that count, %2: measured points, %3: an examiner, %4: the reason.</extracomment>
+        <translation>
+            <numerusform>%1 instead of %2 point, changed by %3: %4</numerusform>
+            <numerusform>%1 instead of %2 points, changed by %3: %4</numerusform>
         </translation>
     </message>
 </context>
