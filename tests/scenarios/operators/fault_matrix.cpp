@@ -132,6 +132,7 @@ constexpr std::array kKnown = {
     Known{SingleFault::rough_floor, "paper-block", kNotFound, "a filled volume has no flatness; the mean depth and the over-cut find the pits"},
     Known{SingleFault::wrong_bur, "class-2-*", "overcut_leeway_floor",
           "over-cut below the bisector of wall and floor is the floor's: 0.14 to 0.16 mm3 beside a floor of 2.0 to 2.5 mm2"},
+    Known{SingleFault::exposed_pulp, "class-2-*", "axial_past_junction_most", "the way to the pulp goes through the axial wall: 0.44 mm become 2.1 and 2.4"},
     Known{SingleFault::wrong_bur, "class-2-*", "axial_past_junction_most", "the wider bur sets the axial wall back by 0.8 of its excess: 0.44 mm become 0.52, 0.60 and 0.78"},
 };
 
