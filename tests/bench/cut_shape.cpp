@@ -49,7 +49,8 @@ class Cut : public CutBlock {
   /// spot() avoids edges for a small bur, whose device point lies beyond the edge and has no minimum there.
   Spot spot(Random& random) const override {
     for (;;) {
-      const Vec3 c = over(random.between(-kSide, kSide), random.between(-kSide, kSide), 1e-8);
+      const double y = random.between(-kSide, kSide), x = random.between(-kSide, kSide);
+      const Vec3 c = over(x, y, 1e-8);
       if (bur_radius_mm() < kDepthMm + 0.02 && block_->edge_nearest(c)) continue;
       Vec3 slope;
       constexpr double kStep = 1e-6;
@@ -65,7 +66,10 @@ class Cut : public CutBlock {
   }
   /// Straight over the scratched part as seen from above, kDepthMm below the height at which the bur rests there.
   Leg leg(Random& random, const Vec3* from) const override {
-    const auto aim = [&] { return Vec3(random.between(-kSide, kSide), random.between(-kSide, kSide), 0.0); };
+    const auto aim = [&] {
+      const double y = random.between(-kSide, kSide), x = random.between(-kSide, kSide);  // in one order on every compiler
+      return Vec3(x, y, 0.0);
+    };
     const Vec3 a = from ? frame_.to_local(*from) : aim();
     Vec3 b = aim();
     while (std::hypot(b.x - a.x, b.y - a.y) < 0.2) b = aim();
@@ -197,7 +201,8 @@ std::unique_ptr<Truth> SuddenHole::truth_after() const {
 /// Within the hole's middle half.
 Spot SuddenHole::spot(Random& random) const {
   const double half = 0.35 * kSuddenHoleMm;
-  const Vec3 c(random.between(-half, half), random.between(-half, half), bur_radius_mm());
+  const double y = random.between(-half, half), x = random.between(-half, half);
+  const Vec3 c(x, y, bur_radius_mm());
   return {frame_.to_world(c), frame_.z};
 }
 
@@ -235,7 +240,8 @@ Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)
   const double tilt = kRadians * (kind == HoleKind::straight ? random.between(0.0, 5.0) : random.between(10.0, 70.0));
   const double turn = random.between(0.0, 360.0) * kRadians;
   const double deep = random.between(0.4, 1.3);
-  const Vec3 mouth(random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0.0);
+  const double y = random.between(-0.5, 0.5), x = random.between(-0.5, 0.5);
+  const Vec3 mouth(x, y, 0.0);
   const Vec3 axis(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
   // From well outside, where the bur touches nothing yet, to its depth below the face along the axis.
   std::vector<Capsule> paths{{mouth + axis * (1.5 * r / std::cos(tilt) + 0.2), mouth - axis * deep, r}};

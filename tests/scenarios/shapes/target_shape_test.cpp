@@ -88,7 +88,7 @@ TEST(OutlineShape, OutsideTheDistanceIsThatOfTheNearestSurfacePoint) {
   for (const Outline& t : {channel(), fissures(), box()}) {
     const OutlineShape shape(t);
     std::vector<Vec3> surface;
-    const double step = 0.03;
+    const double step = 0.02;
     for (double px = shape.low().x - 0.1; px < shape.high().x + 0.1; px += step)
       for (double py = shape.low().y - 0.1; py < shape.high().y + 0.1; py += step) {
         const double u = shape.outline_mm({px, py});
@@ -104,7 +104,10 @@ TEST(OutlineShape, OutsideTheDistanceIsThatOfTheNearestSurfacePoint) {
     std::uniform_real_distribution<double> x(-5, 5), z(-3.5, 0.5);
     int checked = 0;
     for (int i = 0; i < 400; ++i) {
-      const Vec3 p(x(random), x(random), z(random));
+      Vec3 p;  // arguments of a call are drawn in an order that the compiler chooses
+      p.z = z(random);
+      p.y = x(random);
+      p.x = x(random);
       const double d = shape.distance_mm(p);
       if (d <= 0.05) continue;
       double nearest = 1e9;
