@@ -242,6 +242,7 @@ TEST(Look, no_tab_moves_when_another_is_chosen_or_has_the_focus) {
   QTabWidget tabs;
   tabs.setDocumentMode(true);
   for (const char* name : {"Shape", "Points", "Burs", "Tissues"}) tabs.addTab(new QWidget, name);
+  tabs.resize(600, 200);  // wide enough for all: a narrow bar scrolls to the chosen one
   tabs.show();
   const QTabBar& bar = *tabs.tabBar();
   const auto places = [&bar] {
