@@ -7,7 +7,6 @@
 #include <iterator>
 #include <random>
 
-#include "storage/exchange/session_copies.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/two_stations.h"
 
@@ -214,47 +213,6 @@ TEST_F(ExchangeTest, who_was_switched_off_at_another_window_gives_out_and_reads_
   EXPECT_FALSE(fs::exists(away));
   EXPECT_EQ(shared_records(*office), before);
   must(read_in(office->context(), second, file));
-}
-
-TEST_F(ExchangeTest, a_file_takes_its_name_once_it_is_whole) {
-  const fs::path file = next_file(), failing = next_file(), taken = next_file();
-  must(make_copy(file, folder / "office.db", [&](Database&) -> Stored<void> {
-    EXPECT_FALSE(fs::exists(file)) << "a crash would leave a file that nobody has signed";
-    return {};
-  }));
-  EXPECT_EQ(mode_of(file), 0600u);
-  const auto failed = make_copy(failing, folder / "office.db", [](Database& to) -> Stored<void> { return fail(StorageError::disk_full, to.file().string()); });
-  ASSERT_EQ(code_of(failed), StorageError::disk_full);
-  EXPECT_EQ(failed.error().where, failing.string());
-  EXPECT_FALSE(fs::exists(failing));
-  const auto late = make_copy(taken, folder / "office.db", [&](Database&) -> Stored<void> {
-    std::ofstream(taken) << "another program's";
-    return {};
-  });
-  ASSERT_EQ(code_of(late), StorageError::duplicate);
-  EXPECT_EQ(late.error().where, taken.string());
-  EXPECT_EQ(bytes(taken), "another program's");
-}
-
-TEST_F(ExchangeTest, giving_out_takes_away_what_a_killed_program_left_a_day_ago) {
-  const fs::path left = folder / (".cusp-copy-" + Uuid::v7().text()), being_written = folder / (".cusp-copy-" + Uuid::v7().text()),
-                 notes = folder / ".cusp-copy-notes";
-  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
-  for (const fs::path& one : {left, being_written, notes}) {
-    fs::create_directories(one);
-    for (const char* part : {"copy.db", "copy.db-wal"}) {
-      std::ofstream(one / part) << "cut off";
-      if (one != being_written) fs::last_write_time(one / part, long_ago);
-    }
-    if (one != being_written) fs::last_write_time(one, long_ago);
-  }
-  results();
-  EXPECT_FALSE(fs::exists(left));
-  EXPECT_TRUE(fs::exists(being_written));
-  EXPECT_TRUE(fs::exists(notes));
-  const auto copies = std::count_if(fs::directory_iterator(next_file().parent_path()), fs::directory_iterator(),
-                                    [](const fs::directory_entry& entry) { return entry.path().filename().string().starts_with(".cusp-copy-"); });
-  EXPECT_EQ(copies, 2) << "its own folder is gone";
 }
 
 TEST_F(ExchangeTest, a_station_neither_trusts_itself_nor_reads_its_own_file) {

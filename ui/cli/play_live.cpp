@@ -205,7 +205,6 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
   SessionDevice device = std::move(*made);
   *emulated = device.emulated;
   const std::shared_ptr<HapticPort> port = std::move(device.port);
-
   std::atomic<bool> called_off{false};
   auto starting = std::async(std::launch::async, [&plan, &port, &called_off] {
     return ExerciseSession::start(std::move(plan), port, [&called_off] { return called_off.load(); });
@@ -220,7 +219,6 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
   auto started = starting.get();
   if (!started) return std::unexpected(started.error());
   ExerciseSession& session = **started;
-
   const auto began = std::chrono::steady_clock::now();
   follow(session, operators.get(), options, stop, figures);
   figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -123,8 +123,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
     if (!details->grade->overrides.empty()) data.result.grade = details->grade->grade;
     data.changes = changes_of(*store, *details->grade);
   }
-  // The records do not hold this flag.
-  mark_counted_with_target(data.result.grade, result.scenario.rubric);
+  mark_counted_with_target(data.result.grade, result.scenario.rubric);  // the records do not hold this flag
   for (CriterionGrade& c : data.result.grade.criteria)
     if (changed_by_hand(data, c)) c.counts_with_target = false;
   data.critical = critical_events(data.result.grade, store, result.session);

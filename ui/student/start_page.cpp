@@ -198,8 +198,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   start_ = make_large_button(tr("Start"), interrupted_ != nullptr || assessed() ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
   start_->setMinimumWidth(px(106));
   QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
-  acts->addWidget(start_);
-  acts->addWidget(briefing);
+  for (QPushButton* one : {start_, briefing}) acts->addWidget(one);
   // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
   start_->setEnabled(opengl_allowed() && refusal_.isEmpty());
   const QString enter = interrupted_ == nullptr && !assessed() && refusal_.isEmpty() ? tr("Enter starts") : QString();
