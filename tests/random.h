@@ -17,6 +17,13 @@ class Random {
   }
   /// In [low, high).
   double between(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
+  /// A place in the box. Drawn from its last coordinate to its first: of arguments of one call the compiler chooses the order.
+  template <class Vec>
+  Vec in(Vec low, Vec high) {
+    Vec out;
+    for (int i = Vec::length() - 1; i >= 0; --i) out[i] = between(low[i], high[i]);
+    return out;
+  }
 
  private:
   std::uint64_t state_;

@@ -203,7 +203,7 @@ std::vector<Vec3> exploring_points(double radius_mm, double speed_mm_s, std::uin
   Vec3 at(0.0, 0.0, -0.8);
   int face = 0;  // floor, then the walls: -x, +x, -y, +y
   const auto on_face = [&](int f) {
-    Vec3 p(random.between(low.x, high.x), random.between(low.y, high.y), random.between(low.z, high.z));
+    Vec3 p = random.in(low, high);
     if (f == 0) p.z = low.z;
     if (f == 1 || f == 2) p.x = f == 1 ? low.x : high.x;
     if (f == 3 || f == 4) p.y = f == 3 ? low.y : high.y;

@@ -49,8 +49,8 @@ class Cut : public CutBlock {
   /// spot() avoids edges for a small bur, whose device point lies beyond the edge and has no minimum there.
   Spot spot(Random& random) const override {
     for (;;) {
-      const double y = random.between(-kSide, kSide), x = random.between(-kSide, kSide);
-      const Vec3 c = over(x, y, 1e-8);
+      const glm::dvec2 above = random.in(glm::dvec2(-kSide), glm::dvec2(kSide));
+      const Vec3 c = over(above.x, above.y, 1e-8);
       if (bur_radius_mm() < kDepthMm + 0.02 && block_->edge_nearest(c)) continue;
       Vec3 slope;
       constexpr double kStep = 1e-6;
@@ -66,10 +66,7 @@ class Cut : public CutBlock {
   }
   /// Straight over the scratched part as seen from above, kDepthMm below the height at which the bur rests there.
   Leg leg(Random& random, const Vec3* from) const override {
-    const auto aim = [&] {
-      const double y = random.between(-kSide, kSide), x = random.between(-kSide, kSide);  // in one order on every compiler
-      return Vec3(x, y, 0.0);
-    };
+    const auto aim = [&] { return Vec3(random.in(glm::dvec2(-kSide), glm::dvec2(kSide)), 0.0); };
     const Vec3 a = from ? frame_.to_local(*from) : aim();
     Vec3 b = aim();
     while (std::hypot(b.x - a.x, b.y - a.y) < 0.2) b = aim();
@@ -201,8 +198,7 @@ std::unique_ptr<Truth> SuddenHole::truth_after() const {
 /// Within the hole's middle half.
 Spot SuddenHole::spot(Random& random) const {
   const double half = 0.35 * kSuddenHoleMm;
-  const double y = random.between(-half, half), x = random.between(-half, half);
-  const Vec3 c(x, y, bur_radius_mm());
+  const Vec3 c(random.in(glm::dvec2(-half), glm::dvec2(half)), bur_radius_mm());
   return {frame_.to_world(c), frame_.z};
 }
 
@@ -240,8 +236,7 @@ Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)
   const double tilt = kRadians * (kind == HoleKind::straight ? random.between(0.0, 5.0) : random.between(10.0, 70.0));
   const double turn = random.between(0.0, 360.0) * kRadians;
   const double deep = random.between(0.4, 1.3);
-  const double y = random.between(-0.5, 0.5), x = random.between(-0.5, 0.5);
-  const Vec3 mouth(x, y, 0.0);
+  const Vec3 mouth(random.in(glm::dvec2(-0.5), glm::dvec2(0.5)), 0.0);
   const Vec3 axis(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
   // From well outside, where the bur touches nothing yet, to its depth below the face along the axis.
   std::vector<Capsule> paths{{mouth + axis * (1.5 * r / std::cos(tilt) + 0.2), mouth - axis * deep, r}};
@@ -252,8 +247,8 @@ Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)
     // Its axis lies 0.3 radii above to 0.6 below the face, and passes the mouth within half a radius.
     const double way = random.between(0.0, 360.0) * kRadians;
     const Vec3 along(std::cos(way), std::sin(way), random.between(-0.1, 0.1)), sideways(-along.y, along.x, 0.0);
-    const Vec3 middle =
-        mouth + sideways * random.between(-0.5 * r, 0.5 * r) + Vec3(0.0, 0.0, random.between(-0.6 * r, 0.3 * r));
+    const double lift = random.between(-0.6 * r, 0.3 * r);  // before the way sideways
+    const Vec3 middle = mouth + sideways * random.between(-0.5 * r, 0.5 * r) + Vec3(0.0, 0.0, lift);
     paths.insert(paths.begin(), {middle - along * 1.3, middle + along * 1.7, r});
   }
   axis_ = frame_.direction(axis);

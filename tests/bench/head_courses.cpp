@@ -162,8 +162,7 @@ class ConvexCourse : public HeadCourse {
     for (;;) {
       const Vec3 pivot = on_ray(places_.ray(places_.any(random)), axis, kStartMm);
       const Vec3 n = head.separating(pivot), touching = pivot - n * kStartMm;
-      const Vec3 aside =
-          Vec3(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)) * kTippedSine;
+      const Vec3 aside = random.in(Vec3(-1.0), Vec3(1.0)) * kTippedSine;
       const Vec3 back = head.settle(tissue_.normal_near(n + aside), touching - n * (kStableOver * kDepthMm), 1e-9);
       if (length(back - n) < 1e-3 * kTippedSine) return {touching, n};
     }

@@ -180,7 +180,7 @@ PressRun PressBench::run(double k, std::uint64_t seed, PressOptions options) {
   inner_->exact->start(start);
 
   Random random(seed * 7919);
-  const Vec3 phase(random.between(0.0, 1.0), random.between(0.0, 1.0), random.between(0.0, 1.0));
+  const Vec3 phase = random.in(Vec3(0.0), Vec3(1.0));
   lab::TransportSettings transport = what.transport;
   transport.seed = seed;
   lab::ClosedLoop loop(what.device, transport, what.grip, start, phase);

@@ -61,7 +61,7 @@ TEST(PressPlace, AdmitsTheExactProxyInTheFittingPit) {
   const Press press = place->press(1);
   Random random(3);
   for (int i = 0; i < 200; ++i) {
-    const Vec3 aside(random.between(-0.4, 0.4), random.between(-0.4, 0.4), random.between(-0.4, 0.4));
+    const Vec3 aside = random.in(Vec3(-0.4), Vec3(0.4));
     truth->start(press.touch);
     const Vec3 centre = truth->follow(press.touch + aside).pose_mm;
     double least = 1e9;

@@ -36,7 +36,7 @@ class FacePlace : public ShapePlace {
   explicit FacePlace(double r) : ShapePlace("face", r) {}
   Press press(std::uint64_t seed) const override {
     Random random(seed);
-    const Vec3 at(random.between(-2.0, 2.0), random.between(-2.0, 2.0), r());
+    const Vec3 at(random.in(glm::dvec2(-2.0), glm::dvec2(2.0)), r());
     return {frame_.to_world(at), -frame_.z, -frame_.z, frame_.x, frame_.y};
   }
 };
@@ -46,7 +46,7 @@ class EdgePlace : public ShapePlace {
   explicit EdgePlace(double r) : ShapePlace("edge", r) {}
   Press press(std::uint64_t seed) const override {
     Random random(seed);
-    const Vec3 at(random.between(-0.2, -0.05), random.between(-1.5, 1.5), r());
+    const Vec3 at(random.in(glm::dvec2(-0.2, -1.5), glm::dvec2(-0.05, 1.5)), r());
     return {frame_.to_world(at), -frame_.z, -frame_.z, frame_.x, frame_.y};
   }
 };
@@ -59,7 +59,7 @@ class CornerPlace : public ShapePlace {
     // Three walls at right angles about the frame's z, their corner 1.5 mm below its origin.
     const Vec3 at(0.0, 0.0, std::sqrt(3.0) * r() - 1.5);
     const Vec3 into =
-        unit_direction(frame_, Vec3(random.between(-kTiltMost, kTiltMost), random.between(-kTiltMost, kTiltMost), -1.0));
+        unit_direction(frame_, Vec3(random.in(glm::dvec2(-kTiltMost), glm::dvec2(kTiltMost)), -1.0));
     return {frame_.to_world(at), -frame_.z, into, Vec3(0.0), Vec3(0.0)};
   }
 };
@@ -171,7 +171,7 @@ class PitPlace : public PressPlace {
   Press press(std::uint64_t seed) const override {
     Random random(seed);
     const Frame& f = pit_.frame();
-    const Vec3 into = unit_direction(f, Vec3(random.between(-0.4, 0.4), random.between(-0.4, 0.4), -1.0));
+    const Vec3 into = unit_direction(f, Vec3(random.in(glm::dvec2(-0.4), glm::dvec2(0.4)), -1.0));
     return {f.origin + into * pit_.play(), -f.z, into, Vec3(0.0), Vec3(0.0)};
   }
 
@@ -195,7 +195,7 @@ class ChannelPlace : public PressPlace {
   Press press(std::uint64_t seed) const override {
     Random random(seed);
     const Frame f = Frame::of(hole_->axis(), {0.3, 1.0, 0.2}, hole_->bottom());
-    const Vec3 into = unit_direction(f, Vec3(random.between(-0.5, 0.5), random.between(-0.5, 0.5), -1.0));
+    const Vec3 into = unit_direction(f, Vec3(random.in(glm::dvec2(-0.5), glm::dvec2(0.5)), -1.0));
     return {hole_->bottom() + into * SurfaceContact::kClearanceMm, -hole_->axis(), into, Vec3(0.0), Vec3(0.0)};
   }
 

@@ -257,7 +257,7 @@ StepOutput Pair::tick(const StepInput& given, Tally& tally) {
 void run_hand(Pair& pair, const Shape& shape, const Setting& setting, Vec3 start, const Intent& intent, int ms,
               std::uint64_t seed, Tally& tally, const Events& events) {
   Random random(seed);
-  const Vec3 phase(random.between(0.0, 1.0), random.between(0.0, 1.0), random.between(0.0, 1.0));
+  const Vec3 phase = random.in(Vec3(0.0), Vec3(1.0));
   {
     lab::ClosedLoop loop(setting.device(), setting.transport(seed), setting.hand(), start, phase);
     tally.add_rest(run_intent(loop, intent, ms, [&](int t) {

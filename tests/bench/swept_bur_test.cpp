@@ -59,7 +59,7 @@ TEST(SweptBur, IsAsNearAsTheNearestPlaceOnThePath) {
     const std::vector<Vec3> places = {{0.0, 0.0, 0.0}, {0.3, 0.1, -0.2}, {0.31, 0.1, -0.2}, {0.32, 0.105, -0.2}, {0.5, 0.4, -0.25}};
     const SweptBur swept(bur, axis, places);
     for (int k = 0; k < 20; ++k) {
-      const Vec3 place(random.between(-0.8, 1.3), random.between(-0.8, 1.3), random.between(-1.0, 1.5));
+      const Vec3 place = random.in(Vec3(-0.8, -0.8, -1.0), Vec3(1.3, 1.3, 1.5));
       double least = 1e300;
       for (std::size_t i = 0; i + 1 < places.size(); ++i) {
         const int parts = static_cast<int>(length(places[i + 1] - places[i]) / 1e-4) + 1;

@@ -48,7 +48,8 @@ TEST(SweptHeads, HasTheDepthThatTheProfileGives) {
     const HeadSlot slot = slot_of(bur, unit(oblique_frame().z + oblique_frame().x * 0.1));
     const SweptHeads swept = swept_slot(slot, bur);
     for (int k = 0; k < 200; ++k) {
-      const Vec3 place = slot.at(random.between(-1.0, 1.0)) + Vec3(random.between(-0.7, 0.7), random.between(-0.7, 0.7), random.between(-0.7, 0.7));
+      const Vec3 off = random.in(Vec3(-0.7), Vec3(0.7));
+      const Vec3 place = slot.at(random.between(-1.0, 1.0)) + off;
       Vec3 inwards;
       const double exact = depth_by_profile(slot, bur, place), depth = swept.depth_mm(place, inwards);
       const bool below = glm::dot(place - slot.frame.origin, slot.frame.z) < 0.0;
