@@ -29,8 +29,9 @@ class OutlineShape {
   double wall_mm(Vec3 p) const noexcept;
   /// Below the floor; negative above it.
   double below_floor_mm(double z) const noexcept { return floor_mm_ - z; }
-  /// Signed distance. Upright walls: exact outside, inside a lower bound of the depth. Leaning ones: a lower bound, its
-  /// corner a parabola through the middle of the round one.
+  /// Signed distance. Upright walls: exact outside, inside a lower bound of the depth; where a rectangle's vertical edge meets the
+  /// rounded floor it falls short by at most 0.09 of the corner's radius. Leaning ones: a lower bound, its corner a parabola
+  /// through the middle of the round one.
   double distance_mm(Vec3 p) const noexcept;
   /// Distances and face. `faces`: in the order of face_slots(RegionKind::outline).
   Near near(Vec3 p, const std::array<FaceName, 6>& faces) const noexcept;
