@@ -3,8 +3,6 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
@@ -151,18 +149,7 @@ void ExerciseCards::keyPressEvent(QKeyEvent* event) {
   }
   const QPersistentModelIndex before = currentIndex();
   QListView::keyPressEvent(event);
-  // Cards as high as their rows do not scroll themselves.
-  if (currentIndex().isValid() && before != currentIndex()) take_page_along();
-}
-
-void ExerciseCards::take_page_along() {
-  const QRect card = visualRect(currentIndex());
-  for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
-    auto* area = qobject_cast<QScrollArea*>(above);
-    if (area == nullptr || area->widget() == nullptr) continue;
-    const int y = viewport()->mapTo(area->widget(), card.center()).y();
-    area->ensureVisible(area->horizontalScrollBar()->value(), y, 0, card.height() / 2);
-  }
+  if (before != currentIndex()) scroll_pages_to_current(*this, 0);
 }
 
 void ExerciseCards::focusInEvent(QFocusEvent* event) {

@@ -18,8 +18,6 @@ class ExerciseCards : public QListView {
   using PictureOf = std::function<QImage(const QModelIndex&)>;
   explicit ExerciseCards(PictureOf picture_of, QWidget* parent = nullptr);
   void setModel(QAbstractItemModel* model) override;
-  /// Scrolls the pages around the cards to the current one.
-  void take_page_along();
   /// Draws the pictures anew that have come.
   void pictures_came();
 

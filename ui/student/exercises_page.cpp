@@ -198,7 +198,7 @@ bool ExercisesPage::read_again() {
       setFocusProxy(nullptr);  // the page has begun already
       cards->setFocus(Qt::OtherFocusReason);
       // After the layout has placed the cards.
-      QMetaObject::invokeMethod(cards, &ExerciseCards::take_page_along, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(cards, [view = cards] { scroll_pages_to_current(*view, 0); }, Qt::QueuedConnection);
     }
   }
   return true;

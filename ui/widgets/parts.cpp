@@ -1,5 +1,6 @@
 #include "ui/widgets/parts.h"
 
+#include <QAbstractItemView>
 #include <QAccessible>
 #include <QAction>
 #include <QBoxLayout>
@@ -10,6 +11,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QTabBar>
 #include <QToolButton>
@@ -335,6 +337,17 @@ QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent) {
   QScrollArea* area = make_scrolling(page);
   area->setParent(parent);
   return area;
+}
+
+void scroll_pages_to_current(QAbstractItemView& view, int beside) {
+  if (!view.currentIndex().isValid()) return;
+  const QRect current = view.visualRect(view.currentIndex());
+  for (QWidget* above = view.parentWidget(); above != nullptr; above = above->parentWidget()) {
+    auto* area = qobject_cast<QScrollArea*>(above);
+    if (area == nullptr || area->widget() == nullptr) continue;
+    const int y = view.viewport()->mapTo(area->widget(), current.center()).y();
+    area->ensureVisible(area->horizontalScrollBar()->value(), y, 0, current.height() / 2 + beside);
+  }
 }
 
 }  // namespace cusp::ui

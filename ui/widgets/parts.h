@@ -8,6 +8,7 @@
 
 #include "ui/widgets/icon.h"
 
+class QAbstractItemView;
 class QLineEdit;
 class QBoxLayout;
 class QButtonGroup;
@@ -143,5 +144,7 @@ QWidget* make_page(QWidget* content);
 QScrollArea* make_scrolling(QWidget* page);
 /// A page that scrolls if it is too tall; `body` receives its layout.
 QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent = nullptr);
+/// Scrolls the pages around a view that is as high as its rows, so that its current one is seen with `beside` px above and below.
+void scroll_pages_to_current(QAbstractItemView& view, int beside);
 
 }  // namespace cusp::ui

@@ -4,11 +4,10 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QScrollArea>
-#include <QScrollBar>
 
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
@@ -221,16 +220,6 @@ QSize Table::sizeHint() const {
 }
 QSize Table::minimumSizeHint() const { return rows_shown_ > 0 ? QSize(px(200), sizeHint().height()) : QSize(px(200), px(110)); }
 
-void Table::take_page_along() {
-  const QRect row = visualRect(currentIndex());
-  for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
-    auto* area = qobject_cast<QScrollArea*>(above);
-    if (area == nullptr || area->widget() == nullptr) continue;
-    const int y = viewport()->mapTo(area->widget(), row.center()).y();
-    area->ensureVisible(area->horizontalScrollBar()->value(), y, 0, row.height());
-  }
-}
-
 void Table::keyPressEvent(QKeyEvent* event) {
   if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && currentIndex().isValid()) {
     Q_EMIT row_opened(currentIndex());
@@ -238,8 +227,7 @@ void Table::keyPressEvent(QKeyEvent* event) {
   }
   const QPersistentModelIndex before = currentIndex();
   QTableView::keyPressEvent(event);
-  // A table as high as its rows does not scroll itself.
-  if (currentIndex().isValid() && before != currentIndex()) take_page_along();
+  if (before != currentIndex()) scroll_pages_to_current(*this, visualRect(currentIndex()).height() / 2);
 }
 
 }  // namespace cusp::ui

@@ -62,8 +62,6 @@ class Table : public QTableView {
   void updateGeometries() override;
 
  private:
-  /// Scrolls the pages around the table to the current row.
-  void take_page_along();
   int rows_shown_ = 0;
   int stretch_column_ = -1;
 };
