@@ -2,71 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "storage/records/session_summary.h"
-#include "tests/storage/sample.h"
+#include "tests/storage/assessments.h"
 
 namespace cusp::test {
 namespace {
-
-constexpr std::int64_t kHour = 3'600'000'000;
-
-struct AssessmentTest : ::testing::Test {
-  Folder folder;
-  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
-  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
-  Actor instructor = make_instructor(*store).actor();
-  Account lena = make_student(*store), omar = make_student(*store, "20260002", "Omar Haddad");
-  ScenarioVersion version = keep(*store);
-  CohortId cohort;
-
-  void SetUp() override {
-    cohort = must(store->cohorts.create(instructor, "Year 2")).id;
-    must(store->cohorts.add(instructor, cohort, lena.id));
-  }
-  Assignment assign(SessionKind kind, std::optional<int> attempts = {}) {
-    Assignment a{.version = version.id, .cohort = cohort, .kind = kind};
-    a.opens_utc_us = kNow;
-    a.due_utc_us = kNow + kHour;
-    a.attempts_allowed = attempts;
-    return must(store->assignments.create(instructor, a, kind == SessionKind::assessment ? "4711" : ""));
-  }
-  Stored<Session> begin(const Account& student, const Assignment& assignment, const std::string& code = "4711") {
-    NewSession wanted = new_session(student, version);
-    wanted.assignment = assignment.id;
-    wanted.start_code = assignment.kind == SessionKind::assessment ? code : "";
-    return store->sessions.start(student.actor(), wanted);
-  }
-  SessionId sit(const Assignment& assignment, double score, bool passed) {
-    const SessionId id = must(begin(lena, assignment)).id;
-    must(store->traces.append(id, second_from(1)));
-    must(store->sessions.finish(id, volume_after(12), "student"));
-    must(store->grades.save(id, small_grade(score, passed), {}));
-    return id;
-  }
-  std::string admission(const Account& student, const Assignment& assignment, const std::string& code) {
-    NewSession wanted = new_session(student, version);
-    wanted.assignment = assignment.id;
-    wanted.start_code = code;
-    const auto done = store->sessions.admit(student.actor(), wanted);
-    return done ? "admitted" : done.error().where;
-  }
-  /// "withheld" if the student reads nothing of the result in any way, else its score.
-  std::string seen(SessionId id) {
-    const Actor student = lena.actor();
-    const HistoryRow row = must(store->history.details(student, id)).row;
-    const HistoryRow listed = must(store->history.details(instructor, id)).row;
-    const bool readable = store->history.may_read_result(student, id).has_value();
-    EXPECT_EQ(row.score.has_value(), readable);
-    EXPECT_EQ(row.released, readable);
-    EXPECT_EQ(listed.released, readable) << "an instructor's list says what the student sees";
-    EXPECT_EQ(must(store->history.figures(student)).attempts, readable ? 1 : 0);
-    EXPECT_EQ(must(store->statements.of(student, id)).empty(), !readable);
-    EXPECT_TRUE(must(verify_store(store->context())).intact());
-    return readable ? std::to_string(static_cast<int>(*row.score)) : "withheld";
-  }
-  static std::string refusal(const Stored<Session>& result) {
-    return result ? "begun" : result.error().where;
-  }
-};
 
 TEST_F(AssessmentTest, an_assigned_attempt_takes_its_kind_from_the_assignment) {
   const Assignment practice = assign(SessionKind::practice), exam = assign(SessionKind::assessment);
@@ -164,49 +103,6 @@ TEST_F(AssessmentTest, it_begins_with_a_device_of_a_class_that_the_assignment_ad
   EXPECT_TRUE(must(verify_store(store->context())).intact());
 }
 
-TEST_F(AssessmentTest, it_begins_only_if_the_device_passed_its_newest_self_test_within_the_days_that_the_assignment_asks) {
-  constexpr std::int64_t kDay = 24 * kHour;
-  Assignment wish{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .self_test_days = 7};
-  const Assignment exam = must(store->assignments.create(instructor, wish, "4711"));
-  EXPECT_EQ(must(store->assignments.find(exam.id)).self_test_days, 7);
-  const auto with = [&](const std::string& device_class) {
-    NewSession wanted = new_session(lena, version);
-    wanted.assignment = exam.id;
-    wanted.start_code = "4711";
-    wanted.header.device.device_class = device_class;
-    const auto done = store->sessions.admit(lena.actor(), wanted);
-    EXPECT_EQ(store->sessions.start(lena.actor(), wanted).has_value(), done.has_value()) << "start() says what admit() says";
-    if (done) return std::string("admitted");
-    EXPECT_EQ(done.error().code, StorageError::self_test_due);
-    return done.error().where + ' ' + done.error().detail;
-  };
-  const auto tested = [&](const std::string& device_class, TestOutcome outcome) {
-    must(store->device_tests.add(instructor, {.device_class = device_class, .device = "room 2, left", .outcome = outcome}));
-  };
-  EXPECT_EQ(with("falcon"), "falcon 7");
-  tested("falcon", TestOutcome::passed);
-  tested("falcon-2", TestOutcome::failed);
-  EXPECT_EQ(with("falcon"), "admitted");
-  EXPECT_EQ(with("falcon-2"), "falcon-2 7");
-  EXPECT_EQ(with("pointer"), "pointer 7") << "another class was tested";
-  *now += 7 * kDay;
-  EXPECT_EQ(with("falcon"), "admitted");
-  *now += 1;
-  EXPECT_EQ(with("falcon"), "falcon 7");
-  tested("falcon", TestOutcome::passed);
-  tested("falcon", TestOutcome::failed);
-  EXPECT_EQ(with("falcon"), "falcon 7") << "the newest counts";
-  *now -= kDay;
-  EXPECT_EQ(with("falcon"), "admitted") << "the one that passed a week ago; those of a clock that was set back are passed over";
-  tested("falcon", TestOutcome::failed);
-  EXPECT_EQ(with("falcon"), "falcon 7");
-  tested("falcon", TestOutcome::passed);
-  EXPECT_EQ(with("falcon"), "admitted");
-  *now += kDay;
-  EXPECT_EQ(with("falcon"), "admitted") << "what failed before the clock was set back is older, whatever its time";
-  EXPECT_TRUE(must(verify_store(store->context())).intact());
-}
-
 TEST_F(AssessmentTest, a_drawn_tooth_begins_with_its_exercise_which_the_session_keeps) {
   const Assignment wish{.version = version.id, .cohort = cohort, .kind = SessionKind::assessment, .drawn_tooth = true};
   const Assignment exam = must(store->assignments.create(instructor, wish, "4711"));
@@ -230,17 +126,6 @@ TEST_F(AssessmentTest, only_an_assessment_that_draws_a_tooth_takes_another_exerc
   EXPECT_EQ(store->assignments.create(instructor, wish).error().where, "drawn_tooth");
 }
 
-TEST_F(AssessmentTest, a_self_test_is_asked_for_within_a_year_and_of_an_assessment_alone) {
-  const auto where = [&](SessionKind kind, int days) {
-    const Assignment wish{.version = version.id, .cohort = cohort, .kind = kind, .self_test_days = days};
-    const auto made = store->assignments.create(instructor, wish, kind == SessionKind::assessment ? "4711" : "");
-    return made ? "made" : made.error().where;
-  };
-  for (const int days : {0, -1, kMostSelfTestDays + 1}) EXPECT_EQ(where(SessionKind::assessment, days), "self_test_days") << days;
-  EXPECT_EQ(where(SessionKind::practice, 7), "self_test_days");
-  EXPECT_EQ(where(SessionKind::assessment, kMostSelfTestDays), "made");
-}
-
 TEST_F(AssessmentTest, who_was_switched_off_at_another_window_reads_that_and_begins_nothing) {
   const Assignment exam = assign(SessionKind::assessment);
   must(store->accounts.disable(make_administrator(*store).actor(), lena.id));
@@ -248,12 +133,6 @@ TEST_F(AssessmentTest, who_was_switched_off_at_another_window_reads_that_and_beg
     EXPECT_EQ(code_of(begun), StorageError::disabled);
     EXPECT_EQ(begun.error().where, "actor");
   }
-}
-
-TEST_F(AssessmentTest, a_self_test_of_who_was_switched_off_at_another_window_is_not_kept) {
-  must(store->accounts.disable(make_administrator(*store).actor(), instructor.id));
-  EXPECT_EQ(code_of(store->device_tests.add(instructor, {.device_class = "falcon", .device = "room 2, left"})), StorageError::disabled);
-  EXPECT_FALSE(must(store->device_tests.newest("falcon")));
 }
 
 TEST_F(AssessmentTest, a_start_code_has_4_to_32_characters_whatever_their_bytes) {
@@ -265,24 +144,6 @@ TEST_F(AssessmentTest, a_start_code_has_4_to_32_characters_whatever_their_bytes)
   };
   for (const std::size_t count : {kLeastStartCode - 1, kMostStartCode + 1}) EXPECT_EQ(where(count), "start_code") << count;
   for (const std::size_t count : {kLeastStartCode, kMostStartCode}) EXPECT_EQ(where(count), "made") << count;
-}
-
-TEST_F(AssessmentTest, a_self_test_is_kept_by_staff_with_device_tester_and_time) {
-  EXPECT_FALSE(must(store->device_tests.newest("falcon")));
-  EXPECT_EQ(code_of(store->device_tests.add(lena.actor(), {.device_class = "falcon"})), StorageError::not_allowed);
-  for (const char* wrong : {"", "Falcon", "a b"}) {
-    EXPECT_EQ(store->device_tests.add(instructor, {.device_class = wrong}).error().where, "device_class") << wrong;
-  }
-  EXPECT_EQ(store->device_tests.add(instructor, {.device_class = "falcon", .device = std::string(201, 'x')}).error().where, "device");
-  must(store->device_tests.add(instructor, {.device_class = "falcon", .device = "room 2, left"}));
-  const DeviceTest kept = *must(store->device_tests.newest("falcon"));
-  EXPECT_EQ(kept.device_class, "falcon");
-  EXPECT_EQ(kept.device, "room 2, left");
-  EXPECT_EQ(kept.outcome, TestOutcome::passed);
-  EXPECT_EQ(kept.tester, instructor.id);
-  EXPECT_EQ(kept.at_utc_us, kNow);
-  EXPECT_FALSE(must(store->device_tests.newest("falco")));
-  EXPECT_EQ(must(store->audit.list(make_administrator(*store).actor(), 2))[1].action, "device_tested");
 }
 
 TEST_F(AssessmentTest, an_assessment_without_assignment_or_of_another_version_does_not_begin) {

@@ -47,6 +47,17 @@ struct ComingBack : ::testing::Test {
   Page* page() {
     return qobject_cast<Page*>(desktop->shell()->page());
   }
+  /// A page with a way back and a field, with which it begins: that field.
+  const QLineEdit* push_page() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->addWidget(new QPushButton(QStringLiteral("Back")));
+    auto* begins = new QLineEdit;
+    column->addWidget(begins);
+    page->setFocusProxy(begins);
+    desktop->push(page);
+    return begins;
+  }
   void cover_and_come_back() {
     desktop->push(new QWidget);
     desktop->back();
@@ -101,13 +112,7 @@ TEST_F(ComingBack, a_page_that_opens_has_the_keyboard_where_it_begins) {
   const auto* next = qobject_cast<QPushButton*>(QApplication::focusWidget());
   ASSERT_NE(next, nullptr) << "Enter leads to the next candidate";
   EXPECT_EQ(next->text().toStdString(), "Next candidate");
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->addWidget(new QPushButton(QStringLiteral("Back")));
-  auto* begins = new QLineEdit;
-  column->addWidget(begins);
-  page->setFocusProxy(begins);
-  desktop->push(page);
+  const QLineEdit* begins = push_page();
   EXPECT_EQ(QApplication::focusWidget(), begins) << "not on the first control";
 }
 
@@ -116,13 +121,7 @@ TEST_F(ComingBack, the_keyboard_is_where_it_was_on_a_page_over_the_window) {
   open<Performance>(records.administrator(), "performance");
   desktop->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->addWidget(new QPushButton(QStringLiteral("Back")));
-  auto* candidates = new QLineEdit;
-  column->addWidget(candidates);
-  page->setFocusProxy(candidates);
-  desktop->push(page);
+  const QLineEdit* candidates = push_page();
   ASSERT_EQ(QApplication::focusWidget(), candidates);
   cover_and_come_back();
   EXPECT_EQ(QApplication::focusWidget(), candidates) << "Enter would leave the page";

@@ -82,6 +82,13 @@ struct Locking : ::testing::Test {
     EXPECT_TRUE(QTest::qWaitFor([&] { return card() != nullptr; }, kPatientMs));
     return card();
   }
+  /// Signs in, and writes on the report of an attempt. nullptr: there is none to write on.
+  MarkingCard* write_comment(const Account& author, const SessionId& session, const QString& text) {
+    sign_in(author);
+    MarkingCard* card = open_report(session);
+    if (card != nullptr) card->write(text);
+    return card;
+  }
   /// What the bands of the page say.
   QString bands() const {
     QString text;
@@ -125,10 +132,7 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
   const Account berg = *store.accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
   const Account other = *store.accounts.create(records.administrator().actor(), {"holm", "Dr Holm", Role::instructor, "correct horse", ""});
   const SessionId session = records.attempt(records.student("1", "Lena Brandt"), "channel-1", 66, 90);
-  sign_in(berg);
-  MarkingCard* card = open_report(session);
-  ASSERT_NE(card, nullptr);
-  card->write(QStringLiteral("The floor\nis uneven."));
+  ASSERT_NE(write_comment(berg, session, QStringLiteral("The floor\nis uneven.")), nullptr);
   desktop->close();
   EXPECT_EQ(asked.size(), 1) << "closing asks";
   answer(false);
@@ -147,10 +151,7 @@ TEST_F(Locking, keeps_a_comment_for_whoever_wrote_it) {
 TEST_F(Locking, asks_before_it_closes_over_a_comment_that_waits_for_its_author) {
   const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
   const SessionId session = records.attempt(records.student("1", "Lena Brandt"), "channel-1", 66, 90);
-  sign_in(berg);
-  MarkingCard* card = open_report(session);
-  ASSERT_NE(card, nullptr);
-  card->write(QStringLiteral("The floor is uneven."));
+  ASSERT_NE(write_comment(berg, session, QStringLiteral("The floor is uneven.")), nullptr);
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the report that it was written on
@@ -160,7 +161,7 @@ TEST_F(Locking, asks_before_it_closes_over_a_comment_that_waits_for_its_author) 
   answer(false);
   EXPECT_TRUE(desktop->isVisible());
   desktop->sign_in(berg);
-  card = open_report(session);
+  MarkingCard* card = open_report(session);
   ASSERT_NE(card, nullptr);
   EXPECT_TRUE(card->unsaved());
   card->write({});

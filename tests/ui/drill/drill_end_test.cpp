@@ -1,172 +1,18 @@
 // How an attempt stands and ends on the platform "offscreen": open questions, a lost device, a record that is refused.
-#include "tests/modules.h"
-#include "ui/drill/drill_screen.h"
-
 #include <gtest/gtest.h>
 
-#include <QLabel>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
-#include <atomic>
-#include <thread>
 
-#include "scenarios/library/library.h"
 #include "storage/sqlite/database.h"
 #include "tests/refused_rows.h"
-#include "tests/ui/desk_records.h"
-#include "tests/ui/session/gate.h"
-#include "ui/drill/stop_card.h"
+#include "tests/ui/drill/drill_end.h"
 #include "ui/session/background_task.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
-#include "ui/widgets/gauge.h"
 
 namespace cusp::test {
 namespace {
-
-constexpr int kComesWithinMs = 60'000;  // waits for progress; a slow machine may take its time
-constexpr int kShownWithinMs = 500;  // five looks between two of which texts and gauges change
-
-/// What a device in the hand of a test sees and shows; the port reads it on the haptic thread.
-struct Hand {
-  std::atomic<bool> plugged{true};
-  std::atomic<bool> stuck{false};  // its driver does not come back
-  std::atomic<bool> open{false};
-  std::shared_ptr<Gate> opens{};   // its driver comes back from open() when this gate opens; null: at once
-  std::atomic<double> force_n{0};  // as it was written last
-  std::atomic<int> ticks{0};
-};
-
-/// Its button is pressed. It sinks through the channel of "channel-1" at 1 mm/s, so that it cuts for some seconds.
-class SinkingPort final : public HapticPort {
- public:
-  explicit SinkingPort(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {}
-  Result<void, PortFailure> open() override {
-    hand_->open = true;
-    if (hand_->opens) hand_->opens->pass();
-    return {};
-  }
-  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
-    std::this_thread::sleep_until(deadline);
-    ++hand_->ticks;
-    hand_->stuck.wait(true);
-    if (!hand_->plugged) return {};
-    depth_mm_ = std::min(depth_mm_ + 0.001, 6.0);
-    return {.status = Sample::Status::fresh, .position_mm = {0, 0, kStartMm - depth_mm_}, .buttons = 1, .pedal = 65535};
-  }
-  bool over() const noexcept override { return false; }
-  void write(const Feedback& feedback) noexcept override { hand_->force_n = glm::length(feedback.force_n); }
-  DeviceLimits limits() const override {
-    DeviceLimits out;
-    out.name = "Sinking";
-    out.device_class = "scripted";
-    return out;
-  }
-  void close() noexcept override { hand_->open = false; }
-
- private:
-  static constexpr double kStartMm = 1.5;  // pivot of the bur; the block's top lies at 0
-  std::shared_ptr<Hand> hand_;
-  double depth_mm_ = 0;
-};
-
-class DrillEnd : public testing::Test {
- protected:
-  DrillEnd() {
-    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
-      asked << question.act;
-      more = question.more;
-      pending = std::move(then);
-    };
-    screen = std::make_unique<DrillScreen>(ports);
-    screen->resize(1280, 800);
-    screen->show();
-    screen->activateWindow();  // shortcuts are the active window's
-  }
-  ~DrillEnd() override {
-    let_driver_go();
-    screen.reset();
-  }
-  /// Returns who drills.
-  Actor begin_recorded(DeskRecords& records) {
-    SessionPlan kept = plan();
-    kept.kind = SessionKind::practice;
-    kept.database = records.file();
-    kept.student = records.student("20267314", "Lena Brandt").actor();
-    const Actor student = kept.student;
-    begin(std::move(kept));
-    return student;
-  }
-  void let_driver_go() {
-    hand->stuck = false;
-    hand->stuck.notify_all();
-  }
-  static SessionPlan plan(Guidance guidance = Guidance::full) {
-    SessionPlan out;
-    out.scenario = load_builtin("channel-1").value();
-    out.kind = SessionKind::try_it;
-    out.guidance = guidance;
-    return out;
-  }
-  void begin(SessionPlan plan) {
-    screen->begin(std::move(plan), {QStringLiteral("Channel"), QStringLiteral("Practice")}, std::make_unique<SinkingPort>(hand));
-    ASSERT_TRUE(QTest::qWaitForWindowActive(screen.get()));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return removed() > 0.01; }, kComesWithinMs));
-  }
-  void answer(bool yes) {
-    ASSERT_TRUE(pending);
-    std::exchange(pending, nullptr)(yes);
-  }
-  double removed() const {
-    for (const Bar* bar : screen->findChildren<Bar*>())
-      if (bar->accessibleName() == QStringLiteral("Plastic")) return bar->share();
-    return -1;
-  }
-  StopCard& card() const { return *screen->findChild<StopCard*>(); }
-  bool card_shows(const char* text) const {
-    for (const QLabel* label : card().findChildren<QLabel*>())
-      if (label->isVisible() && label->text().contains(QLatin1String(text))) return true;
-    return false;
-  }
-  bool wait_for_card(const char* text) const {
-    return QTest::qWaitFor([&] { return card_shows(text); }, kComesWithinMs);
-  }
-  /// Visible; nullptr: none.
-  static QPushButton* button(const QWidget& in, const char* name) {
-    for (QPushButton* one : in.findChildren<QPushButton*>())
-      if (one->isVisible() && one->accessibleName() == QLatin1String(name)) return one;
-    return nullptr;
-  }
-  QString clock() const {
-    for (const QLabel* label : screen->findChildren<QLabel*>())
-      if (label->accessibleDescription() == QStringLiteral("Time")) return label->text();
-    return {};
-  }
-  /// The loop has ticked and the screen has looked.
-  void let_it_run() {
-    const int until = hand->ticks + 300;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return hand->ticks > until; }, kComesWithinMs));
-    QTest::qWait(kShownWithinMs);
-  }
-  /// Opens Finish's question, then Leave's, and answers both with Cancel.
-  void cancel_both_questions() {
-    screen->ask_finish();
-    answer(false);
-    let_it_run();
-    screen->ask_leave();
-    answer(false);
-    let_it_run();
-    EXPECT_EQ(asked, QStringList({QStringLiteral("Finish"), QStringLiteral("Leave")}));
-  }
-
-  Ports ports = Ports::of_the_system();
-  QStringList asked;
-  QString more;  // of the newest question
-  std::function<void(bool)> pending;
-  std::shared_ptr<Hand> hand = std::make_shared<Hand>();
-  std::unique_ptr<DrillScreen> screen;
-};
 
 TEST_F(DrillEnd, cancelling_a_question_leaves_a_paused_attempt_paused) {
   begin(plan());
@@ -210,69 +56,6 @@ TEST_F(DrillEnd, cancelling_a_question_continues_an_attempt_that_ran) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n == 0; }, kComesWithinMs));
   answer(false);
   EXPECT_TRUE(QTest::qWaitFor([&] { return hand->force_n > 0; }, kComesWithinMs));
-}
-
-TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_not_finished) {
-  begin(plan());
-  hand->stuck = true;
-  ASSERT_TRUE(wait_for_card("driver of the device"));
-  EXPECT_EQ(button(card(), "Resume"), nullptr);
-  screen->ask_finish();
-  EXPECT_TRUE(asked.isEmpty()) << "it would be graded without what the driver still holds";
-  let_driver_go();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !card_shows("driver of the device"); }, kComesWithinMs));
-  screen->ask_finish();
-  EXPECT_EQ(asked, QStringList({QStringLiteral("Finish")}));
-}
-
-TEST_F(DrillEnd, an_attempt_whose_driver_stands_still_is_left_and_kept) {
-  DeskRecords records;
-  const Actor student = begin_recorded(records);
-  QSignalSpy left(screen.get(), &DrillScreen::left);
-  let_it_run();
-  hand->stuck = true;
-  ASSERT_TRUE(wait_for_card("driver of the device"));
-  ASSERT_NE(button(card(), "Leave"), nullptr);
-  button(card(), "Leave")->click();
-  EXPECT_TRUE(more.contains(QStringLiteral("until the driver of the device stood still"))) << more.toStdString();
-  answer(true);
-  EXPECT_FALSE(screen->running()) << "the window may close";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return left.count() == 1; }, kComesWithinMs));
-  screen.reset();
-  EXPECT_TRUE(hand->open) << "its driver has not come back";
-  const auto kept = records.store().history.interrupted(student, student.id);
-  ASSERT_TRUE(kept);
-  ASSERT_EQ(kept->size(), 1u);
-  const auto chunks = records.store().traces.chunks(kept->front().session);
-  ASSERT_TRUE(chunks);
-  EXPECT_FALSE(chunks->empty());
-  let_driver_go();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs)) << "the thread that waits for it closes it";
-}
-
-TEST_F(DrillEnd, an_attempt_whose_driver_does_not_open_is_left) {
-  hand->opens = std::make_shared<Gate>();
-  QSignalSpy left(screen.get(), &DrillScreen::left);
-  screen->begin(plan(), {QStringLiteral("Channel"), QStringLiteral("Practice")}, std::make_unique<SinkingPort>(hand));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return hand->open.load(); }, kComesWithinMs));
-  screen->ask_leave();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return left.count() == 1; }, kComesWithinMs));
-  EXPECT_FALSE(hand->opens->gave_up()) << "nobody waits for the driver";
-  screen.reset();
-  EXPECT_TRUE(hand->open) << "its driver has not come back";
-  hand->opens->open();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs)) << "the thread that waits for it closes it";
-}
-
-TEST_F(DrillEnd, the_window_closes_while_a_driver_does_not_open) {
-  hand->opens = std::make_shared<Gate>();
-  screen->begin(plan(), {QStringLiteral("Channel"), QStringLiteral("Practice")}, std::make_unique<SinkingPort>(hand));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return hand->open.load(); }, kComesWithinMs));
-  screen.reset();
-  EXPECT_FALSE(hand->opens->gave_up());
-  EXPECT_TRUE(hand->open);
-  hand->opens->open();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !hand->open; }, kComesWithinMs));
 }
 
 TEST_F(DrillEnd, the_stop_card_is_hidden_while_the_tooth_is_measured) {

@@ -70,6 +70,12 @@ QPushButton* button(const QWidget& page, const char* text) {
   return nullptr;
 }
 
+bool measure(AuditPage& page) {
+  page.show();
+  button(page, "Measure")->click();
+  return QTest::qWaitFor([&] { return page.report() != nullptr; }, kAnswersWithinMs);
+}
+
 TEST(AuditPage, shows_what_each_choice_costs_and_uses_the_leanest_with_one_step_of_undo) {
   EditorModel model(draft());
   AuditPage page(model, at_once);
@@ -111,9 +117,7 @@ TEST(AuditPage, lists_what_will_be_measured_before_anything_is) {
 TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
   EditorModel model(draft());
   AuditPage page(model, at_once);
-  page.show();
-  button(page, "Measure")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page.report() != nullptr; }, kAnswersWithinMs));
+  ASSERT_TRUE(measure(page));
   model.set_depth_mm(1.7);
   EXPECT_FALSE(button(page, "Use the leanest")->isEnabled());
   EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
@@ -122,9 +126,7 @@ TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
 TEST(AuditPage, what_was_measured_can_be_used_once_it_is_published) {
   EditorModel model(draft());
   AuditPage page(model, at_once);
-  page.show();
-  button(page, "Measure")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page.report() != nullptr; }, kAnswersWithinMs));
+  ASSERT_TRUE(measure(page));
   model.now_published(model.scenario());
   EXPECT_FALSE(texts(page).contains(QStringLiteral("changed since")));
   ASSERT_TRUE(button(page, "Use the leanest")->isEnabled());

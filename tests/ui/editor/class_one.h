@@ -14,4 +14,9 @@ inline EditorStart class_one() {
   return start;
 }
 
+/// What growing the average 36 finds, as far as the checks read it (box from `cusp specimen tooth --fdi 36`, rounded out).
+inline SpecimenFacts facts_of_36() {
+  return {{-7, -7, -16}, {7, 7, 8}, 0.1, {Tissue::enamel, Tissue::dentine, Tissue::cementum, Tissue::pulp}};
+}
+
 }  // namespace cusp::test

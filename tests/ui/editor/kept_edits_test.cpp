@@ -206,15 +206,25 @@ TEST(Briefing, that_is_longer_than_an_exercise_holds_stays_with_a_message_until_
   EXPECT_EQ(message(), QString());
 }
 
+LesionSource proximal(const char* site) {
+  LesionSource out;
+  out.kind = "proximal";
+  out.site = site;
+  return out;
+}
+
+/// Returns the tooth with them.
+SpecimenSource give_lesions(EditorModel& model, std::vector<LesionSource> lesions) {
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.lesions = std::move(lesions);
+  EXPECT_TRUE(model.set_tooth(tooth, QStringLiteral("lesions")));
+  model.end_gesture();
+  return tooth;
+}
+
 TEST(ToothForm, offers_each_tooth_its_own_kinds_of_carious_lesions) {
   EditorModel model(class_one());
-  SpecimenSource molar = model.scenario().specimen;
-  LesionSource lesion;
-  lesion.kind = "proximal";
-  lesion.site = "mesial";
-  molar.lesions = {lesion};
-  ASSERT_TRUE(model.set_tooth(molar, QStringLiteral("lesions")));
-  model.end_gesture();
+  const SpecimenSource molar = give_lesions(model, {proximal("mesial")});
   ToothForm form(model);
   const auto kinds = [&] {
     QStringList out;
@@ -236,15 +246,8 @@ TEST(ToothForm, offers_each_tooth_its_own_kinds_of_carious_lesions) {
 
 TEST(ToothForm, gives_no_number_that_was_typed_for_a_removed_carious_lesion_to_the_next_one) {
   EditorModel model(class_one());
-  SpecimenSource molar = model.scenario().specimen;
-  LesionSource mesial;
-  mesial.kind = "proximal";
-  mesial.site = "mesial";
-  LesionSource distal = mesial;
-  distal.site = "distal";
-  molar.lesions = {mesial, distal};
-  ASSERT_TRUE(model.set_tooth(molar, QStringLiteral("lesions")));
-  model.end_gesture();
+  const LesionSource distal = proximal("distal");
+  give_lesions(model, {proximal("mesial"), distal});
   ToothForm form(model);
   form.show();
   form.activateWindow();

@@ -1,0 +1,99 @@
+// Edits of the draft's tooth without a window: its carious lesions and neighbours, and what another tooth brings.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenarios/library/library.h"
+#include "scenarios/tissues/tissue_facts.h"
+#include "tests/modules.h"
+#include "tests/ui/editor/class_one.h"
+#include "ui/editor/editor_model.h"
+#include "ui/editor/specimen_grower.h"
+
+namespace cusp::test {
+namespace {
+
+TEST(editor_tooth, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) {
+  EditorModel model(class_one());
+  model.set_facts(facts_of_36());
+  int changes = 0;
+  QObject::connect(&model, &EditorModel::specimen_changed, [&changes] { ++changes; });
+  model.set_width_mm(1.4);
+  EXPECT_EQ(changes, 0);
+  SpecimenSource other = model.scenario().specimen;
+  other.fdi = 46;
+  ASSERT_TRUE(model.set_specimen(other, model.scenario().tissues));
+  EXPECT_EQ(changes, 1);
+  EXPECT_FALSE(model.facts().has_value());
+  model.stack().undo();
+  EXPECT_EQ(changes, 2);
+}
+
+TEST(editor_tooth, carious_lesions_and_neighbours_bring_their_tissues_and_leave_the_figures_of_the_others) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_tissue_figures(0, 2.5, 0.6));
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.lesions = {{"fissure", "central", 0.8, 1.0, 0.7}};
+  tooth.around = {"neighbours"};
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("around")));
+  const auto figures = [&](Tissue tissue) {
+    const auto& all = model.scenario().tissues;
+    const auto it = std::ranges::find(all, tissue, &ScenarioTissue::tissue);
+    return it == all.end() ? ScenarioTissue{Tissue::empty, 0, 0} : *it;
+  };
+  EXPECT_DOUBLE_EQ(figures(Tissue::enamel).stiffness_n_per_mm, 2.5);
+  EXPECT_DOUBLE_EQ(figures(Tissue::carious_dentine).speed_mm_s, tissue_facts(Tissue::carious_dentine).speed_mm_s.value);
+  EXPECT_EQ(figures(static_cast<Tissue>(29)).tissue, static_cast<Tissue>(29));
+  tooth.typodont = true;
+  tooth.lesions.clear();
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("plastic")));
+  ASSERT_EQ(model.scenario().tissues.size(), 1u);
+  EXPECT_EQ(model.scenario().tissues[0].tissue, Tissue::plastic);
+  EXPECT_TRUE(model.scenario().protected_parts.empty());
+  model.stack().undo();
+  EXPECT_DOUBLE_EQ(figures(Tissue::enamel).stiffness_n_per_mm, 2.5);
+}
+
+TEST(editor_tooth, turning_a_lesions_number_is_one_step_and_two_lesions_are_two) {
+  EditorModel model(class_one());
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.lesions = {{"fissure", "central", 0.8, 1.0, 0.7}, {"root", "buccal", 0.8, 1.0, 0.7}};
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("lesions")));
+  model.end_gesture();
+  for (const double depth : {1.1, 1.2, 1.3}) {
+    tooth.lesions[0].depth_mm = depth;
+    ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("lesion/0/depth")));
+  }
+  tooth.lesions[1].depth_mm = 2.0;
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("lesion/1/depth")));
+  EXPECT_EQ(model.stack().count(), 3);
+  tooth.lesions[1].softness = 1.5;  // what a file may not hold
+  EXPECT_FALSE(model.set_tooth(tooth, QStringLiteral("lesion/1/soft")));
+  tooth.lesions[1].softness = std::nan("");
+  EXPECT_FALSE(model.set_tooth(tooth, QStringLiteral("lesion/1/soft")));
+  EXPECT_EQ(model.stack().count(), 3);
+}
+
+TEST(editor_tooth, a_new_tooth_begins_with_the_usual_figures_and_its_critical_tissues_protected) {
+  const auto usual = usual_tissues({Tissue::enamel, Tissue::pulp, static_cast<Tissue>(17)});
+  ASSERT_EQ(usual.size(), 3u);
+  EXPECT_EQ(usual[0].speed_mm_s, tissue_facts(Tissue::enamel).speed_mm_s.value);
+  EXPECT_EQ(usual[2].stiffness_n_per_mm, tissue_facts(static_cast<Tissue>(17)).stiffness_n_per_mm.value);
+  const auto tooth = usual_tissues(std::string("tooth"));
+  ASSERT_FALSE(tooth.empty());
+  for (const ScenarioTissue& t : tooth) EXPECT_EQ(t.speed_mm_s, tissue_facts(t.tissue).speed_mm_s.value);
+  // The paper's block keeps the paper's speeds.
+  for (const ScenarioTissue& t : usual_tissues(std::string("paper-block"))) {
+    EXPECT_TRUE(t.tissue != Tissue::dentine || t.speed_mm_s == 1.2);
+  }
+  EditorStart start = class_one();
+  start.draft.protected_parts.clear();
+  EditorModel model(start);
+  SpecimenSource source = start.draft.specimen;
+  source.seed = 3;
+  EXPECT_TRUE(model.set_specimen(source, usual));
+  EXPECT_EQ(model.scenario().protected_parts, std::vector<Protected>{Tissue::pulp});
+}
+
+}  // namespace
+}  // namespace cusp::test
