@@ -12730,10 +12730,6 @@ Ihr bester davor</translation>
         <translation>Versuche als Liste exportiert</translation>
     </message>
     <message>
-        <source>Criteria exported as a list</source>
-        <translation>Kriterien als Liste exportiert</translation>
-    </message>
-    <message>
         <source>Audit log exported as a list</source>
         <translation>Protokoll als Liste exportiert</translation>
     </message>

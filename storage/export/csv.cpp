@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "storage/records/effective_grade.h"
 #include "storage/repositories/audit_log.h"
 
 namespace cusp::storage {
@@ -188,50 +187,6 @@ std::string history_csv(std::span<const ExportRow> rows, CsvPart part, const Csv
         .flag(r.released);
     add_dates(line, dates);
   }
-  return out;
-}
-
-Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
-                                    const CsvOptions& options) {
-  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
-  auto found = History(context).list(actor, filter);
-  if (!found) return std::unexpected(found.error());
-  const auto rows = dated(context.db, std::move(*found));
-  if (!rows) return std::unexpected(rows.error());
-  std::string out =
-      begin(options,
-            "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,"
-            "points,points_max,reason_code" +
-                std::string(kDatesHead));
-  std::size_t lines = 0;
-  for (const auto& [r, dates] : *rows) {
-    const auto grades = grades_of(context.db, r.session);
-    if (!grades) return std::unexpected(grades.error());
-    const auto statements = statements_of(context.db, r.session);
-    if (!statements) return std::unexpected(statements.error());
-    const auto counts = effective_grade(*grades, *statements);
-    if (!counts) continue;
-    for (const CriterionGrade& c : counts->grade.criteria) {
-      ++lines;
-      const Measure& m = c.measure;
-      Line line(out);
-      line.text(r.session.text())
-          .text(iso_utc(r.started_utc_us))
-          .text(r.student_number)
-          .text(r.scenario_key)
-          .text(c.id)
-          .flag(m.measured)
-          .number(m.measured ? std::optional{m.value} : std::nullopt)
-          .number(m.measured ? std::optional{m.uncertainty} : std::nullopt)
-          .text(m.unit)
-          .text(c.band)
-          .number(c.points)
-          .number(c.points_max)
-          .text(c.reason_code);
-      add_dates(line, dates);
-    }
-  }
-  if (auto noted = note(context, actor, "criteria_exported", lines); !noted) return std::unexpected(noted.error());
   return out;
 }
 

@@ -51,8 +51,5 @@ Stored<std::optional<std::size_t>> export_rows(StorageContext& context, const Ac
 enum class CsvPart : std::uint8_t { beginning, further };
 /// One line per session. Times are ISO 8601, UTC; opens_utc and due_utc are the assignment's.
 std::string history_csv(std::span<const ExportRow> rows, CsvPart part, const CsvOptions& options = {});
-/// One line per criterion of each session that matches, with the points that count. Needs export_results; adds an entry.
-Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
-                                    const CsvOptions& options = {});
 
 }  // namespace cusp::storage

@@ -157,26 +157,6 @@ TEST_F(ExportOfCohorts, a_cohort_and_dates_narrow_it) {
   EXPECT_EQ(must(store->audit.list(make_administrator(*store).actor(), 2))[1].detail, "1") << "the rows that left";
 }
 
-TEST(CsvExport, criteria_are_one_line_each_and_what_was_not_measured_stays_empty) {
-  const Folder folder;
-  const auto store = open(folder / "a.db");
-  const Account student = make_student(*store);
-  const SessionId id = complete_session(*store, student, keep(*store));
-  Grade grade = small_grade();
-  grade.criteria[0].measure.measured = false;
-  must(store->grades.save(id, grade, {}));
-  const std::string csv = must(export_criteria(store->context(), make_instructor(*store).actor(), {}));
-  const std::string start = id.text() + ",2026-11-20T09:14:03Z,20267314,channel-1,";
-  EXPECT_EQ(csv,
-            "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,points,"
-            "points_max,reason_code,finished_utc,cohort,opens_utc,due_utc\r\n" +
-                start + "target_removed,0,,,%,ideal,18,20,full,2026-11-20T09:14:03Z,,,\r\n" + start +
-                "floor_depth_max,1,2.41,0.03,mm,fail,4,10,too_deep,2026-11-20T09:14:03Z,,,\r\n");
-  const Actor examiner = make_instructor(*store, "haas").actor();
-  must(store->statements.override_points(examiner, id, "floor_depth_max", 9, "Worn."));
-  EXPECT_TRUE(must(export_criteria(store->context(), examiner, {})).contains("mm,fail,9,10,"));
-}
-
 TEST(CsvExport, many_attempts_come_piece_by_piece_and_a_stopped_export_leaves_no_entry) {
   const Folder folder;
   const auto store = open(folder / "a.db");
@@ -205,7 +185,6 @@ TEST(CsvExport, a_student_exports_nothing) {
   const Actor student = make_student(*store).actor();
   const auto rows = export_rows(store->context(), student, {}, [](std::span<const ExportRow>, std::size_t) -> Stored<bool> { return true; });
   EXPECT_EQ(code_of(rows), StorageError::not_allowed);
-  EXPECT_EQ(code_of(export_criteria(store->context(), student, {})), StorageError::not_allowed);
 }
 
 }  // namespace

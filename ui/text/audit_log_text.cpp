@@ -57,7 +57,6 @@ constexpr Entry kEntries[] = {
     {"restored", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Records restored from a backup")},
     {"packed", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempt saved as an appeal pack")},
     {"history_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Attempts exported as a list")},
-    {"criteria_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Criteria exported as a list")},
     {"gradebook_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Results exported for a gradebook")},
     {"log_exported", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "Audit log exported as a list")},
     {"exchange_given_out", LogKind::records, QT_TRANSLATE_NOOP("cusp::ui::Text", "File for other stations given out")},
