@@ -60,7 +60,7 @@ void paint_axes(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
     p.setPen(QPen(t.line, 1));
     p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
     p.setPen(t.text3);
-    p.drawText(QRectF(plot.area.left() - 60 * unit, y - 8 * unit, 54 * unit, 16 * unit),
+    p.drawText(QRectF(plot.area.left() - 60 * unit, y - 8 * unit, 50 * unit, 16 * unit),
                Qt::AlignRight | Qt::AlignVCenter, format_number(v, d.y.decimals));
   }
   p.setPen(t.text3);
