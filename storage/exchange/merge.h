@@ -16,6 +16,7 @@ struct Merge {
   StorageContext& from;
   const Actor& actor;
   ReadIn& out;
+  std::set<SessionId> changed{};  // sessions whose summaries changed; follow_graded() follows them at the end
   std::set<Uuid> referred{};  // accounts, versions and assignments that the file's records only refer to
 
   Database& db() { return transaction.database(); }

@@ -96,7 +96,8 @@ void add_session(Merge& merge, SessionId session, SessionRows rows) {
   const auto elapsed = merge.transaction.first("SELECT elapsed_us FROM main.metrics WHERE session = ?1 ORDER BY row DESC LIMIT 1",
                                                [](Row row) { return row.u64(0); }, session);
   follow_second(merge.transaction, session, elapsed.value_or(0));
-  follow_event(merge.transaction, session);
+  static_cast<void>(follow_result(merge.transaction, session));
+  merge.changed.insert(session);
   log_session(merge.context, merge.transaction, merge.actor.id, session, "read_in");
   ++merge.out.counts.sessions;
 }
@@ -153,26 +154,27 @@ void add_text(Merge& merge, const StatementInFile& statement) {
   }
 }
 
-void merge_statement(Merge& merge, const StatementInFile& statement) {
+/// False if it is here already, or waits for its session.
+bool merge_statement(Merge& merge, const StatementInFile& statement) {
   const auto here = merge.taken(row_seals(merge.db(), SealedTable::statements, statement.id));
   const auto there = merge.taken(row_seals(merge.from.db, SealedTable::statements, statement.id));
-  if (!merge.ok()) return;
+  if (!merge.ok()) return false;
   if (!here.empty()) {
     if (there.empty() || here.front().seal != there.front().seal) merge.refuse(StorageError::differs, "statements", statement.id.text());
-    return;
+    return false;
   }
   const auto has = [&](const char* sql, const Uuid& id) { return merge.transaction.first(sql, [](Row) { return true; }, id).value_or(false); };
   const bool known = has("SELECT 1 FROM main.session_heads WHERE session = ?1", statement.session.uuid) &&
                      (!statement.withdraws || has("SELECT 1 FROM main.statements WHERE id = ?1", *statement.withdraws));
   if (!known) {
     ++merge.out.waiting;
-    return;
+    return false;
   }
   merge.transaction.run("INSERT INTO main.statements SELECT * FROM source.statements WHERE id = ?1", statement.id);
   add_text(merge, statement);
   log_row(merge.context, merge.transaction, merge.actor.id, "statement_sealed", SealedTable::statements, statement.id);
-  follow_event(merge.transaction, statement.session);
   ++merge.out.counts.statements;
+  return true;
 }
 
 }  // namespace
@@ -261,16 +263,20 @@ void merge_statements(Merge& merge) {
         return out;
       },
       merge.out.description.station));
+  std::set<SessionId> stated;
   for (const StatementInFile& statement : statements) {
     if (!merge.ok()) return;
-    merge_statement(merge, statement);
+    if (merge_statement(merge, statement)) stated.insert(statement.session);
   }
-  // An older program put statements of several stations in another order: their results follow anew.
+  // An older program put statements of several stations in another order: their results may differ from what it wrote.
   const auto of_several = merge.taken(merge.db().all(
       "SELECT DISTINCT m.session FROM source.statements s JOIN main.statements m INDEXED BY statements_of_session ON m.session = s.session "
       "WHERE m.station <> s.station",
       [](Row row) { return row.id<SessionId>(0); }));
-  for (const SessionId session : of_several) follow_event(merge.transaction, session);
+  stated.insert(of_several.begin(), of_several.end());
+  for (const SessionId session : stated) {
+    if (follow_result(merge.transaction, session)) merge.changed.insert(session);
+  }
 }
 
 }  // namespace cusp::storage

@@ -7,6 +7,7 @@
 #include "storage/exchange/merge.h"
 #include "storage/exchange/trust.h"
 #include "storage/records/audit_writer.h"
+#include "storage/records/packed_attempts.h"
 #include "storage/records/sealing.h"
 #include "storage/repositories/current_rights.h"
 
@@ -121,6 +122,7 @@ void merge_all(Merge& merge, const CheckedExchange& file) {
     merge_sessions(merge);
   }
   merge_statements(merge);
+  follow_graded(merge.transaction, merge.changed);
 }
 
 void log_read_in(Merge& merge, const CheckedExchange& file) {

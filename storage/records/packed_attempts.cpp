@@ -1,8 +1,11 @@
 #include "storage/records/packed_attempts.h"
 
 #include <algorithm>
+#include <compare>
+#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "storage/sqlite/row_stream.h"
 
@@ -22,7 +25,25 @@ struct PackedPlace {
   ScenarioId scenario;
   std::string device_class;
   std::int64_t period = 0;
+  friend auto operator<=>(const PackedPlace&, const PackedPlace&) = default;
 };
+
+/// nullopt unless the session is packed.
+std::optional<PackedPlace> place_of(Transaction& transaction, SessionId session) {
+  return transaction.first(
+      "SELECT scenario, device_class, started_at >> 39 FROM session_summaries WHERE session = ?1 AND listed = 1 AND score IS NOT NULL",
+      [](Row row) { return PackedPlace{row.id<ScenarioId>(0), row.text(1), row.integer(2)}; }, session);
+}
+
+void pack_place(Transaction& transaction, const PackedPlace& place) {
+  transaction.run("DELETE FROM packed_attempts WHERE scenario = ?1 AND device_class = ?2 AND period = ?3", place.scenario, place.device_class,
+                  place.period);
+  transaction.run("INSERT INTO packed_attempts " + std::string(kPacked) +
+                      "INDEXED BY summaries_of_scenario WHERE scenario = ?1 AND device_class = ?2 "
+                      "AND started_at >= ?3 << 39 AND started_at < (?3 + 1) << 39" +
+                      std::string(kGroups),
+                  place.scenario, place.device_class, place.period);
+}
 
 /// By scenario, device class and period.
 class PackedRows : public RowStream {
@@ -34,17 +55,15 @@ class PackedRows : public RowStream {
 }  // namespace
 
 void follow_graded(Transaction& transaction, SessionId session) {
-  const auto place = transaction.first(
-      "SELECT scenario, device_class, started_at >> 39 FROM session_summaries WHERE session = ?1 AND listed = 1 AND score IS NOT NULL",
-      [](Row row) { return PackedPlace{row.id<ScenarioId>(0), row.text(1), row.integer(2)}; }, session);
-  if (!place) return;
-  transaction.run("DELETE FROM packed_attempts WHERE scenario = ?1 AND device_class = ?2 AND period = ?3", place->scenario,
-                  place->device_class, place->period);
-  transaction.run("INSERT INTO packed_attempts " + std::string(kPacked) +
-                      "INDEXED BY summaries_of_scenario WHERE scenario = ?1 AND device_class = ?2 "
-                      "AND started_at >= ?3 << 39 AND started_at < (?3 + 1) << 39" +
-                      std::string(kGroups),
-                  place->scenario, place->device_class, place->period);
+  if (const auto place = place_of(transaction, session)) pack_place(transaction, *place);
+}
+
+void follow_graded(Transaction& transaction, const std::set<SessionId>& sessions) {
+  std::set<PackedPlace> places;
+  for (const SessionId session : sessions) {
+    if (auto place = place_of(transaction, session)) places.insert(std::move(*place));
+  }
+  for (const PackedPlace& place : places) pack_place(transaction, place);
 }
 
 void rebuild_packed(Transaction& transaction) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string_view>
 
 #include "storage/records/context.h"
@@ -18,6 +19,8 @@ constexpr std::int64_t period_of(std::int64_t utc_us) noexcept { return utc_us >
 
 /// Writes the row anew that the session's attempt belongs to. After a change of its summary that has a score.
 void follow_graded(Transaction& transaction, SessionId session);
+/// The same for many sessions: each row once.
+void follow_graded(Transaction& transaction, const std::set<SessionId>& sessions);
 /// Writes every row anew.
 void rebuild_packed(Transaction& transaction);
 

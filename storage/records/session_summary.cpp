@@ -194,14 +194,23 @@ void follow_second(Transaction& transaction, SessionId session, std::uint64_t el
   transaction.run("UPDATE session_summaries SET elapsed_us = ?2 WHERE session = ?1", session, elapsed_us);
 }
 
-void follow_event(Transaction& transaction, SessionId session) {
+bool follow_result(Transaction& transaction, SessionId session) {
+  const auto content = [&] {
+    return transaction.first("SELECT * FROM session_summaries WHERE session = ?1", [](Row row) { return row.content_hash(); }, session);
+  };
+  const auto before = content();
   transaction.run("UPDATE session_summaries SET (state, score, score_max, pass_mark, passed, critical, released) = "
                   "(SELECT " +
                       std::string(kResult) + ", " + std::string(kGrade) + ", " + std::string(kReleased) +
                       " FROM sessions s" + std::string(kResultFrom) + " WHERE s.id = ?1) WHERE session = ?1",
                   session);
-  if (!transaction.ok()) return;
+  if (!transaction.ok()) return false;
   if (auto done = write_stated_result(transaction.database(), session); !done) transaction.refuse(std::move(done.error()));
+  return content() != before;
+}
+
+void follow_event(Transaction& transaction, SessionId session) {
+  static_cast<void>(follow_result(transaction, session));  // an event may follow seconds, which the packed attempts have too
   follow_graded(transaction, session);
 }
 

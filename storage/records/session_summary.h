@@ -21,6 +21,8 @@ void add_summary(Transaction& transaction, SessionId session);
 void follow_second(Transaction& transaction, SessionId session, std::uint64_t elapsed_us);
 /// After an event, a grade or a statement: state and result as they count (effective_grade.h).
 void follow_event(Transaction& transaction, SessionId session);
+/// The same without the packed attempts: follow_graded() follows many sessions at once. False if the summary stays as it was.
+bool follow_result(Transaction& transaction, SessionId session);
 
 struct SummaryDifference {
   enum class Kind : std::uint8_t {

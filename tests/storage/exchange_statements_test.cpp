@@ -132,6 +132,29 @@ TEST_F(ExchangeStatements, of_adjustments_that_two_stations_gave_the_later_one_c
   EXPECT_EQ(whole(*station), "");
 }
 
+TEST_F(ExchangeStatements, reading_a_file_packs_the_attempts_of_a_week_once_and_once_more_only_what_changed) {
+  const Actor examiner = make_instructor(*station, "haas").actor();
+  std::vector<SessionId> sessions;
+  for (int i = 0; i < 5; ++i) sessions.push_back(attempt(make_student(*station, "3" + std::to_string(i), "Noah"), 62));
+  for (const SessionId session : sessions) must(station->statements.override_points(examiner, session, "target_removed", 20, "Seen on the tooth."));
+  must(office->database().run("CREATE TEMP TABLE written (n)"));
+  must(office->database().run("CREATE TEMP TRIGGER packed AFTER INSERT ON main.packed_attempts BEGIN INSERT INTO written VALUES (1); END"));
+  const auto packed = [&] { return *must(office->database().first("SELECT count(*) FROM written", [](Row row) { return row.integer(0); })); };
+  at_office(results());
+  EXPECT_EQ(packed(), 1);
+  for (const SessionId session : sessions) must(office->statements.comment(instructor, session, "So it is."));
+  const auto before = packed();
+  at_office(results());
+  EXPECT_EQ(packed(), before) << "nothing has changed";
+  EXPECT_EQ(whole(*office), "");
+  // As an older program may have left it.
+  must(office->database().run("UPDATE session_summaries SET score = 1 WHERE session = ?1", sessions.front()));
+  ASSERT_NE(whole(*office), "");
+  at_office(results());
+  EXPECT_EQ(packed(), before + 1);
+  EXPECT_EQ(whole(*office), "");
+}
+
 TEST_F(ExchangeStatements, a_statement_waits_for_its_session) {
   const fs::path away = next_file();
   const SessionId session = attempt(make_student(*station, "2", "Omar"));
