@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <algorithm>
 
 #include "ui/student/history_charts.h"
@@ -60,14 +61,24 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent)
 }
 
 void OwnHistory::make_choice(std::vector<PractisedScenario> scenarios) {
-  std::ranges::sort(scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
   exercise_ = new QComboBox;
   exercise_->setAccessibleName(tr("Exercise"));
   exercise_->setMinimumWidth(px(240));
   exercise_->setMaximumWidth(px(420));  // a longer name is cut in the closed list
+  exercise_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  offer(std::move(scenarios));
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);
+}
+
+/// In place of those that the choice had, without a signal. What is chosen stays, or becomes all exercises.
+void OwnHistory::offer(std::vector<PractisedScenario> scenarios) {
+  std::ranges::sort(scenarios, stands_before, [](const PractisedScenario& s) { return local(s.title).toStdString(); });
+  const QVariant chosen = exercise_->currentData();
+  const QSignalBlocker quiet(exercise_);
+  exercise_->clear();
   exercise_->addItem(tr("All exercises"));
   for (const PractisedScenario& s : scenarios) exercise_->addItem(local(s.title), QString::fromStdString(s.scenario.text()));
-  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);
+  exercise_->setCurrentIndex(chosen.isValid() ? std::max(0, exercise_->findData(chosen)) : 0);
 }
 
 QBoxLayout* OwnHistory::make_charts() {
@@ -126,8 +137,9 @@ void OwnHistory::show_attempts() {
 }
 
 bool OwnHistory::read_again() {
-  const auto scenarios = store_.history.scenarios(student_, student_.id);
-  if (exercise_ == nullptr || !scenarios || std::ssize(*scenarios) + 1 != exercise_->count()) return false;
+  auto scenarios = store_.history.scenarios(student_, student_.id);
+  if (exercise_ == nullptr || !scenarios || scenarios->empty()) return false;
+  offer(std::move(*scenarios));
   const int row = table_->chosen_row(), fetched = model_->rowCount();
   const SessionId kept = row < 0 ? SessionId{} : model_->row(row).session;
   show_attempts();

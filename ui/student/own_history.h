@@ -31,6 +31,7 @@ class OwnHistory : public QWidget, public Rereads {
 
  private:
   void make_choice(std::vector<PractisedScenario> scenarios);
+  void offer(std::vector<PractisedScenario> scenarios);
   QBoxLayout* make_charts();
   void make_table();
   void show_attempts();

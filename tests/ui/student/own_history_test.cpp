@@ -57,6 +57,29 @@ TEST_F(OwnResults, without_a_result_draw_no_empty_charts_and_say_why) {
   EXPECT_EQ(shows(page), std::pair(2, false));
 }
 
+TEST_F(OwnResults, keep_exercise_and_row_after_the_first_attempt_at_a_new_exercise) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId older = records.attempt(lena, "paper-block", 60, 300);
+  records.attempt(lena, "paper-block", 70, 300);
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  page.exercise()->setCurrentIndex(1);
+  const QVariant chosen = page.exercise()->currentData();
+  page.table()->choose_row(1);
+  records.attempt(lena, "channel-1", 80, 200);
+  records.attempt(lena, "class-1-36", 80, 200);
+  ASSERT_TRUE(page.read_again()) << "a page made anew shows all exercises";
+  EXPECT_EQ(page.exercise()->count(), 4);
+  EXPECT_EQ(page.exercise()->currentData(), chosen);
+  EXPECT_EQ(page.table()->model()->rowCount(), 2);
+  std::optional<SessionId> wanted;
+  QObject::connect(&page, &OwnHistory::report_wanted, [&](const SessionId& id) { wanted = id; });
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(wanted, older);
+  page.exercise()->setCurrentIndex(0);
+  EXPECT_EQ(page.table()->model()->rowCount(), 4);
+}
+
 TEST_F(OwnResults, without_an_attempt_offer_the_exercises) {
   const Account lena = records.student("1", "Lena Brandt");
   OwnHistory page(records.store(), lena.actor());
