@@ -12,6 +12,7 @@
 #include <QToolTip>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
@@ -332,11 +333,20 @@ void Chart::fill_table() {
   model->clear();
   const bool bars = !data_.series.isEmpty() && data_.series.first().draw == ChartSeries::Draw::bars;
   model->setHorizontalHeaderLabels({bars ? QString() : tr("Which"), data_.x.title, data_.y.title});
+  std::vector<double> values;
+  bool whole = true;  // every x
+  for (const ChartSeries& s : data_.series) {
+    for (const ChartPoint& p : s.points) {
+      values.push_back(p.y);
+      whole = whole && p.x == std::floor(p.x);
+    }
+  }
+  const int decimals = points_decimals(values);
   for (const ChartSeries& s : data_.series) {
     for (const ChartPoint& p : s.points) {
       QList<QStandardItem*> row = {new QStandardItem(p.label.isEmpty() ? s.name : p.label),
-                                   new QStandardItem(format_number(p.x, p.x == std::floor(p.x) ? 0 : 1)),
-                                   new QStandardItem(format_points(p.y))};
+                                   new QStandardItem(format_number(p.x, whole ? 0 : 1)),
+                                   new QStandardItem(format_points_to(p.y, decimals))};
       row[1]->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       row[2]->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       model->appendRow(row);
