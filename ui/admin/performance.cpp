@@ -17,6 +17,7 @@
 #include "ui/modules.h"
 #include "ui/student/course.h"
 #include "ui/text/failure_text.h"
+#include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
@@ -231,6 +232,7 @@ void Performance::show_spread(const Figures& f) {
   spread.x = {tr("points"), least, 100, poor ? 2 * kSpreadPoints : kSpreadPoints, 0};
   constexpr double kForMark = 0.3;  // steps above the highest bar: the mark's text stands there
   spread.y = {tr("attempts"), 0, step * std::ceil(highest / step + kForMark), step, 0};
+  spread.value_text = [](double attempts) { return tr("%n attempt(s)", nullptr, static_cast<int>(attempts)); };
   ChartSeries counted;
   counted.name = tr("Attempts");
   counted.draw = ChartSeries::Draw::bars;
@@ -258,6 +260,7 @@ void Performance::show_learning(const Figures& f) {
   const int last_attempt = std::max(4, f.learning.empty() ? f.last_attempt : f.learning.back().attempt);
   learning.x = {tr("attempt"), 1, static_cast<double>(last_attempt), std::max(1.0, std::ceil(last_attempt / 10.0)), 0};
   learning.y = {tr("points"), 0, 100, 20, 0};
+  learning.value_text = points_text;
   if (f.learning.empty()) {
     // Too few students for a median: each attempt is one dot.
     ChartSeries dots;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "ui/text/names.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
@@ -77,6 +77,7 @@ void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
   for (const HistoryRow& attempt : graded) lowest = std::min(lowest, *attempt.score);
   const double least = lowest < 40 ? 0 : 40;
   d.y = {ChartText::tr("points"), least, 100, 20, 0};
+  d.value_text = points_text;
   if (!graded.empty() && graded.back().pass_mark) {
     d.mark = *graded.back().pass_mark;
     d.mark_text = ChartText::tr("pass %1").arg(format_points(*d.mark));
@@ -146,6 +147,7 @@ ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
   const double step = widest <= 40 ? 20 : 50, most = step * std::ceil(widest / step);
   d.x = attempts_axis(last);
   d.y = {ChartText::tr("points"), -most, most, step, 0};
+  d.value_text = points_text;
   d.mark = 0;
   d.mark_text = ChartText::tr("as measured");
   if (!points.isEmpty()) d.summary = summary_of_ratings(static_cast<int>(points.size()), points.last().y);

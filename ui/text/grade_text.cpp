@@ -181,6 +181,8 @@ QString reason_text(const CriterionGrade& g) {
 
 int point_forms(double points) { return format_points(points) == format_points(1) ? 1 : 2; }
 
+QString points_text(double points) { return Text::tr("%1 point(s)", nullptr, point_forms(std::abs(points))).arg(format_points(points)); }
+
 QString lost_text(const CriterionGrade& g, double lost, const Region* whole) {
   return Text::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id, whole), format_points(lost));
 }

@@ -33,6 +33,8 @@ QString wanted_text(const Criterion& criterion);
 QString reason_text(const CriterionGrade& grade);
 /// What to give tr() as %n for points that may be a fraction: only a plain "1" is singular, "1.5" and "0.5" are not.
 int point_forms(double points);
+/// "1 point", "1.5 points", "−3 points".
+QString points_text(double points);
 /// "Floor depth, deepest: 1 point lost". `lost`: scaled points (scenarios/grading/maxima.h).
 QString lost_text(const CriterionGrade& grade, double lost, const Region* whole = nullptr);
 /// The one sentence about criteria that count for less because their target is left, with share_counted(), which is not the

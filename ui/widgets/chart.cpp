@@ -284,7 +284,7 @@ class ChartCanvas : public QWidget {
     if (lit_.series >= 0) {
       const ChartPoint& p = data_.series[lit_.series].points[lit_.point];
       QString text = p.label.isEmpty() ? data_.series[lit_.series].name : p.label;
-      text += u'\n' + format_points(p.y) + u' ' + data_.y.title;
+      text += u'\n' + (data_.value_text != nullptr ? data_.value_text(p.y) : format_points(p.y) + u' ' + data_.y.title);
       QToolTip::showText(at, text, this);
       setAccessibleDescription(text);
     } else {

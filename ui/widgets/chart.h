@@ -42,6 +42,7 @@ struct ChartData {
   std::optional<double> mark;   // dashed: horizontal for lines and dots, upright for bars
   QString mark_text;
   QString summary;              // one sentence for a screen reader
+  QString (*value_text)(double y) = nullptr;  // "1 point", in the tooltip; nullptr: the number and the axis' title
 };
 
 /// One point of one series; -1 and -1 for none.

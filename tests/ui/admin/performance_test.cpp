@@ -51,6 +51,18 @@ TEST_F(AdminPages, each_row_of_the_learning_table_says_what_it_is) {
   EXPECT_EQ(named, 3);
 }
 
+TEST_F(AdminPages, one_attempt_and_one_point_are_said_in_the_singular) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 60, 400);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  QStringList said;
+  for (const Chart* chart : page.findChildren<Chart*>()) {
+    ASSERT_NE(chart->data().value_text, nullptr) << chart->data().title.toStdString();
+    said += chart->data().value_text(1);
+  }
+  said.sort();
+  EXPECT_EQ(said, (QStringList{QStringLiteral("1 attempt"), QStringLiteral("1 point")}));
+}
+
 TEST_F(AdminPages, performance_shows_everybody_and_filters) {
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
   records.attempt(lena, "channel-1", 78, 100);

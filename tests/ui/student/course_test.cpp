@@ -258,6 +258,16 @@ TEST(HistoryCharts, the_summary_has_the_last_and_the_best_points_and_the_pass_ma
   EXPECT_EQ(score_by_attempt({last}).summary, QStringLiteral("Attempts: 1. The last has 1 of 100 points. The pass mark is 70."));
 }
 
+TEST(HistoryCharts, one_point_is_said_in_the_singular) {
+  for (const ChartData& chart : {time_and_score({}), score_by_attempt({}), own_against_measured({})}) {
+    ASSERT_NE(chart.value_text, nullptr) << chart.title.toStdString();
+    EXPECT_EQ(chart.value_text(1), QStringLiteral("1 point"));
+    EXPECT_EQ(chart.value_text(1.5), QStringLiteral("1.5 points"));
+    EXPECT_EQ(chart.value_text(0), QStringLiteral("0 points"));
+    EXPECT_EQ(chart.value_text(-1), QStringLiteral("\u22121 point"));
+  }
+}
+
 TEST(HistoryCharts, without_an_attempt_there_is_nothing_to_draw) {
   EXPECT_TRUE(time_and_score({}).series[0].points.isEmpty());
   EXPECT_TRUE(score_by_attempt({}).summary.isEmpty());
