@@ -105,7 +105,8 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   column->addSpacing(px(8));
   column->addWidget(make_rule());
   column->addSpacing(px(8));
-  pass_ = new NumberBox(model_, tr("Pass mark, of 100"), {}, 0, 100, 1, 0, [this](double v) { return model_.set_pass(v); });
+  pass_ = new NumberBox(model_, tr("Pass mark, of 100"), {}, 0, 100, 1, 1, [this](double v) { return model_.set_pass(v); });
+  pass_->drop_needless_decimals();
   add_row(column, tr("Pass mark, of 100"), pass_);
   pulp_ = new QCheckBox(tr("Opening the pulp fails the attempt"));
   column->addWidget(pulp_);
@@ -170,8 +171,9 @@ PointsForm::Row PointsForm::make_row(std::size_t index) {
   row.open->setAccessibleName(tr("Bands of %1").arg(name));
   row.open->setToolTip(tr("Show what earns the points"));
   line->addWidget(row.open, 1);
-  row.weight = new NumberBox(model_, tr("Points for %1").arg(name), {}, 0, 1000, 1, 0,
+  row.weight = new NumberBox(model_, tr("Points for %1").arg(name), {}, 0, 1000, 1, 2,
                              [this, index](double v) { return model_.set_weight(index, v); });
+  row.weight->drop_needless_decimals();
   row.weight->setFixedWidth(px(64));
   line->addWidget(row.weight);
   QPushButton* away = make_button({}, ButtonKind::quiet, u"trash"_qs);

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "scenarios/format/ranges.h"
@@ -212,8 +213,9 @@ void TextsForm::make_level_and_time(QVBoxLayout& column) {
     const int chosen = level_->currentData().toInt();
     model_.set_level(chosen == kNoLevel ? std::nullopt : std::optional(static_cast<Level>(chosen)));
   });
-  expected_ = new NumberBox(model_, tr("Expected time"), u"min"_qs, 0, kMostMinutes, 5, 0,
-                            [this](double minutes) { return model_.set_expected_time_s(60 * minutes); });
+  expected_ = new NumberBox(model_, tr("Expected time"), u"min"_qs, 0, kMostMinutes, 5, 1,
+                            [this](double minutes) { return model_.set_expected_time_s(std::round(60 * minutes)); });
+  expected_->drop_needless_decimals();
   expected_->setSpecialValueText(tr("not stated"));
   add_row(&column, tr("Expected time"), expected_);
 }

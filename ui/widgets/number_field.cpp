@@ -130,6 +130,10 @@ double NumberField::valueFromText(const QString& text) const {
 
 QString NumberField::textFromValue(double value) const {
   QString out = QDoubleSpinBox::textFromValue(value);
+  if (const QString point = locale().decimalPoint(), zero = locale().zeroDigit(); needed_decimals_ && out.contains(point)) {
+    while (out.endsWith(zero)) out.chop(zero.size());
+    if (out.endsWith(point)) out.chop(point.size());
+  }
   if (out.startsWith(u'-')) out[0] = kTrueMinus;
   return out;
 }
@@ -145,6 +149,12 @@ QString NumberField::refusal(const QString& typed) const {
   if (typed.isEmpty()) return tr("A number is needed here: %1. It stays at %2.").arg(range, stays);
   if (!read_number(typed)) return tr("“%1” is no number. Possible: %2. It stays at %3.").arg(isolate(typed), range, stays);
   return tr("%1 is outside %2. It stays at %3.").arg(isolate(typed + suffix()), range, stays);
+}
+
+void NumberField::drop_needless_decimals() {
+  needed_decimals_ = true;
+  const QSignalBlocker quiet(this);
+  setValue(value());  // writes the text anew
 }
 
 void NumberField::refuse(const QString& typed) { show_message(refusal(typed)); }
@@ -163,8 +173,7 @@ void NumberField::show_value(double value) {
   const double step = std::pow(10.0, -decimals());
   if (value < minimum() - step || value > maximum() + step) {
     show_message(tr("%1 stands in the exercise, outside %2.")
-            .arg(isolate(format_number(value, decimals(), locale()) + suffix()),
-                 tr("%1 to %2").arg(shown(minimum()), shown(maximum()))));
+            .arg(shown(value), tr("%1 to %2").arg(shown(minimum()), shown(maximum()))));
   } else if (this->value() != before) {
     clear_message();
   }

@@ -26,6 +26,8 @@ class NumberField : public QDoubleSpinBox {
   /// Reason why a value was refused, or the value that was taken instead.
   void show_message(const QString& message);
   void clear_message();
+  /// From now on a value has no more decimals than it needs: "12" and "12.5" of a field with two.
+  void drop_needless_decimals();
 
   QValidator::State validate(QString& text, int& cursor) const override;
   double valueFromText(const QString& text) const override;
@@ -51,6 +53,7 @@ class NumberField : public QDoubleSpinBox {
   QLabel* note_text_;
   QString description_;  // accessible description before the message
   bool has_message_ = false;
+  bool needed_decimals_ = false;  // alone
   mutable bool rounded_ = false;  // the text that was read last has more decimals than the field
 };
 

@@ -152,6 +152,24 @@ TEST(NumberField, a_value_shown_by_the_form_takes_an_old_note_away_and_keeps_wha
   EXPECT_TRUE(at.field->message().contains(QStringLiteral("50")));
 }
 
+TEST(NumberField, shows_the_decimals_that_a_value_needs_where_it_is_told_to) {
+  Typed at;
+  at.field->setRange(-1000, 1000);
+  at.field->setSuffix({});
+  EXPECT_EQ(at.field->text(), QStringLiteral("2.00"));
+  at.field->drop_needless_decimals();
+  EXPECT_EQ(at.field->text(), QStringLiteral("2"));
+  for (const auto& [typed, shown] : {std::pair{"10", "10"}, {"12.50", "12.5"}, {"0.05", "0.05"}, {"-100", "\u2212100"}, {"0", "0"}}) {
+    at.type(QString::fromUtf8(typed));
+    EXPECT_EQ(at.field->text(), QString::fromUtf8(shown));
+  }
+  Typed arabic{QLocale(QLocale::Arabic, QLocale::Egypt)};
+  arabic.field->drop_needless_decimals();
+  arabic.type(QStringLiteral("10"));
+  EXPECT_EQ(read_number(arabic.field->text().chopped(3)), 10.0);
+  EXPECT_FALSE(arabic.field->text().contains(arabic.field->locale().decimalPoint()));
+}
+
 TEST(NumberField, steps_begin_with_what_was_typed_and_stop_at_what_is_refused) {
   Typed at;
   at.field->selectAll();
