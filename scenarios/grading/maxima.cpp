@@ -92,6 +92,13 @@ std::vector<ScaledPoints> scaled_points(const Grade& grade) {
   return out;
 }
 
+double score_per_point(const Grade& grade) {
+  double sum = 0;
+  for (const CriterionGrade& c : grade.criteria) sum += usable(c.points_max);
+  const double whole = usable(grade.score_max);
+  return grade.evaluator == "2" && sum > 0.0 && whole > 0.0 ? whole / sum : 1.0;
+}
+
 std::vector<LossReason> loss_reasons(const Grade& grade) {
   std::vector<LossReason> out;
   for (const std::string& key : grade.critical) out.push_back({key, 0, 0.0});

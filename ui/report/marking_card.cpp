@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "scenarios/grading/maxima.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
@@ -165,10 +166,10 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
     return;
   }
   const QString name = metric_name(criterion->id, &target_);
-  points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(points_most_)) : tr("%1: no points to change").arg(name));
-  points_->setRange(0, points_most_);
+  points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(points_most_ * scale_)) : tr("%1: no points to change").arg(name));
+  points_->setRange(0, points_most_ * scale_);
   points_->setAccessibleName(tr("Points of %1").arg(name));
-  points_->show_value(criterion->points);
+  points_->show_value(points_now_ * scale_);
 }
 
 void MarkingCard::show_data(const ReportData& report) {
@@ -181,6 +182,7 @@ void MarkingCard::show_data(const ReportData& report) {
   set_aside(!assessed ? QString() : report.released ? tr("released") : tr("withheld from the student"));
   if (points_ == nullptr || !report.counts) return;
   seen_ = changes_in(*report.counts);
+  scale_ = score_per_point(report.counts->stored.grade);
   events_->clear();
   for (const std::string& event : report.counts->grade.critical) events_->addItem(critical_name(event), QString::fromStdString(event));
   events_row_->setVisible(events_->count() > 0);
@@ -234,7 +236,7 @@ void MarkingCard::comment() {
 
 void MarkingCard::change_points() {
   points_->interpretText();  // a button that a screen reader presses leaves the focus in the field
-  if (format_points(points_->value()) == format_points(points_now_)) {
+  if (format_points(points_->value()) == format_points(points_now_ * scale_)) {
     band_->show_message(Band::Kind::look, tr("These are the points that count already."), tr("Type other points."));
     return points_->setFocus();
   }
@@ -244,7 +246,7 @@ void MarkingCard::change_points() {
   }
   if (!still_stands()) return;
   // The field rounds its maximum, which stands for full points.
-  const double given = points_->value() >= points_->maximum() ? points_most_ : std::min(points_->value(), points_most_);
+  const double given = points_->value() >= points_->maximum() ? points_most_ : std::min(points_->value() / scale_, points_most_);
   finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString()),
          tr("The points are changed. The measured grade is kept beside them."));
 }

@@ -65,7 +65,8 @@ class MarkingCard : public Card {
   std::string criterion_;
   std::optional<Vec3> place_mm_;
   std::optional<std::pair<int, std::vector<Uuid>>> seen_;  // grade and changes that the report shows; none while it is read anew
-  double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones
+  double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones; in the grade's own points
+  double scale_ = 1;                         // points of the score for one of these (score_per_point)
   Band* band_;
   QPlainTextEdit* text_;
   QCheckBox* at_place_;

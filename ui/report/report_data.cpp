@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scenarios/grading/grader.h"
+#include "scenarios/grading/maxima.h"
 #include "scenarios/metrics/evidence_patch.h"
 #include "scenarios/shapes/target.h"
 #include "ui/modules.h"
@@ -47,9 +48,9 @@ QString remark_head(const SignedStatement& s, const Grade& stored, const Region*
     case StatementKind::self_assessment: return {};
     case StatementKind::override_points: {
       const auto criterion = std::ranges::find(stored.criteria, s.criterion, &CriterionGrade::id);
-      const double before = criterion == stored.criteria.end() ? 0 : criterion->points;
+      const double scale = score_per_point(stored), before = criterion == stored.criteria.end() ? 0 : criterion->points * scale;
       return ReportText::tr("%1: %2 instead of %3 point(s)", nullptr, point_forms(before))
-          .arg(metric_name(s.criterion, whole), format_points(s.points.value_or(0)), format_points(before));
+          .arg(metric_name(s.criterion, whole), format_points(s.points.value_or(0) * scale), format_points(before));
     }
     case StatementKind::override_critical: return ReportText::tr("Does not count: %1").arg(critical_name(s.criterion));
     case StatementKind::confirmation: return ReportText::tr("Result confirmed");
@@ -96,15 +97,16 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
 /// Points that count in place of measured ones, with who changed them and why.
 std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts) {
   std::vector<PointsChange> out;
+  const double scale = score_per_point(counts.stored.grade);
   for (const SignedStatement& s : counts.overrides) {
     if (s.kind != StatementKind::override_points) continue;
     const auto account = store.accounts.find(s.author);
     const QString who = account ? QString::fromStdString(account->name) : QString();
     const auto measured = std::ranges::find(counts.stored.grade.criteria, s.criterion, &CriterionGrade::id);
-    const double before = measured == counts.stored.grade.criteria.end() ? 0 : measured->points;
+    const double before = measured == counts.stored.grade.criteria.end() ? 0 : measured->points * scale;
     //: %1: points that count, %2: measured points, %3: an examiner, %4: the reason.
     out.push_back({s.criterion, ReportText::tr("%1 instead of %2 point(s), changed by %3: %4", nullptr, point_forms(before))
-                                    .arg(format_points(s.points.value_or(0)), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
+                                    .arg(format_points(s.points.value_or(0) * scale), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
   }
   return out;
 }

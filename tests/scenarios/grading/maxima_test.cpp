@@ -95,6 +95,16 @@ TEST(ScaledPoints, OfAnOldGradeInWeightsSumToItsScore) {
   EXPECT_EQ(p[3].points, p[3].points_max);
 }
 
+TEST(ScorePerPoint, IsOfTheWeightsOfEvaluator2AndElseOne) {
+  Grade old = graded({{30, 30}, {7.5, 15}, {0, 5}});
+  EXPECT_EQ(score_per_point(old), 1.0) << old.evaluator;
+  old.evaluator = "2";
+  EXPECT_EQ(score_per_point(old), 2.0);
+  EXPECT_NEAR(old.criteria[1].points * score_per_point(old), scaled_points(old)[1].points, 0.05);
+  old.criteria.clear();
+  EXPECT_EQ(score_per_point(old), 1.0);
+}
+
 TEST(ScaledPoints, WhatWasNotMeasuredHasNoneOfNone) {
   const auto p = scaled_points(graded({{30, 30}, {0, 0}, {10, 10}}));
   EXPECT_EQ(p[0].points_max, 75.0);

@@ -1,0 +1,86 @@
+// An attempt that evaluator 2 graded: its criteria have points of their weights, and people read points of the score.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "tests/ui/report/sample_report.h"
+#include "ui/report/criteria_model.h"
+#include "ui/report/marking_card.h"
+#include "ui/widgets/number_field.h"
+
+namespace cusp::test {
+namespace {
+
+/// 24 of weights that sum to 30, so 80 of 100; depth_most has 4 of 10, so 13.3 of 33.3.
+struct OlderPoints : ::testing::Test {
+  DeskRecords records;
+  Account lena = records.student("4711", "Lena Brandt"), examiner;
+  SessionId session;
+  Ports ports = Ports::of_the_system();
+  void SetUp() override {
+    const auto made = records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+    ASSERT_TRUE(made);
+    examiner = *made;
+    Grade grade = sample_grade(80);
+    grade.evaluator = "2";
+    session = records.graded_attempt(lena, "channel-1", grade, 90);
+  }
+  ReportData gathered() {
+    SessionResult result;
+    result.session = session;
+    result.scenario = *load_builtin("channel-1");
+    result.grade = (*records.store().grades.newest(session))->grade;
+    const Actor reader = examiner.actor();
+    return gather_report(result, &records.store(), &reader);
+  }
+  /// Of depth_most, as the table of criteria shows them.
+  static QString in_table(const ReportData& data) {
+    const CriteriaModel model(data.result.grade, data.result.scenario, data.changes);
+    return model.index(1, CriteriaModel::kPoints).data(Qt::AccessibleTextRole).toString();
+  }
+  /// Types points and a reason into a card and presses its button. Returns what the card showed before.
+  QStringList change(double points) {
+    const ReportData data = gathered();
+    MarkingCard card(records.store(), examiner.actor(), data, ports);
+    card.set_criterion(&data.result.grade.criteria[1]);
+    auto* field = card.findChild<NumberField*>();
+    QStringList shown{field->text()};
+    for (const QLabel* label : card.findChildren<QLabel*>())
+      if (label->text().contains(QStringLiteral(", of "))) shown += label->text().section(QStringLiteral(", of "), 1);
+    field->setValue(points);
+    card.findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("The block was worn."));
+    QSignalSpy stated(&card, &MarkingCard::stated);
+    for (QPushButton* button : card.findChildren<QPushButton*>())
+      if (button->text().trimmed() == QStringLiteral("Change points")) button->click();
+    EXPECT_EQ(stated.count(), 1);
+    return shown;
+  }
+};
+
+TEST_F(OlderPoints, are_changed_in_the_points_that_the_report_shows) {
+  ASSERT_EQ(in_table(gathered()), QStringLiteral("13.3 of 33.3"));
+  EXPECT_EQ(change(20), (QStringList{QStringLiteral("13.3"), QStringLiteral("33.3")}));
+  const ReportData data = gathered();
+  EXPECT_EQ(in_table(data), QStringLiteral("20 of 33.3"));
+  EXPECT_NEAR(data.result.grade.score, 100 - 13.33, 0.01) << "26 of 30";
+  ASSERT_EQ(data.remarks.size(), 1u);
+  EXPECT_TRUE(data.remarks[0].what.endsWith(QStringLiteral("20 instead of 13.3 points"))) << data.remarks[0].what.toStdString();
+  ASSERT_EQ(data.changes.size(), 1u);
+  EXPECT_TRUE(data.changes[0].text.startsWith(QStringLiteral("20 instead of 13.3 points, changed by"))) << data.changes[0].text.toStdString();
+}
+
+TEST_F(OlderPoints, can_be_given_in_full) {
+  change(33.3);
+  const ReportData data = gathered();
+  EXPECT_EQ(data.result.grade.criteria[1].points, 10) << "its whole weight";
+  EXPECT_NEAR(data.result.grade.score, 100, 1e-9);
+}
+
+}  // namespace
+}  // namespace cusp::test
