@@ -3,6 +3,7 @@
 #include "storage/exchange/json_read.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -45,6 +46,7 @@ Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, Sessio
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   if (!context.key) return std::unexpected(context.db.unwritable());
   Transaction transaction(context.db);
+  require_now(transaction, actor.id, Action::export_results);
   log_event(context, transaction, {.actor = actor.id, .action = "packed", .subject = session.uuid, .detail = {}});
   const auto log = transaction.first("SELECT entries, link FROM audit_head", [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; });
   if (auto done = commit_sealed(context, transaction); !done) return std::unexpected(done.error());

@@ -25,7 +25,7 @@ struct PackDescription {
 
 using SignedPack = SignedText;
 
-/// Signs, and adds the entry "packed" to the audit log. Needs export_results. read_only without the station's key.
+/// Signs, and adds the entry "packed" to the audit log. Needs export_results, as the records have it now. read_only without the station's key.
 Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, SessionId session, std::vector<PackFile> files);
 
 enum class PackSigner : std::uint8_t {

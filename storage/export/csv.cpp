@@ -48,7 +48,7 @@ std::string begin(const CsvOptions& options, std::string_view head) {
 /// Logs the export, unless the file is open read-only.
 Stored<void> note(StorageContext& context, const Actor& actor, std::string_view action, std::size_t lines) {
   if (context.db.read_only()) return {};
-  return AuditLog(context).add({.actor = actor.id, .action = action, .detail = std::to_string(lines)});
+  return AuditLog(context).add_if_allowed({.actor = actor.id, .action = action, .detail = std::to_string(lines)}, Action::export_results);
 }
 
 Stored<std::vector<ExportRow>> dated(Database& db, std::vector<HistoryRow> rows) {

@@ -44,7 +44,7 @@ inline constexpr std::size_t kExportedAtOnce = 1000;  // rows
 /// Takes the next rows of `all`; false stops the export.
 using TakeRows = std::function<Stored<bool>(std::span<const ExportRow> rows, std::size_t all)>;
 /// Sessions that match, newest first, as of one moment, at most kExportedAtOnce in one call of `take`; without a session one call
-/// with no rows. Needs export_results; adds an entry to the audit log. Returns how many; nullopt: stopped, and no entry.
+/// with no rows. Needs export_results, at the end as the records have it then; adds an entry to the audit log. Returns how many; nullopt: stopped, and no entry.
 Stored<std::optional<std::size_t>> export_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                                const TakeRows& take);
 /// What history_csv() writes: a file's beginning has the names of the columns.

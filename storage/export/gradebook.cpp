@@ -73,8 +73,8 @@ Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& act
   GradebookFile out{options.byte_order_mark ? "\xEF\xBB\xBF" : "", results.best.size(), results.withheld};
   out.text += system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title);
   if (context.db.read_only()) return out;
-  const auto noted = AuditLog(context).add(
-      {.actor = actor.id, .action = "gradebook_exported", .subject = assignment.uuid, .detail = std::to_string(out.students)});
+  const auto noted = AuditLog(context).add_if_allowed(
+      {.actor = actor.id, .action = "gradebook_exported", .subject = assignment.uuid, .detail = std::to_string(out.students)}, Action::export_results);
   if (!noted) return std::unexpected(noted.error());
   return out;
 }

@@ -24,7 +24,7 @@ struct GradebookFile {
 };
 
 /// The best released result of each student. Who has none has no line: an empty cell would clear a grade there. Nor has who
-/// was erased: the gradebook would not know the number. Needs export_results; adds an entry to the audit log.
+/// was erased: the gradebook would not know the number. Needs export_results, as the records have it now; adds an entry to the audit log.
 Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
                                        const CsvOptions& options = {});
 

@@ -6,6 +6,7 @@
 
 #include "storage/records/sealing.h"
 #include "storage/records/verify_log.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 
@@ -92,6 +93,13 @@ Stored<LogPlace> place_before(Database& db, std::int64_t number, std::int64_t to
 
 Stored<void> AuditLog::add(const AuditEvent& event) {
   Transaction transaction(c_.db);
+  log_event(c_, transaction, event);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<void> AuditLog::add_if_allowed(const AuditEvent& event, Action action) {
+  Transaction transaction(c_.db);
+  require_now(transaction, event.actor, action);
   log_event(c_, transaction, event);
   return commit_sealed(c_, transaction);
 }

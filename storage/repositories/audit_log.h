@@ -26,6 +26,8 @@ class AuditLog {
   explicit AuditLog(StorageContext& context) : c_{context} {}
   /// One entry in a transaction of its own.
   Stored<void> add(const AuditEvent& event);
+  /// The same, unless the actor has lost the right since sign-in (current_rights.h).
+  Stored<void> add_if_allowed(const AuditEvent& event, Action action);
   /// Newest first, at most `limit`, those below `before_number`: the last number of a page begins the next. By number; with
   /// a filter by time, then by number. Needs see_audit_log.
   Stored<std::vector<AuditEntry>> list(const Actor& actor, int limit, std::int64_t before_number = INT64_MAX,

@@ -187,5 +187,16 @@ TEST(CsvExport, a_student_exports_nothing) {
   EXPECT_EQ(code_of(rows), StorageError::not_allowed);
 }
 
+TEST_F(ExportOfCohorts, who_is_switched_off_while_the_rows_are_read_has_no_export) {
+  const Actor admin = make_administrator(*store).actor();
+  complete_session(*store, lena, version);
+  const auto rows = export_rows(store->context(), instructor, {}, [&](std::span<const ExportRow>, std::size_t) -> Stored<bool> {
+    must(open(folder / "a.db", quick(now))->accounts.disable(admin, instructor.id));
+    return true;
+  });
+  EXPECT_EQ(code_of(rows), StorageError::disabled);
+  EXPECT_EQ(must(store->audit.list(admin, 1)).at(0).action, "account_disabled");
+}
+
 }  // namespace
 }  // namespace cusp::test

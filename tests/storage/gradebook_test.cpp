@@ -107,5 +107,12 @@ TEST_F(GradebookTest, needs_the_right_and_stands_in_the_log) {
   EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).action, "gradebook_exported");
 }
 
+TEST_F(GradebookTest, is_refused_to_whom_another_window_switched_off_since_signing_in) {
+  sit(lena, 62);
+  must(open(folder / "a.db")->accounts.disable(administrator, instructor.id));
+  EXPECT_EQ(code_of(export_gradebook(store->context(), instructor, exam.id, Gradebook::moodle)), StorageError::disabled);
+  EXPECT_NE(must(store->audit.list(administrator, 1)).at(0).action, "gradebook_exported");
+}
+
 }  // namespace
 }  // namespace cusp::test

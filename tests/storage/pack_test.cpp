@@ -179,6 +179,18 @@ TEST_F(PackTest, a_signature_holds_for_the_description_it_was_made_for_alone) {
   }
 }
 
+TEST_F(PackTest, who_was_switched_off_at_another_window_since_signing_in_signs_none) {
+  hand_in();
+  must(open(folder / "a.db")->accounts.disable(administrator, instructor.id));
+  const std::int64_t newest = must(store->audit.list(administrator, 1)).at(0).number;
+  EXPECT_EQ(code_of(sign_pack(store->context(), instructor, session, {})), StorageError::disabled);
+  EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).number, newest) << "and no entry says so";
+  must(store->accounts.enable(administrator, instructor.id));
+  must(sign_pack(store->context(), instructor, session, {}));
+  must(open(folder / "a.db")->accounts.set_role(administrator, instructor.id, Role::student));
+  EXPECT_EQ(code_of(sign_pack(store->context(), instructor, session, {})), StorageError::not_allowed);
+}
+
 TEST_F(PackTest, texts_that_are_no_description_or_signature_are_refused) {
   const SignedPack good = must(sign_pack(store->context(), administrator, session, {{"a", blake2b_256("a")}}));
   for (const char* text : {"", "{}", "[]", "null", "{\"cusp_pack\":1}", "{\"cusp_pack\":2}"}) EXPECT_EQ(code_of(check_pack({text, good.signature})), StorageError::bad_value) << text;

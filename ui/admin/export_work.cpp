@@ -54,7 +54,7 @@ Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor&
   const auto entries = write_entries(store, actor, wanted, file, progress);
   if (!entries || !*entries) return entries;
   if (!store.database().read_only()) {
-    const auto noted = store.audit.add({.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)});
+    const auto noted = store.audit.add_if_allowed({.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)}, Action::see_audit_log);
     if (!noted) return std::unexpected(noted.error());
   }
   if (auto done = file.finish(); !done) return std::unexpected(done.error());
