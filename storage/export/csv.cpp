@@ -146,10 +146,13 @@ std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of) {
 }
 
 Stored<std::optional<std::size_t>> export_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
-                                               const TakeRows& take) {
+                                               const TakeRows& take, const std::function<Stored<void>()>& written) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   const auto taken = give_rows(context, actor, filter, take);
   if (!taken || !*taken) return taken;
+  if (written) {
+    if (auto done = written(); !done) return std::unexpected(done.error());
+  }
   if (auto noted = note(context, actor, "history_exported", **taken); !noted) return std::unexpected(noted.error());
   return taken;
 }

@@ -44,9 +44,11 @@ inline constexpr std::size_t kExportedAtOnce = 1000;  // rows
 /// Takes the next rows of `all`; false stops the export.
 using TakeRows = std::function<Stored<bool>(std::span<const ExportRow> rows, std::size_t all)>;
 /// Sessions that match, newest first, as of one moment, at most kExportedAtOnce in one call of `take`; without a session one call
-/// with no rows. Needs export_results, at the end as the records have it then; adds an entry to the audit log. Returns how many; nullopt: stopped, and no entry.
+/// with no rows. Needs export_results, at the end as the records have it then; adds an entry to the audit log. Returns how many;
+/// nullopt: stopped, and no entry. `written`, called between the last rows and the entry, closes what was written: if it fails, there
+/// is no entry.
 Stored<std::optional<std::size_t>> export_rows(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
-                                               const TakeRows& take);
+                                               const TakeRows& take, const std::function<Stored<void>()>& written = {});
 /// What history_csv() writes: a file's beginning has the names of the columns.
 enum class CsvPart : std::uint8_t { beginning, further };
 /// One line per session. Times are ISO 8601, UTC; opens_utc and due_utc are the assignment's.

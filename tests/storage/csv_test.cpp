@@ -179,6 +179,22 @@ TEST(CsvExport, many_attempts_come_piece_by_piece_and_a_stopped_export_leaves_no
   EXPECT_EQ(must(store->audit.list(admin, 1))[0].number, entries);
 }
 
+TEST_F(ExportOfCohorts, rows_that_could_not_be_written_to_their_end_leave_no_entry) {
+  const Actor admin = make_administrator(*store).actor();
+  complete_session(*store, lena, version);
+  const std::int64_t newest = must(store->audit.list(admin, 1)).at(0).number;
+  bool taken = false;
+  const auto rows = export_rows(
+      store->context(), instructor, {},
+      [&](std::span<const ExportRow>, std::size_t) -> Stored<bool> { return taken = true; },
+      [&]() -> Stored<void> {
+        EXPECT_TRUE(taken);
+        return fail(StorageError::disk_full, "out.csv");
+      });
+  EXPECT_EQ(code_of(rows), StorageError::disk_full);
+  EXPECT_EQ(must(store->audit.list(admin, 1)).at(0).number, newest);
+}
+
 TEST(CsvExport, a_student_exports_nothing) {
   const Folder folder;
   const auto store = open(folder / "a.db");

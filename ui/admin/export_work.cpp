@@ -13,14 +13,15 @@ namespace {
 Stored<std::optional<std::size_t>> export_to_file(StorageContext& context, const Actor& actor, const AttemptsFile& wanted, ExportProgress& progress) {
   WholeFile file(wanted.file);
   CsvPart part = CsvPart::beginning;
-  const auto rows = export_rows(context, actor, wanted.filter, [&](std::span<const ExportRow> some, std::size_t all) -> Stored<bool> {
+  const auto take = [&](std::span<const ExportRow> some, std::size_t all) -> Stored<bool> {
     progress.all = all;
     if (auto done = file.write(history_csv(some, std::exchange(part, CsvPart::further), wanted.options)); !done) {
       return std::unexpected(done.error());
     }
     progress.done += some.size();
     return !progress.stop;
-  });
+  };
+  const auto rows = export_rows(context, actor, wanted.filter, take, [&file] { return file.close(); });
   if (!rows || !*rows) return rows;
   if (auto done = file.finish(); !done) return std::unexpected(done.error());
   return rows;
@@ -53,6 +54,7 @@ Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor&
   WholeFile file(wanted.file);
   const auto entries = write_entries(store, actor, wanted, file, progress);
   if (!entries || !*entries) return entries;
+  if (auto done = file.close(); !done) return std::unexpected(done.error());
   if (!store.database().read_only()) {
     const auto noted = store.audit.add_if_allowed({.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)}, Action::see_audit_log);
     if (!noted) return std::unexpected(noted.error());

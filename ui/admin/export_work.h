@@ -31,7 +31,8 @@ struct AttemptsFile {
 };
 
 /// export_rows() to a WholeFile: what was there before stays unless all rows are written. How many; nullopt: stopped. `then` is called
-/// on the task's thread.
+/// on the task's thread. The entry in the audit log comes once the file is written and before it has its name: none of a file that
+/// failed, and no file without one.
 BackgroundTask export_in_background(RecordsBeside records, const Actor& actor, AttemptsFile wanted, std::shared_ptr<ExportProgress> progress,
                                     std::function<void(Stored<std::optional<std::size_t>>)> then);
 
@@ -42,7 +43,7 @@ struct LogFile {
 };
 inline constexpr int kLogEntriesAtOnce = 5'000;  // read before the next look at `stop`
 
-/// The same of the audit log, with an entry about it once all were read; without one if the records are read-only. `done` and `all`
+/// The same of the audit log, with an entry about it; without one if the records are read-only. `done` and `all`
 /// count every entry that was looked through, those that the filter leaves out too.
 BackgroundTask export_log_in_background(RecordsBeside records, const Actor& actor, LogFile wanted, std::shared_ptr<ExportProgress> progress,
                                         std::function<void(Stored<std::optional<std::size_t>>)> then);

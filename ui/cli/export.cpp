@@ -132,6 +132,7 @@ class CsvOutput {
   }
   bool wanted() const { return on_stdout_ || file_; }
   bool write(const std::string& piece) { return file_ ? settled(file_->write(piece)) : !on_stdout_ || write_out(piece); }
+  bool close() { return !file_ || settled(file_->close()); }
   bool finish() { return !file_ || settled(file_->finish()); }
 
  private:
@@ -169,13 +170,19 @@ int export_rows_of(Store& store, const Actor& actor, const ExportOptions& o, con
   CsvPart part = CsvPart::beginning;
   bool written = true;
   catch_interrupt();
-  const auto rows = export_rows(store.context(), actor, filter, [&](std::span<const ExportRow> some, std::size_t) -> Stored<bool> {
+  const auto take = [&](std::span<const ExportRow> some, std::size_t) -> Stored<bool> {
     if (csv.wanted()) written = csv.write(history_csv(some, std::exchange(part, CsvPart::further), options));
     if (o.json.wanted()) {
       for (const ExportRow& row : some) json.push_back(row_json(row));
     }
     return written && !interrupted();
-  });
+  };
+  const auto close = [&]() -> Stored<void> {
+    written = csv.close();
+    if (!written) return fail(StorageError::io, o.out);
+    return {};
+  };
+  const auto rows = export_rows(store.context(), actor, filter, take, close);
   if (!written) return kFailed;
   if (!rows) return failed(describe(rows.error()));
   if (!*rows) return failed(o.csv_on_stdout() ? CliText::tr("Stopped. What was written may lack attempts.") : CliText::tr("Stopped. No file was written."));

@@ -50,10 +50,17 @@ Stored<void> WholeFile::write(std::string_view piece) {
   return {};
 }
 
-Stored<void> WholeFile::finish() {
+Stored<void> WholeFile::close() {
+  if (closed_) return {};
   errno = 0;
   out_.close();
   if (out_.fail()) return failed_with(errno);
+  closed_ = true;
+  return {};
+}
+
+Stored<void> WholeFile::finish() {
+  if (auto done = close(); !done) return done;
   if (beside_.empty()) return {};
   std::error_code error;
   std::filesystem::rename(beside_, real_, error);

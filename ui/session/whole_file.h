@@ -21,8 +21,11 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// The failures of both name the file, and the system's reason.
+  /// The failures of these name the file, and the system's reason.
   Stored<void> write(std::string_view piece);
+  /// All of it is written, under no name yet: what is left to fail is the name.
+  Stored<void> close();
+  /// Closes it at need, and gives it its name.
   Stored<void> finish();
 
  private:
@@ -31,6 +34,7 @@ class WholeFile {
 
   std::filesystem::path file_, real_, beside_;  // as named; behind links; as it is written: empty for a pipe or a device
   std::ofstream out_;
+  bool closed_ = false;
   int error_ = 0;  // an errno
 };
 

@@ -205,6 +205,15 @@ TEST_F(LogPages, ACancelledExportLeavesTheFileThatWasThereAndNoEntry) {
   EXPECT_EQ(cell(*shown, 0, LogModel::kWhat), newest);
 }
 
+TEST_F(LogPages, LogsNoExportThatAFullDiskCutsOffAtItsEnd) {
+  file = QStringLiteral("/dev/full");
+  const auto shown = page();
+  shown->export_csv();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shown->exporting(); }, kLongestMs));
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("The file was not written."))) << shown->message().toStdString();
+  EXPECT_NE(records.store().audit.list(admin.actor(), 1)->at(0).action, "log_exported");
+}
+
 TEST_F(LogPages, NamesWhyAnExportWasNotWritten) {
   file = folder.filePath(QStringLiteral("none/log.csv"));
   const auto shown = page();

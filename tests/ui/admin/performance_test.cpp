@@ -201,6 +201,17 @@ TEST_F(AdminPages, a_file_that_cannot_be_written_is_named_with_the_reason_and_no
   EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
+TEST_F(AdminPages, an_export_that_a_full_disk_cuts_off_at_its_end_is_not_logged) {
+  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 78, 100);
+  file = QStringLiteral("/dev/full");
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  export_whole(page);
+  EXPECT_TRUE(page.findChild<Band*>()->text().contains(QStringLiteral("The file was not written."))) << page.findChild<Band*>()->text().toStdString();
+  const auto newest = records.store().audit.list(records.administrator().actor(), 1);
+  EXPECT_NE(newest->at(0).action, "history_exported");
+}
+
 TEST_F(AdminPages, a_cancelled_export_leaves_the_file_that_was_there_and_no_other) {
   records.attempt(records.student("1", "Lena Brandt"), "channel-1", 78, 100);
   const QTemporaryDir folder;

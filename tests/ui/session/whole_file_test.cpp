@@ -28,5 +28,23 @@ TEST(WholeFileTest, ThatWasCutOffGoesADayLaterWithTheNextOfItsName) {
   EXPECT_TRUE(fs::exists(running)) << "another program may write it";
 }
 
+TEST(WholeFileTest, HasNoNameWhenItIsClosed) {
+  const Folder folder;
+  const fs::path file = folder / "rows.csv";
+  WholeFile whole(file);
+  ASSERT_TRUE(whole.write("rows"));
+  ASSERT_TRUE(whole.close());
+  EXPECT_FALSE(fs::exists(file));
+  ASSERT_TRUE(whole.finish());
+  EXPECT_EQ(fs::file_size(file), 4u);
+}
+
+TEST(WholeFileTest, SaysWhenItIsClosedThatTheDiskIsFull) {
+  WholeFile whole("/dev/full");
+  ASSERT_TRUE(whole.write("rows")) << "they wait in memory";
+  EXPECT_FALSE(whole.close());
+  EXPECT_FALSE(whole.finish());
+}
+
 }  // namespace
 }  // namespace cusp::test
