@@ -76,6 +76,9 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a, const s
   a.created_utc_us = c_.clock();
   Transaction transaction(c_.db);
   require_now(transaction, actor.id, Action::assign);
+  if (transaction.first("SELECT 1 FROM version_withdrawals WHERE version = ?1", [](Row) { return true; }, a.version)) {
+    transaction.refuse({StorageError::wrong_state, "version_withdrawn"});
+  }
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
       "INSERT INTO assignments (id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, "

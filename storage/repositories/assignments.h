@@ -48,6 +48,7 @@ class Assignments {
   explicit Assignments(StorageContext& context) : c_{context} {}
   /// Needs assign. Sets id, author and time, and puts the device classes in order. `start_code`: what the invigilator says when an assessment begins; of an
   /// assessment alone. bad_value (where = start_code, kind, due, device_classes: a class is a-z, 0-9 and -; self_test_days: 1 to kMostSelfTestDays; drawn_tooth).
+  /// wrong_state (where = version_withdrawn): no student would find it; assignments from before its withdrawal stay.
   Stored<Assignment> create(const Actor& actor, Assignment assignment, const std::string& start_code = {});
   Stored<Assignment> find(AssignmentId assignment);  // not_found
   /// Needs assign. Empty for a practice.

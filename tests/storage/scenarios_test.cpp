@@ -111,6 +111,19 @@ TEST_F(ScenariosTest, a_withdrawn_version_leaves_the_library_and_stays_in_the_re
   EXPECT_EQ(must(store->history.details(student.actor(), session)).row.version_number, 2);
 }
 
+TEST_F(ScenariosTest, a_withdrawn_version_is_not_assigned_anew_and_what_was_assigned_stays) {
+  const CohortId cohort = must(store->cohorts.create(instructor, "A")).id;
+  const auto version = keep(*store);
+  const Assignment before = must(store->assignments.create(instructor, {.version = version.id, .cohort = cohort}));
+  must(store->scenarios.withdraw(instructor, version.id));
+  const auto after = store->assignments.create(instructor, {.version = version.id, .cohort = cohort});
+  EXPECT_EQ(code_of(after), StorageError::wrong_state);
+  EXPECT_EQ(after.error().where, "version_withdrawn");
+  const auto all = must(store->assignments.for_cohort(cohort));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].id, before.id);
+}
+
 TEST_F(ScenariosTest, assignments_reach_the_cohorts_students) {
   const Account student = make_student(*store);
   const Cohort cohort = must(store->cohorts.create(instructor, "A"));

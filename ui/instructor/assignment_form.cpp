@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -32,14 +33,13 @@ constexpr int kUsualSelfTestDays = 7;
 }  // namespace
 
 AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent)
-    : Card(tr("Assign an exercise"), {}, parent), exercises_(std::move(exercises)) {
+    : Card(tr("Assign an exercise"), {}, parent) {
   setFixedWidth(px(300));
-  std::ranges::sort(exercises_, stands_before, [](const Exercise& exercise) { return local(exercise.scenario.title).toStdString(); });
   QFormLayout* form = make_form();
   body()->addLayout(form);
   exercise_ = new QComboBox;
   exercise_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  for (const Exercise& exercise : exercises_) exercise_->addItem(local(exercise.scenario.title));
+  fill_exercises(std::move(exercises));
   add_field(*form, tr("Exercise"), exercise_);
   kind_ = new Segments({tr("Practice"), tr("Assessment")});
   add_field(*form, tr("Kind"), kind_, kBetween);
@@ -199,9 +199,32 @@ void AssignmentForm::choose_devices(const std::vector<std::string>& device_class
   for (const auto& [device_class, check] : devices_) check->setChecked(storage::admits(device_classes, device_class));
 }
 
-void AssignmentForm::choose_exercise(const ScenarioId& id) {
+void AssignmentForm::fill_exercises(std::vector<Exercise> exercises) {
+  exercises_ = std::move(exercises);
+  std::ranges::sort(exercises_, stands_before, [](const Exercise& exercise) { return local(exercise.scenario.title).toStdString(); });
+  exercise_->clear();
+  for (const Exercise& exercise : exercises_) exercise_->addItem(local(exercise.scenario.title));
+}
+
+void AssignmentForm::set_exercises(std::vector<Exercise> exercises) {
+  const Exercise before = exercises_.empty() ? Exercise{} : wish().exercise;
+  {
+    const QSignalBlocker quiet(exercise_);
+    fill_exercises(std::move(exercises));
+    choose_exercise(before.scenario.id);
+  }
+  offer_teeth();
+  const Exercise* now = find(before.scenario.id);
+  if (now == nullptr || number_of(*now) != number_of(before)) enable_act();
+}
+
+const Exercise* AssignmentForm::find(const ScenarioId& id) const {
   const auto it = std::ranges::find_if(exercises_, [&](const Exercise& e) { return e.scenario.id == id; });
-  if (it != exercises_.end()) exercise_->setCurrentIndex(static_cast<int>(it - exercises_.begin()));
+  return it == exercises_.end() ? nullptr : &*it;
+}
+
+void AssignmentForm::choose_exercise(const ScenarioId& id) {
+  if (const Exercise* there = find(id)) exercise_->setCurrentIndex(static_cast<int>(there - exercises_.data()));
 }
 
 void AssignmentForm::choose_due(const QDateTime& due) {

@@ -37,7 +37,10 @@ class AssignmentForm : public Card {
 
   /// `now`: from which usual dates are counted.
   AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent = nullptr);
+  /// The exercise that was chosen stays so, in the version that is there now; where it is gone, the first one is chosen.
+  void set_exercises(std::vector<Exercise> exercises);
   void choose_exercise(const ScenarioId& id);
+  const Exercise* find(const ScenarioId& id) const;  // null: not in the list
   void choose_due(const QDateTime& due);
   void choose_kind(SessionKind kind);
   /// Empty = every one.
@@ -62,6 +65,7 @@ class AssignmentForm : public Card {
     QCheckBox* on = nullptr;
     QDateTimeEdit* when = nullptr;
   };
+  void fill_exercises(std::vector<Exercise> exercises);
   QWidget* make_devices();
   QWidget* make_self_test();
   QWidget* make_teeth();

@@ -59,6 +59,10 @@ class CohortsPage : public QWidget, public Rereads {
   void fit_assignment();
   /// The form's assignment for a cohort. Nullopt, and a message, if the records fail.
   std::optional<Assignment> assignment_for(const AssignmentForm::Wish& wish, CohortId cohort);
+  /// The form's exercises as another desk has left them.
+  void read_exercises();
+  /// Of a version that another desk withdrew while the form had it.
+  void show_withdrawn(const Exercise& exercise);
   /// Nullopt, and a message, where nothing is chosen.
   std::optional<Cohort> chosen();
   void show_failure(const StorageFailure& failure);

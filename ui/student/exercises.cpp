@@ -31,6 +31,8 @@ const std::vector<Exercise>& builtin_exercises() {
 
 }  // namespace
 
+int number_of(const Exercise& exercise) { return exercise.version.is_nil() ? exercise.scenario.version : exercise.version_number; }
+
 bool asks_for_time(const Scenario& scenario) {
   return std::ranges::any_of(scenario.rubric.criteria, [](const Criterion& one) { return one.metric == "time"; });
 }

@@ -18,6 +18,9 @@ struct Exercise {
   std::map<std::string, Hash256> files;  // its volumes, in Blobs
 };
 
+/// The version's number; of a built-in exercise that was never played here, its own.
+int number_of(const Exercise& exercise);
+
 struct ExerciseList {
   std::vector<Exercise> exercises;           // built-in ones first, in the order of the course
   std::vector<StorageFailure> unreadable;    // stored versions that cannot be read

@@ -164,6 +164,7 @@ Message describe_thinned(const StorageFailure& f) {
 
 Message describe_wrong_state(const StorageFailure& f) {
   if (f.where == "not_open") return {Text::tr("This assignment is not open yet."), nothing_changed()};
+  if (f.where == "version_withdrawn") return {Text::tr("This version of the exercise was withdrawn."), nothing_changed()};
   if (f.where == "withdrawn") return {Text::tr("This assignment was withdrawn."), nothing_changed()};
   if (f.where == "past_due") return {Text::tr("The time for this assignment is over."), nothing_changed()};
   if (f.where == "attempts_used") return {Text::tr("Every attempt of this assignment is used."), nothing_changed()};

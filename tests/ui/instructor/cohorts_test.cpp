@@ -1,3 +1,5 @@
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
@@ -199,6 +201,45 @@ TEST_F(Cohorts, LoseAWithdrawnAssignmentAndMayHaveItAgain) {
   page.assign();
   EXPECT_EQ(page.assignments().rowCount(), 2) << page.message().toStdString();
   EXPECT_EQ(assigned_to(lena), 1);
+}
+
+TEST_F(Cohorts, AreAssignedNoVersionThatAnotherDeskWithdrewMeanwhile) {
+  Scenarios& scenarios = records.store().scenarios;
+  Scenario scenario = *load_builtin("channel-1");
+  const auto before = scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+  ASSERT_TRUE(before);
+  scenario.version = before->number + 1;
+  scenario.target.outline.depth_mm = 2.2;
+  const auto newer = scenarios.publish(instructor.actor(), scenario, canonical_json(scenario), content_hash(scenario).bytes);
+  ASSERT_TRUE(newer);
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.form()->choose_exercise(scenario.id);
+  ASSERT_EQ(page.form()->wish().exercise.version, newer->id);
+  ASSERT_TRUE(scenarios.withdraw(instructor.actor(), newer->id));
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 0);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Version %1 of ").arg(newer->number))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("The form has version %1 now.").arg(before->number))) << page.message().toStdString();
+  EXPECT_EQ(page.form()->wish().exercise.scenario.id, scenario.id) << "it stays chosen";
+  page.assign();
+  ASSERT_EQ(page.assignments().rowCount(), 1) << page.message().toStdString();
+  EXPECT_EQ(page.assignments().row(0).assignment.version, before->id);
+}
+
+TEST_F(Cohorts, HaveInTheirFormWhatAnotherDeskPublishedMeanwhile) {
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.assign();
+  page.read_again();
+  EXPECT_FALSE(page.form()->act()->isEnabled()) << "the same version is assigned";
+  Scenario scenario = page.form()->wish().exercise.scenario;
+  scenario.version += 1;
+  scenario.title["en"] += " again";
+  ASSERT_TRUE(records.store().scenarios.publish(instructor.actor(), scenario, canonical_json(scenario), content_hash(scenario).bytes));
+  page.read_again();
+  EXPECT_EQ(page.form()->wish().exercise.scenario.title.at("en"), scenario.title["en"]);
+  EXPECT_TRUE(page.form()->act()->isEnabled());
 }
 
 TEST_F(Cohorts, AreAssignedNothingThatIsOverAlready) {
