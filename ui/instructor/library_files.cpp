@@ -141,12 +141,12 @@ void LibraryPage::open_file(const QString& path) {
   read_ = path;
   std::vector<LibraryRow> rows;
   for (int i = 0; i < model_->rowCount(); ++i) rows.push_back(model_->row(i));
-  const auto work = [rows = std::move(rows), path = path.toStdString(), database = database_](Store& store) -> Result<Looked, FileFailure> {
-    auto file = read_exercise_file(path);
+  const auto work = [rows = std::move(rows), path, database = database_](Store& store) -> Result<Looked, FileFailure> {
+    auto file = read_exercise_file(path.toStdString());
     if (!file) return std::unexpected(FileFailure(file.error()));
     const auto standing = standing_of(store, *file, row_with(rows, file->scenario.id), database);
     if (!standing) return std::unexpected(FileFailure(standing.error()));
-    return Looked{std::move(*file), *standing};
+    return Looked{std::move(*file), *standing, path};
   };
   in_background(tr("%1 is being read.").arg(QFileInfo(path).fileName()), work,
                 [](LibraryPage& page, const Looked& looked) { page.open_looked(looked); });
@@ -156,7 +156,7 @@ void LibraryPage::open_looked(const Looked& looked) {
   if (!isVisible()) return;  // whoever opened another exercise meanwhile is busy with that one
   const QString title = local(looked.file.scenario.title);
   switch (looked.standing) {
-    case Standing::unknown: return open_taken(looked.file, KeepId::yes);
+    case Standing::unknown: return open_taken(looked, KeepId::yes);
     case Standing::same:
       for (QComboBox* box : {group_, state_}) box->setCurrentIndex(0);
       search_->clear();
@@ -168,16 +168,18 @@ void LibraryPage::open_looked(const Looked& looked) {
   ports_.ask(this, {tr("Open %1 as a new exercise?").arg(title),
                     tr("The library has this exercise with another content. It stays as it is; the file becomes an exercise beside it."),
                     tr("Open as a new exercise")},
-             [self = QPointer(this), file = looked.file](bool yes) {
-               if (self && yes) self->open_taken(file, KeepId::no);
+             [self = QPointer(this), looked](bool yes) {
+               if (self && yes) self->open_taken(looked, KeepId::no);
              });
 }
 
-void LibraryPage::open_taken(const ExerciseFile& file, KeepId keep) {
+void LibraryPage::open_taken(const Looked& looked, KeepId keep) {
+  const ExerciseFile& file = looked.file;
   if (working()) {
     return offer_again({tr("%1 was not opened.").arg(local(file.scenario.title)), tr("Another file is still being written or read."), tr("Open again")},
-                       [file, keep](LibraryPage& page) { page.open_taken(file, keep); });
+                       [looked, keep](LibraryPage& page) { page.open_taken(looked, keep); });
   }
+  read_ = looked.path;  // a second drop of it is the same wish
   const auto work = [actor = actor_, file, keep, database = database_](Store& store) -> Result<EditorStart, FileFailure> {
     auto start = take_in(store, actor, file, keep, database);
     if (!start) return std::unexpected(FileFailure(start.error()));

@@ -94,6 +94,7 @@ class LibraryPage : public QWidget, public Rereads {
   struct Looked {
     ExerciseFile file;
     Standing standing = Standing::unknown;
+    QString path{};
   };
   /// Of the records, or of the file.
   using FileFailure = std::variant<StorageFailure, ExerciseFileFailure>;
@@ -103,7 +104,7 @@ class LibraryPage : public QWidget, public Rereads {
   /// Asks whether to do what another file was in the way of.
   void offer_again(const Question& question, std::function<void(LibraryPage&)> act);
   void open_looked(const Looked& looked);
-  void open_taken(const ExerciseFile& file, KeepId keep);
+  void open_taken(const Looked& looked, KeepId keep);
   int row_of(ScenarioId id) const;
   void show_failure(const StorageFailure& failure);
   void show_failure(const FileFailure& failure);
@@ -123,7 +124,7 @@ class LibraryPage : public QWidget, public Rereads {
   ThumbnailCache* pictures_;
   BackgroundTask work_;
   bool working_ = false;
-  QString read_;  // path of the file that is being read; empty: none is
+  QString read_;  // path of the file that is being read, or made a draft of; empty: none is
   QAction *copy_ = nullptr, *save_ = nullptr, *withdraw_ = nullptr, *discard_ = nullptr;
 };
 

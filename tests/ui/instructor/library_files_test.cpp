@@ -196,6 +196,20 @@ TEST_F(LibraryFiles, TheWindowDoesNotWaitForAFileAndOneIsOpenedAtATime) {
   EXPECT_EQ(to.drafts().size(), 1u);
 }
 
+TEST_F(LibraryFiles, AFileThatIsDroppedAgainWhileItsDraftIsMadeIsNoOtherFile) {
+  ASSERT_TRUE(write_exercise_file({from.changed(2.4), {}}, path("deeper.cusp").toStdString()));
+  to.ports.ask = [&](QWidget*, const Question& question, const std::function<void(bool)>& then) {
+    to.asked << question.what;
+    then(true);
+    ASSERT_TRUE(to.page->working()) << "its draft is being made";
+    if (to.asked.size() == 1) to.page->open_file(path("deeper.cusp"));
+  };
+  to.open_file(path("deeper.cusp"));
+  EXPECT_EQ(to.asked.size(), 1) << to.asked.join(u'|').toStdString();
+  EXPECT_EQ(to.opened.size(), 1u);
+  EXPECT_EQ(to.drafts().size(), 1u);
+}
+
 TEST_F(LibraryFiles, AnotherFileThanTheOneThatIsReadIsNamedAndOfferedAgain) {
   send_volume(path("block.cusp"));
   ASSERT_TRUE(write_exercise_file({from.changed(2.4), {}}, path("deeper.cusp").toStdString()));
