@@ -39,7 +39,7 @@ bool keep_drafts(const QWidget& desktop) {
 /// Files of a specimen that is no exercise yet.
 bool has_open_import(const QWidget& desktop) {
   const auto pages = desktop.findChildren<ImportPage*>();
-  return std::ranges::any_of(pages, [](const ImportPage* page) { return page->busy() || page->meshes() || page->volume(); });
+  return std::ranges::any_of(pages, [](const ImportPage* page) { return page->busy() || page->begun(); });
 }
 
 /// An audit that runs ends with the editor.

@@ -107,7 +107,7 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   connect(size_, &ImportSize::changed, this, &ImportPage::forget_made);
   connect(size_, &ImportSize::confirmed, this, &ImportPage::show_size);
   outer->addStretch();
-  connect(back, &QPushButton::clicked, this, &ImportPage::back_wanted);
+  connect(back, &QPushButton::clicked, this, &ImportPage::leave);
   show_files();
   setFocusProxy(first_pick_);
 }

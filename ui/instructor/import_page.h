@@ -49,6 +49,8 @@ class ImportPage : public QWidget {
   /// The imported specimen, until it is kept or a setting of the import changes.
   ImportPreview* preview() const { return preview_; }
   bool busy() const { return work_ != nullptr; }
+  /// Files were read, and what was chosen for them stands nowhere else.
+  bool begun() const { return mesh_form_ != nullptr || volume_form_ != nullptr; }
 
  Q_SIGNALS:
   void back_wanted();
@@ -61,6 +63,8 @@ class ImportPage : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  /// Asks first if something is begun.
+  void leave();
   void pick_files();
   void build_files(QVBoxLayout* body);
   void build_made(QVBoxLayout* body);

@@ -1,7 +1,8 @@
-// How files come to the import page: by drop, and by choice.
+// How files come to the import page, by drop and by choice, and what is asked before they are left.
 
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QPointer>
 #include <QUrl>
 #include <algorithm>
 #include <utility>
@@ -53,6 +54,14 @@ void ImportPage::open_files(const QStringList& paths) {
     files_ = std::move(chosen);
   }
   look();
+}
+
+void ImportPage::leave() {
+  if (!begun()) return Q_EMIT back_wanted();
+  const Question question{tr("Leave the import?"), tr("The files stay as they are. What was read of them and what you chose here is not kept."), tr("Leave"), true};
+  ports_.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (self && yes) Q_EMIT self->back_wanted();
+  });
 }
 
 void ImportPage::take_back_files() {

@@ -231,6 +231,7 @@ def of_import(album, program):
     program.find("label", re.compile("^The specimen will be|^With this unit"))
     album.take(program, "import-mesh")
     program.keys("alt+Left")
+    program.press("Leave", within=program.find("alert"))
 
 
 def of_instructor(album, program):

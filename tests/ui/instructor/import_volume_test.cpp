@@ -60,6 +60,30 @@ TEST_F(ImportPageTest, micrometres_that_are_called_millimetres_are_asked_about_b
   EXPECT_NEAR(page->preview()->size_mm().z, 8.0, 1e-6);
 }
 
+TEST_F(ImportPageTest, leaving_asks_once_files_were_read) {
+  QStringList asked;
+  bool answer = false;
+  ports.ask = [&](QWidget*, const Question& question, const std::function<void(bool)>& then) {
+    asked << question.what;
+    then(answer);
+  };
+  int left = 0;
+  QObject::connect(page.get(), &ImportPage::back_wanted, [&] { ++left; });
+  QPushButton* back = button(QStringLiteral("Library"));
+  ASSERT_NE(back, nullptr);
+  back->click();
+  EXPECT_EQ(left, 1);
+  EXPECT_TRUE(asked.isEmpty()) << "nothing is begun";
+  write_text(folder / "um.nrrd", kHeadOf24 + "\n" + block_in_24());
+  open({file("um.nrrd")});
+  back->click();
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Leave the import?")});
+  EXPECT_EQ(left, 1);
+  answer = true;
+  back->click();
+  EXPECT_EQ(left, 2);
+}
+
 TEST_F(ImportPageTest, the_fineness_of_a_volume_follows_the_unit_that_is_chosen) {
   write_text(folder / "v.nrrd", kHeadOf24 + "space units: \"?\" \"?\" \"?\"\n\n" + block_in_24());
   open({file("v.nrrd")});
