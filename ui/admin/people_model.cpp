@@ -1,13 +1,24 @@
 #include "ui/admin/people_model.h"
 
+#include <algorithm>
+
 #include "ui/text/names.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
+namespace {
+
+int compare_texts(const std::string& a, const std::string& b) { return stands_before(a, b) ? -1 : stands_before(b, a) ? 1 : 0; }
+
+/// As keys: the order is the same in every language.
+int way_in(const Account& a) { return (a.has_pin ? 1 : 0) + (a.has_password ? 2 : 0); }
+
+}  // namespace
 
 void PeopleModel::set_accounts(std::vector<Account> accounts, std::map<UserId, QStringList> cohorts) {
   all_ = std::move(accounts);
   cohorts_ = std::move(cohorts);
+  order_all();
   narrow(search_, role_);
 }
 
@@ -20,6 +31,11 @@ void PeopleModel::narrow(const QString& text, std::optional<Role> role) {
   beginResetModel();
   search_ = text.trimmed();
   role_ = role;
+  fill_shown();
+  endResetModel();
+}
+
+void PeopleModel::fill_shown() {
   shown_.clear();
   for (const Account& a : all_) {
     if (role_ && a.role != *role_) continue;
@@ -29,7 +45,41 @@ void PeopleModel::narrow(const QString& text, std::optional<Role> role) {
       break;
     }
   }
-  endResetModel();
+}
+
+int PeopleModel::compare(const Account& a, const Account& b) const {
+  switch (column_) {
+    case kNumber: return compare_texts(a.number, b.number);
+    case kRole: return static_cast<int>(a.role) - static_cast<int>(b.role);
+    case kCohort: return compare_texts(cohorts_of(a).toStdString(), cohorts_of(b).toStdString());
+    case kState: return static_cast<int>(a.disabled) - static_cast<int>(b.disabled);
+    case kSignIn: return way_in(a) - way_in(b);
+    default: return compare_texts(a.name, b.name);
+  }
+}
+
+void PeopleModel::order_all() {
+  std::ranges::stable_sort(all_, [this](const Account& a, const Account& b) {
+    const int order = compare(a, b);
+    if (order == 0) return stands_before(a.name, b.name);
+    return order_ == Qt::AscendingOrder ? order < 0 : order > 0;
+  });
+}
+
+void PeopleModel::sort(int column, Qt::SortOrder order) {
+  if (column < 0 || column >= kColumns) return;
+  Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
+  column_ = column;
+  order_ = order;
+  const QModelIndexList before = persistentIndexList();
+  std::vector<UserId> people;
+  for (const QModelIndex& at : before) people.push_back(account(at.row()).id);
+  order_all();
+  fill_shown();
+  QModelIndexList after;
+  for (qsizetype i = 0; i < before.size(); ++i) after << index(row_of(people[static_cast<std::size_t>(i)]), before[i].column());
+  changePersistentIndexList(before, after);
+  Q_EMIT layoutChanged({}, VerticalSortHint);
 }
 
 int PeopleModel::row_of(UserId id) const {

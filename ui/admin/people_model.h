@@ -1,4 +1,4 @@
-/// Accounts as a table. No widget.
+/// Accounts as a table, in the order of a column. No widget.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -26,16 +26,25 @@ class PeopleModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// Who is the same in that column stands by name.
+  void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
   const Account& account(int row) const { return shown_[static_cast<std::size_t>(row)]; }
   int row_of(UserId id) const;
 
  private:
   QString cohorts_of(const Account& account) const;
+  /// Below 0, 0 or above 0, by the column of the order.
+  int compare(const Account& a, const Account& b) const;
+  void order_all();
+  /// Those of all_ that the search leaves.
+  void fill_shown();
 
   std::vector<Account> all_, shown_;
   std::map<UserId, QStringList> cohorts_;
   QString search_;
   std::optional<Role> role_;
+  int column_ = kName;
+  Qt::SortOrder order_ = Qt::AscendingOrder;
 };
 
 }  // namespace cusp::ui

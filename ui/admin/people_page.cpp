@@ -46,6 +46,8 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
   table_ = new Table;
   table_->setAccessibleName(tr("People"));
   table_->setModel(model_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(PeopleModel::kName, Qt::AscendingOrder);
   table_->set_stretch_column(PeopleModel::kName);
   card->body()->addWidget(table_);
   row->addWidget(card, 1);
@@ -199,7 +201,6 @@ void PeoplePage::read() {
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
-  std::ranges::sort(*accounts, stands_before, &Account::name);
   if (edited_) {
     const auto now = std::ranges::find(*accounts, edited_->id, &Account::id);
     now != accounts->end() ? show_person(*now) : begin_new();
@@ -212,6 +213,12 @@ void PeoplePage::read() {
   model_->set_accounts(std::move(*accounts), std::move(cohorts));
   count_->setText(tr("%n person(s)", nullptr, model_->rowCount()));
   if (edited_) table_->choose_row(model_->row_of(edited_->id));  // a search may hide it
+}
+
+bool PeoplePage::read_again() {
+  band_->clear();  // it speaks of what was before
+  read();
+  return true;
 }
 
 bool PeoplePage::show_if_failed(const Stored<void>& done, const Account& account) {

@@ -11,6 +11,7 @@
 #include "ui/text/names.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/ports.h"
+#include "ui/widgets/rereads.h"
 
 class QComboBox;
 class QLabel;
@@ -26,7 +27,7 @@ class DepartedCard;
 class PeopleModel;
 class Table;
 
-class PeoplePage : public QWidget {
+class PeoplePage : public QWidget, public Rereads {
   Q_OBJECT
 
  public:
@@ -35,6 +36,7 @@ class PeoplePage : public QWidget {
   Table* table() const { return table_; }
   DepartedCard& departed() { return *departed_; }
   QString message() const;
+  bool read_again() override;
   /// Until the records have written what the form says. A second press is ignored meanwhile.
   bool waiting() const { return wait_ && wait_->running(); }
 

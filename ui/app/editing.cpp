@@ -57,7 +57,7 @@ void Desktop::import_people() {
   auto* page = new PeopleImport(*store_, account_->actor(), ports_);
   connect(page, &PeopleImport::back_wanted, this, [this] {
     back();
-    shell_->show_page(u"people"_qs);
+    if (shell_->page_key() != u"people"_qs) shell_->show_page(u"people"_qs);
   });
   push(page);
 }

@@ -110,6 +110,29 @@ TEST_F(AdminPages, people_are_found_by_role_and_by_cohort) {
   EXPECT_EQ(page.model()->index(0, PeopleModel::kCohort).data().toString(), QStringLiteral("Year 2"));
 }
 
+TEST_F(AdminPages, people_are_sorted_by_the_head_of_a_column_and_the_chosen_one_stays) {
+  const Account noah = records.student("2", "Noah Adler"), lena = records.student("10", "Lena Brandt", "314159");
+  ASSERT_TRUE(records.store().accounts.disable(records.administrator().actor(), noah.id));
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  const auto numbers = [&](PeopleModel::Column column, Qt::SortOrder order) {
+    page.table()->sortByColumn(column, order);
+    EXPECT_EQ(page.table()->chosen_row(), page.model()->row_of(lena.id));
+    QStringList out;
+    for (int i = 0; i < page.model()->rowCount(); ++i) out += QString::fromStdString(page.model()->account(i).number);
+    return out.join(u' ').toStdString();
+  };
+  EXPECT_EQ(numbers(PeopleModel::kNumber, Qt::AscendingOrder), "2 10 anna") << "by value";
+  EXPECT_EQ(numbers(PeopleModel::kNumber, Qt::DescendingOrder), "anna 10 2");
+  EXPECT_EQ(numbers(PeopleModel::kRole, Qt::AscendingOrder), "10 2 anna") << "students by name";
+  EXPECT_EQ(numbers(PeopleModel::kState, Qt::DescendingOrder).substr(0, 1), "2") << "who is switched off";
+  EXPECT_EQ(numbers(PeopleModel::kSignIn, Qt::AscendingOrder), "2 10 anna") << "number alone, PIN, password";
+  page.model()->narrow(QStringLiteral("a"), Role::student);
+  EXPECT_EQ(page.model()->account(0).id, noah.id) << "a search keeps the order";
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Lena Brandt"));
+}
+
 TEST_F(AdminPages, a_pin_that_is_typed_stays_when_the_account_is_switched_on) {
   const Account lena = records.student("1", "Lena Brandt");
   ASSERT_TRUE(records.store().accounts.disable(records.administrator().actor(), lena.id));

@@ -13,6 +13,9 @@
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/admin/people_import.h"
+#include "ui/admin/people_model.h"
+#include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
@@ -86,6 +89,25 @@ TEST_F(ComingBack, performance_keeps_its_filters_order_and_row_and_reads_what_is
   QObject::connect(shown, &Performance::report_wanted, [&](const SessionId& id) { opened = id; });
   Q_EMIT shown->table()->row_opened(shown->table()->model()->index(2, 0));
   EXPECT_EQ(opened, chosen);
+}
+
+TEST_F(ComingBack, people_keep_their_order_and_row_and_show_who_is_new) {
+  records.student("2", "Noah Adler");
+  const Account lena = records.student("10", "Lena Brandt");
+  auto* shown = open<PeoplePage>(records.administrator(), "people");
+  ASSERT_NE(shown, nullptr);
+  shown->table()->sortByColumn(PeopleModel::kNumber, Qt::DescendingOrder);
+  shown->table()->choose_row(shown->model()->row_of(lena.id));
+  desktop->import_people();
+  records.student("11", "Mia Falk");
+  auto* import = desktop->findChild<PeopleImport*>();
+  ASSERT_NE(import, nullptr);
+  Q_EMIT import->back_wanted();
+  ASSERT_EQ(page<PeoplePage>(), shown);
+  ASSERT_EQ(shown->model()->rowCount(), 4);
+  EXPECT_EQ(shown->model()->account(1).name, "Mia Falk") << "between anna and 10";
+  EXPECT_EQ(shown->table()->chosen_row(), shown->model()->row_of(lena.id));
+  EXPECT_EQ(shown->table()->chosen_row(), 2);
 }
 
 TEST_F(ComingBack, the_keyboard_is_where_it_was_on_the_page) {
