@@ -98,8 +98,7 @@ void PeoplePage::filter() {
   const int role = shown_role_->currentIndex();
   model_->narrow(search_->text(), role > 0 ? std::optional(static_cast<Role>(role - 1)) : std::nullopt);
   count_->setText(tr("%n person(s)", nullptr, model_->rowCount()));
-  const bool typed = !name_->text().isEmpty() || !number_->text().isEmpty() || !secret_->text().isEmpty();
-  if (edited_ ? changed() : typed) return;  // a search keeps what the form holds
+  if (half_filled()) return;  // a search keeps what the form holds
   table_->choose_row(0);
 }
 
@@ -286,6 +285,10 @@ void PeoplePage::fit_save() {
 bool PeoplePage::changed() const {
   return !edited_ || !secret_->text().isEmpty() || name_->text().trimmed() != QString::fromStdString(edited_->name) ||
          number_->text().trimmed() != QString::fromStdString(edited_->number) || role_->currentIndex() != static_cast<int>(edited_->role);
+}
+
+bool PeoplePage::half_filled() const {
+  return edited_ ? changed() : !name_->text().isEmpty() || !number_->text().isEmpty() || !secret_->text().isEmpty();
 }
 
 void PeoplePage::switch_account() {

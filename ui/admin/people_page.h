@@ -10,6 +10,7 @@
 #include "ui/session/background_task.h"
 #include "ui/text/names.h"
 #include "ui/widgets/busy.h"
+#include "ui/widgets/half_filled.h"
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
 
@@ -27,7 +28,7 @@ class DepartedCard;
 class PeopleModel;
 class Table;
 
-class PeoplePage : public QWidget, public Rereads {
+class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   Q_OBJECT
 
  public:
@@ -37,6 +38,7 @@ class PeoplePage : public QWidget, public Rereads {
   DepartedCard& departed() { return *departed_; }
   QString message() const;
   bool read_again() override;
+  bool half_filled() const override;
   /// Until the records have written what the form says. A second press is ignored meanwhile.
   bool waiting() const { return wait_ && wait_->running(); }
 

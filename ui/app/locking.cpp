@@ -16,6 +16,7 @@
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
 #include "ui/signin/sign_in.h"
+#include "ui/widgets/half_filled.h"
 
 namespace cusp::ui {
 namespace {
@@ -48,6 +49,14 @@ bool audits(const QWidget& desktop) {
   return std::ranges::any_of(pages, [](const AuditPage* page) { return page->measuring(); });
 }
 
+bool has_half_filled_form(const QWidget& desktop) {
+  const auto parts = desktop.findChildren<QWidget*>();
+  return std::ranges::any_of(parts, [](const QWidget* part) {
+    const auto* page = dynamic_cast<const HalfFilled*>(part);
+    return page != nullptr && page->half_filled();
+  });
+}
+
 }  // namespace
 
 void Desktop::lock_idle() {
@@ -59,9 +68,10 @@ void Desktop::lock_idle() {
       if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = {QString::fromStdString(account_->name), card->written()};
   }
   const int minutes = settings_.idle_minutes();
-  QString kept = has_open_import(*stack_) ? tr("What you did is kept, but for the import: begin it anew.")
-                 : audits(*stack_)        ? tr("What you did is kept, but for the audit: measure anew.")
-                                          : tr("What you did is kept.");
+  QString kept = has_open_import(*stack_)        ? tr("What you did is kept, but for the import: begin it anew.")
+                 : audits(*stack_)               ? tr("What you did is kept, but for the audit: measure anew.")
+                 : has_half_filled_form(*stack_) ? tr("What you did is kept, but for the form that was not saved: fill it in anew.")
+                                                 : tr("What you did is kept.");
   if (unsaved) {
     put_behind_lock();
     kept = behind_lock_text();

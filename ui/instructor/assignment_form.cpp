@@ -73,16 +73,21 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
 }
 
 void AssignmentForm::watch_fields() {
-  connect(exercise_, &QComboBox::currentIndexChanged, this, &AssignmentForm::enable_act);
-  connect(kind_, &Segments::changed, this, &AssignmentForm::enable_act);
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &AssignmentForm::note_change);
+  connect(kind_, &Segments::changed, this, &AssignmentForm::note_change);
   for (const Moment& moment : {opens_, due_}) {
-    connect(moment.on, &QCheckBox::toggled, this, &AssignmentForm::enable_act);
-    connect(moment.when, &QDateTimeEdit::dateTimeChanged, this, &AssignmentForm::enable_act);
+    connect(moment.on, &QCheckBox::toggled, this, &AssignmentForm::note_change);
+    connect(moment.when, &QDateTimeEdit::dateTimeChanged, this, &AssignmentForm::note_change);
   }
-  for (QSpinBox* number : {attempts_, self_test_days_}) connect(number, &QSpinBox::valueChanged, this, &AssignmentForm::enable_act);
-  for (QCheckBox* check : {self_test_, drawn_tooth_}) connect(check, &QCheckBox::toggled, this, &AssignmentForm::enable_act);
-  for (const auto& one : devices_) connect(one.second, &QCheckBox::toggled, this, &AssignmentForm::enable_act);
-  connect(code_, &QLineEdit::textChanged, this, &AssignmentForm::enable_act);
+  for (QSpinBox* number : {attempts_, self_test_days_}) connect(number, &QSpinBox::valueChanged, this, &AssignmentForm::note_change);
+  for (QCheckBox* check : {self_test_, drawn_tooth_}) connect(check, &QCheckBox::toggled, this, &AssignmentForm::note_change);
+  for (const auto& one : devices_) connect(one.second, &QCheckBox::toggled, this, &AssignmentForm::note_change);
+  connect(code_, &QLineEdit::textChanged, this, &AssignmentForm::note_change);
+}
+
+void AssignmentForm::note_change() {
+  changed_ = true;
+  enable_act();
 }
 
 void AssignmentForm::enable_act() { act_->setEnabled(true); }
@@ -90,6 +95,7 @@ void AssignmentForm::enable_act() { act_->setEnabled(true); }
 void AssignmentForm::disable_act() {
   if (act_->hasFocus()) exercise_->setFocus();  // a disabled button hands the focus on
   act_->setEnabled(false);
+  changed_ = false;
 }
 
 AssignmentForm::Moment AssignmentForm::add_moment(QFormLayout& form, const QString& label, const QDateTime& usual) {

@@ -53,8 +53,10 @@ class AssignmentForm : public Card {
   void draw_start_code();
   Wish wish() const;
   QPushButton* act() const { return act_; }
+  /// A field differs from what the form began with, or from what it assigned last.
+  bool changed() const { return changed_; }
   void enable_act();
-  /// Until a field changes.
+  /// Until a field changes. Nothing of the form waits then.
   void disable_act();
 
  Q_SIGNALS:
@@ -73,6 +75,7 @@ class AssignmentForm : public Card {
   void offer_teeth();
   /// Each change of a field enables the button.
   void watch_fields();
+  void note_change();
   Moment add_moment(class QFormLayout& form, const QString& label, const QDateTime& usual);
 
   std::vector<Exercise> exercises_;
@@ -90,6 +93,7 @@ class AssignmentForm : public Card {
   QSpinBox* attempts_;
   std::vector<std::pair<std::string, QCheckBox*>> devices_;  // by device class
   QPushButton* act_;
+  bool changed_ = false;
 };
 
 }  // namespace cusp::ui

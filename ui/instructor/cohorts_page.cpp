@@ -209,6 +209,10 @@ bool CohortsPage::read_again() {
   return true;
 }
 
+bool CohortsPage::half_filled() const {
+  return !name_->text().isEmpty() || !numbers_->toPlainText().isEmpty() || (form_ != nullptr && form_->changed());
+}
+
 void CohortsPage::show_chosen() {
   const int row = list_->chosen_row();
   for (QWidget* part : {static_cast<QWidget*>(numbers_), static_cast<QWidget*>(add_)}) part->setEnabled(row >= 0);

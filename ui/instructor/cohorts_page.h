@@ -8,6 +8,7 @@
 #include "ui/instructor/assignment_form.h"
 #include "ui/instructor/cohort_models.h"
 #include "ui/modules.h"
+#include "ui/widgets/half_filled.h"
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
 
@@ -22,7 +23,7 @@ namespace cusp::ui {
 class Band;
 class Table;
 
-class CohortsPage : public QWidget, public Rereads {
+class CohortsPage : public QWidget, public Rereads, public HalfFilled {
   Q_OBJECT
 
  public:
@@ -34,6 +35,7 @@ class CohortsPage : public QWidget, public Rereads {
   QString message() const;
 
   bool read_again() override;
+  bool half_filled() const override;
   void make_cohort(const QString& name);
   void add_numbers(const QString& text);
   /// Asks first.

@@ -10,6 +10,7 @@
 #include "storage/records/self_assessment.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
+#include "ui/widgets/half_filled.h"
 
 class QLabel;
 class QPushButton;
@@ -20,7 +21,7 @@ namespace cusp::ui {
 class Band;
 class Segments;
 
-class SelfAssessmentPage : public QWidget {
+class SelfAssessmentPage : public QWidget, public HalfFilled {
   Q_OBJECT
 
  public:
@@ -29,6 +30,7 @@ class SelfAssessmentPage : public QWidget {
   SelfAssessmentPage(const Scenario& scenario, Then then, QWidget* parent = nullptr);
   /// As it is chosen now.
   SelfAssessment own() const;
+  bool half_filled() const override { return !own().ratings.empty(); }
   Segments* row(std::size_t criterion) const { return rows_[criterion].steps; }
   /// It could not be kept: one tries again, or goes on without it.
   void show_failure(const Message& message);

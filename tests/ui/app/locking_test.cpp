@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDateTime>
 #include <QDialog>
 #include <QFile>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
@@ -22,6 +24,7 @@
 #include "ui/app/shell.h"
 #include "ui/editor/audit_page.h"
 #include "ui/editor/editor_page.h"
+#include "ui/instructor/cohorts_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
@@ -287,6 +290,31 @@ TEST_F(Locking, does_not_say_that_a_running_audit_is_kept) {
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
   EXPECT_TRUE(bands().contains(QStringLiteral("but for the audit"))) << bands().toStdString();
+}
+
+TEST_F(Locking, does_not_say_that_a_half_filled_form_is_kept) {
+  const Account berg = *records.store().accounts.create(records.administrator().actor(), {"berg", "Dr Berg", Role::instructor, "correct horse", ""});
+  const auto note_after = [this](const Account& who, const char* key, const std::function<void(QWidget&)>& fill) {
+    desktop ? desktop->sign_in(who) : sign_in(who);
+    desktop->shell()->show_page(QLatin1String(key));
+    fill(*desktop->shell()->page());
+    desktop->lock_idle();
+    EXPECT_FALSE(desktop->account());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the pages of who was signed in
+    return bands();
+  };
+  const auto type = [](QWidget& page, const char* name) {
+    for (QLineEdit* field : page.findChildren<QLineEdit*>())
+      if (field->accessibleName() == QLatin1String(name)) field->setText(QStringLiteral("Mia Falk"));
+  };
+  const QString lost = QStringLiteral("but for the form that was not saved"), kept = QStringLiteral("What you did is kept.");
+  EXPECT_TRUE(note_after(records.administrator(), "people", [](QWidget&) {}).contains(kept)) << bands().toStdString();
+  EXPECT_TRUE(note_after(records.administrator(), "people", [&](QWidget& page) { type(page, "Name"); }).contains(lost)) << bands().toStdString();
+  EXPECT_TRUE(note_after(berg, "cohorts", [](QWidget&) {}).contains(kept)) << bands().toStdString();
+  EXPECT_TRUE(note_after(berg, "cohorts", [](QWidget& page) {
+                dynamic_cast<CohortsPage&>(page).form()->choose_due(QDateTime(QDate(2099, 1, 1), QTime(9, 0)));
+              }).contains(lost))
+      << bands().toStdString();
 }
 
 TEST_F(Locking, does_not_say_that_an_import_is_kept) {
