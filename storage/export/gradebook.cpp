@@ -59,8 +59,8 @@ std::string for_canvas(const Results& results, const std::string& title) {
 
 }  // namespace
 
-Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
-                                       const CsvOptions& options) {
+Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
+                                     const CsvOptions& options) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   const auto assigned = Assignments(context).find(assignment);
   if (!assigned) return std::unexpected(assigned.error());
@@ -72,11 +72,14 @@ Stored<GradebookFile> export_gradebook(StorageContext& context, const Actor& act
   const std::string title = title_in(version->title, options.language);
   GradebookFile out{options.byte_order_mark ? "\xEF\xBB\xBF" : "", results.best.size(), results.withheld};
   out.text += system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title);
-  if (context.db.read_only()) return out;
-  const auto noted = AuditLog(context).add_if_allowed(
-      {.actor = actor.id, .action = "gradebook_exported", .subject = assignment.uuid, .detail = std::to_string(out.students)}, Action::export_results);
-  if (!noted) return std::unexpected(noted.error());
   return out;
+}
+
+Stored<void> log_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, const GradebookFile& file) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return allowed;
+  if (context.db.read_only()) return {};
+  return AuditLog(context).add_if_allowed(
+      {.actor = actor.id, .action = "gradebook_exported", .subject = assignment.uuid, .detail = std::to_string(file.students)}, Action::export_results);
 }
 
 }  // namespace cusp::storage

@@ -32,7 +32,7 @@ struct GradebookTest : ::testing::Test {
     if (released) must(store->statements.release(instructor, id));
     return id;
   }
-  GradebookFile file(Gradebook system) { return must(export_gradebook(store->context(), administrator, exam.id, system)); }
+  GradebookFile file(Gradebook system) { return must(make_gradebook(store->context(), administrator, exam.id, system)); }
 };
 
 TEST_F(GradebookTest, holds_the_best_released_result_of_each_student_and_nobody_without_one) {
@@ -101,16 +101,20 @@ TEST_F(GradebookTest, has_its_title_before_anybody_has_a_result) {
 }
 
 TEST_F(GradebookTest, needs_the_right_and_stands_in_the_log) {
-  EXPECT_EQ(code_of(export_gradebook(store->context(), lena.actor(), exam.id, Gradebook::moodle)), StorageError::not_allowed);
-  EXPECT_EQ(code_of(export_gradebook(store->context(), administrator, AssignmentId::make(), Gradebook::moodle)), StorageError::not_found);
-  EXPECT_EQ(file(Gradebook::canvas).students, 0u);
+  EXPECT_EQ(code_of(make_gradebook(store->context(), lena.actor(), exam.id, Gradebook::moodle)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(make_gradebook(store->context(), administrator, AssignmentId::make(), Gradebook::moodle)), StorageError::not_found);
+  const GradebookFile made = file(Gradebook::canvas);
+  EXPECT_EQ(made.students, 0u);
+  EXPECT_NE(must(store->audit.list(administrator, 1)).at(0).action, "gradebook_exported") << "it is not written yet";
+  EXPECT_EQ(code_of(log_gradebook(store->context(), lena.actor(), exam.id, made)), StorageError::not_allowed);
+  must(log_gradebook(store->context(), administrator, exam.id, made));
   EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).action, "gradebook_exported");
 }
 
 TEST_F(GradebookTest, is_refused_to_whom_another_window_switched_off_since_signing_in) {
   sit(lena, 62);
   must(open(folder / "a.db")->accounts.disable(administrator, instructor.id));
-  EXPECT_EQ(code_of(export_gradebook(store->context(), instructor, exam.id, Gradebook::moodle)), StorageError::disabled);
+  EXPECT_EQ(code_of(log_gradebook(store->context(), instructor, exam.id, file(Gradebook::moodle))), StorageError::disabled);
   EXPECT_NE(must(store->audit.list(administrator, 1)).at(0).action, "gradebook_exported");
 }
 

@@ -146,7 +146,7 @@ class CsvOutput {
 };
 
 int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
-  const auto file = gradebook_of(store, actor,
+  const auto made = gradebook_of(store, actor,
                                  {.system = o.gradebook == "canvas" ? Gradebook::canvas : Gradebook::moodle,
                                   .cohort = *filter.cohort,
                                   .exercise = *o.exercise,
@@ -154,12 +154,15 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
                                   .kind = typed_kind(o.kind),
                                   .due = o.due,
                                   .cohort_typed = *o.cohort});
-  if (!file) return failed(file.error());
+  if (!made) return failed(made.error());
+  const GradebookFile& file = made->file;
   CsvOutput csv(o);
-  if (!csv.write(file->text) || !csv.finish()) return kFailed;
+  if (!csv.write(file.text) || !csv.close()) return kFailed;
+  if (const auto logged = log_gradebook(store.context(), actor, made->assignment, file); !logged) return failed(describe(logged.error()));
+  if (!csv.finish()) return kFailed;
   if (o.csv_on_stdout()) return kDone;
-  print_line(plain(CliText::tr("%n result(s) exported.", nullptr, static_cast<int>(file->students))));
-  if (file->withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file->withheld))));
+  print_line(plain(CliText::tr("%n result(s) exported.", nullptr, static_cast<int>(file.students))));
+  if (file.withheld > 0) print_line(plain(CliText::tr("%n result(s) wait for release.", nullptr, static_cast<int>(file.withheld))));
   return kDone;
 }
 

@@ -56,7 +56,7 @@ Stored<std::vector<Assignment>> assignments_of(Store& store, const GradebookWish
 
 }  // namespace
 
-Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish) {
+Result<AssignedGradebook, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish) {
   const auto found = assignments_of(store, wish);
   if (!found) return std::unexpected(describe(found.error()));
   const QString exercise = QString::fromStdString(wish.exercise), cohort = QString::fromStdString(wish.cohort_typed);
@@ -75,9 +75,9 @@ Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, co
                                        .arg(exercise, cohort, each.join(QStringLiteral(", "))),
                                    {}});
   }
-  auto file = export_gradebook(store.context(), actor, found->front().id, wish.system, {.language = current_language().toStdString()});
+  auto file = make_gradebook(store.context(), actor, found->front().id, wish.system, {.language = current_language().toStdString()});
   if (!file) return std::unexpected(describe(file.error()));
-  return std::move(*file);
+  return AssignedGradebook{found->front().id, std::move(*file)};
 }
 
 }  // namespace cusp::ui

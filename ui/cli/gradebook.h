@@ -27,7 +27,11 @@ inline constexpr const char* kNoDueDate = "none";
 /// By its id or, of those that come with the program, its key.
 [[nodiscard]] Stored<bool> is_called(Store& store, const ScenarioId& exercise, const std::string& typed);
 
+struct AssignedGradebook {
+  AssignmentId assignment{};
+  GradebookFile file{};
+};
 /// Results of the one assignment that the wish names. A message where there is none, or more than one.
-[[nodiscard]] Result<GradebookFile, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish);
+[[nodiscard]] Result<AssignedGradebook, Message> gradebook_of(Store& store, const Actor& actor, const GradebookWish& wish);
 
 }  // namespace cusp::ui

@@ -181,18 +181,23 @@ QPushButton* AssessmentPage::make_gradebook_button() {
 }
 
 void AssessmentPage::export_gradebook(Gradebook system) {
-  // The audit log names an export, so there is none before a file is chosen.
+  // The audit log names an export, so there is none before a file is chosen and written.
   const auto make = [this, system]() -> std::optional<CsvText> {
     CsvOptions options;
     options.language = current_language().toStdString();
-    const auto file = storage::export_gradebook(store_.context(), actor_, assignment_.id, system, options);
+    const auto file = make_gradebook(store_.context(), actor_, assignment_.id, system, options);
     if (!file) {
       show_failure(file.error());
       return std::nullopt;
     }
     QString done = tr("%n result(s) exported.", nullptr, static_cast<int>(file->students));
     if (file->withheld > 0) done += u' ' + tr("%n wait(s) for release.", nullptr, static_cast<int>(file->withheld));
-    return CsvText{file->text, done};
+    const auto log = [this, file = *file] {
+      const auto logged = log_gradebook(store_.context(), actor_, assignment_.id, file);
+      if (!logged) show_failure(logged.error());
+      return logged.has_value();
+    };
+    return CsvText{file->text, done, log};
   };
   save_csv(*band_, ports_, {tr("Save for the gradebook"), (system == Gradebook::moodle ? u"moodle-"_qs : u"canvas-"_qs) + ports_.now().toString(u"yyyy-MM-dd"_qs), make});
 }

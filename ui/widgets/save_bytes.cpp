@@ -17,12 +17,18 @@ bool write_all(QSaveFile& file, const QByteArray& bytes) {
 
 }  // namespace
 
-Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes, Readers readers) {
+Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes, Readers readers, const std::function<bool()>& before_named) {
   QSaveFile file(path);
   // Unbuffered: a failure within commit() has lost its cause.
   const bool opened = file.open(QIODevice::WriteOnly | QIODevice::Unbuffered);
   if (opened && readers == Readers::owner) file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
-  if (opened && write_all(file, bytes) && file.commit()) return {};
+  if (opened && write_all(file, bytes)) {
+    if (before_named && !before_named()) {
+      file.cancelWriting();
+      return std::unexpected(QString());
+    }
+    if (file.commit()) return {};
+  }
   return std::unexpected(file.errorString());
 }
 

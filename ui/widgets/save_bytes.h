@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QString>
 #include <cstdint>
+#include <functional>
 
 #include "engine/base/result.h"
 
@@ -13,6 +14,7 @@ namespace cusp::ui {
 enum class Readers : std::uint8_t { usual, owner };
 
 /// A failure leaves what was there before, and gives the cause: "No space left on device". A stick's file system may know no owner.
-Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes, Readers readers = Readers::usual);
+/// `before_named` is called once all is written; false: nothing is left of it, and there is no cause to give.
+Result<void, QString> save_bytes(const QString& path, const QByteArray& bytes, Readers readers = Readers::usual, const std::function<bool()>& before_named = {});
 
 }  // namespace cusp::ui

@@ -32,9 +32,11 @@ void save_csv(Band& band, const Ports& ports, const CsvWish& wish) {
     if (!band) return;
     const auto made = make();
     if (!made) return;
-    if (const auto written = save_bytes(path, QByteArray::fromStdString(made->text))) {
+    bool logged = true;
+    const auto log = [&] { return logged = !made->log || made->log(); };
+    if (const auto written = save_bytes(path, QByteArray::fromStdString(made->text), Readers::usual, log)) {
       band->show_message(Band::Kind::good, made->done, path);
-    } else {
+    } else if (logged) {
       show_unwritten(*band, path, written.error());
     }
   });

@@ -14,6 +14,7 @@ namespace cusp::ui {
 struct CsvText {
   std::string text;  // UTF-8
   QString done;      // "12 attempts exported."
+  std::function<bool()> log{};  // called once the text is written, before the file has its name; false: it has shown why, and no file is left
 };
 
 struct CsvWish {

@@ -1,6 +1,7 @@
 // The candidates of an assessment: without names, their results, and their release.
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QLayout>
 #include <QPushButton>
@@ -159,6 +160,24 @@ TEST_F(Candidates, AreNoExportInTheLogBeforeAFileIsChosen) {
   page.export_gradebook(Gradebook::moodle);
   EXPECT_EQ(exports(), 1u);
   EXPECT_TRUE(QFile::exists(path));
+}
+
+TEST_F(Candidates, AreNoExportInTheLogWhereTheFileWasNotWrittenAndInNoFileWhereTheLogRefuses) {
+  const QTemporaryDir folder;
+  QString path = folder.filePath(QStringLiteral("none/out.csv"));
+  ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(9, 0)); };
+  ports.pick_file = [&](QWidget*, const FileWish&, const std::function<void(const QString&)>& then) { then(path); };
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  const auto exports = [&] { return records.store().audit.list(records.administrator().actor(), 10, INT64_MAX, {.actions = {"gradebook_exported"}})->size(); };
+  page.export_gradebook(Gradebook::moodle);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("The file was not written."))) << page.message().toStdString();
+  EXPECT_EQ(exports(), 0u);
+  path = folder.filePath(QStringLiteral("out.csv"));
+  ASSERT_TRUE(records.store().accounts.disable(records.administrator().actor(), examiner.id));  // at another desk
+  page.export_gradebook(Gradebook::moodle);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Your account is switched off."))) << page.message().toStdString();
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+  EXPECT_EQ(exports(), 0u);
 }
 
 TEST_F(Candidates, AreReleasedThoughAnotherDeskReleasedOrConfirmedSomeMeanwhile) {
