@@ -3101,11 +3101,6 @@
         <translation>%1: zählt nicht, geändert von %2: %3</translation>
     </message>
     <message>
-        <source>%1: %2 instead of %3 points, changed by %4: %5</source>
-        <extracomment>%1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.</extracomment>
-        <translation>%1: %2 statt %3 Punkte, geändert von %4: %5</translation>
-    </message>
-    <message>
         <source>Measured: %1 of %2 points, %3</source>
         <translation>Gemessen: %1 von %2 Punkten, %3</translation>
     </message>
@@ -3196,6 +3191,14 @@
     <message>
         <source>Nothing can be written to %1: %2.</source>
         <translation>In %1 lässt sich nichts schreiben: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 instead of %3 point(s), changed by %4: %5</source>
+        <extracomment>%1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.</extracomment>
+        <translation>
+            <numerusform>%1: %2 statt %3 Punkt, geändert von %4: %5</numerusform>
+            <numerusform>%1: %2 statt %3 Punkte, geändert von %4: %5</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3402,6 +3405,18 @@
     <message>
         <source>It can be assigned again.</source>
         <translation>Die Übung kann wieder zugewiesen werden.</translation>
+    </message>
+    <message>
+        <source>Version %1 of %2 was withdrawn meanwhile: nothing is assigned.</source>
+        <translation>Version %1 von %2 wurde inzwischen zurückgezogen: Es ist nichts zugewiesen.</translation>
+    </message>
+    <message>
+        <source>The form has version %1 now. Press Assign to assign that.</source>
+        <translation>Im Formular steht jetzt Version %1. Mit „Zuweisen“ weisen Sie diese zu.</translation>
+    </message>
+    <message>
+        <source>The form no longer has this exercise. Choose another one.</source>
+        <translation>Das Formular hat diese Übung nicht mehr. Wählen Sie eine andere.</translation>
     </message>
 </context>
 <context>
@@ -3960,6 +3975,10 @@
     <message>
         <source>The comment of %1 waits until its author signs in again.</source>
         <translation>Der Kommentar von %1 wartet, bis sich dieselbe Person wieder anmeldet.</translation>
+    </message>
+    <message>
+        <source>What you did is kept, but for the form that was not saved: fill it in anew.</source>
+        <translation>Was Sie getan haben, bleibt erhalten, nur das nicht gespeicherte Formular nicht: Füllen Sie es neu aus.</translation>
     </message>
 </context>
 <context>
@@ -6033,6 +6052,18 @@
     <message>
         <source>Make the specimen anew from its scan or its surfaces.</source>
         <translation>Erstellen Sie das Präparat neu aus seinem Scan oder seinen Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Leave the import?</source>
+        <translation>Den Import verlassen?</translation>
+    </message>
+    <message>
+        <source>The files stay as they are. What was read of them and what you chose here is not kept.</source>
+        <translation>Die Dateien bleiben, wie sie sind. Was aus ihnen gelesen wurde und was Sie hier gewählt haben, bleibt nicht erhalten.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
     </message>
 </context>
 <context>
@@ -8583,6 +8614,13 @@
     <message>
         <source>Scripted</source>
         <translation>Automatisch</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n Versuch</numerusform>
+            <numerusform>%n Versuche</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13484,6 +13522,17 @@ Ihr bester davor</translation>
     <message>
         <source>%1: unplug it and plug it in again.</source>
         <translation>%1: Stecken Sie es aus und schließen Sie es wieder an.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 Punkt</numerusform>
+            <numerusform>%1 Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This version of the exercise was withdrawn.</source>
+        <translation>Diese Version der Übung wurde zurückgezogen.</translation>
     </message>
 </context>
 <context>

@@ -176,6 +176,14 @@
             <numerusform>%n results wait for release.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %2 instead of %3 point(s), changed by %4: %5</source>
+        <extracomment>%1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.</extracomment>
+        <translation>
+            <numerusform>%1: %2 instead of %3 point, changed by %4: %5</numerusform>
+            <numerusform>%1: %2 instead of %3 points, changed by %4: %5</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortsPage</name>
@@ -515,6 +523,13 @@
             <numerusform>Median of %n students</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s)</source>
+        <translation>
+            <numerusform>%n attempt</numerusform>
+            <numerusform>%n attempts</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::RecordingsCard</name>
@@ -711,6 +726,13 @@
         <translation>
             <numerusform>%n statement about attempts</numerusform>
             <numerusform>%n statements about attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 point(s)</source>
+        <translation>
+            <numerusform>%1 point</numerusform>
+            <numerusform>%1 points</numerusform>
         </translation>
     </message>
 </context>
