@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "device/catalogue.h"
+#include "scenarios/format/content_hash.h"
 #include "scenarios/templates/other_tooth.h"
 #include "ui/text/names.h"
 #include "ui/widgets/format.h"
@@ -221,7 +222,7 @@ void AssignmentForm::set_exercises(std::vector<Exercise> exercises) {
   }
   offer_teeth();
   const Exercise* now = find(before.scenario.id);
-  if (now == nullptr || number_of(*now) != number_of(before)) enable_act();
+  if (now == nullptr || content_hash(now->scenario).bytes != content_hash(before.scenario).bytes) enable_act();
 }
 
 const Exercise* AssignmentForm::find(const ScenarioId& id) const {

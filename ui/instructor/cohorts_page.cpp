@@ -195,9 +195,13 @@ void CohortsPage::read() {
   std::ranges::sort(*list, stands_before, &Cohort::name);
   const int row = list_->chosen_row();
   const std::optional<CohortId> kept = row >= 0 ? std::optional(cohorts_->cohort(row).id) : std::nullopt;
+  const bool assigned = form_ != nullptr && !form_->act()->isEnabled();
   cohorts_->set_cohorts(std::move(*list));
   below_->setCurrentIndex(cohorts_->rowCount() == 0 ? 1 : 0);
-  if (kept) list_->choose_row(cohorts_->row_of(*kept));
+  if (!kept) return;
+  list_->choose_row(cohorts_->row_of(*kept));
+  // Choosing a cohort enables the form's button, also the one that was chosen.
+  if (const int now = list_->chosen_row(); assigned && now >= 0 && cohorts_->cohort(now).id == *kept) form_->disable_act();
 }
 
 bool CohortsPage::read_again() {
