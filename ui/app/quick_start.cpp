@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "ui/text/language.h"
 #include "ui/widgets/bar_top.h"
 #include "ui/widgets/parts.h"
 
@@ -20,10 +21,17 @@ constexpr int kPictureWidth = 352, kPictureHeight = 220;  // px at 100 %; the fi
 constexpr int kCardWidth = 400;                           // px at 100 %, with its margins and a gap
 constexpr int kMostColumns = 3;
 
-/// A picture of quick_start/, named after what it shows.
+/// A picture of quick_start/THEME-LANGUAGE/, in English where there is none of the language.
+QPixmap picture_of(const QString& file) {
+  const QString path = u":/cusp/quick_start/%1-%2/%3.png"_qs, theme = tokens().dark ? u"dark"_qs : u"light"_qs;
+  const QPixmap own(path.arg(theme, current_language(), file));
+  return own.isNull() ? QPixmap(path.arg(theme, u"en"_qs, file)) : own;
+}
+
+/// Named after what it shows.
 QLabel* make_picture(const QString& file, const QString& shows) {
   auto* label = new QLabel;
-  QPixmap picture(u":/cusp/quick_start/%1.png"_qs.arg(file));
+  QPixmap picture = picture_of(file);
   const qreal scale = label->devicePixelRatioF();
   picture = picture.scaled(QSize(px(kPictureWidth), px(kPictureHeight)) * scale, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   QPainter painter(&picture);

@@ -1,5 +1,5 @@
-"""The five pictures of the quick start, from the real program: 640 x 400 px, few colours, into the folder that the window's
-resources are made of.
+"""The five pictures of the quick start, from the real program in each theme and language: 640 x 400 px, few colours, into
+FOLDER/THEME-LANGUAGE of the folder that the window's resources are made of.
 
     /usr/bin/python3 tests/outside/desktop/quick_start.py build/release/cusp ui/app/quick_start
 """
@@ -13,7 +13,7 @@ import pictures
 import school
 from PIL import Image, ImageDraw
 
-LOOK = pictures.LOOKS["light"]
+LOOKS = [pictures.Look(theme, language, 1280, 800) for theme in ("light", "dark") for language in ("en", "de")]
 SIZE = (640, 400)
 COLOURS = 256
 EXERCISE = "Class I, tooth 36"
@@ -71,20 +71,24 @@ def visit(album, program):
     album.take(program, "backup")
 
 
-def main():
-    desk.on_own_bus()
-    target = os.path.abspath(sys.argv[2])
-    with pictures.desk_of(sys.argv[1], LOOK) as own:
+def draw(binary, look, target):
+    with pictures.desk_of(binary, look) as own:
         large = os.path.join(own.folder, "large")
         os.makedirs(large)
         program = own.start()
-        pictures.fill_screen(program, LOOK)
+        pictures.fill_screen(program, look)
         school.first_start(program)
         visit(Shown(own, large), program)
         program.close()
         os.makedirs(target, exist_ok=True)
         for name in os.listdir(large):
             small(target, name[3:-4], os.path.join(large, name))
+
+
+def main():
+    desk.on_own_bus()
+    for look in LOOKS:
+        draw(sys.argv[1], look, os.path.join(os.path.abspath(sys.argv[2]), f"{look.theme}-{look.language}"))
 
 
 if __name__ == "__main__":

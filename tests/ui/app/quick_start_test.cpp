@@ -32,7 +32,8 @@ void expect_whole(int percent, const QString& name) {
   page.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
   const auto pictures = pictures_of(page);
-  EXPECT_EQ(pictures.size(), 5u);
+  ASSERT_EQ(pictures.size(), 5u);
+  EXPECT_EQ(pictures[0]->pixmap().toImage().pixelColor(2, 2).lightness() < 128, tokens().dark) << "in the colours of the page";
   for (const QLabel* label : pictures) {
     EXPECT_GE(label->width(), label->pixmap().deviceIndependentSize().width()) << label->accessibleName().toStdString();
     EXPECT_FALSE(label->accessibleName().isEmpty());
