@@ -1,4 +1,4 @@
-/// A cohort with one student, and attempts that are assigned to it.
+/// An instructor and two students with an exercise; a cohort with one of them, and attempts that are assigned to it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,13 +9,16 @@ namespace cusp::test {
 
 inline constexpr std::int64_t kHour = 3'600'000'000;
 
-struct AssessmentTest : ::testing::Test {
+struct TwoStudents : ::testing::Test {
   Folder folder;
   std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
   std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
   Actor instructor = make_instructor(*store).actor();
   Account lena = make_student(*store), omar = make_student(*store, "20260002", "Omar Haddad");
   ScenarioVersion version = keep(*store);
+};
+
+struct AssessmentTest : TwoStudents {
   CohortId cohort;
 
   void SetUp() override {

@@ -8,7 +8,7 @@
 
 #include "storage/base/clock.h"
 #include "tests/modules.h"
-#include "tests/storage/sample.h"
+#include "tests/storage/assessments.h"
 
 namespace cusp::test {
 namespace {
@@ -84,16 +84,10 @@ TEST(CsvExport, the_history_is_one_line_a_session) {
   EXPECT_EQ(must(store->audit.list(admin, 1))[0].action, "history_exported");
 }
 
-constexpr std::int64_t kHourUs = 3'600'000'000, kDayUs = 24 * kHourUs;
+constexpr std::int64_t kDayUs = 24 * kHour;
 
 /// Two cohorts of one student each, and an assignment of the first.
-struct ExportOfCohorts : ::testing::Test {
-  Folder folder;
-  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
-  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
-  Actor instructor = make_instructor(*store).actor();
-  Account lena = make_student(*store), omar = make_student(*store, "20260002", "Omar Haddad");
-  ScenarioVersion version = keep(*store);
+struct ExportOfCohorts : TwoStudents {
   CohortId year_2 = cohort_of("=Year 2, group \"A\"", lena), year_3 = cohort_of("Year 3", omar);
 
   CohortId cohort_of(const std::string& name, const Account& student) {
@@ -119,14 +113,14 @@ struct ExportOfCohorts : ::testing::Test {
 
 TEST_F(ExportOfCohorts, a_row_names_assignment_release_cohort_and_dates) {
   const Assignment exam = must(store->assignments.create(instructor,
-      {.version = version.id, .cohort = year_2, .kind = SessionKind::assessment, .opens_utc_us = kNow - kHourUs, .due_utc_us = kNow + kDayUs}, "4711"));
+      {.version = version.id, .cohort = year_2, .kind = SessionKind::assessment, .opens_utc_us = kNow - kHour, .due_utc_us = kNow + kDayUs}, "4711"));
   const SessionId id = sit(exam, "4711");
   const std::string start = ',' + exam.id.text() + ",0,", cohort = "\"'=Year 2, group \"\"A\"\"\"",
                     dates = ",2026-11-20T08:14:03Z,2026-11-21T09:14:03Z\r\n";
   const auto text = [&] { return exported_text(*store, instructor); };
   EXPECT_TRUE(text().ends_with(start + ',' + cohort + dates)) << "not finished: " << text();
   must(store->traces.append(id, second_from(1)));
-  *now += kHourUs;
+  *now += kHour;
   must(store->sessions.finish(id, volume_after(12), "student"));
   EXPECT_TRUE(text().ends_with(start + "2026-11-20T10:14:03Z," + cohort + dates)) << text();
 }

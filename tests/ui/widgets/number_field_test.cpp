@@ -152,7 +152,7 @@ TEST(NumberField, a_value_shown_by_the_form_takes_an_old_note_away_and_keeps_wha
   EXPECT_TRUE(at.field->message().contains(QStringLiteral("50")));
 }
 
-TEST(NumberField, shows_the_decimals_that_a_value_needs_where_it_is_told_to) {
+TEST(NumberField, shows_only_needed_decimals_after_drop_needless_decimals) {
   Typed at;
   at.field->setRange(-1000, 1000);
   at.field->setSuffix({});
