@@ -56,7 +56,8 @@ Stored<std::optional<std::size_t>> export_log_to_file(Store& store, const Actor&
   if (!entries || !*entries) return entries;
   if (auto done = file.close(); !done) return std::unexpected(done.error());
   if (!store.database().read_only()) {
-    const auto noted = store.audit.add_if_allowed({.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)}, Action::see_audit_log);
+    const auto noted = store.audit.add_if_allowed(
+        {.actor = actor.id, .action = "log_exported", .subject = store.context().station, .detail = std::to_string(**entries)}, Action::see_audit_log);
     if (!noted) return std::unexpected(noted.error());
   }
   if (auto done = file.finish(); !done) return std::unexpected(done.error());
