@@ -62,7 +62,7 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
   EditorStart start;
   start.published = exercise.scenario;
   // The records number the versions; the number in the file comes from another station.
-  start.published->version = exercise.version.is_nil() ? exercise.scenario.version : exercise.version_number;
+  start.published->version = number_of(exercise);
   const fs::path folder = drafts_folder(database, exercise.scenario.id);
   auto volume = unpack_volume(store, exercise, folder, cache);
   if (!volume) return std::unexpected(volume.error());
