@@ -43,6 +43,12 @@ bool has_open_import(const QWidget& desktop) {
   return std::ranges::any_of(pages, [](const ImportPage* page) { return page->busy() || page->begun(); });
 }
 
+/// As ImportPage asks before it is left.
+bool has_begun_import(const QWidget& desktop) {
+  const auto pages = desktop.findChildren<ImportPage*>();
+  return std::ranges::any_of(pages, &ImportPage::begun);
+}
+
 /// An audit that runs ends with the editor.
 bool audits(const QWidget& desktop) {
   const auto pages = desktop.findChildren<AuditPage*>();
@@ -138,6 +144,7 @@ void Desktop::give_back_comment(MarkingCard& card) {
 bool Desktop::asks_before_closing() {
   if (closes_anyway_ || ended_by_signal()) return false;
   save_behind_lock();
+  const bool form = has_half_filled_form(*this);
   Question question{{}, {}, tr("Close"), true};
   if (has_unsaved_slips(*this)) {
     question.what = tr("Close without the PIN slips?");
@@ -148,9 +155,15 @@ bool Desktop::asks_before_closing() {
   } else if (!keep_drafts(*this)) {
     question.what = tr("Close without the last edits?");
     question.more = tr("The draft of the exercise cannot be saved. The editor shows why.");
+  } else if (has_begun_import(*this)) {
+    question.what = tr("Close without the import?");
+    question.more = ImportPage::tr("The files stay as they are. What was read of them and what you chose here is not kept.");
+  } else if (form) {
+    question.what = tr("Close without saving the form?");
   } else {
     return false;
   }
+  if (form) question.more = (question.more + u' ' + tr("What was filled in and not saved is not kept.")).trimmed();
   if (!behind_lock_.empty()) question.more += u' ' + behind_lock_text();
   ports_.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes) return;

@@ -92,6 +92,25 @@ struct Locking : ::testing::Test {
     if (card != nullptr) card->write(text);
     return card;
   }
+  /// The name in the form of the shell's page. nullptr: it has none.
+  QLineEdit* name_field() const {
+    for (QLineEdit* field : desktop->shell()->page()->findChildren<QLineEdit*>())
+      if (field->accessibleName() == QStringLiteral("Name")) return field;
+    return nullptr;
+  }
+  /// An import with a mesh that was read. nullptr: no page is open.
+  ImportPage* begin_import() {
+    desktop->import_specimen();
+    auto* page = desktop->findChild<ImportPage*>();
+    FileLook look;
+    MeshInfo crown;
+    crown.name = "crown";
+    crown.high = Vec3(10.0);
+    crown.closed = crown.oriented = true;
+    look.meshes.push_back(crown);
+    if (page != nullptr) page->show_look(std::move(look));
+    return page;
+  }
   /// What the bands of the page say.
   QString bands() const {
     QString text;
@@ -303,13 +322,9 @@ TEST_F(Locking, does_not_say_that_a_half_filled_form_is_kept) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the pages of who was signed in
     return bands();
   };
-  const auto type = [](QWidget& page, const char* name) {
-    for (QLineEdit* field : page.findChildren<QLineEdit*>())
-      if (field->accessibleName() == QLatin1String(name)) field->setText(QStringLiteral("Mia Falk"));
-  };
   const QString lost = QStringLiteral("but for the form that was not saved"), kept = QStringLiteral("What you did is kept.");
   EXPECT_TRUE(note_after(records.administrator(), "people", [](QWidget&) {}).contains(kept)) << bands().toStdString();
-  EXPECT_TRUE(note_after(records.administrator(), "people", [&](QWidget& page) { type(page, "Name"); }).contains(lost)) << bands().toStdString();
+  EXPECT_TRUE(note_after(records.administrator(), "people", [&](QWidget&) { name_field()->setText(QStringLiteral("Mia Falk")); }).contains(lost)) << bands().toStdString();
   EXPECT_TRUE(note_after(berg, "cohorts", [](QWidget&) {}).contains(kept)) << bands().toStdString();
   EXPECT_TRUE(note_after(berg, "cohorts", [](QWidget& page) {
                 dynamic_cast<CohortsPage&>(page).form()->choose_due(QDateTime(QDate(2099, 1, 1), QTime(9, 0)));
@@ -319,19 +334,55 @@ TEST_F(Locking, does_not_say_that_a_half_filled_form_is_kept) {
 
 TEST_F(Locking, does_not_say_that_an_import_is_kept) {
   sign_in(records.administrator());
-  desktop->import_specimen();
-  auto* page = desktop->findChild<ImportPage*>();
-  ASSERT_NE(page, nullptr);
-  FileLook look;
-  MeshInfo crown;
-  crown.name = "crown";
-  crown.high = Vec3(10.0);
-  crown.closed = crown.oriented = true;
-  look.meshes.push_back(crown);
-  page->show_look(std::move(look));
+  ASSERT_NE(begin_import(), nullptr);
   desktop->lock_idle();
   ASSERT_FALSE(desktop->account());
   EXPECT_TRUE(bands().contains(QStringLiteral("but for the import"))) << bands().toStdString();
+}
+
+TEST_F(Locking, asks_before_it_closes_over_an_import_that_is_begun) {
+  sign_in(records.administrator());
+  ASSERT_NE(begin_import(), nullptr);
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the import?")});
+  answer(false);
+  EXPECT_TRUE(desktop->isVisible());
+  desktop->close();
+  answer(true);
+  EXPECT_FALSE(desktop->isVisible());
+}
+
+TEST_F(Locking, asks_before_it_closes_over_a_half_filled_form) {
+  sign_in(records.administrator());
+  desktop->shell()->show_page(QStringLiteral("people"));
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the page that was shown first
+  QLineEdit* name = name_field();
+  ASSERT_NE(name, nullptr);
+  const QString saved = name->text();
+  name->setText(QStringLiteral("Mia Falk"));
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without saving the form?")});
+  answer(false);
+  EXPECT_TRUE(desktop->isVisible());
+  EXPECT_EQ(name->text(), QStringLiteral("Mia Falk"));
+  name->setText(saved);
+  desktop->close();
+  EXPECT_EQ(asked.size(), 1) << "nothing is lost";
+  EXPECT_FALSE(desktop->isVisible());
+}
+
+TEST_F(Locking, asks_one_question_before_it_closes_over_pin_slips_and_a_form) {
+  sign_in(records.administrator());
+  desktop->shell()->show_page(QStringLiteral("people"));
+  ASSERT_NE(name_field(), nullptr);
+  name_field()->setText(QStringLiteral("Mia Falk"));
+  ASSERT_NE(make_accounts(), nullptr);
+  desktop->close();
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Close without the PIN slips?")});
+  EXPECT_TRUE(more.contains(QStringLiteral("What was filled in and not saved"))) << more.toStdString();
+  answer(true);
+  EXPECT_EQ(asked.size(), 1);
+  EXPECT_FALSE(desktop->isVisible());
 }
 
 }  // namespace
