@@ -84,6 +84,9 @@ void CohortsPage::assign() {
   }
   const auto fresh = assignment_for(wish, cohort->id);
   if (!fresh) return;
+  const auto withdrawn = store_.scenarios.withdrawn(fresh->version);
+  if (!withdrawn) return show_failure(withdrawn.error());
+  if (*withdrawn) return show_withdrawn(wish.exercise);  // an earlier assignment of it reaches no student either
   const auto there = store_.assignments.for_cohort(cohort->id);
   if (!there) return show_failure(there.error());
   const QString title = local(wish.exercise.scenario.title), name = QString::fromStdString(cohort->name);

@@ -35,6 +35,18 @@ class Cohorts : public testing::Test {
     };
   }
   std::vector<Account> students() { return {lena, omar}; }
+  /// channel-1 as it comes, and a deeper one as its next version.
+  std::pair<ScenarioVersion, ScenarioVersion> two_versions() {
+    Scenarios& scenarios = records.store().scenarios;
+    Scenario scenario = *load_builtin("channel-1");
+    const auto before = scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
+    EXPECT_TRUE(before);
+    scenario.version = before->number + 1;
+    scenario.target.outline.depth_mm = 2.2;
+    const auto newer = scenarios.publish(instructor.actor(), scenario, canonical_json(scenario), content_hash(scenario).bytes);
+    EXPECT_TRUE(newer);
+    return {*before, *newer};
+  }
 
   DeskRecords records;
   Account lena, omar, instructor;
@@ -204,27 +216,36 @@ TEST_F(Cohorts, LoseAWithdrawnAssignmentAndMayHaveItAgain) {
 }
 
 TEST_F(Cohorts, AreAssignedNoVersionThatAnotherDeskWithdrewMeanwhile) {
-  Scenarios& scenarios = records.store().scenarios;
-  Scenario scenario = *load_builtin("channel-1");
-  const auto before = scenarios.ensure(scenario, canonical_json(scenario), content_hash(scenario).bytes);
-  ASSERT_TRUE(before);
-  scenario.version = before->number + 1;
-  scenario.target.outline.depth_mm = 2.2;
-  const auto newer = scenarios.publish(instructor.actor(), scenario, canonical_json(scenario), content_hash(scenario).bytes);
-  ASSERT_TRUE(newer);
+  const auto [before, newer] = two_versions();
   CohortsPage page(records.store(), instructor.actor(), ports);
   page.make_cohort(QStringLiteral("Year 3"));
-  page.form()->choose_exercise(scenario.id);
-  ASSERT_EQ(page.form()->wish().exercise.version, newer->id);
-  ASSERT_TRUE(scenarios.withdraw(instructor.actor(), newer->id));
+  page.form()->choose_exercise(newer.scenario);
+  ASSERT_EQ(page.form()->wish().exercise.version, newer.id);
+  ASSERT_TRUE(records.store().scenarios.withdraw(instructor.actor(), newer.id));
   page.assign();
   EXPECT_EQ(page.assignments().rowCount(), 0);
-  EXPECT_TRUE(page.message().contains(QStringLiteral("Version %1 of ").arg(newer->number))) << page.message().toStdString();
-  EXPECT_TRUE(page.message().contains(QStringLiteral("The form has version %1 now.").arg(before->number))) << page.message().toStdString();
-  EXPECT_EQ(page.form()->wish().exercise.scenario.id, scenario.id) << "it stays chosen";
+  EXPECT_TRUE(page.message().contains(QStringLiteral("Version %1 of ").arg(newer.number))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("The form has version %1 now.").arg(before.number))) << page.message().toStdString();
+  EXPECT_EQ(page.form()->wish().exercise.scenario.id, newer.scenario) << "it stays chosen";
   page.assign();
   ASSERT_EQ(page.assignments().rowCount(), 1) << page.message().toStdString();
-  EXPECT_EQ(page.assignments().row(0).assignment.version, before->id);
+  EXPECT_EQ(page.assignments().row(0).assignment.version, before.id);
+}
+
+TEST_F(Cohorts, AreNotSaidToHaveAVersionAlreadyThatWasWithdrawnSinceItWasAssigned) {
+  const auto [before, newer] = two_versions();
+  CohortsPage page(records.store(), instructor.actor(), ports);
+  page.make_cohort(QStringLiteral("Year 3"));
+  page.form()->choose_exercise(newer.scenario);
+  page.assign();
+  ASSERT_EQ(page.assignments().rowCount(), 1) << page.message().toStdString();
+  ASSERT_TRUE(records.store().scenarios.withdraw(instructor.actor(), newer.id));
+  page.assign();
+  EXPECT_FALSE(page.message().contains(QStringLiteral("already"))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().contains(QStringLiteral("The form has version %1 now.").arg(before.number))) << page.message().toStdString();
+  EXPECT_TRUE(page.form()->act()->isEnabled()) << "it assigns another version";
+  page.assign();
+  EXPECT_EQ(page.assignments().rowCount(), 2) << page.message().toStdString();
 }
 
 TEST_F(Cohorts, HaveInTheirFormWhatAnotherDeskPublishedMeanwhile) {
