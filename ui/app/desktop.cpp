@@ -272,8 +272,9 @@ void Desktop::show_shell(const QString& page_key) {
           [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
   connect(shell, &Shell::scale_chosen, this, &Desktop::set_scale);
   shell->keep_hand_in(settings_);
-  connect(shell, &Shell::help_wanted, this, [this] { shell_->show_page(u"help"_qs); });
-  connect(shell, &Shell::signed_out, this, &Desktop::sign_out);
+  shell->ask_before_leaving([this](std::function<void()> then) { leave_page(std::move(then)); });
+  connect(shell, &Shell::help_wanted, this, [this] { leave_page([this] { shell_->show_page(u"help"_qs); }); });
+  connect(shell, &Shell::signed_out, this, [this] { leave_page([this] { sign_out(); }); });
   connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });
   if (const auto why = why_reading_only()) {
     shell->show_notice(*why);
@@ -374,7 +375,7 @@ void Desktop::quick_open() {
   if (!shell_ || page() != shell_) return;
   QVector<Destination> places;
   for (const NavEntry& entry : shell_->entries()) {
-    places += {entry.name, tr("page"), entry.icon, [this, key = entry.key] { shell_->show_page(key); }};
+    places += {entry.name, tr("page"), entry.icon, [this, key = entry.key] { leave_page([this, key] { shell_->show_page(key); }); }};
   }
   // In the version that is assigned: an attempt at another one would not count.
   if (const auto course = load_course(*store_, account_->actor()); !reading_only_ && course && may(account_->role, Action::drill)) {

@@ -1,14 +1,16 @@
-// What the desktop keeps, puts out of sight and asks, before the station is locked or the window closes.
+// What the desktop keeps, puts out of sight and asks, before the station is locked, a page is left or the window closes.
 
 #include <QCloseEvent>
 #include <QDialog>
 #include <QPointer>
 #include <QStackedWidget>
 #include <algorithm>
+#include <utility>
 
 #include "ui/admin/people_import.h"
 #include "ui/app/desktop.h"
 #include "ui/app/run_marker.h"
+#include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/editor/audit_page.h"
 #include "ui/editor/editor_page.h"
@@ -55,12 +57,14 @@ bool audits(const QWidget& desktop) {
   return std::ranges::any_of(pages, [](const AuditPage* page) { return page->measuring(); });
 }
 
-bool has_half_filled_form(const QWidget& desktop) {
-  const auto parts = desktop.findChildren<QWidget*>();
-  return std::ranges::any_of(parts, [](const QWidget* part) {
-    const auto* page = dynamic_cast<const HalfFilled*>(part);
-    return page != nullptr && page->half_filled();
-  });
+bool is_half_filled(const QWidget* part) {
+  const auto* form = dynamic_cast<const HalfFilled*>(part);
+  return form != nullptr && form->half_filled();
+}
+
+bool has_half_filled_form(const QWidget& whole) {
+  const auto parts = whole.findChildren<QWidget*>();
+  return is_half_filled(&whole) || std::ranges::any_of(parts, is_half_filled);
 }
 
 }  // namespace
@@ -171,6 +175,15 @@ bool Desktop::asks_before_closing() {
     self->close();
   });
   return true;
+}
+
+void Desktop::leave_page(std::function<void()> then) {
+  const QWidget* left = shell_ != nullptr ? shell_->page() : nullptr;
+  if (left == nullptr || !has_half_filled_form(*left)) return then();
+  const Question question{tr("Leave without saving the form?"), tr("What was filled in and not saved is not kept."), tr("Leave"), true};
+  ports_.ask(this, question, [self = QPointer(this), then = std::move(then)](bool yes) {
+    if (self && yes) then();
+  });
 }
 
 void Desktop::closeEvent(QCloseEvent* event) {

@@ -7,6 +7,7 @@
 #include <QButtonGroup>
 #include <QLabel>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -227,7 +228,7 @@ QWidget* Shell::make_sidebar() {
     connect(button, &QPushButton::toggled, this, [button, name = entries_[i].icon](bool on) {
       button->setIcon(icon(name, on ? Ink::accent : Ink::text2));
     });
-    connect(button, &QPushButton::clicked, this, [this, i] { show_page(entries_[i].key); });
+    connect(button, &QPushButton::clicked, this, [this, i] { leave_for(entries_[i].key); });
   }
   column->addStretch();
   auto* foot = new QHBoxLayout;
@@ -245,6 +246,15 @@ QWidget* Shell::make_sidebar() {
 void Shell::show_device(const QString& name, const QString& icon_name) {
   device_sign_->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, devicePixelRatioF()));
   device_->setText(name);
+}
+
+/// A press checks its button. Until the page is left, the button of the page is checked.
+void Shell::leave_for(const QString& key) {
+  for (int i = 0; i < entries_.size(); ++i)
+    if (entries_[i].key == key_) group_->button(i)->setChecked(true);
+  leave_([self = QPointer(this), key] {
+    if (self) self->show_page(key);
+  });
 }
 
 void Shell::show_page(const QString& key) {

@@ -5,6 +5,7 @@
 #include <QVector>
 #include <QWidget>
 #include <functional>
+#include <utility>
 
 #include "storage/repositories/accounts.h"
 #include "ui/modules.h"
@@ -48,6 +49,10 @@ class Shell : public QWidget {
   const QVector<NavEntry>& entries() const { return entries_; }
   /// Offers in the account's menu which hand holds the handpiece, and keeps the choice there. `settings` outlives this.
   void keep_hand_in(class Settings& settings);
+  /// Calls `then` at once, later, or never.
+  using Leave = std::function<void(std::function<void()> then)>;
+  /// What a press in the sidebar passes before the page is left.
+  void ask_before_leaving(Leave leave) { leave_ = std::move(leave); }
   /// Offers beside the languages of the program those of the exercises' texts. `chosen`: "" = as the program.
   void offer_exercise_languages(const QStringList& codes, const QString& chosen);
   /// Moves the focus to the next of top bar, sidebar and page.
@@ -68,9 +73,11 @@ class Shell : public QWidget {
   QPushButton* make_account_button(const Account& account);
   QMenu* make_account_menu(const Account& account, QWidget* button);
   QWidget* make_sidebar();
+  void leave_for(const QString& key);
 
   QVector<NavEntry> entries_;
   QString key_;
+  Leave leave_ = [](const std::function<void()>& then) { then(); };
   QWidget *top_ = nullptr, *side_ = nullptr;
   QMenu *account_menu_ = nullptr, *language_menu_ = nullptr;
   QLabel *device_sign_ = nullptr, *device_ = nullptr;

@@ -1,0 +1,83 @@
+// What is asked before a page with a half-filled form is left.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/settings/settings.h"
+
+namespace cusp::test {
+namespace {
+
+/// The form of the people's page.
+struct LeftForm : ::testing::Test {
+  LeftForm() {
+    ports.ask = [this](QWidget*, const Question& question, const std::function<void(bool)>& then) {
+      asked += question.what;
+      then(answer);
+    };
+    desktop = std::make_unique<Desktop>(settings, ports, records.file());
+    desktop->start();
+    desktop->show();
+    desktop->sign_in(records.administrator());
+    desktop->shell()->show_page(QStringLiteral("people"));
+  }
+  void type_name() {
+    for (QLineEdit* field : desktop->shell()->page()->findChildren<QLineEdit*>())
+      if (field->accessibleName() == QStringLiteral("Name")) field->setText(QStringLiteral("Mia Falk"));
+  }
+  QPushButton* in_sidebar(const char* name) {
+    for (QPushButton* button : desktop->shell()->findChildren<QPushButton*>())
+      if (button->isCheckable() && button->accessibleName() == QLatin1String(name)) return button;
+    return nullptr;
+  }
+  std::string page() const { return desktop->shell()->page_key().toStdString(); }
+
+  DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
+  QStringList asked;
+  bool answer = false;
+  std::unique_ptr<Desktop> desktop;
+};
+
+TEST_F(LeftForm, is_asked_about_before_the_sidebar_leads_away) {
+  QPushButton *people = in_sidebar("People"), *log = in_sidebar("Audit log");
+  ASSERT_TRUE(people && log);
+  type_name();
+  log->click();
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Leave without saving the form?")});
+  EXPECT_EQ(page(), "people");
+  EXPECT_TRUE(people->isChecked()) << "it names the page that is shown";
+  answer = true;
+  log->click();
+  EXPECT_EQ(page(), "audit");
+  EXPECT_TRUE(log->isChecked());
+  people->click();
+  EXPECT_EQ(page(), "people");
+  EXPECT_EQ(asked.size(), 2) << "the log has no form";
+}
+
+TEST_F(LeftForm, is_asked_about_before_its_author_signs_out) {
+  auto* account = desktop->shell()->findChild<QPushButton*>(QStringLiteral("account"));
+  ASSERT_NE(account, nullptr);
+  QAction* sign_out = account->menu()->actions().constLast();
+  type_name();
+  sign_out->trigger();
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Leave without saving the form?")});
+  EXPECT_TRUE(desktop->account());
+  answer = true;
+  sign_out->trigger();
+  EXPECT_FALSE(desktop->account());
+}
+
+}  // namespace
+}  // namespace cusp::test
