@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "ui/admin/account_change.h"
 #include "ui/admin/departed_card.h"
@@ -63,7 +64,7 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
 
   connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
   connect(departed_, &DepartedCard::erased, this, &PeoplePage::read);
-  connect(add, &QPushButton::clicked, this, &PeoplePage::begin_new);
+  connect(add, &QPushButton::clicked, this, [this] { leave_form([this] { begin_new(); }); });
   connect(import, &QPushButton::clicked, this, &PeoplePage::import_wanted);
   connect(table_, &Table::row_opened, this, [this] { name_->setFocus(); });
   read();
@@ -169,7 +170,22 @@ void PeoplePage::begin_new() {
 }
 
 void PeoplePage::show_chosen() {
-  if (const int row = table_->chosen_row(); row >= 0) show_person(model_->account(row));
+  const int row = table_->chosen_row();
+  if (row < 0) return;
+  const Account account = model_->account(row);
+  if (edited_ && edited_->id == account.id) return show_person(account);
+  leave_form([this, account] { show_person(account); });
+}
+
+void PeoplePage::leave_form(std::function<void()> then) {
+  if (!half_filled() || waiting()) return then();
+  const Question question{tr("Leave without saving the form?"), tr("What was filled in and not saved is not kept."), tr("Leave"), true};
+  ports_.ask(this, question, [self = QPointer(this), then = std::move(then)](bool yes) {
+    if (!self) return;
+    if (yes) return then();
+    const int row = self->edited_ ? self->model_->row_of(self->edited_->id) : -1;  // a search may hide it
+    row >= 0 ? self->table_->choose_row(row) : self->table_->clearSelection();
+  });
 }
 
 void PeoplePage::show_person(const Account& account) {

@@ -1,8 +1,9 @@
-/// Accounts: list, add, change, switch off, new password or PIN, role. The form stands beside the list; only switching an account
-/// off asks a question. Thread: GUI.
+/// Accounts: list, add, change, switch off, new password or PIN, role. The form stands beside the list. Switching off and erasing
+/// ask a question, and so does another person while the form is half filled. Thread: GUI.
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "storage/store.h"
@@ -52,6 +53,8 @@ class PeoplePage : public QWidget, public Rereads, public HalfFilled {
   void read();
   void show_chosen();
   void show_person(const Account& account);
+  /// Calls `then`; after a question, or never, if it would take away what is typed.
+  void leave_form(std::function<void()> then);
   void begin_new();
   void fit_secret();
   void save();

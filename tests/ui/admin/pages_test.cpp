@@ -226,6 +226,28 @@ TEST_F(AdminPages, looking_for_somebody_keeps_what_is_typed_about_a_new_person) 
   EXPECT_TRUE(records.store().accounts.find_number("2"));
 }
 
+TEST_F(AdminPages, another_person_takes_the_place_of_a_half_filled_form_after_a_question) {
+  const Account lena = records.student("1", "Lena Brandt"), omar = records.student("2", "Omar Said");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  field(page, "Name")->setText(QStringLiteral("Lena Weber"));
+  answer = false;
+  page.table()->choose_row(page.model()->row_of(omar.id));
+  EXPECT_EQ(asked, std::vector<QString>{QStringLiteral("Leave without saving the form?")});
+  EXPECT_EQ(page.table()->chosen_row(), page.model()->row_of(lena.id));
+  press(page, "Add a person");
+  EXPECT_EQ(asked.size(), 2u);
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Lena Weber"));
+  answer = true;
+  page.table()->choose_row(page.model()->row_of(omar.id));
+  EXPECT_EQ(asked.size(), 3u);
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Omar Said"));
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  EXPECT_EQ(asked.size(), 3u) << "nothing is typed";
+  EXPECT_EQ(field(page, "Name")->text(), QStringLiteral("Lena Brandt"));
+}
+
 TEST_F(AdminPages, the_form_shows_the_whole_of_a_long_name) {
   const char* name = "Maximiliane Charlotte Friederike von Hohenstein-Schwarzenberg";
   const Account one = records.student("1", name);
