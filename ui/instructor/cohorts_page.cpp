@@ -273,6 +273,11 @@ void CohortsPage::make_cohort(const QString& name) {
 void CohortsPage::add_numbers(const QString& text) {
   const auto cohort = chosen();
   if (!cohort) return;
+  if (text.trimmed().isEmpty()) {
+    band_->show_message(Band::Kind::bad, tr("No student number is there to add."), tr("Type or paste the numbers, one a line."));
+    numbers_->setFocus();
+    return;
+  }
   auto accounts = store_.accounts.list(actor_);
   if (!accounts) return show_failure(accounts.error());
   std::erase_if(*accounts, [](const Account& account) { return account.role != Role::student; });

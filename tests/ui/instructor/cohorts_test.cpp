@@ -103,6 +103,8 @@ TEST_F(Cohorts, TakeStudentsInByTheirNumbersAndOutAfterAQuestion) {
   ASSERT_EQ(page.students().rowCount(), 2);
   EXPECT_TRUE(page.message().contains(QStringLiteral("8888")));
   EXPECT_EQ(page.cohorts().cohort(0).students, 2);
+  page.add_numbers(QStringLiteral(" \n"));
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("No student number is there"))) << page.message().toStdString();
   for (Table* table : page.findChildren<Table*>())
     if (table->model() == &page.students()) table->choose_row(0);
   page.remove_chosen_student();
