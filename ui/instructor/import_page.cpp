@@ -352,6 +352,7 @@ void ImportPage::run() {
     if (!volume) {
       return answer_to(self, work, [self, failure = volume.error()] {
         self->end_work();
+        self->import_->setFocus(Qt::OtherFocusReason);  // as end_look()
         self->show_failure(failure);
       });
     }
@@ -384,8 +385,9 @@ void ImportPage::keep() {
     if (work->stop_requested() && *start) std::filesystem::remove_all((*start)->folder, ignored);
     answer_to(self, work, [self, start] {
       self->end_work();
-      if (!*start) return self->show_failure(start->error());
-      Q_EMIT self->edit_wanted(**start);
+      if (*start) return Q_EMIT self->edit_wanted(**start);
+      self->keep_->setFocus(Qt::OtherFocusReason);  // as end_look()
+      self->show_failure(start->error());
     });
   });
 }

@@ -153,13 +153,14 @@ void ImportPreview::show_made() {
   view_->set_camera(camera);
   view_->set_lines(up_arrow(made_.low_mm, made_.high_mm));
   view_->set_feed(made_.patches);
-  turns_->setEnabled(true);
+  for (QPushButton* button : turns_->findChildren<QPushButton*>()) button->setEnabled(true);
 }
 
 void ImportPreview::turn(int axis, int quarters) {
   if (turning_ || !made_.volume) return;
   turning_ = true;
-  turns_->setEnabled(false);
+  // The pressed button stays enabled, as with ButtonWait: a disabled one loses the focus.
+  for (QPushButton* button : turns_->findChildren<QPushButton*>()) button->setEnabled(button == window()->focusWidget());
   Q_EMIT turning_changed();
   QThreadPool::globalInstance()->start([self = QPointer<ImportPreview>(this), from = made_.volume, axis, quarters] {
     auto made = std::make_shared<ImportedSpecimen>(imported_specimen(quarter_turned(*from, axis, quarters)));

@@ -84,6 +84,30 @@ TEST_F(ImportPageTest, leaving_asks_once_files_were_read) {
   EXPECT_EQ(left, 2);
 }
 
+TEST_F(ImportPageTest, the_focus_stays_on_the_button_of_a_turn_and_of_a_step_that_failed) {
+  write_text(folder / "cusp-drafts", "no folder");
+  const std::string ball = binary_stl(sphere("a", {0, 0, 0}, 5.0, 2));
+  write_text(folder / "a.stl", ball);
+  open({file("a.stl")});
+  std::filesystem::remove(folder / "a.stl");
+  QPushButton* make_button = button(QStringLiteral("Make a specimen"));
+  make_button->setFocus();
+  make_button->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  EXPECT_EQ(page->focusWidget(), make_button);
+  write_text(folder / "a.stl", ball);
+  make();
+  QPushButton* tip = button(QStringLiteral("Tip back"));
+  tip->setFocus();
+  turn(QStringLiteral("Tip back"));
+  EXPECT_EQ(page->focusWidget(), tip);
+  EXPECT_TRUE(button(QStringLiteral("Tip left"))->isEnabled());
+  keep()->setFocus();
+  keep_it();
+  EXPECT_FALSE(started.has_value());
+  EXPECT_EQ(page->focusWidget(), keep());
+}
+
 TEST_F(ImportPageTest, the_fineness_of_a_volume_follows_the_unit_that_is_chosen) {
   write_text(folder / "v.nrrd", kHeadOf24 + "space units: \"?\" \"?\" \"?\"\n\n" + block_in_24());
   open({file("v.nrrd")});
