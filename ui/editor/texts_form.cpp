@@ -56,7 +56,7 @@ struct TextsForm::Section {
   QWidget* whole = nullptr;
   QLineEdit* title = nullptr;
   QPlainTextEdit* briefing = nullptr;
-  QLabel* too_long = nullptr;  // hidden while the briefing is the exercise's
+  QLabel* refused = nullptr;  // why the exercise keeps another briefing; hidden while it has this one
   QVBoxLayout* targets = nullptr;
   struct TargetTitle {
     std::size_t part;  // of the target's union
@@ -112,13 +112,13 @@ std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code)
   out->briefing->setTabChangesFocus(true);
   out->briefing->setFixedHeight(px(140));
   out->title->setMaxLength(static_cast<int>(kMostTextCharacters));
-  out->too_long->setWordWrap(true);
-  out->too_long->hide();
+  out->refused->setWordWrap(true);
+  out->refused->hide();
   //: %1: a language
   column->addWidget(labelled(tr("Title, %1").arg(language_name(code)), out->title));
   //: %1: a language
   column->addWidget(labelled(tr("Briefing, %1").arg(language_name(code)), out->briefing));
-  column->addWidget(out->too_long);
+  column->addWidget(out->refused);
   out->targets->setSpacing(px(8));
   column->addLayout(out->targets);
   if (!is_spoken(code)) {
@@ -140,12 +140,14 @@ std::unique_ptr<TextsForm::Section> TextsForm::make_section(const QString& code)
 void TextsForm::take_briefing(const Section& section) {
   const QString text = section.briefing->toPlainText().trimmed();
   const auto length = text.toUcs4().size(), most = static_cast<qsizetype>(kMostTextCharacters);
-  const bool was_short = section.too_long->isHidden();
-  section.too_long->setVisible(length > most);
-  if (length <= most) return static_cast<void>(model_.set_briefing(section.code.toStdString(), text));
+  const bool was_taken = section.refused->isHidden();
+  section.refused->setVisible(length > most);
+  if (length <= most && (model_.set_briefing(section.code.toStdString(), text) || !text.isEmpty())) return;
   //: %1: characters of a text, %2: the most that an exercise can hold
-  section.too_long->setText(tr("%1 of at most %2 characters. The exercise keeps the briefing as it was.").arg(QLocale().toString(length), QLocale().toString(most)));
-  if (was_short) announce(section.briefing, section.too_long->text());
+  const QString longer = tr("%1 of at most %2 characters. The exercise keeps the briefing as it was.").arg(QLocale().toString(length), QLocale().toString(most));
+  section.refused->setText(length > most ? longer : tr("An exercise needs a briefing in English. It keeps the one from before until another is typed."));
+  section.refused->show();
+  if (was_taken) announce(section.briefing, section.refused->text());
 }
 
 void TextsForm::make_add(QVBoxLayout& column) {
@@ -264,7 +266,7 @@ void TextsForm::follow_model() {
     fit_target_titles(*section);
     const auto it = s.briefing.find(code);
     const QString text = it == s.briefing.end() ? QString() : QString::fromStdString(it->second);
-    if (section->briefing->toPlainText().trimmed() != text && !section->briefing->hasFocus() && section->too_long->isHidden()) {
+    if (section->briefing->toPlainText().trimmed() != text && !section->briefing->hasFocus() && section->refused->isHidden()) {
       const QSignalBlocker quiet(section->briefing);
       section->briefing->setPlainText(text);
     }

@@ -206,6 +206,32 @@ TEST(Briefing, that_is_longer_than_an_exercise_holds_stays_with_a_message_until_
   EXPECT_EQ(message(), QString());
 }
 
+TEST(Briefing, in_english_that_is_cleared_stays_in_the_exercise_with_a_message) {
+  EditorModel model(class_one());
+  TextsForm form(model);
+  form.show();
+  const auto cleared = [&](const char* name) {
+    auto* edit = named<QPlainTextEdit>(form, name);
+    if (edit != nullptr) edit->clear();
+    return edit;
+  };
+  const auto says = [&] {
+    return std::ranges::any_of(form.findChildren<QLabel*>(), [](const QLabel* label) {
+      return label->isVisible() && label->text().contains(QStringLiteral("keeps the one from before"));
+    });
+  };
+  const std::string before = model.scenario().briefing.at("en");
+  ASSERT_NE(cleared("Briefing, Deutsch"), nullptr);
+  EXPECT_FALSE(says()) << "an exercise may be without it";
+  auto* edit = cleared("Briefing, English");
+  ASSERT_NE(edit, nullptr);
+  EXPECT_EQ(model.scenario().briefing.at("en"), before);
+  EXPECT_TRUE(says());
+  edit->setPlainText(QStringLiteral("Cut a channel."));
+  EXPECT_EQ(model.scenario().briefing.at("en"), "Cut a channel.");
+  EXPECT_FALSE(says());
+}
+
 LesionSource proximal(const char* site) {
   LesionSource out;
   out.kind = "proximal";
