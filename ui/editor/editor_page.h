@@ -58,8 +58,8 @@ class EditorPage : public QWidget {
   /// Saves the draft while the window closes; as a copy if another window has changed it. False if neither can be written: the page
   /// shows the cause.
   bool keep_before_closing();
-  /// Saves the draft and emits back_wanted(), both once a version that is being published stands. If saving fails, the page stays and
-  /// shows the cause.
+  /// Saves the draft and emits back_wanted(), both once a version that is being published stands. Asks first about a briefing that the
+  /// exercise cannot hold. If saving fails, the page stays and shows the cause.
   void leave();
 
  Q_SIGNALS:
@@ -91,6 +91,7 @@ class EditorPage : public QWidget {
   QWidget* make_checks();
   Band* make_clash();
   bool keep();
+  void keep_and_leave();
   void show_clash();
   void see_theirs();
   void keep_copy();

@@ -5,11 +5,13 @@
 #include <QDateTime>
 #include <QPointer>
 #include <QPushButton>
+#include <QTabWidget>
 #include <utility>
 
 #include "scenarios/checks/checks.h"
 #include "scenarios/format/read.h"
 #include "ui/editor/editor_page.h"
+#include "ui/editor/editor_page_parts.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/publish_sheet.h"
 #include "ui/editor/texts_form.h"
@@ -129,6 +131,17 @@ void EditorPage::leave() {
   take_typed();
   leaves_ = publishing();
   if (leaves_) return;
+  const auto* texts = findChild<TextsForm*>();
+  if (texts == nullptr || !texts->half_filled()) return keep_and_leave();
+  const Question question{tr("Leave without the briefing?"), tr("The exercise keeps the briefing as it was. Under Texts stands why."), tr("Leave"), true};
+  ports_.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (!self) return;
+    if (yes) return self->keep_and_leave();
+    self->tabs_->setCurrentIndex(kWordsTab);
+  });
+}
+
+void EditorPage::keep_and_leave() {
   if (keep()) Q_EMIT back_wanted();
 }
 

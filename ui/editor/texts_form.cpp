@@ -150,6 +150,10 @@ void TextsForm::take_briefing(const Section& section) {
   if (was_taken) announce(section.briefing, section.refused->text());
 }
 
+bool TextsForm::half_filled() const {
+  return std::ranges::any_of(sections_, [](const auto& section) { return !section->refused->isHidden(); });
+}
+
 void TextsForm::make_add(QVBoxLayout& column) {
   add_ = new QComboBox;
   add_->addItem(tr("Add a language…"));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/editor/editor_model.h"
+#include "ui/widgets/half_filled.h"
 
 class QComboBox;
 class QLineEdit;
@@ -17,7 +18,7 @@ namespace cusp::ui {
 class NumberBox;
 
 /// Languages that Cusp speaks, then those that the exercise has or that were added here. The fields of one go when it is removed.
-class TextsForm : public QWidget {
+class TextsForm : public QWidget, public HalfFilled {
   Q_OBJECT
 
  public:
@@ -25,6 +26,8 @@ class TextsForm : public QWidget {
   ~TextsForm() override;
   /// Codes of the languages with fields, in their order.
   QStringList shown_languages() const;
+  /// A briefing stands in its field that the exercise cannot hold.
+  bool half_filled() const override;
 
  private:
   struct Section;

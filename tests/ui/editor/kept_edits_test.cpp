@@ -232,6 +232,31 @@ TEST(Briefing, in_english_that_is_cleared_stays_in_the_exercise_with_a_message) 
   EXPECT_FALSE(says());
 }
 
+TEST_F(EditorPages, leaving_asks_while_the_exercise_cannot_hold_the_briefing_that_is_typed) {
+  QStringList asked;
+  bool answer = false;
+  ports.ask = [&](QWidget*, const Question& question, const std::function<void(bool)>& then) {
+    asked << question.what;
+    then(answer);
+  };
+  const auto page = open();
+  QSignalSpy back(page.get(), &EditorPage::back_wanted);
+  auto* edit = named<QPlainTextEdit>(*page, "Briefing, English");
+  ASSERT_NE(edit, nullptr);
+  const QString before = edit->toPlainText();
+  edit->setPlainText(QString(static_cast<int>(kMostTextCharacters) + 1, u'ä'));
+  page->leave();
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Leave without the briefing?")});
+  EXPECT_EQ(back.count(), 0);
+  answer = true;
+  page->leave();
+  EXPECT_EQ(back.count(), 1);
+  edit->setPlainText(before);
+  page->leave();
+  EXPECT_EQ(back.count(), 2);
+  EXPECT_EQ(asked.size(), 2) << "the exercise holds it";
+}
+
 LesionSource proximal(const char* site) {
   LesionSource out;
   out.kind = "proximal";
