@@ -17,6 +17,9 @@ LOOKS = [pictures.Look(theme, language, 1280, 800) for theme in ("light", "dark"
 SIZE = (640, 400)
 COLOURS = 256
 EXERCISE = "Class I, tooth 36"
+HELD_MM = 1.5  # depth of the cut, within the target
+STEP_S = 0.3  # that the bur sinks before the depth is held again
+SWAY_PX = (*range(0, 24, 4), *range(24, -24, -4), *range(-24, 1, 4))  # from the middle to both sides, at that depth
 
 
 def hide(program, path, *texts):
@@ -44,6 +47,28 @@ def small(folder, name, path):
     picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG).save(os.path.join(folder, name + ".png"), optimize=True)
 
 
+def drill(program):
+    """Sinks step by step to HELD_MM and moves about at that depth: a slow machine holds the button longer, and cuts no deeper. The button
+    stays down, so that depth and push stand in the picture."""
+    depth, hold = program.find("dial", "Depth"), program.find(school.CHOICE, "Hold depth")
+    x, y = program.find(None, "Tooth").middle()
+
+    def deep_enough():
+        school.resume_if_held(program)
+        if not hold.has("CHECKED"):  # at first, and where the attempt stood when the key came
+            hold.press()
+        elif depth.value >= HELD_MM:
+            return True
+        else:
+            program.screen.x("key", "h", "sleep", STEP_S, "key", "h")
+        return False
+    program.screen.x("mousemove", x, y, "mousedown", 1)
+    desk.until(f"the bur to be {HELD_MM} mm deep", deep_enough)
+    for aside in SWAY_PX:
+        program.screen.x("mousemove", x + aside, y, "sleep", 0.05)
+        school.resume_if_held(program)
+
+
 def visit(album, program):
     """The screens in the order of the page."""
     cohort.import_list(program)
@@ -58,8 +83,9 @@ def visit(album, program):
     school.sign_out(program)
     school.sign_in_student(program, *cohort.LENA)
     school.begin(program, EXERCISE)
-    school.drill(program, 0.4)
-    album.take(program, "drill", 1)
+    drill(program)
+    album.take(program, "drill", 3)
+    program.screen.x("mouseup", 1)
     school.finish(program)
     album.take(program, "report", rests_s=8)  # its tooth is drawn in the background
     school.home(program)
