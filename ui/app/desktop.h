@@ -104,7 +104,7 @@ class Desktop : public QMainWindow {
   void end_attempt(const std::shared_ptr<const SessionResult>& result, const std::optional<Exercise>& exercise);
   /// Of an own assessment that is interrupted: the start page, which continues it.
   void open_report(const SessionId& session);
-  /// Grades an attempt that broke off as it stands, keeps that grade and shows it. Of an assessment: asks, then hands it in.
+  /// Asks, then grades an attempt that broke off as it stands, keeps that grade and shows it; hands in an assessment.
   void grade_interrupted(const SessionId& session);
   void edit(const EditorStart& start);
   /// Shows an appeal pack of any origin as a report, with what its verification found.

@@ -48,8 +48,11 @@ void Desktop::open_report(const SessionId& session) {
 
 void Desktop::grade_interrupted(const SessionId& session) {
   const auto kept = store_->sessions.find(session);
-  if (!kept || kept->kind != SessionKind::assessment) return open_result_page(session, Keep::grade);
-  const Question question{DrillScreen::tr("Hand in?"), DrillScreen::tr("The tooth is kept as it is now; nothing can be changed afterwards."), DrillScreen::tr("Hand in")};
+  if (!kept) return show_failure(describe(kept.error()));
+  const Question question =
+      kept->kind == SessionKind::assessment
+          ? Question{DrillScreen::tr("Hand in?"), DrillScreen::tr("The tooth is kept as it is now; nothing can be changed afterwards."), DrillScreen::tr("Hand in")}
+          : Question{tr("Grade this attempt as it stands?"), tr("It is then over and cannot be continued."), tr("Grade")};
   ports_.ask(page(), question, [this, session](bool yes) {
     if (yes) open_result_page(session, Keep::grade);
   });

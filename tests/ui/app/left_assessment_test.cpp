@@ -151,6 +151,24 @@ TEST_F(LeftAssessment, keeps_its_exercise_from_practice_until_it_is_handed_in) {
   EXPECT_NE(screen(), nullptr);
 }
 
+TEST_F(LeftAssessment, is_graded_after_a_question_and_so_is_a_practice_that_was_left) {
+  desktop->drill(exercise);
+  ASSERT_TRUE(drills());
+  screen()->ask_leave();  // nothing was cut: it asks nothing
+  ASSERT_TRUE(leaves());
+  const SessionId practice = records.store().history.list(lena.actor())->front().session;
+  desktop->grade_interrupted(practice);
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked[0].act, QStringLiteral("Grade"));
+  answer(false);
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  EXPECT_EQ(state_of(practice), SessionState::interrupted) << "it can be continued";
+  desktop->grade_interrupted(practice);
+  answer(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return qobject_cast<ReportPage*>(desktop->page()) != nullptr; }, kDrillingMs));
+  EXPECT_EQ(state_of(practice), SessionState::graded);
+}
+
 TEST_F(LeftAssessment, keeps_the_button_to_practise_from_the_report_of_an_earlier_one_until_it_is_handed_in) {
   Store& store = records.store();
   const auto begin = [&](const Assignment& of, const char* code) {
