@@ -141,11 +141,18 @@ void Desktop::end_attempt(const std::shared_ptr<const SessionResult>& result, co
     show_result(result, exercise);
     drop(page);
   };
-  connect(page, &SelfAssessmentPage::passed_over, this, go_on);
-  connect(page, &SelfAssessmentPage::decided, this, [this, page, result, go_on](const SelfAssessment& own) {
+  const auto keep = [this, page, result, go_on](const SelfAssessment& own) {
     const auto stated = store_->statements.assess_own(account_->actor(), result->session, own);
     if (!stated) return page->show_failure(describe(stated.error()));
     go_on();
+  };
+  connect(page, &SelfAssessmentPage::passed_over, this, go_on);
+  connect(page, &SelfAssessmentPage::decided, this, [this, page, keep](const SelfAssessment& own) {
+    if (!own.skipped() || !page->half_filled()) return keep(own);
+    const Question question{tr("Skip the own assessment?"), tr("Your ratings are then not kept, and you cannot rate this attempt later."), tr("Skip"), true};
+    ports_.ask(page, question, [keep, shown = QPointer(page)](bool yes) {
+      if (shown && yes) keep({});
+    });
   });
   push(page);
 }

@@ -22,12 +22,13 @@ struct OwnAssessment : ::testing::Test {
   DeskRecords records;
   QTemporaryDir folder;
   Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  Ports ports = Ports::of_the_system();
   std::unique_ptr<Desktop> desktop;
   Account lena = records.student("1", "Lena Brandt");
   SessionId session = records.attempt(lena, "channel-1", 66, 90);
   enum class Asked : std::uint8_t { no, yes };
   void end(const Account& who, Asked asked) {
-    desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file());
+    desktop = std::make_unique<Desktop>(settings, ports, records.file());
     desktop->start();
     desktop->show();
     desktop->sign_in(who);
@@ -66,6 +67,29 @@ TEST_F(OwnAssessment, may_be_skipped_and_is_kept_as_skipped) {
   end(lena, Asked::yes);
   ASSERT_NE(asking(), nullptr);
   press("Skip");
+  EXPECT_TRUE(report_shows());
+  ASSERT_TRUE(kept());
+  EXPECT_TRUE(kept()->skipped());
+}
+
+TEST_F(OwnAssessment, that_was_begun_is_skipped_after_a_question_alone) {
+  QStringList asked;
+  std::function<void(bool)> answer;
+  ports.ask = [&](QWidget*, const Question& question, std::function<void(bool)> then) {
+    asked << question.act;
+    answer = std::move(then);
+  };
+  end(lena, Asked::yes);
+  ASSERT_NE(asking(), nullptr);
+  asking()->row(0)->choose(1);
+  press("Skip");
+  ASSERT_EQ(asked, QStringList{QStringLiteral("Skip")});
+  answer(false);
+  ASSERT_NE(asking(), nullptr);
+  EXPECT_EQ(asking()->row(0)->chosen(), 1);
+  EXPECT_FALSE(kept());
+  press("Skip");
+  answer(true);
   EXPECT_TRUE(report_shows());
   ASSERT_TRUE(kept());
   EXPECT_TRUE(kept()->skipped());
