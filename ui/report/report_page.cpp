@@ -143,6 +143,8 @@ const CriterionGrade* ReportPage::chosen_criterion() const {
 
 /// What fails the attempt, or that it broke off.
 void ReportPage::show_state() {
+  const QString standing = data_.result.state == SessionState::interrupted ? tr("It is not graded yet; the points show how it stands now.")
+                                                                           : tr("It is marked as it stands.");
   if (!data_.critical.empty()) {
     QStringList what;
     for (const CriticalEvent& event : data_.critical) {
@@ -150,10 +152,10 @@ void ReportPage::show_state() {
       if (const QString how = critical_circumstances(data_, event); !how.isEmpty()) what += how + u'.';
     }
     QString more = tr("This fails the attempt, whatever its points; the points still stand.");
-    if (data_.result.interrupted) more += u' ' + tr("This attempt broke off.") + u' ' + tr("It is marked as it stands.");
+    if (data_.result.interrupted) more += u' ' + tr("This attempt broke off.") + u' ' + standing;
     band_->show_message(Band::Kind::bad, what.join(u' '), more);
   } else if (data_.result.interrupted) {
-    band_->show_message(Band::Kind::look, tr("This attempt broke off."), tr("It is marked as it stands."));
+    band_->show_message(Band::Kind::look, tr("This attempt broke off."), standing);
   } else {
     band_->clear();
   }

@@ -66,7 +66,8 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   for (const QString& used : burs_used_text(d)) paper.write(used, {right, w - width}, {11, Weight::regular, t.text2});
   paper.skip(14);
   if (d.result.interrupted) {
-    paper.write(PdfText::tr("This attempt broke off. It is marked as it stands."), {x, w}, {12, Weight::bold, t.look});
+    paper.write(d.result.state == SessionState::interrupted ? PdfText::tr("This attempt broke off. It is not graded yet; the points show how it stands now.")
+                                                            : PdfText::tr("This attempt broke off. It is marked as it stands."), {x, w}, {12, Weight::bold, t.look});
     paper.skip(4);
   }
   for (const CriticalEvent& event : d.critical) {

@@ -275,6 +275,10 @@ TEST(ReportPdf, names_an_attempt_that_broke_off) {
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
   for (const char* part : {"This attempt broke", "It is marked as it stands."})  // the paper joins the letters f
     EXPECT_NE(text_in(file).find(part), std::string::npos) << text_in(file);
+  data.result.state = SessionState::interrupted;
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()).has_value());
+  EXPECT_NE(text_in(file).find("It is not graded yet; the points show how it stands now."), std::string::npos) << text_in(file);
+  EXPECT_EQ(text_in(file).find("It is marked as it stands."), std::string::npos);
 }
 
 TEST(ReportPdf, has_room_for_a_long_attempt_with_several_burs_above_its_foot) {

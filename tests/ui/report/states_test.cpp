@@ -43,6 +43,24 @@ TEST(ReportStates, a_thinned_recording_is_named_where_the_times_of_the_burs_stoo
   EXPECT_TRUE(texts_on(ReportPage(data, ports, ReportPage::TryAgain::offered, QStringLiteral("Back"))).contains(burs[0]));
 }
 
+TEST(ReportStates, points_of_an_attempt_that_broke_off_and_was_not_graded_do_not_pass_for_marks) {
+  ReportData data = sample();
+  data.result.interrupted = true;
+  const Ports ports = Ports::of_the_system();
+  const QString not_yet = QStringLiteral("It is not graded yet; the points show how it stands now.");
+  for (const bool opened_pulp : {false, true}) {
+    if (opened_pulp) data.critical = {{"pulp_exposure", std::nullopt, std::nullopt}};
+    data.result.state = SessionState::interrupted;
+    const QString before = texts_on(ReportPage(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back")));
+    EXPECT_TRUE(before.contains(not_yet)) << before.toStdString();
+    EXPECT_FALSE(before.contains(QStringLiteral("marked as it stands"))) << before.toStdString();
+    data.result.state = SessionState::graded;
+    const QString after = texts_on(ReportPage(data, ports, ReportPage::TryAgain::hidden, QStringLiteral("Back")));
+    EXPECT_FALSE(after.contains(not_yet)) << after.toStdString();
+    EXPECT_TRUE(after.contains(QStringLiteral("marked as it stands"))) << after.toStdString();
+  }
+}
+
 TEST(ReportStates, of_a_second_attempt_after_one_that_broke_off_no_attempt_is_denied) {
   ReportData data = sample();
   ASSERT_GT(data.attempt, 1);
