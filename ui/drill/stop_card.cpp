@@ -110,7 +110,7 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
   title_->setText(title);
   more_text_ = more;
   raise();
-  announce(this, title);
+  announce(this, title + (title.endsWith(u'.') ? u" "_qs : u". "_qs) + more);  // with what to do next
   return true;
 }
 

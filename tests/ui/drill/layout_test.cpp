@@ -294,6 +294,15 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
   }
 }
 
+TEST(StopCard, is_read_out_with_what_to_do_next) {
+  StopCard card;
+  card.show_stop(StopCard::Stop::device_back, {}, Fault::none);
+  EXPECT_EQ(card.accessibleDescription().toStdString(),
+            "The device answers again. The force is off and the clock stands still. Take the handpiece, then resume.");
+  card.show_stop(StopCard::Stop::fault, {}, Fault::jump);
+  EXPECT_EQ(card.accessibleDescription().toStdString(), "The device jumped. The force is off and the clock stands still. Your work is kept.");
+}
+
 TEST(ScorePanel, shows_no_warmth_in_an_assessment) {
   ScorePanel panel;
   panel.set_exercise(load_builtin("class-1-36-wet").value(), {.pulp = true, .guidance = Guidance::silent});
