@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "ui/student/history_charts.h"
-#include "ui/text/failure_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
@@ -120,13 +119,14 @@ HistoryFilter OwnHistory::filter() const {
 }
 
 void OwnHistory::show_attempts() {
-  const auto page_after = [this, own = filter()](const std::optional<HistoryKey>& after) -> std::optional<HistoryPage> {
+  const auto page_after = [this, own = filter()](const HistoryKey& after) -> std::optional<HistoryPage> {
     auto page = store_.history.page(student_, own, after, kAttemptsAtOnce);
     if (!page) return std::nullopt;
     return std::move(*page);
   };
-  auto first = page_after(std::nullopt);
-  if (!first || first->rows.empty()) return;
+  auto first = store_.history.page(student_, filter(), std::nullopt, kAttemptsAtOnce);
+  if (!first) return show_failure(describe(first.error()));
+  if (first->rows.empty()) return;
   auto newest = newest_result(first->rows);
   if (!newest && first->after) {
     if (const auto all = store_.history.list(student_, filter())) newest = newest_result(*all);
@@ -134,6 +134,13 @@ void OwnHistory::show_attempts() {
   draw(newest);
   model_->set_pages(std::move(*first), page_after);
   table_->choose_row(0);
+}
+
+/// In place of charts and rows: those of another exercise would stand under this one's name.
+void OwnHistory::show_failure(const Message& message) {
+  for (Chart* chart : {by_attempt_, by_time_, by_rating_}) chart->parentWidget()->hide();
+  model_->set_rows({});
+  charted_->setText(message.line());
 }
 
 bool OwnHistory::read_again() {
@@ -163,7 +170,7 @@ void OwnHistory::draw(const std::optional<HistoryRow>& newest) {
   same.scenario = newest->scenario;
   same.device_class = newest->device_class;
   const auto drawn = store_.history.list(student_, same);
-  if (!drawn) return;
+  if (!drawn) return show_failure(describe(drawn.error()));
   by_attempt_->set_data(score_by_attempt(*drawn));
   by_time_->set_data(time_and_score(*drawn));
   const auto rated = store_.history.rated_attempts(student_, student_.id, newest->scenario, newest->device_class);

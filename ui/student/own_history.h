@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/student/course.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/rereads.h"
 
 class QBoxLayout;
@@ -36,6 +37,7 @@ class OwnHistory : public QWidget, public Rereads {
   void make_table();
   void show_attempts();
   void draw(const std::optional<HistoryRow>& newest);
+  void show_failure(const Message& message);
   HistoryFilter filter() const;
   Store& store_;
   Actor student_;

@@ -80,6 +80,24 @@ TEST_F(OwnResults, keep_exercise_and_row_after_the_first_attempt_at_a_new_exerci
   EXPECT_EQ(page.table()->model()->rowCount(), 4);
 }
 
+TEST_F(OwnResults, that_cannot_be_read_leave_no_rows_of_another_exercise) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 60, 300);
+  records.attempt(lena, "paper-block", 70, 200);
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  ASSERT_EQ(page.table()->model()->rowCount(), 2);
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_student"));  // no list is read without it
+  const auto refused = records.store().history.page(lena.actor(), {.student = lena.id}, std::nullopt, 1);
+  ASSERT_FALSE(refused);
+  page.exercise()->setCurrentIndex(1);
+  EXPECT_EQ(page.table()->model()->rowCount(), 0);
+  bool says = false;
+  for (const QLabel* label : page.findChildren<QLabel*>()) says = says || label->text() == describe(refused.error()).line();
+  EXPECT_TRUE(says);
+  for (const Chart* chart : page.findChildren<Chart*>()) EXPECT_FALSE(chart->isVisible());
+}
+
 TEST_F(OwnResults, without_an_attempt_offer_the_exercises) {
   const Account lena = records.student("1", "Lena Brandt");
   OwnHistory page(records.store(), lena.actor());
