@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/drill/drill_screen_inner.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 
@@ -62,7 +63,9 @@ void DrillScreen::finish_now() {
     in.stage->show_stopped(DrillStage::Stop::behind);  // this card itself says that the tooth is measured
   } else {
     in.stage->show_stopped(DrillStage::Stop::none);
-    in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
+    const QString doing = in.live.time_is_up ? tr("The time is over. Measuring the tooth") : tr("Measuring the tooth");
+    in.busy->start(doing, Busy::Cancel::none);
+    announce(this, doing);
   }
   in.worker = std::thread([this, session = in.attempt->session.get()] {
     const auto progress = [this, shown = 0](double share) mutable {

@@ -66,6 +66,7 @@ TEST_F(DrillEnd, the_stop_card_is_hidden_while_the_tooth_is_measured) {
   screen->ask_finish();
   answer(true);
   ASSERT_TRUE(screen->findChild<Busy*>()->running());
+  EXPECT_EQ(screen->findChild<Busy*>()->accessibleName(), QStringLiteral("Measuring the tooth"));
   EXPECT_FALSE(card().isVisible());
   EXPECT_TRUE(QTest::qWaitFor([&] { return finished.count() == 1; }, kComesWithinMs));
 }
@@ -142,6 +143,8 @@ TEST_F(DrillEnd, the_time_limit_of_an_assessment_ends_it_under_an_open_question)
   QSignalSpy finished(screen.get(), &DrillScreen::finished);
   screen->ask_leave();
   ASSERT_TRUE(QTest::qWaitFor([&] { return screen->findChild<Busy*>()->running(); }, kComesWithinMs));
+  EXPECT_EQ(screen->findChild<Busy*>()->accessibleName(), QStringLiteral("The time is over. Measuring the tooth"));
+  EXPECT_EQ(screen->accessibleDescription(), screen->findChild<Busy*>()->accessibleName()) << "it is read out";
   answer(true);  // too late: it is measured already
   EXPECT_TRUE(QTest::qWaitFor([&] { return finished.count() == 1; }, kComesWithinMs));
 }
