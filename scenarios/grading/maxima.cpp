@@ -96,7 +96,8 @@ double score_per_point(const Grade& grade) {
   double sum = 0;
   for (const CriterionGrade& c : grade.criteria) sum += usable(c.points_max);
   const double whole = usable(grade.score_max);
-  return grade.evaluator == "2" && sum > 0.0 && whole > 0.0 ? whole / sum : 1.0;
+  const bool of_the_score = std::abs(sum - whole) <= kScoreSlack;
+  return of_the_score || sum == 0.0 || whole == 0.0 ? 1.0 : whole / sum;
 }
 
 std::vector<LossReason> loss_reasons(const Grade& grade) {

@@ -28,8 +28,8 @@ struct ScaledPoints {
 /// rounded to kShownPoint, but full points stay full and none stays none, which can put the sum off by a step or two.
 [[nodiscard]] std::vector<ScaledPoints> scaled_points(const Grade& grade);
 
-/// Points of the score for one point of a criterion, where the points of one criterion alone are given. Of evaluator 2, whose points
-/// are of the weights, score_max over their sum; else 1.
+/// Points of the score for one point of a criterion: 1 where the greatest points sum to score_max. A grade whose points are of the
+/// weights has another sum.
 [[nodiscard]] double score_per_point(const Grade& grade);
 
 /// A critical event, or a criterion that lost points.

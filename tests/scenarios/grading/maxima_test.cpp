@@ -95,14 +95,24 @@ TEST(ScaledPoints, OfAnOldGradeInWeightsSumToItsScore) {
   EXPECT_EQ(p[3].points, p[3].points_max);
 }
 
-TEST(ScorePerPoint, IsOfTheWeightsOfEvaluator2AndElseOne) {
+TEST(ScorePerPoint, IsReadFromTheGreatestPoints) {
   Grade old = graded({{30, 30}, {7.5, 15}, {0, 5}});
-  EXPECT_EQ(score_per_point(old), 1.0) << old.evaluator;
-  old.evaluator = "2";
+  old.evaluator = "1";  // before the first one whose change is described
   EXPECT_EQ(score_per_point(old), 2.0);
   EXPECT_NEAR(old.criteria[1].points * score_per_point(old), scaled_points(old)[1].points, 0.05);
+  for (CriterionGrade& c : old.criteria) c.points = 0;
+  EXPECT_EQ(score_per_point(old), 2.0) << "a score of 0 is of both";
   old.criteria.clear();
   EXPECT_EQ(score_per_point(old), 1.0);
+}
+
+TEST(ScorePerPoint, IsOneOfWhatIsGradedToday) {
+  const Scenario s = weighted({30, 15, 10, 5, 5, 20, 20, 5});  // they sum to 110
+  std::vector<Measure> measures;
+  for (const Criterion& c : s.rubric.criteria) measures.push_back({c.metric, true, 1, 0, "mm", {}});
+  EXPECT_EQ(score_per_point(grade(s, measures)), 1.0);
+  measures.resize(3);  // the rest could not be measured
+  EXPECT_EQ(score_per_point(grade(s, measures)), 1.0);
 }
 
 TEST(ScaledPoints, WhatWasNotMeasuredHasNoneOfNone) {

@@ -66,7 +66,8 @@ TEST_F(Marking, ChangedPointsCountOnTheReportAndTheReasonIsRead) {
   const CriterionGrade before = *page.chosen_criterion();
   ASSERT_LT(before.points, before.points_max);
   card.set_criterion(&before);
-  card.findChild<NumberField*>()->setValue(before.points_max);
+  auto* field = card.findChild<NumberField*>();
+  field->setValue(field->maximum());
   button(card, "Change points")->click();
   EXPECT_TRUE(message(card).contains(QStringLiteral("needs a reason")));
   EXPECT_EQ(stated.count(), 0);
@@ -313,6 +314,7 @@ TEST_F(Marking, LeavingThePageAsksWhileATextIsNotKept) {
 TEST_F(Marking, FullPointsCanBeGivenWhateverTheirDecimals) {
   for (const double most : {1000.0 / 110, 500.0 / 110}) {  // 9.0909 and 4.5454: shown as 9.1 and 4.5
     Grade grade = sample_grade(40);
+    grade.criteria[0].points = grade.criteria[0].points_max = 100 - most;
     grade.criteria[1].points_max = most;
     grade.criteria[1].points = 1;
     session = records.graded_attempt(lena, "channel-1", grade, 90);

@@ -95,6 +95,7 @@ TEST(ReportStates, one_point_that_was_changed_is_read_in_the_singular) {
   SessionResult result;
   result.scenario = *load_builtin("channel-1");
   result.grade = sample_grade(40);
+  result.grade.criteria[0].points = result.grade.criteria[0].points_max = 90;
   result.grade.criteria[1].points = 1;
   result.session = records.graded_attempt(lena, "channel-1", result.grade, 90);
   ASSERT_TRUE(records.store().statements.override_points(examiner->actor(), result.session, "depth_most", 3, "The block was worn."));
