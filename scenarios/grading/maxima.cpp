@@ -11,8 +11,6 @@ namespace {
 constexpr double kStepsPerPoint = 10.0;  // 1 / kShownPoint, as a whole number
 static_assert(kStepsPerPoint * kShownPoint == 1.0);
 
-double usable(double value) noexcept { return std::isfinite(value) && value > 0.0 ? value : 0.0; }
-
 double sum_of(const std::vector<double>& values) noexcept {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
@@ -93,8 +91,7 @@ std::vector<ScaledPoints> scaled_points(const Grade& grade) {
 }
 
 double score_per_point(const Grade& grade) {
-  double sum = 0;
-  for (const CriterionGrade& c : grade.criteria) sum += usable(c.points_max);
+  const double sum = sum_of_maxima(grade);
   const double whole = usable(grade.score_max);
   const bool of_the_score = std::abs(sum - whole) <= kScoreSlack;
   return of_the_score || sum == 0.0 || whole == 0.0 ? 1.0 : whole / sum;
@@ -107,11 +104,8 @@ std::vector<LossReason> loss_reasons(const Grade& grade) {
     return a.critical == "pulp_exposure" && b.critical != "pulp_exposure";
   });
   const auto first = static_cast<std::ptrdiff_t>(out.size());
-  double sum = 0;
-  for (const CriterionGrade& c : grade.criteria) sum += usable(c.points_max);
   for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
-    const CriterionGrade& c = grade.criteria[i];
-    const double lost = sum > 0.0 ? usable(grade.score_max) * usable(c.points_max - c.points) / sum : 0.0;
+    const double lost = lost_points(grade, grade.criteria[i]);
     if (lost >= kLeastShownLoss) out.push_back({{}, i, lost});
   }
   const auto follows = [&](const LossReason& r) { return grade.criteria[r.criterion].reason_code == "little_drilled"; };

@@ -2,6 +2,7 @@
 /// tenths, and the order in which losses are reported. Any thread.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -31,6 +32,22 @@ struct ScaledPoints {
 /// Points of the score for one point of a criterion: 1 where the greatest points sum to score_max. A grade whose points are of the
 /// weights has another sum.
 [[nodiscard]] double score_per_point(const Grade& grade);
+
+/// A stored number as it counts: 0 unless it is finite and above 0.
+[[nodiscard]] inline double usable(double value) noexcept { return std::isfinite(value) && value > 0.0 ? value : 0.0; }
+
+/// Of the greatest points of its criteria.
+[[nodiscard]] inline double sum_of_maxima(const Grade& grade) noexcept {
+  double sum = 0;
+  for (const CriterionGrade& c : grade.criteria) sum += usable(c.points_max);
+  return sum;
+}
+
+/// Points of the score that a criterion of the grade lost, not rounded, whatever its own points are of.
+[[nodiscard]] inline double lost_points(const Grade& grade, const CriterionGrade& criterion) noexcept {
+  const double sum = sum_of_maxima(grade);
+  return sum > 0.0 ? usable(grade.score_max) * usable(criterion.points_max - criterion.points) / sum : 0.0;
+}
 
 /// A critical event, or a criterion that lost points.
 struct LossReason {

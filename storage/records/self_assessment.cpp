@@ -41,8 +41,8 @@ std::optional<SelfAssessment> self_assessment_of(const std::vector<SignedStateme
   return found == statements.end() ? std::nullopt : self_assessment_from(found->text);
 }
 
-OwnRating measured_rating(const CriterionGrade& c) noexcept {
-  if (c.points_max - c.points < scenarios::kLeastShownLoss) return OwnRating::met;
+OwnRating measured_rating(const Grade& grade, const CriterionGrade& c) {
+  if (scenarios::lost_points(grade, c) < scenarios::kLeastShownLoss) return OwnRating::met;
   return c.points < c.points_max / 2 ? OwnRating::not_met : OwnRating::partly;
 }
 

@@ -32,8 +32,9 @@ std::optional<SelfAssessment> self_assessment_from(std::string_view text);
 /// nullopt without one, or if its text is erased.
 std::optional<SelfAssessment> self_assessment_of(const std::vector<SignedStatement>& statements);
 
-/// The step that a criterion's points come to: all of them, at least half, fewer.
-OwnRating measured_rating(const CriterionGrade& criterion) noexcept;
+/// The step that the points of a criterion of the grade come to: all of them but for a loss that does not show in the score, at least
+/// half, fewer.
+OwnRating measured_rating(const Grade& grade, const CriterionGrade& criterion);
 
 /// Of the rated criteria that bring points; met counts whole, partly half. Both of 100.
 struct RatedPoints {

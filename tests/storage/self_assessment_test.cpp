@@ -148,16 +148,35 @@ TEST(SelfAssessmentText, reads_back_and_refuses_what_it_never_writes) {
 }
 
 TEST(SelfAssessmentText, compares_with_three_steps_of_the_measured_points) {
-  CriterionGrade c;
-  c.points_max = 10;
+  Grade grade;
+  grade.criteria.resize(2);
+  grade.criteria[0].points_max = 10;
+  grade.criteria[1].points_max = 90;
   const auto at = [&](double points) {
-    c.points = points;
-    return measured_rating(c);
+    grade.criteria[0].points = points;
+    return measured_rating(grade, grade.criteria[0]);
   };
   EXPECT_EQ(at(10), OwnRating::met);
+  EXPECT_EQ(at(9.96), OwnRating::met) << "the report shows full points";
   EXPECT_EQ(at(9.9), OwnRating::partly);
   EXPECT_EQ(at(5), OwnRating::partly);
   EXPECT_EQ(at(4.9), OwnRating::not_met);
+}
+
+TEST(SelfAssessmentText, compares_with_points_of_the_score_whatever_the_weights_sum_to) {
+  Grade in_weights;  // a third of the points is lost, then a thousandth
+  in_weights.criteria.resize(2);
+  const auto of = [&](double lost, double whole) {
+    in_weights.criteria[0].points_max = 0.1 * whole;
+    in_weights.criteria[0].points = (1 - lost) * 0.1 * whole;
+    in_weights.criteria[1].points_max = 0.9 * whole;
+    return measured_rating(in_weights, in_weights.criteria[0]);
+  };
+  for (const double whole : {1.0, 30.0, 100.0, 1000.0}) {
+    EXPECT_EQ(of(1.0 / 3, whole), OwnRating::partly) << whole;
+    EXPECT_EQ(of(0.001, whole), OwnRating::met) << whole;
+    EXPECT_EQ(of(0.9, whole), OwnRating::not_met) << whole;
+  }
 }
 
 }  // namespace

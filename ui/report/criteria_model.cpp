@@ -59,7 +59,7 @@ QVariant CriteriaModel::own_data(int row, int role) const {
     case Qt::AccessibleTextRole: return against.isEmpty() ? text : tr("%1, %2").arg(text, against);
     case IconInkRole: return static_cast<int>(Ink::text2);
     case IconRole: {
-      const OwnRating measured = measured_rating(criterion(row));
+      const OwnRating measured = measured_rating(grade_, criterion(row));
       if (against.isEmpty() || *own == measured) return QString();
       return *own < measured ? u"chevron_up"_qs : u"chevron_down"_qs;
     }
@@ -70,7 +70,7 @@ QVariant CriteriaModel::own_data(int row, int role) const {
 QString CriteriaModel::own_against_measured(int row) const {
   const auto own = own_rating(row);
   if (!own || !criterion(row).measure.measured || neutral(row)) return {};
-  const OwnRating measured = measured_rating(criterion(row));
+  const OwnRating measured = measured_rating(grade_, criterion(row));
   if (*own == measured) return tr("rated as it was measured");
   return *own < measured ? tr("rated higher than it was measured") : tr("rated lower than it was measured");
 }
