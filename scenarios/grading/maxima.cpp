@@ -97,6 +97,12 @@ double score_per_point(const Grade& grade) {
   return of_the_score || sum == 0.0 || whole == 0.0 ? 1.0 : whole / sum;
 }
 
+double points_of_score(const Grade& grade, std::string_view criterion, double points) {
+  const auto of = std::ranges::find(grade.criteria, criterion, &CriterionGrade::id);
+  const bool full = of != grade.criteria.end() && of->points_max > 0.0 && points >= of->points_max;
+  return full ? scaled_points(grade)[static_cast<std::size_t>(of - grade.criteria.begin())].points_max : points * score_per_point(grade);
+}
+
 std::vector<LossReason> loss_reasons(const Grade& grade) {
   std::vector<LossReason> out;
   for (const std::string& key : grade.critical) out.push_back({key, 0, 0.0});

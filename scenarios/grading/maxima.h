@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenarios/grading/grade.h"
@@ -32,6 +33,9 @@ struct ScaledPoints {
 /// Points of the score for one point of a criterion: 1 where the greatest points sum to score_max. A grade whose points are of the
 /// weights has another sum.
 [[nodiscard]] double score_per_point(const Grade& grade);
+
+/// `points` given to a criterion of the grade, in points of the score, not rounded: but full ones are those of scaled_points().
+[[nodiscard]] double points_of_score(const Grade& grade, std::string_view criterion, double points);
 
 /// A stored number as it counts: 0 unless it is finite and above 0.
 [[nodiscard]] inline double usable(double value) noexcept { return std::isfinite(value) && value > 0.0 ? value : 0.0; }

@@ -61,10 +61,11 @@ QString change_text(const EffectiveGrade& counts, const SignedStatement& s, cons
     //: %1: a critical event, %2: an examiner, %3: the reason.
     return CliText::tr("%1: does not count, changed by %2: %3").arg(critical_name(s.criterion), who, why);
   }
-  const double scale = score_per_point(counts.stored.grade), before = points_before(counts, s) * scale;
+  const Grade& stored = counts.stored.grade;
+  const double before = points_of_score(stored, s.criterion, points_before(counts, s));
   //: %1: a criterion, %2: points that count, %3: measured points, %4: an examiner, %5: the reason.
   return CliText::tr("%1: %2 instead of %3 point(s), changed by %4: %5", nullptr, point_forms(before))
-      .arg(metric_name(s.criterion, &whole), format_points(s.points.value_or(0) * scale), format_points(before), who, why);
+      .arg(metric_name(s.criterion, &whole), format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before), who, why);
 }
 
 nlohmann::ordered_json effective_json(const EffectiveGrade& counts, Store& store) {

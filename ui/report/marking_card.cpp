@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "scenarios/grading/maxima.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
@@ -157,6 +156,8 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
   place_mm_ = criterion ? criterion->measure.where_mm : std::nullopt;
   points_now_ = criterion ? criterion->points : 0;
   points_most_ = criterion ? criterion->points_max : 0;
+  const auto in_table = in_table_.find(criterion_);
+  shown_ = in_table == in_table_.end() ? ScaledPoints{} : in_table->second;
   at_place_->setEnabled(place_mm_.has_value());
   if (!place_mm_) at_place_->setChecked(false);
   if (points_ == nullptr) return;
@@ -166,10 +167,10 @@ void MarkingCard::set_criterion(const CriterionGrade* criterion) {
     return;
   }
   const QString name = metric_name(criterion->id, &target_);
-  points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(points_most_ * scale_)) : tr("%1: no points to change").arg(name));
-  points_->setRange(0, points_most_ * scale_);
+  points_label_->setText(points_most_ > 0 ? tr("%1, of %2").arg(name, format_points(shown_.points_max)) : tr("%1: no points to change").arg(name));
+  points_->setRange(0, shown_.points_max);
   points_->setAccessibleName(tr("Points of %1").arg(name));
-  points_->show_value(points_now_ * scale_);
+  points_->show_value(shown_.points);
 }
 
 void MarkingCard::show_data(const ReportData& report) {
@@ -183,6 +184,9 @@ void MarkingCard::show_data(const ReportData& report) {
   if (points_ == nullptr || !report.counts) return;
   seen_ = changes_in(*report.counts);
   scale_ = score_per_point(report.counts->stored.grade);
+  in_table_.clear();
+  const std::vector<ScaledPoints> scaled = scaled_points(report.result.grade);
+  for (std::size_t i = 0; i < scaled.size(); ++i) in_table_[report.result.grade.criteria[i].id] = scaled[i];
   events_->clear();
   for (const std::string& event : report.counts->grade.critical) events_->addItem(critical_name(event), QString::fromStdString(event));
   events_row_->setVisible(events_->count() > 0);
@@ -236,7 +240,9 @@ void MarkingCard::comment() {
 
 void MarkingCard::change_points() {
   points_->interpretText();  // a button that a screen reader presses leaves the focus in the field
-  if (format_points(points_->value()) == format_points(points_now_ * scale_)) {
+  // The field rounds its maximum, which stands for full points.
+  const double given = points_->value() >= points_->maximum() ? points_most_ : std::min(points_->value() / scale_, points_most_);
+  if (format_points(points_->value()) == format_points(shown_.points) || given == points_now_) {
     band_->show_message(Band::Kind::look, tr("These are the points that count already."), tr("Type other points."));
     return points_->setFocus();
   }
@@ -245,8 +251,6 @@ void MarkingCard::change_points() {
     return text_->setFocus();
   }
   if (!still_stands()) return;
-  // The field rounds its maximum, which stands for full points.
-  const double given = points_->value() >= points_->maximum() ? points_most_ : std::min(points_->value() / scale_, points_most_);
   finish(store_.statements.override_points(actor_, session_, criterion_, given, reason().toStdString()),
          tr("The points are changed. The measured grade is kept beside them."));
 }

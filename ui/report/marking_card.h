@@ -3,8 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <utility>
 
+#include "scenarios/grading/maxima.h"
 #include "ui/report/report_data.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
@@ -67,6 +69,8 @@ class MarkingCard : public Card {
   std::optional<std::pair<int, std::vector<Uuid>>> seen_;  // grade and changes that the report shows; none while it is read anew
   double points_now_ = 0, points_most_ = 0;  // of the criterion: as they count, and full ones; in the grade's own points
   double scale_ = 1;                         // points of the score for one of these (score_per_point)
+  ScaledPoints shown_;                       // of the criterion, as the report's table shows them
+  std::map<std::string, ScaledPoints> in_table_;  // by criterion
   Band* band_;
   QPlainTextEdit* text_;
   QCheckBox* at_place_;

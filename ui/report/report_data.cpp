@@ -41,16 +41,21 @@ std::vector<std::optional<QPointF>> places_of(const Picture& picture) {
 
 namespace {
 
+/// Of the score, as the grade was stored; 0 without such a criterion.
+double measured_points(const Grade& stored, const std::string& id) {
+  const auto criterion = std::ranges::find(stored.criteria, id, &CriterionGrade::id);
+  return criterion == stored.criteria.end() ? 0 : points_of_score(stored, id, criterion->points);
+}
+
 QString remark_head(const SignedStatement& s, const Grade& stored, const Region* whole) {
   switch (s.kind) {
     case StatementKind::comment:
     case StatementKind::withdrawal:
     case StatementKind::self_assessment: return {};
     case StatementKind::override_points: {
-      const auto criterion = std::ranges::find(stored.criteria, s.criterion, &CriterionGrade::id);
-      const double scale = score_per_point(stored), before = criterion == stored.criteria.end() ? 0 : criterion->points * scale;
+      const double before = measured_points(stored, s.criterion);
       return ReportText::tr("%1: %2 instead of %3 point(s)", nullptr, point_forms(before))
-          .arg(metric_name(s.criterion, whole), format_points(s.points.value_or(0) * scale), format_points(before));
+          .arg(metric_name(s.criterion, whole), format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before));
     }
     case StatementKind::override_critical: return ReportText::tr("Does not count: %1").arg(critical_name(s.criterion));
     case StatementKind::confirmation: return ReportText::tr("Result confirmed");
@@ -97,16 +102,15 @@ std::vector<Remark> remarks_of(Store& store, const Actor& reader, const SessionD
 /// Points that count in place of measured ones, with who changed them and why.
 std::vector<PointsChange> changes_of(Store& store, const EffectiveGrade& counts) {
   std::vector<PointsChange> out;
-  const double scale = score_per_point(counts.stored.grade);
+  const Grade& stored = counts.stored.grade;
   for (const SignedStatement& s : counts.overrides) {
     if (s.kind != StatementKind::override_points) continue;
     const auto account = store.accounts.find(s.author);
     const QString who = account ? QString::fromStdString(account->name) : QString();
-    const auto measured = std::ranges::find(counts.stored.grade.criteria, s.criterion, &CriterionGrade::id);
-    const double before = measured == counts.stored.grade.criteria.end() ? 0 : measured->points * scale;
+    const double before = measured_points(stored, s.criterion);
     //: %1: points that count, %2: measured points, %3: an examiner, %4: the reason.
     out.push_back({s.criterion, ReportText::tr("%1 instead of %2 point(s), changed by %3: %4", nullptr, point_forms(before))
-                                    .arg(format_points(s.points.value_or(0) * scale), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
+                                    .arg(format_points(points_of_score(stored, s.criterion, s.points.value_or(0))), format_points(before), isolate(who), isolate(QString::fromStdString(s.text)))});
   }
   return out;
 }

@@ -106,6 +106,16 @@ TEST(ScorePerPoint, IsReadFromTheGreatestPoints) {
   EXPECT_EQ(score_per_point(old), 1.0);
 }
 
+TEST(PointsOfScore, AreFullWhereTheTableShowsFullOnes) {
+  Grade thirds = graded({{1, 10}, {10, 10}, {10, 10}});
+  for (std::size_t i = 0; i < 3; ++i) thirds.criteria[i].id = std::to_string(i);
+  EXPECT_EQ(points_of_score(thirds, "0", 10), 33.4);
+  EXPECT_EQ(points_of_score(thirds, "1", 10), 33.3);
+  EXPECT_NEAR(points_of_score(thirds, "0", 9), 30, 1e-9);
+  EXPECT_EQ(points_of_score(thirds, "0", 0), 0);
+  EXPECT_NEAR(points_of_score(thirds, "another", 3), 10, 1e-9);
+}
+
 TEST(ScorePerPoint, IsOneOfWhatIsGradedToday) {
   const Scenario s = weighted({30, 15, 10, 5, 5, 20, 20, 5});  // they sum to 110
   std::vector<Measure> measures;

@@ -180,11 +180,13 @@ TEST_F(Marking, AChangeThatALaterOneReplacesIsShownAsSuperseded) {
 }
 
 TEST_F(Marking, AChangeToTheFigureThatStandsAlreadyIsRefused) {
+  Grade grade = sample_grade(40);
+  grade.criteria[0].points = grade.criteria[0].points_max = 90;
+  grade.criteria[1].points = 4.04;  // the field shows 4.0
+  session = records.graded_attempt(lena, "channel-1", grade, 90);
   MarkingCard card(records.store(), examiner.actor(), gathered(examiner), ports);
   QSignalSpy stated(&card, &MarkingCard::stated);
-  CriterionGrade criterion = criterion_in(gathered(examiner), "depth_most");
-  criterion.points = 4.04;  // the field shows 4.0
-  card.set_criterion(&criterion);
+  card.set_criterion(&grade.criteria[1]);
   say(card, "The block was worn.");
   button(card, "Change points")->click();
   EXPECT_TRUE(message(card).contains(QStringLiteral("count already"))) << message(card).toStdString();

@@ -1,4 +1,5 @@
-// An attempt that evaluator 2 graded: its criteria have points of their weights, and people read points of the score.
+// An attempt that evaluator 2 graded: its criteria have points of their weights, and people read points of the score. And one whose
+// table rounds so that its points add up.
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,28 @@ TEST_F(OlderPoints, can_be_given_in_full) {
   const ReportData data = gathered();
   EXPECT_EQ(data.result.grade.criteria[1].points, 10) << "its whole weight";
   EXPECT_NEAR(data.result.grade.score, 100, 1e-9);
+}
+
+struct OfferedPoints : OlderPoints {};
+
+TEST_F(OfferedPoints, are_those_of_the_table) {
+  Grade grade = sample_grade(60);
+  grade.criteria.push_back(grade.criteria[0]);
+  grade.criteria[2].id = grade.criteria[2].measure.metric = "depth_mean";
+  // To a tenth they would be 33.4, 33.4 and 33.3.
+  const double most[] = {33.36, 33.36, 33.28}, points[] = {20, 10, 20};
+  for (std::size_t i = 0; i < 3; ++i) {
+    grade.criteria[i].points_max = most[i];
+    grade.criteria[i].points = points[i];
+  }
+  session = records.graded_attempt(lena, "channel-1", grade, 90);
+  ASSERT_EQ(in_table(gathered()), QStringLiteral("10 of 33.3"));
+  EXPECT_EQ(change(33.3), (QStringList{QStringLiteral("10.0"), QStringLiteral("33.3")}));
+  const ReportData data = gathered();
+  EXPECT_EQ(in_table(data), QStringLiteral("33.3 of 33.3"));
+  EXPECT_EQ(data.result.grade.criteria[1].points, 33.36) << "full points";
+  ASSERT_EQ(data.remarks.size(), 1u);
+  EXPECT_TRUE(data.remarks[0].what.endsWith(QStringLiteral("33.3 instead of 10 points"))) << data.remarks[0].what.toStdString();
 }
 
 }  // namespace
