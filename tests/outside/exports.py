@@ -150,6 +150,25 @@ def gradebooks(desk, database):
         check(STUDENT not in out, f"{system}: who has no result: {out}")
 
 
+def entries(database):
+    """What the audit log holds of exports of attempts."""
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        return db.execute("SELECT count(*) FROM audit_log WHERE action = 'history_exported'").fetchone()[0]
+
+
+def unwritable_json(desk, database):
+    """A file that cannot be written leaves neither its companion nor an entry in the audit log."""
+    before, file = entries(database), desk.path("beside.csv")
+    for arguments in (("--json", desk.path("none", "a.json")), ("-o", file, "--json", desk.path("none", "a.json")), ("--json", "/dev/full")):
+        status, out, err = export(desk, database, *arguments)
+        one_sentence(err, str(arguments))
+        check(status == 1 and out == "" and arguments[-1] in err, f"{arguments}: exit {status}: {out}{err}")
+        check(entries(database) == before, f"{arguments}: the audit log names an export that failed")
+        check(not os.path.exists(file), f"{arguments}: the CSV stands without its JSON")
+    status, _, err = export(desk, database, "-o", file, "--json", desk.path("beside.json"))
+    check(status == 0 and entries(database) == before + 1, f"both files, one entry: {err}")
+
+
 def refusals(desk, database):
     def refused(wanted, arguments, name):
         status, out, err = export(desk, database, *arguments)
@@ -217,6 +236,7 @@ def main():
         assign(database)
         columns(desk, database)
         filters(desk, database)
+        unwritable_json(desk, database)
         refusals(desk, database)
         stopped(desk, database)
         gradebooks(desk, database)

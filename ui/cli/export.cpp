@@ -123,11 +123,12 @@ Result<HistoryFilter, Message> filter_in(Store& store, const Actor& actor, const
   return filter;
 }
 
-/// Where the CSV goes, piece by piece: nowhere if only JSON is wanted. False: could not be written; stderr has the message, or gets
-/// that of after_output().
-class CsvOutput {
+/// Where CSV or JSON goes, piece by piece: nowhere without a name. The entry in the audit log follows close(), and finish() follows the
+/// entry: no file under its name lacks the entry. False: could not be written; stderr has the message, or gets that of after_output().
+class Output {
  public:
-  explicit CsvOutput(const ExportOptions& o) : name_{o.out}, on_stdout_{o.csv_on_stdout()} {
+  enum class To : std::uint8_t { file, standard_output };
+  Output(std::string name, To to) : name_{std::move(name)}, on_stdout_{to == To::standard_output} {
     if (!on_stdout_ && !name_.empty()) file_.emplace(name_);
   }
   bool wanted() const { return on_stdout_ || file_; }
@@ -145,6 +146,8 @@ class CsvOutput {
   std::optional<WholeFile> file_;
 };
 
+Output::To to(bool on_stdout) { return on_stdout ? Output::To::standard_output : Output::To::file; }
+
 int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
   const auto made = gradebook_of(store, actor,
                                  {.system = o.gradebook == "canvas" ? Gradebook::canvas : Gradebook::moodle,
@@ -156,7 +159,7 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
                                   .cohort_typed = *o.cohort});
   if (!made) return failed(made.error());
   const GradebookFile& file = made->file;
-  CsvOutput csv(o);
+  Output csv(o.out, to(o.csv_on_stdout()));
   if (!csv.write(file.text) || !csv.close()) return kFailed;
   if (const auto logged = log_gradebook(store.context(), actor, made->assignment, file); !logged) return failed(describe(logged.error()));
   if (!csv.finish()) return kFailed;
@@ -168,7 +171,8 @@ int export_for_gradebook(Store& store, const Actor& actor, const ExportOptions& 
 
 int export_rows_of(Store& store, const Actor& actor, const ExportOptions& o, const HistoryFilter& filter) {
   const CsvOptions options{.language = current_language().toStdString()};
-  CsvOutput csv(o);
+  Output csv(o.out, to(o.csv_on_stdout()));
+  std::optional<Output> beside;  // the JSON, whole: a pipe is opened once the CSV has gone
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   CsvPart part = CsvPart::beginning;
   bool written = true;
@@ -182,14 +186,18 @@ int export_rows_of(Store& store, const Actor& actor, const ExportOptions& o, con
   };
   const auto close = [&]() -> Stored<void> {
     written = csv.close();
-    if (!written) return fail(StorageError::io, o.out);
+    if (written && o.json.wanted()) {
+      beside.emplace(o.json.file, to(o.json.on_stdout()));
+      written = beside->write(JsonOption::text_of(json)) && beside->close();
+    }
+    if (!written) return fail(StorageError::io, "export");
     return {};
   };
   const auto rows = export_rows(store.context(), actor, filter, take, close);
   if (!written) return kFailed;
   if (!rows) return failed(describe(rows.error()));
   if (!*rows) return failed(o.csv_on_stdout() ? CliText::tr("Stopped. What was written may lack attempts.") : CliText::tr("Stopped. No file was written."));
-  if (!csv.finish() || (o.json.wanted() && !o.json.write(json))) return kFailed;
+  if (!csv.finish() || (beside && !beside->finish())) return kFailed;
   if (o.csv_on_stdout() || o.json.on_stdout()) return kDone;
   print_line(plain(CliText::tr("%n attempt(s) exported.", nullptr, static_cast<int>(**rows))));
   return kDone;

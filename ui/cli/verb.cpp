@@ -107,10 +107,14 @@ int failed_by_age(const StorageFailure& failure) {
   return failed(message);
 }
 
+std::string JsonOption::text_of(const nlohmann::ordered_json& value) {
+  // A file's name may be no UTF-8.
+  return value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
 bool JsonOption::write(const nlohmann::ordered_json& value) const {
   if (!wanted()) return true;
-  // A file's name may be no UTF-8.
-  const std::string text = value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  const std::string text = text_of(value);
   if (on_stdout()) return write_out(text);
   const auto written = write_whole(file, text);
   if (!written) failed(cannot_write(file, written.error().detail));

@@ -67,6 +67,8 @@ struct JsonOption {
   /// The old file or the whole new one; nothing when it was not asked for. False: could not be written; stderr has the message,
   /// or gets that of after_output().
   bool write(const nlohmann::ordered_json& value) const;
+  /// What write() writes.
+  static std::string text_of(const nlohmann::ordered_json& value);
 };
 
 // Failure::detail of each is the system's reason, and nothing is left.
