@@ -1,8 +1,7 @@
 #include "storage/exchange/pack.h"
 
 #include "storage/exchange/json_read.h"
-#include "storage/records/audit_writer.h"
-#include "storage/records/sealing.h"
+#include "storage/repositories/audit_log.h"
 #include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
@@ -47,11 +46,15 @@ Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, Sessio
   if (!context.key) return std::unexpected(context.db.unwritable());
   Transaction transaction(context.db);
   require_now(transaction, actor.id, Action::export_results);
-  log_event(context, transaction, {.actor = actor.id, .action = "packed", .subject = session.uuid, .detail = {}});
   const auto log = transaction.first("SELECT entries, link FROM audit_head", [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; });
-  if (auto done = commit_sealed(context, transaction); !done) return std::unexpected(done.error());
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
   const PackDescription description{context.station, session, actor.id, context.clock(), log.value_or(ChainHead{}), std::move(files)};
   return sign_text(*context.key, kPackLabel, pack_text(description));
+}
+
+Stored<void> log_pack(StorageContext& context, const Actor& actor, SessionId session) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return allowed;
+  return AuditLog(context).add_if_allowed({.actor = actor.id, .action = "packed", .subject = session.uuid, .detail = {}}, Action::export_results);
 }
 
 Stored<CheckedPack> check_pack(const SignedPack& pack) {

@@ -25,8 +25,11 @@ struct PackDescription {
 
 using SignedPack = SignedText;
 
-/// Signs, and adds the entry "packed" to the audit log. Needs export_results, as the records have it now. read_only without the station's key.
+/// Signs. Needs export_results, as the records have it now. read_only without the station's key.
 Stored<SignedPack> sign_pack(StorageContext& context, const Actor& actor, SessionId session, std::vector<PackFile> files);
+
+/// Adds the entry "packed" to the audit log, between the pack's last byte and its name. Needs export_results, as the records have it now.
+Stored<void> log_pack(StorageContext& context, const Actor& actor, SessionId session);
 
 enum class PackSigner : std::uint8_t {
   this_station,   // a key of this database's station

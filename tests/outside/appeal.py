@@ -3,9 +3,11 @@
   appeal.py CUSP
 """
 import argparse
+import contextlib
 import io
 import json
 import os
+import sqlite3
 import sys
 import tarfile
 
@@ -22,6 +24,12 @@ def verified(desk, *arguments):
     return status, json.loads(out) if out else {}, err
 
 
+def packed(database):
+    """What the audit log holds of packs."""
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        return db.execute("SELECT count(*) FROM audit_log WHERE action = 'packed'").fetchone()[0]
+
+
 def pack(desk, database, session):
     file = desk.path("case.cusppack")
     status, _, err = desk.run("appeal", database, session, file, "--as", STUDENT, CUSP_PASSWORD=PIN)
@@ -32,8 +40,10 @@ def pack(desk, database, session):
     check(status == 1, out)
     status, out, err = desk.run("appeal", database, session, database, "--as", "admin", **ADMIN)
     check(status == 1, f"a pack over the records: {out}{err}")
+    check(packed(database) == 0, "the audit log names a pack that was not written")
     status, out, err = desk.run("appeal", database, session, file, "--as", "admin", **ADMIN)
     check(status == 0, f"appeal: {out}{err}")
+    check(packed(database) == 1, "the audit log names the pack")
     with open(file, "rb") as f:
         whole = f.read()
     status, out, err = desk.run("appeal", database, session, file, "--as", "admin", **ADMIN)

@@ -130,7 +130,7 @@ TEST_F(PackTest, records_that_cannot_be_written_give_no_extract_for_they_sign_no
 TEST_F(PackTest, the_log_about_an_attempt_names_who_assigned_stated_and_packed_it) {
   hand_in();
   EXPECT_EQ(code_of(log_about(store->context(), lena.actor(), session)), StorageError::not_allowed);
-  must(sign_pack(store->context(), administrator, session, {}));
+  must(log_pack(store->context(), administrator, session));
   const auto entries = must(log_about(store->context(), administrator, session));
   const auto has = [&](std::string_view action) { return std::ranges::any_of(entries, [&](const AuditEntry& e) { return e.action == action; }); };
   for (const char* action : {"version_kept", "assigned", "session_sealed", "stated", "packed"}) EXPECT_TRUE(has(action)) << action;
@@ -184,11 +184,26 @@ TEST_F(PackTest, who_was_switched_off_at_another_window_since_signing_in_signs_n
   must(open(folder / "a.db")->accounts.disable(administrator, instructor.id));
   const std::int64_t newest = must(store->audit.list(administrator, 1)).at(0).number;
   EXPECT_EQ(code_of(sign_pack(store->context(), instructor, session, {})), StorageError::disabled);
+  EXPECT_EQ(code_of(log_pack(store->context(), instructor, session)), StorageError::disabled);
   EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).number, newest) << "and no entry says so";
   must(store->accounts.enable(administrator, instructor.id));
   must(sign_pack(store->context(), instructor, session, {}));
   must(open(folder / "a.db")->accounts.set_role(administrator, instructor.id, Role::student));
   EXPECT_EQ(code_of(sign_pack(store->context(), instructor, session, {})), StorageError::not_allowed);
+  EXPECT_EQ(code_of(log_pack(store->context(), instructor, session)), StorageError::not_allowed);
+}
+
+TEST_F(PackTest, a_signature_alone_enters_no_log_for_its_file_may_never_be_written) {
+  hand_in();
+  const std::int64_t newest = must(store->audit.list(administrator, 1)).at(0).number;
+  must(sign_pack(store->context(), administrator, session, {}));
+  EXPECT_EQ(must(store->audit.list(administrator, 1)).at(0).number, newest);
+  EXPECT_EQ(code_of(log_pack(store->context(), lena.actor(), session)), StorageError::not_allowed);
+  must(log_pack(store->context(), administrator, session));
+  const AuditEntry entry = must(store->audit.list(administrator, 1)).at(0);
+  EXPECT_EQ(entry.action, "packed");
+  EXPECT_EQ(entry.subject, session.uuid);
+  EXPECT_EQ(entry.actor, administrator.id);
 }
 
 TEST_F(PackTest, texts_that_are_no_description_or_signature_are_refused) {

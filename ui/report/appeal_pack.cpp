@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "scenarios/import/nrrd.h"
 #include "scenarios/library/tar.h"
@@ -55,8 +56,9 @@ std::optional<std::string> bytes_of(const fs::path& path, qint64 most) {
   return file.readAll().toStdString();
 }
 
-Result<void, QString> write_bytes(const fs::path& path, std::string_view bytes) {
-  return save_bytes(QString::fromStdString(path.string()), QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())));
+Result<void, QString> write_bytes(const fs::path& path, std::string_view bytes, const std::function<bool()>& before_named = {}) {
+  return save_bytes(QString::fromStdString(path.string()), QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())),
+                    Readers::usual, before_named);
 }
 
 /// One of the pack's files.
@@ -179,7 +181,11 @@ Result<void, Message> write_appeal_pack(Store& store, const Actor& actor, Sessio
   for (const Content& content : contents) entries.push_back({content.name, content.bytes});
   const std::string archive = write_tar(entries);
   if (archive.size() > kMaxPackBytes) return std::unexpected(Message{PackText::tr("The attempt is too long for an appeal pack."), {}});
-  if (const auto written = write_bytes(file, archive); !written) {
+  Stored<void> logged;
+  const auto log = [&] { return (logged = log_pack(store.context(), actor, session)).has_value(); };
+  const auto written = write_bytes(file, archive, log);
+  if (!logged) return std::unexpected(describe(logged.error()));
+  if (!written) {
     return std::unexpected(cannot_write_pack(QString::fromStdString(file.string()), written.error()));
   }
   return {};
