@@ -31,6 +31,10 @@ Stored<void> make_private_folder(const std::filesystem::path& folder);
 /// Renames `from` to `to`, in one file system, and syncs the folder. duplicate if `to` exists; `from` then stays.
 Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// Waits until the disk holds what the file holds. The failures name the file, and the system's reason; a file system that cannot sync is
+/// none. Not for a database's file: the close() drops SQLite's locks.
+Stored<void> sync_file(const std::filesystem::path& file);
+
 /// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);
 /// The same for a file that may exist: readers see the old content or the whole new one. One writer at a time.

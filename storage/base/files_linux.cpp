@@ -191,6 +191,17 @@ Stored<void> rename_new(const std::filesystem::path& from, const std::filesystem
   return {};
 }
 
+Stored<void> sync_file(const std::filesystem::path& file) {
+  int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);  // its mode may let nobody read
+  if (descriptor < 0) return std::unexpected(failure_now(file));
+  Stored<void> result;
+  const bool synced = fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS;
+  if (!synced) result = std::unexpected(failure_now(file));
+  close(descriptor);
+  return result;
+}
+
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {
   std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp replaces the last six
   const int descriptor = mkstemp(fresh.data());                   // readable by its owner alone

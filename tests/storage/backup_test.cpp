@@ -1,21 +1,16 @@
 /// Backups: whole, of one moment, beside a program that writes on; and what restoring one gives.
 #include <gtest/gtest.h>
 
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-
 #include <algorithm>
 #include <barrier>
 #include <cerrno>
-#include <cstddef>
 #include <fstream>
 #include <functional>
 #include <thread>
 
 #include "storage/backup/backup.h"
 #include "storage/base/files.h"
+#include "tests/storage/refused_calls.h"
 #include "tests/storage/school.h"
 
 namespace cusp::test {
@@ -48,27 +43,6 @@ struct BackupTest : ::testing::Test {
   }
   const std::vector<std::string> whole = {"new.db", "new.db.key", "new.db.key-counter"};
 };
-
-/// A system call, and the errno that it fails with.
-struct RefusedCall {
-  long number;
-  std::uint32_t error;
-};
-
-/// Of this thread alone, until it ends. False: the kernel admits no filter.
-bool refuse_calls(const std::vector<RefusedCall>& calls) {
-  std::vector<sock_filter> program;
-  program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)));
-  for (const RefusedCall& call : calls) {
-    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call.number), 0, 1));
-    program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | call.error));
-  }
-  program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
-  sock_fprog filter{};
-  filter.len = static_cast<unsigned short>(program.size());
-  filter.filter = program.data();
-  return prctl(PR_SET_NO_NEW_PRIVS, 1UL, 0UL, 0UL, 0UL) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
-}
 
 /// As on FAT, where link() fails with EPERM. False: `work` was not called.
 bool without_links(std::vector<RefusedCall> calls, const std::function<void()>& work) {

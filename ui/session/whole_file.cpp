@@ -55,6 +55,10 @@ Stored<void> WholeFile::close() {
   errno = 0;
   out_.close();
   if (out_.fail()) return failed_with(errno);
+  if (auto synced = beside_.empty() ? Stored<void>{} : sync_file(beside_); !synced) {
+    error_ = EIO;
+    return fail(synced.error().code, file_.string(), synced.error().detail);
+  }
   closed_ = true;
   return {};
 }

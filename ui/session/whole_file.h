@@ -23,7 +23,7 @@ class WholeFile {
 
   /// The failures of these name the file, and the system's reason.
   Stored<void> write(std::string_view piece);
-  /// All of it is written, under no name yet: what is left to fail is the name.
+  /// All of it is on the disk, under no name yet: what is left to fail is the name.
   Stored<void> close();
   /// Closes it at need, and gives it its name.
   Stored<void> finish();

@@ -1,12 +1,17 @@
 // A file that is written beside its name: what a killed program left of it goes with the next one.
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <thread>
 
 #include "engine/base/ids.h"
 #include "tests/modules.h"
+#include "tests/storage/refused_calls.h"
 #include "tests/storage/sample.h"
 #include "ui/session/whole_file.h"
 
@@ -44,6 +49,22 @@ TEST(WholeFileTest, SaysWhenItIsClosedThatTheDiskIsFull) {
   ASSERT_TRUE(whole.write("rows")) << "they wait in memory";
   EXPECT_FALSE(whole.close());
   EXPECT_FALSE(whole.finish());
+}
+
+TEST(WholeFileTest, IsOnTheDiskWhenItIsClosed) {
+  const Folder folder;
+  const fs::path file = folder / "rows.csv";
+  bool refused = false;
+  std::string reason;
+  std::thread([&] {
+    WholeFile whole(file);
+    refused = whole.write("rows").has_value() && refuse_calls({{SYS_fsync, EIO}});
+    if (const auto closed = whole.close(); !closed) reason = closed.error().detail;
+    EXPECT_EQ(whole.finish().has_value(), !refused);
+  }).join();
+  if (!refused) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  EXPECT_EQ(reason, std::strerror(EIO));
+  EXPECT_FALSE(fs::exists(file));
 }
 
 }  // namespace
