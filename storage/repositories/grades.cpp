@@ -25,10 +25,11 @@ std::string calibration_of(Transaction& transaction, SessionId session) {
   return {};
 }
 
-/// Links the volume, unless the session has one.
+/// Links the volume, unless the session has one. Refuses the grade of a tooth that was drilled on meanwhile.
 void keep_volume(Transaction& transaction, ChainWriter& chain, SessionId session, const FinalVolume& volume, const TraceEnd& end) {
-  if (keeps_volume(transaction, session) || !transaction.ok()) return;
+  if (!transaction.ok()) return;
   if (volume.tick != end.tick) return transaction.refuse({StorageError::wrong_state, "final_volumes", session.text()});
+  if (keeps_volume(transaction, session)) return;
   insert_final_volume(transaction, session, volume);
   chain.add(SessionTable::final_volumes, 0, end.second());
 }

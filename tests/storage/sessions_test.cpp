@@ -219,6 +219,23 @@ TEST_F(SessionsTest, an_interrupted_session_is_resumed_or_graded_as_it_stands) {
   EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
 }
 
+TEST_F(SessionsTest, a_tooth_that_was_drilled_on_while_it_was_measured_gets_no_grade) {
+  const SessionId id = start();
+  must(store->traces.append(id, second_from(1)));
+  must(store->sessions.interrupt(id, "recorder_full"));
+  const FinalVolume measured = volume_after(12);  // at another desk, which takes seconds
+  must(store->sessions.resume(id, "student"));
+  must(store->traces.append(id, second_from(13)));
+  must(store->sessions.finish(id, volume_after(24), "student"));
+  const auto late = store->grades.save(id, small_grade(20, false), {}, std::nullopt, &measured);
+  ASSERT_EQ(code_of(late), StorageError::wrong_state);
+  EXPECT_EQ(late.error().where, "final_volumes");
+  EXPECT_FALSE(must(store->grades.newest(id))) << "it would stand for the finished tooth";
+  const FinalVolume finished = volume_after(24);
+  must(store->grades.save(id, small_grade(), {}, std::nullopt, &finished));
+  EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
+}
+
 TEST_F(SessionsTest, an_interrupted_attempt_whose_grade_was_not_kept_is_resumed_and_finished) {
   const SessionId id = start();
   must(store->traces.append(id, second_from(1)));
