@@ -39,7 +39,8 @@ std::string dump(const json& value) { return value.dump(-1, ' ', false, json::er
 }  // namespace
 
 Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Hash256& rubric_hash,
-                                 const std::optional<Actor>& grader, const FinalVolume* volume) {
+                                 const std::optional<Actor>& grader, const FinalVolume* volume,
+                                 const std::optional<std::size_t>& before) {
   if (grader) {
     if (auto allowed = require(*grader, Action::grade_again); !allowed) return std::unexpected(allowed.error());
   }
@@ -52,6 +53,7 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
   if (thinned && *thinned) transaction.refuse(thinned_failure(**thinned));
   const TraceEnd end = trace_end(transaction, session);
   const std::uint64_t number = next_row(transaction, SessionTable::grades, session);
+  if (before && *before != number) transaction.refuse({StorageError::wrong_state, "graded", session.text()});
   const std::int64_t sequence = c_.next_sequence(transaction);
   ChainWriter chain(c_, transaction, session);
   if (volume != nullptr) keep_volume(transaction, chain, session, *volume, end);

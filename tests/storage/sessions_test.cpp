@@ -236,6 +236,23 @@ TEST_F(SessionsTest, a_tooth_that_was_drilled_on_while_it_was_measured_gets_no_g
   EXPECT_TRUE(must(verify_session(store->context(), id)).intact());
 }
 
+TEST_F(SessionsTest, two_desks_that_grade_one_attempt_keep_one_grade_and_what_was_stated_about_it) {
+  const Actor instructor = make_instructor(*store).actor();
+  const SessionId id = start();
+  must(store->traces.append(id, second_from(1)));
+  must(store->sessions.interrupt(id, "recorder_full"));
+  const FinalVolume volume = volume_after(12);
+  must(store->grades.save(id, small_grade(), {}, std::nullopt, &volume, 0));
+  must(store->statements.override_points(instructor, id, "target_removed", 20, "The block was worn."));
+  const auto second = store->grades.save(id, small_grade(), {}, std::nullopt, &volume, 0);
+  ASSERT_EQ(code_of(second), StorageError::wrong_state);
+  EXPECT_EQ(second.error().where, "graded");
+  EXPECT_EQ(must(store->grades.all(id)).size(), 1u);
+  EXPECT_EQ(must(store->history.details(instructor, id)).grade->overrides.size(), 1u);
+  must(store->grades.save(id, small_grade(50), {}, instructor, nullptr, 1));
+  EXPECT_EQ(must(store->grades.newest(id))->number, 1) << "graded anew by somebody who has seen the first one";
+}
+
 TEST_F(SessionsTest, an_interrupted_attempt_whose_grade_was_not_kept_is_resumed_and_finished) {
   const SessionId id = start();
   must(store->traces.append(id, second_from(1)));

@@ -83,25 +83,34 @@ SessionResult result_of(const OpenedSession& opened) {
   return result;
 }
 
-Outcome<void> keep_grade(Store& store, const SessionResult& result, const Rubric& rubric, std::uint64_t tick,
-                     const std::optional<Actor>& grader) {
+/// `before`: how many grades the session had when the caller looked.
+Stored<void> keep_grade(Store& store, const SessionResult& result, std::uint64_t tick, const std::optional<Actor>& grader,
+                        std::size_t before) {
   std::optional<FinalVolume> whole;
   if (result.interrupted) whole = FinalVolume{result.volume->save_cuts(), result.volume_hash, tick};
-  auto saved = store.grades.save(result.session, result.grade, rubric_hash(rubric), grader, whole ? &*whole : nullptr);
-  if (!saved) return storage_failed(saved);
+  const auto saved =
+      store.grades.save(result.session, result.grade, rubric_hash(result.scenario.rubric), grader, whole ? &*whole : nullptr, before);
+  if (!saved) return std::unexpected(saved.error());
   store.key_states.release(result.session);
   return {};
 }
 
-}  // namespace
+bool graded_meanwhile(const StorageFailure& failure) { return failure.code == StorageError::wrong_state && failure.where == "graded"; }
 
-Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, Keep keep,
-                             const std::optional<Actor>& grader) {
+/// What grade_session() does. `before`: the grades that the caller has seen.
+struct GradingOrder {
+  const Rubric* other_rubric = nullptr;
+  Keep keep = Keep::nothing;
+  std::optional<Actor> grader{};
+  std::vector<StoredGrade> before{};
+};
+
+Outcome<SessionResult> carry_out(Store& store, SessionId id, const GradingOrder& order) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
   if (opened->state == SessionState::running) return session_fail(SessionError::wrong_state, id.text());
   SessionResult result = result_of(*opened);
-  if (other_rubric) result.scenario.rubric = *other_rubric;
+  if (order.other_rubric) result.scenario.rubric = *order.other_rubric;
   auto replay = Replay::open(store, *opened);
   if (!replay) return std::unexpected(replay.error());
   if (auto done = replay->to(UINT64_MAX, {.from = ReplayFrom::first_tick}); !done) return std::unexpected(done.error());
@@ -110,28 +119,37 @@ Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* o
   result.volume_hash = result.volume->hash();
   result.measures = measure(reference, *result.volume, replay->process());
   result.grade = grade(result.scenario, result.measures, sensed_axes(result.device));
-  const auto stored = store.grades.newest(id);
-  if (!stored) return storage_failed(stored);
-  if (*stored && !other_rubric) result.changes = changes((*stored)->grade, result.grade);
-  if (keep == Keep::grade) {
-    auto kept = keep_grade(store, result, result.scenario.rubric, replay->state().last().tick, grader);
-    if (!kept) return std::unexpected(kept.error());
+  if (!order.before.empty() && !order.other_rubric) result.changes = changes(order.before.back().grade, result.grade);
+  if (order.keep == Keep::grade) {
+    const auto kept = keep_grade(store, result, replay->state().last().tick, order.grader, order.before.size());
+    // Another desk was first: its grade counts, and what was stated about it.
+    if (!kept && !order.other_rubric && graded_meanwhile(kept.error())) return open_result(store, id);
+    if (!kept) return storage_failed(kept);
     result.state = SessionState::graded;
   }
   return result;
 }
 
+}  // namespace
+
+Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, Keep keep,
+                             const std::optional<Actor>& grader) {
+  auto before = store.grades.all(id);
+  if (!before) return storage_failed(before);
+  return carry_out(store, id, {other_rubric, keep, grader, std::move(*before)});
+}
+
 Outcome<SessionResult> open_result(Store& store, SessionId id, Keep keep) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
-  auto graded = store.grades.newest(id);
-  if (!graded) return storage_failed(graded);
+  auto grades = store.grades.all(id);
+  if (!grades) return storage_failed(grades);
   auto stored = store.traces.final_volume(id);
   if (!stored) return storage_failed(stored);
-  if (!*graded || !*stored) return grade_session(store, id, nullptr, keep);
+  if (grades->empty() || !*stored) return carry_out(store, id, {.keep = keep, .before = std::move(*grades)});
 
   SessionResult result = result_of(*opened);
-  result.grade = std::move((*graded)->grade);
+  result.grade = std::move(grades->back().grade);
   auto volume = std::make_shared<Volume>(opened->scene->specimen);
   if (!volume->load_cuts((*stored)->cuts)) {
     return session_fail(SessionError::storage, Failure<StorageError>{StorageError::bad_trace, "final_volumes", {}});

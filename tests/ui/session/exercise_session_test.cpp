@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <barrier>
+#include <thread>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
@@ -282,6 +284,31 @@ TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   const auto proof = prove_session(*store, session);
   EXPECT_TRUE(proof->holds());
   EXPECT_TRUE(proof->has_grade && proof->grade_equal);
+}
+
+TEST(ExerciseSession, LeftAndGradedAtTwoDesksAtOnceItKeepsOneGrade) {
+  const Workplace work;
+  SessionId session;
+  {
+    DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
+    auto started = ExerciseSession::start(work.plan(), port);
+    ASSERT_TRUE(started);
+    session = (*started)->session();
+    ASSERT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
+  }
+  std::barrier together(2);
+  const auto open_it = [&] {
+    const auto store = work.store();
+    together.arrive_and_wait();
+    const auto result = open_result(*store, session, Keep::grade);
+    ASSERT_TRUE(result) << key_of(result.error().code) << result.error().where;
+    EXPECT_TRUE(result->interrupted);
+  };
+  std::thread other(open_it);
+  open_it();
+  other.join();
+  EXPECT_EQ(work.store()->grades.all(session)->size(), 1u);
+  EXPECT_TRUE(prove_session(*work.store(), session)->holds());
 }
 
 TEST(ExerciseSession, AnInterruptedAttemptGoesOnWithItsToothAndItsClock) {
