@@ -9,6 +9,7 @@
 #include "storage/records/rollback_counter.h"
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
+#include "storage/repositories/current_rights.h"
 
 namespace cusp::storage {
 namespace {
@@ -178,6 +179,7 @@ Stored<Backup> make_backup(StorageContext& context, const std::optional<Actor>& 
   }
   if (context.db.read_only()) return backup;
   Transaction transaction(context.db);
+  if (actor) require_now(transaction, actor->id, Action::manage_station);
   log_event(context, transaction,
             {.actor = actor ? actor->id : UserId{}, .action = "backed_up", .subject = context.station,
              .detail = std::to_string(backup->sessions)});

@@ -43,7 +43,7 @@ const std::map<std::string, std::vector<std::string>> kOrders = {
     {"scenarios",
      {"tissues", "burs", "teeth", "format", "landmarks", "shapes", "grading", "metrics", "operators", "import", "blocks", "specimens", "library",
       "checks", "templates", "audit"}},
-    {"storage", {"base", "sqlite", "records", "backup", "repositories", "cache", "summary", "export", "exchange", "retention", "."}},
+    {"storage", {"base", "sqlite", "records", "repositories", "backup", "cache", "summary", "export", "exchange", "retention", "."}},
     {"ui",
      {"widgets", "render", "sound", "session", "settings", "text", "view", "device", "drill", "replay", "student", "report", "editor",
       "instructor", "admin", "signin", "cli", "app"}},

@@ -320,6 +320,18 @@ TEST_F(BackupTest, that_the_log_cannot_name_is_not_left) {
   EXPECT_EQ(folders(), 0u);
 }
 
+TEST_F(BackupTest, with_the_stations_key_is_not_left_to_who_was_switched_off_at_another_window) {
+  const Actor second = must(store->accounts.create(administrator, {.number = "b", .name = "B", .role = Role::administrator, .password = "correct horse"})).actor();
+  const auto other = open(folder / "a.db", quick(now));
+  must(other->accounts.set_role(administrator, second.id, Role::instructor));
+  EXPECT_EQ(code_of(make_backup(store->context(), second, into())), StorageError::not_allowed);
+  must(other->accounts.disable(administrator, second.id));
+  EXPECT_EQ(code_of(make_backup(store->context(), second, into())), StorageError::disabled);
+  EXPECT_EQ(folders(), 0u);
+  EXPECT_NE(must(store->audit.list(administrator, 1)).at(0).action, "backed_up");
+  must(make_backup(store->context(), std::nullopt, into()));
+}
+
 TEST_F(BackupTest, is_a_folder_and_no_file) {
   const Backup backup = make();
   EXPECT_EQ(code_of(read_backup(backup.folder / "station.db")), StorageError::not_found);
