@@ -16,8 +16,9 @@ namespace {
 constexpr const char* kAccountColumns =
     "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at FROM people ";
 
-/// Of a row that is an account: a guest's and an erased person's stand for their attempts alone.
-const std::string kIsAccount = "guest = 0 AND number NOT LIKE 'erased ________-____-%'";
+/// Of a row that is an account: a guest's and an erased person's stand for their attempts alone. Nobody else's number is of this form:
+/// an account that no list shows and nobody can switch off would still sign in.
+const std::string kIsAccount = "guest = 0 AND number <> " + std::string(kErasedNumber);
 
 Account account_of(Row row) {
   Account a;
@@ -192,6 +193,8 @@ Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string
   require_now(transaction, actor.id, Action::manage_accounts);
   transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND " + kIsAccount, user, number, name);
   require_one_change(c_, transaction);
+  const auto account = transaction.first("SELECT 1 FROM people WHERE id = ?1 AND " + kIsAccount, [](Row) { return true; }, user);
+  if (!account) transaction.refuse({StorageError::duplicate, number});
   log_account(c_, transaction, actor.id, "account_renamed", user);
   return naming_number(commit_sealed(c_, transaction), number);
 }

@@ -28,6 +28,10 @@ struct Account {
 
 /// The number that an erased account has in place of its own: nobody outside knows it.
 std::string erased_number(UserId user);
+/// SQL: the same of a row of `people`.
+inline constexpr std::string_view kErasedNumber =
+    "('erased ' || lower(substr(hex(id), 1, 8) || '-' || substr(hex(id), 9, 4) || '-' || substr(hex(id), 13, 4) || '-' || "
+    "substr(hex(id), 17, 4) || '-' || substr(hex(id), 21)))";
 
 inline constexpr std::size_t kMostNumber = 64, kMostName = 200;  // characters
 

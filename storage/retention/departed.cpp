@@ -1,16 +1,19 @@
 #include "storage/retention/departed.h"
 
+#include <string>
+
 namespace cusp::storage {
 namespace {
 
 constexpr std::int64_t kYear_us = 31'557'600'000'000;
 
 /// ?1: gone since. session_summaries.released is 0 while the result of an assessment is withheld.
-constexpr std::string_view kSelectDeparted =
+const std::string kSelectDeparted =
     "SELECT p.id, max(p.created_at, coalesce((SELECT max(started_at) FROM sessions s WHERE s.student = p.id), 0)) last, "
     "EXISTS (SELECT 1 FROM session_summaries m WHERE m.student = p.id AND (m.released = 0 OR m.state = 'running')) "
     "FROM people p WHERE p.role = 'student' AND p.guest = 0 AND p.number <> 'demo' "
-    "AND p.number NOT LIKE 'erased ________-____-%' AND last <= ?1 ORDER BY last, p.id";
+    "AND p.number <> " +
+    std::string(kErasedNumber) + " AND last <= ?1 ORDER BY last, p.id";
 
 struct Found {
   UserId id;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/storage/accounts.h"
 
 namespace cusp::test {
@@ -152,6 +154,27 @@ TEST_F(AccountsTest, who_was_erased_at_another_window_gets_nothing_back_from_a_l
   EXPECT_EQ(left.name, "–");
   EXPECT_TRUE(left.disabled);
   EXPECT_FALSE(left.has_pin || left.has_password);
+}
+
+TEST_F(AccountsTest, no_number_hides_an_account_from_the_list_or_from_being_switched_off) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account hidden = must(accounts.create(
+      admin, {.number = "erased 00000000-0000-x", .name = "B", .role = Role::administrator, .password = "correct horse"}));
+  const auto listed = [&] {
+    const auto all = must(accounts.list(admin));
+    return std::ranges::any_of(all, [&](const Account& a) { return a.id == hidden.id; });
+  };
+  EXPECT_TRUE(listed()) << "it signs in";
+  for (const std::string& number : {erased_number(hidden.id), "ERASED " + hidden.id.text()}) {
+    const auto renamed = accounts.rename(admin, hidden.id, number, "B");
+    ASSERT_EQ(code_of(renamed), StorageError::duplicate) << number;
+    EXPECT_EQ(renamed.error().where, number);
+  }
+  EXPECT_TRUE(listed());
+  must(accounts.disable(admin, hidden.id));
+  EXPECT_EQ(code_of(accounts.sign_in("erased 00000000-0000-x", "correct horse")), StorageError::disabled);
+  must(accounts.erase(admin, hidden.id));
+  EXPECT_FALSE(listed());
 }
 
 TEST_F(AccountsTest, only_an_administrator_manages_accounts) {
