@@ -256,8 +256,10 @@ Stored<void> thin_backups(const fs::path& into, const Uuid& station, std::size_t
   return out;
 }
 
-Stored<void> restore_backup(const Backup& backup, const fs::path& file, const FinishRestored& finish) {
-  if (auto free = nothing_beside(file); !free) return free;
+namespace {
+
+/// The copy in a folder beside the new file, which goes in the end. `take_name` gives it its name there.
+Stored<void> restore_beside(const Backup& backup, const fs::path& file, const FinishRestored& finish, const FinishRestored& take_name) {
   std::error_code error;
   const fs::path parent = fs::absolute(file, error).parent_path();
   if (!fs::is_directory(parent, error)) return fail(StorageError::not_found, parent.string(), "folder");
@@ -267,11 +269,18 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file, const Fi
   const fs::path fresh = folder / file.filename();
   auto done = copy_back(backup, fresh);
   if (done && finish) done = finish(fresh);
-  if (done) done = name_restored(fresh, file);
+  if (done) done = take_name(fresh);
   remove_new(folder);
   // People know the name that they gave, not the folder.
   if (!done && done.error().where.starts_with(folder.string())) done.error().where = file.string();
   return done;
+}
+
+}  // namespace
+
+Stored<void> restore_backup(const Backup& backup, const fs::path& file, const FinishRestored& finish) {
+  if (auto free = nothing_beside(file); !free) return free;
+  return restore_beside(backup, file, finish, [&file](const fs::path& fresh) { return name_restored(fresh, file); });
 }
 
 namespace {
@@ -308,6 +317,20 @@ Stored<void> take_back(const fs::path& folder, const fs::path& file) {
   if (auto moved = move_all(folder / file.filename(), file); !moved) return moved;
   remove_new(folder);
   return {};
+}
+
+Stored<fs::path> restore_in_place(const Backup& backup, const fs::path& file, std::int64_t utc_us, const FinishRestored& finish) {
+  fs::path aside;
+  const auto take_place = [&](const fs::path& fresh) -> Stored<void> {
+    auto moved = put_aside(file, utc_us);
+    if (!moved) return std::unexpected(moved.error());
+    aside = *moved;
+    auto named = name_restored(fresh, file);
+    if (!named) static_cast<void>(take_back(aside, file));
+    return named;
+  };
+  if (auto done = restore_beside(backup, file, finish, take_place); !done) return std::unexpected(done.error());
+  return aside;
 }
 
 Stored<void> log_restored(StorageContext& context, const Backup& backup) {

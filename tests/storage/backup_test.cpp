@@ -277,6 +277,40 @@ TEST_F(BackupTest, damaged_records_are_put_aside_whole_and_a_backup_takes_their_
   EXPECT_TRUE(must(verify_store(store->context())).intact());
 }
 
+TEST_F(BackupTest, takes_the_place_of_damaged_records_once_its_copy_is_whole) {
+  const SessionId session = complete_session(*store, lena, version);
+  const Backup backup = make();
+  store.reset();
+  const fs::path file = folder / "a.db";
+  const auto size = fs::file_size(file) / 2;
+  fs::resize_file(file, size);
+  const auto beside = [&] {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(file.parent_path())) names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+  };
+  const std::vector<std::string> before = beside();
+  const auto refused = restore_in_place(backup, file, *now, [&](const fs::path& copy) -> Stored<void> {
+    EXPECT_EQ(fs::file_size(file), size) << "whoever is killed here leaves the records in their place";
+    EXPECT_TRUE(fs::exists(file.string() + ".key"));
+    return fail(StorageError::disk_full, copy.string());
+  });
+  EXPECT_EQ(code_of(refused), StorageError::disk_full);
+  EXPECT_EQ(refused.error().where, file.string());
+  EXPECT_EQ(beside(), before);
+  EXPECT_EQ(fs::file_size(file), size);
+
+  const fs::path aside = must(restore_in_place(backup, file, *now, [&](const fs::path& copy) { return log_restored(open(copy, quick(now))->context(), backup); }));
+  EXPECT_EQ(aside.filename(), "a.db-damaged-2026-11-20T09-14-03Z");
+  EXPECT_EQ(fs::file_size(aside / "a.db"), size);
+  EXPECT_TRUE(fs::exists(aside / "a.db.key"));
+  store = open(file, quick(now));
+  EXPECT_FALSE(store->context().incident);
+  EXPECT_EQ(must(store->history.details(lena.actor(), session)).row.score, 81.5);
+  EXPECT_TRUE(must(verify_store(store->context())).intact());
+}
+
 TEST_F(BackupTest, what_was_put_aside_comes_back_where_nothing_took_its_place) {
   store.reset();
   const fs::path file = folder / "a.db";

@@ -1,6 +1,7 @@
 #include "ui/admin/backup_work.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "storage/base/clock.h"
 #include "storage/store.h"
@@ -20,8 +21,8 @@ Stored<BackedUp> back_up_and_thin(const RecordsBeside& records, const std::files
   return out;
 }
 
-Stored<void> restore_in_place(const std::filesystem::path& database, const Backup& backup) {
-  if (auto done = restore_backup(backup, database); !done) return done;
+/// The store is closed before the database gets its name.
+Stored<void> log_in_copy(const Backup& backup, const std::filesystem::path& database) {
   StoreOptions options;
   options.database.access = DatabaseOptions::Access::existing;
   const auto store = Store::open(database, options);
@@ -30,15 +31,10 @@ Stored<void> restore_in_place(const std::filesystem::path& database, const Backu
 }
 
 Stored<WentBack> put_in_place(const std::filesystem::path& database, const Backup& backup) {
-  const auto aside = put_aside(database, system_utc_us());
+  auto aside = restore_in_place(backup, database, system_utc_us(),
+                                [&backup](const std::filesystem::path& copy) { return log_in_copy(backup, copy); });
   if (!aside) return std::unexpected(aside.error());
-  if (auto done = restore_in_place(database, backup); !done) {
-    // The cause is what people read. A copy that was made, but could not be opened, stands in the way.
-    static_cast<void>(put_aside(database, system_utc_us()));
-    static_cast<void>(take_back(*aside, database));
-    return std::unexpected(done.error());
-  }
-  return WentBack{backup, *aside};
+  return WentBack{backup, std::move(*aside)};
 }
 
 }  // namespace

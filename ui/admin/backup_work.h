@@ -31,7 +31,7 @@ struct WentBack {
   Backup backup;
   std::filesystem::path aside;  // where the records from before are
 };
-/// put_aside(), restore_backup() and log_restored(). Pre: nothing has `database` open. After a failure it is as it was. `then` is
+/// restore_in_place() and log_restored(). Pre: nothing has `database` open. After a failure it is as it was. `then` is
 /// called on the task's thread.
 BackgroundTask go_back(std::filesystem::path database, Backup backup, std::function<void(Stored<WentBack>)> then);
 /// verify_store(); `then` is called on the task's thread.
