@@ -85,9 +85,19 @@ bool changed_in_office(Merge& merge, const PersonInFile& person) {
   return other_name_in_file(merge, person.id) && !renamed_here(merge, person.id);
 }
 
-/// Whether the account, known here by reference alone, was erased where it was made.
+/// Whether another station than the file's has records of the account here.
+bool known_from_elsewhere(Merge& merge, UserId person) {
+  return merge.transaction
+      .first("SELECT EXISTS (SELECT 1 FROM main.sessions WHERE student = ?1 AND station <> ?2) "
+             "OR EXISTS (SELECT 1 FROM main.statements WHERE author = ?1 AND station <> ?2)",
+             [](Row row) { return row.flag(0); }, person, merge.out.description.station)
+      .value_or(true);
+}
+
+/// Whether the account, known here by reference alone, was erased where it was made. A results file speaks of its own station's alone.
 bool erased_at_home(Merge& merge, const PersonInFile& person) {
-  return erased_number(person) && is_referred(merge.transaction, person.id.uuid) && !is_erased(merge.transaction, person.id);
+  if (!erased_number(person) || !is_referred(merge.transaction, person.id.uuid) || is_erased(merge.transaction, person.id)) return false;
+  return merge.out.description.kind == ExchangeKind::office || !known_from_elsewhere(merge, person.id);
 }
 
 /// Whether the file's account takes the place of the one here. Who is erased here stays so.

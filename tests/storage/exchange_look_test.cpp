@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
 
 #include "storage/exchange/exchange_file.h"
 #include "tests/storage/two_stations.h"
@@ -127,6 +128,30 @@ TEST_F(LookTest, an_erased_account_of_a_results_file_signs_nobody_in_whatever_th
   EXPECT_EQ(here.name, "–");
   EXPECT_FALSE(here.has_password);
   EXPECT_TRUE(here.disabled);
+  EXPECT_EQ(whole(*office), "");
+}
+
+TEST_F(LookTest, a_station_erases_nobody_of_whom_another_one_has_records_though_it_signs_so) {
+  const auto other = open(folder / "other.db");
+  const Actor stranger = make_administrator(*other, "x").actor();
+  for (Store* store : {station.get(), other.get()}) must(trust(office->context(), chief, key_of_station(*store), KeyRole::station));
+  const Account nora = make_student(*station, "3001", "Nora Lind");
+  const SessionId session = complete_session(*station, nora, keep(*station), 81.5);
+  must(read_in(office->context(), chief, results()));
+  must(office->statements.comment(make_instructor(*office).actor(), session, "Nora, well done."));
+  const fs::path file = next_file();
+  must(give_out(other->context(), stranger, ExchangeKind::results, file));
+  std::string id = nora.id.text();
+  std::erase(id, '-');
+  const std::string person = "INSERT INTO people VALUES (X'" + id + "', 'erased " + nora.id.text() + "', '–', 'student', '', '', 1, 0, 0, 0, 0)";
+  const std::string reference = "INSERT INTO referred (id, here) VALUES (X'" + id + "', 0)";
+  for (const std::string& sql : {person, reference}) sign_after(sql.c_str(), file, other->context());
+  must(read_in(office->context(), chief, file));
+  EXPECT_EQ(must(office->accounts.find(nora.id)).name, "Nora Lind");
+  EXPECT_EQ(must(office->statements.of(chief, session)).front().text, "Nora, well done.");
+  must(station->accounts.erase(keeper, nora.id));
+  must(read_in(office->context(), chief, results()));
+  EXPECT_EQ(must(office->accounts.find(nora.id)).name, "–") << "her own station";
   EXPECT_EQ(whole(*office), "");
 }
 
