@@ -3418,6 +3418,14 @@
         <source>The form no longer has this exercise. Choose another one.</source>
         <translation>Das Formular hat diese Übung nicht mehr. Wählen Sie eine andere.</translation>
     </message>
+    <message>
+        <source>No student number is there to add.</source>
+        <translation>Es steht keine Matrikelnummer zum Hinzufügen da.</translation>
+    </message>
+    <message>
+        <source>Type or paste the numbers, one a line.</source>
+        <translation>Tippen Sie die Nummern ein oder fügen Sie sie ein, eine je Zeile.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Compass</name>
@@ -3980,6 +3988,50 @@
         <source>What you did is kept, but for the form that was not saved: fill it in anew.</source>
         <translation>Was Sie getan haben, bleibt erhalten, nur das nicht gespeicherte Formular nicht: Füllen Sie es neu aus.</translation>
     </message>
+    <message>
+        <source>Close without the import?</source>
+        <translation>Ohne den Import schließen?</translation>
+    </message>
+    <message>
+        <source>Close without saving the form?</source>
+        <translation>Schließen, ohne das Formular zu speichern?</translation>
+    </message>
+    <message>
+        <source>What was filled in and not saved is not kept.</source>
+        <translation>Was ausgefüllt und nicht gespeichert ist, bleibt nicht erhalten.</translation>
+    </message>
+    <message>
+        <source>Leave without saving the form?</source>
+        <translation>Gehen, ohne das Formular zu speichern?</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Grade this attempt as it stands?</source>
+        <translation>Diesen Versuch bewerten, wie er ist?</translation>
+    </message>
+    <message>
+        <source>It is then over and cannot be continued.</source>
+        <translation>Er ist dann beendet und kann nicht fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>Skip the own assessment?</source>
+        <translation>Selbsteinschätzung überspringen?</translation>
+    </message>
+    <message>
+        <source>Your ratings are then not kept, and you cannot rate this attempt later.</source>
+        <translation>Ihre Einschätzungen werden dann nicht aufbewahrt, und später können Sie diesen Versuch nicht mehr einschätzen.</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::DeviationLegend</name>
@@ -4208,6 +4260,10 @@
     <message>
         <source>It stays in your results as interrupted, with what was recorded until the driver of the device stood still.</source>
         <translation>Er bleibt als unterbrochen in Ihren Ergebnissen, mit dem, was bis zum Stillstand des Gerätetreibers aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>The time is over. Measuring the tooth</source>
+        <translation>Die Zeit ist um. Der Zahn wird vermessen</translation>
     </message>
 </context>
 <context>
@@ -4792,6 +4848,18 @@
     <message>
         <source>Stop checking</source>
         <translation>Prüfung abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave without the briefing?</source>
+        <translation>Ohne die Aufgabe gehen?</translation>
+    </message>
+    <message>
+        <source>The exercise keeps the briefing as it was. Under Texts stands why.</source>
+        <translation>Die Übung behält die Aufgabe, wie sie war. Unter „Texte“ steht, warum.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
     </message>
 </context>
 <context>
@@ -8319,6 +8387,18 @@
         <source>You change your own password under your name at the top.</source>
         <translation>Ihr eigenes Passwort ändern Sie oben unter Ihrem Namen.</translation>
     </message>
+    <message>
+        <source>Leave without saving the form?</source>
+        <translation>Gehen, ohne das Formular zu speichern?</translation>
+    </message>
+    <message>
+        <source>What was filled in and not saved is not kept.</source>
+        <translation>Was ausgefüllt und nicht gespeichert ist, bleibt nicht erhalten.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Performance</name>
@@ -9297,6 +9377,10 @@
         <extracomment>%1: the sentence that says when the recording was thinned.</extracomment>
         <translation>%1 Wann jeder Bohrer benutzt wurde, ist nicht mehr bekannt.</translation>
     </message>
+    <message>
+        <source>This attempt broke off. It is not graded yet; the points show how it stands now.</source>
+        <translation>Dieser Versuch brach ab. Er ist noch nicht bewertet; die Punkte zeigen, wie er jetzt ist.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -9487,6 +9571,10 @@
     <message>
         <source>That attempt was marked by other criteria: only the points of the two compare.</source>
         <translation>Jener Versuch wurde nach anderen Kriterien bewertet: Nur die Punkte der beiden sind vergleichbar.</translation>
+    </message>
+    <message>
+        <source>It is not graded yet; the points show how it stands now.</source>
+        <translation>Er ist noch nicht bewertet; die Punkte zeigen, wie er jetzt ist.</translation>
     </message>
 </context>
 <context>
@@ -13580,6 +13668,10 @@ Ihr bester davor</translation>
         <source>%1 of at most %2 characters. The exercise keeps the briefing as it was.</source>
         <extracomment>%1: characters of a text, %2: the most that an exercise can hold</extracomment>
         <translation>%1 von höchstens %2 Zeichen. Die Übung behält die Aufgabe, wie sie war.</translation>
+    </message>
+    <message>
+        <source>An exercise needs a briefing in English. It keeps the one from before until another is typed.</source>
+        <translation>Eine Übung braucht eine Aufgabe auf Englisch. Sie behält die bisherige, bis eine andere eingegeben ist.</translation>
     </message>
 </context>
 <context>
