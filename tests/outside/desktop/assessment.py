@@ -204,7 +204,7 @@ def change_points(program):
     program.find("spin button", re.compile("^Points of")).type("1")
     program.press("Change points")
     program.find("label", re.compile("The points are changed"))
-    program.find("label", re.compile("1 instead of 0 points"), within=program.find(None, "Remarks"))
+    program.find("label", re.compile(r"1 instead of 0 point(s|\(s\))"), within=program.find(None, "Remarks"))
 
 
 def read(program, take):
