@@ -21,6 +21,9 @@
 namespace cusp::ui {
 namespace {
 
+constexpr double kBesideAxis = 10;  // px at 100 %, between the numbers of the y axis and the plot
+constexpr double kTitlePast = 6;    // px at 100 %, of the x axis' title past the plot
+
 /// Maps values onto the plot's area. The x axis runs to the right in every language.
 struct Plot {
   QRectF area;
@@ -42,15 +45,15 @@ Plot plot_of(const QRectF& rect, const ChartData& data, double unit) {
   for (double v = data.y.least; v <= data.y.most + 1e-9; v += data.y.step) {
     labels = std::max(labels, metrics.horizontalAdvance(format_number(v, data.y.decimals)));
   }
-  // The right margin holds half of the last label, or the names at the lines' ends.
-  double names = metrics.horizontalAdvance(format_number(data.x.most, data.x.decimals)) / 2 + 2 * unit;
+  // The right margin holds half of the last label and the end of the title, or the names at the lines' ends.
+  double names = std::max(metrics.horizontalAdvance(format_number(data.x.most, data.x.decimals)) / 2 + 2 * unit, kTitlePast * unit);
   for (const auto& s : data.series) {
     if (s.draw == ChartSeries::Draw::line && !s.points.isEmpty()) {
       names = std::max(names, metrics.horizontalAdvance(s.name) + 10 * unit);
     }
   }
   const double below = data.x.title.isEmpty() ? 20 * unit : 34 * unit;
-  return {rect.adjusted(labels + 8 * unit, 8 * unit, -names, -below), data};
+  return {rect.adjusted(std::ceil(labels) + kBesideAxis * unit, 8 * unit, -names, -below), data};
 }
 
 void paint_axes(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
@@ -61,7 +64,7 @@ void paint_axes(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
     p.setPen(QPen(t.line, 1));
     p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
     p.setPen(t.text3);
-    p.drawText(QRectF(plot.area.left() - 60 * unit, y - 8 * unit, 50 * unit, 16 * unit),
+    p.drawText(QRectF(plot.area.left() - (kBesideAxis + 50) * unit, y - 8 * unit, 50 * unit, 16 * unit),
                Qt::AlignRight | Qt::AlignVCenter, format_number(v, d.y.decimals));
   }
   p.setPen(t.text3);
@@ -70,7 +73,7 @@ void paint_axes(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
                format_number(v, d.x.decimals));
   }
   if (!d.x.title.isEmpty()) {
-    p.drawText(QRectF(plot.area.left(), plot.area.bottom() + 18 * unit, plot.area.width() + 6 * unit, 16 * unit),
+    p.drawText(QRectF(plot.area.left(), plot.area.bottom() + 18 * unit, plot.area.width() + kTitlePast * unit, 16 * unit),
                Qt::AlignRight | Qt::AlignVCenter, d.x.title);
   }
 }

@@ -195,6 +195,24 @@ TEST(Chart, a_figure_of_full_points_is_drawn_whole) {
   EXPECT_GE(dark_pixels(100), dark_pixels(88));  // one more digit
 }
 
+TEST(Chart, draws_nothing_past_the_edges_of_its_canvas) {
+  ChartData d = two_attempts();
+  d.x = {QStringLiteral("attempt"), 1, 4, 1, 0};
+  d.y = {QStringLiteral("attempts"), 0, 5, 1, 0};  // digits alone: the narrowest margins
+  d.mark = 4;
+  d.series[0].points = {{1, 1, {}, false}, {4, 3, QStringLiteral("last"), true}};
+  const QRect canvas(40, 40, 320, 220);
+  QImage image(400, 300, QImage::Format_RGB32);
+  image.fill(Tokens::light().surface);
+  QPainter painter(&image);
+  paint_chart(painter, canvas, d, Tokens::light(), 1.0);
+  painter.end();
+  int past = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) past += !canvas.contains(x, y) && image.pixelColor(x, y) != Tokens::light().surface;
+  EXPECT_EQ(past, 0);
+}
+
 TEST(Chart, a_line_of_one_point_is_seen) {
   ChartData d = two_attempts();
   d.series[0].draw = ChartSeries::Draw::line;
