@@ -57,7 +57,6 @@ Ports Ports::of_the_system() {
     const bool stays = !question.stay.isEmpty();
     QPushButton* act = box->addButton(question.act, QMessageBox::AcceptRole);
     QPushButton* stay = stays ? box->addButton(question.stay, QMessageBox::RejectRole) : box->addButton(QMessageBox::Cancel);
-    stay->setIcon({});  // the style's own sign is of another family
     if (question.erases || !stays) set_kind(act, question.erases ? "erase" : "primary");
     if (stays) set_kind(stay, "primary");
     box->setDefaultButton(question.erases || stays ? stay : act);

@@ -342,6 +342,7 @@ int CuspStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidg
     case SH_Widget_Animation_Duration: return 0;  // nothing moves by itself
     case SH_EtchDisabledText: return 0;
     case SH_ItemView_ShowDecorationSelected: return 1;
+    case SH_DialogButtonBox_ButtonsHaveIcons: return 0;  // Fusion's signs are of another family
     default: return QProxyStyle::styleHint(hint, option, widget, data);
   }
 }

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QProxyStyle>
 #include <QRadioButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -168,6 +169,20 @@ TEST(Look, a_chosen_row_of_a_tree_has_no_notch_beside_its_indent) {
   const QImage seen = tree.viewport()->grab().toImage();
   for (int x = row.left() - 4; x < row.left() + 4; ++x)
     EXPECT_EQ(seen.pixelColor(x, row.top() + 1).name().toStdString(), tokens().accent_soft.name().toStdString()) << x - row.left();
+}
+
+/// As Fusion asks for signs on a desktop; offscreen it does not.
+class SignedButtons : public QProxyStyle {
+ public:
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 1 : QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
+TEST(Look, the_buttons_of_a_file_picker_have_no_signs_of_another_family) {
+  CuspStyle style;
+  style.setBaseStyle(new SignedButtons);
+  EXPECT_EQ(style.styleHint(QStyle::SH_DialogButtonBox_ButtonsHaveIcons, nullptr, nullptr, nullptr), 0);
 }
 
 TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
