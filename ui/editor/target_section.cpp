@@ -13,6 +13,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kSectionWidth = 420, kSectionSide = 12;  // px at 100 %
+constexpr int kNarrowView = 280, kNarrowSide = 4;      // px at 100 %; of a narrower view the bar's two ways take all
 
 }  // namespace
 
@@ -46,9 +47,10 @@ void TargetView::cut_section() {
 }
 
 void TargetView::place_section() {
-  section_->setFixedWidth(std::min(px(kSectionWidth), width() - 2 * px(kSectionSide)));
+  const int side = px(width() < px(kNarrowView) ? kNarrowSide : kSectionSide);
+  section_->setFixedWidth(std::min(px(kSectionWidth), width() - 2 * side));
   section_->adjustSize();
-  section_->move(px(kSectionSide), height() - section_->height() - px(kSectionSide));
+  section_->move(side, height() - section_->height() - side);
   section_->raise();
 }
 

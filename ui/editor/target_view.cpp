@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kFirstPitch = 1.2;                  // radians: nearly from above, with the floor's depth in view
 constexpr int kCarveDelayMs = 200;                         // pause before the cavity is carved
+constexpr int kLeastWidth = 230;                           // px at 100 %: beside both panels in 1280 px at 150 %
 
 QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
@@ -30,7 +31,7 @@ QString handle_mm(double value) { return format({value, {}, QStringLiteral("mm")
 
 TargetView::TargetView(EditorModel& model, QWidget* parent)
     : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
-  setMinimumSize(px(340), px(320));
+  setMinimumSize(px(kLeastWidth), px(320));
   view_->set_left_turns(true);
   make_tools();
   make_legend();
