@@ -194,7 +194,11 @@ void PeoplePage::show_person(const Account& account) {
   edited_ = account;
   form_->set_title(QString::fromStdString(edited_->name));
   const auto fit = [&](QLineEdit& text, const std::string Account::*what) {
-    if (!was || text.text().trimmed() == QString::fromStdString((*was).*what)) text.setText(QString::fromStdString((*edited_).*what));
+    if (was && text.text().trimmed() != QString::fromStdString((*was).*what)) return;
+    const QString fresh = QString::fromStdString((*edited_).*what);
+    if (text.text() == fresh) return;
+    text.setText(fresh);
+    if (!text.hasFocus()) text.setCursorPosition(0);  // of a long text its beginning shows
   };
   fit(*name_, &Account::name);
   fit(*number_, &Account::number);

@@ -48,7 +48,9 @@ void show_text(QLineEdit& edit, const LocalText& texts, const std::string& langu
   const auto it = texts.find(language);
   const QString text = it == texts.end() ? QString() : QString::fromStdString(it->second);
   // A typed space at the end stays.
-  if (edit.text().trimmed() != text) edit.setText(text);
+  if (edit.text().trimmed() == text) return;
+  edit.setText(text);
+  if (!edit.hasFocus()) edit.setCursorPosition(0);  // of a long text its beginning shows
 }
 
 struct TextsForm::Section {

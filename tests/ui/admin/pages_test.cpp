@@ -260,6 +260,7 @@ TEST_F(AdminPages, the_form_shows_the_whole_of_a_long_name) {
   const auto title = std::ranges::find(labels, QString::fromLatin1(name), &QLabel::text);
   ASSERT_NE(title, labels.end());
   EXPECT_FALSE(clipped(**title)) << (*title)->width() << " of " << (*title)->sizeHint().width();
+  EXPECT_EQ(field(page, "Name")->cursorPosition(), 0) << "the field shows its beginning";
 }
 
 TEST_F(AdminPages, an_own_password_is_not_offered_where_it_cannot_be_changed) {

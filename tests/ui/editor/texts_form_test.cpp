@@ -68,6 +68,15 @@ TEST_F(TextsInLanguages, english_and_german_have_fields_at_once_and_stay) {
   EXPECT_FALSE(model->remove_language("en"));
 }
 
+TEST_F(TextsInLanguages, a_long_title_shows_its_beginning) {
+  start.draft.title["en"] = std::string(200, 'm');
+  open();
+  const auto* title = field<QLineEdit>(QStringLiteral("Title, English"));
+  ASSERT_NE(title, nullptr);
+  EXPECT_EQ(title->text().size(), 200);
+  EXPECT_EQ(title->cursorPosition(), 0);
+}
+
 TEST_F(TextsInLanguages, an_added_one_is_typed_kept_and_undone) {
   open();
   add("fr");
