@@ -64,7 +64,12 @@ PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWi
 
   connect(departed_, &DepartedCard::reported, band_, &Band::show_message);
   connect(departed_, &DepartedCard::erased, this, &PeoplePage::read);
-  connect(add, &QPushButton::clicked, this, [this] { leave_form([this] { begin_new(); }); });
+  connect(add, &QPushButton::clicked, this, [this] {
+    leave_form([this] {
+      band_->clear();
+      begin_new();
+    });
+  });
   connect(import, &QPushButton::clicked, this, &PeoplePage::import_wanted);
   connect(table_, &Table::row_opened, this, [this] { name_->setFocus(); });
   read();
@@ -174,7 +179,10 @@ void PeoplePage::show_chosen() {
   if (row < 0) return;
   const Account account = model_->account(row);
   if (edited_ && edited_->id == account.id) return show_person(account);
-  leave_form([this, account] { show_person(account); });
+  leave_form([this, account] {
+    band_->clear();  // it speaks of another person
+    show_person(account);
+  });
 }
 
 void PeoplePage::leave_form(std::function<void()> then) {

@@ -73,6 +73,24 @@ TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_with_a_mess
   EXPECT_EQ(page.model()->rowCount(), 2);
 }
 
+TEST_F(AdminPages, a_refusal_is_gone_once_another_person_is_chosen_or_begun) {
+  const Account lena = records.student("1", "Lena Brandt"), omar = records.student("2", "Omar Said");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  const auto refused = [&](const Account& person) {
+    page.table()->choose_row(page.model()->row_of(person.id));
+    field(page, "New PIN, six digits")->setText(QStringLiteral("12"));
+    save(page, "Save changes");
+    return page.message().startsWith(QStringLiteral("A PIN has exactly six digits."));
+  };
+  ASSERT_TRUE(refused(lena)) << page.message().toStdString();
+  page.table()->choose_row(page.model()->row_of(omar.id));
+  EXPECT_EQ(page.message(), QString());
+  ASSERT_TRUE(refused(omar)) << page.message().toStdString();
+  press(page, "Add a person");
+  EXPECT_EQ(page.message(), QString());
+}
+
 TEST_F(AdminPages, switching_an_account_off_asks_first_and_keeps_the_results) {
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 78, 100);
