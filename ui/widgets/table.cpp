@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QScrollBar>
 
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
@@ -156,6 +157,9 @@ Table::Table(QWidget* parent) : QTableView(parent) {
   horizontalHeader()->setMinimumSectionSize(px(32));
   horizontalHeader()->setMinimumHeight(px(34));
   connect(this, &QTableView::doubleClicked, this, &Table::row_opened);
+  connect(horizontalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
+    if (rows_shown_ > 0) updateGeometry();
+  });
 }
 
 void Table::setModel(QAbstractItemModel* model) {
@@ -216,7 +220,8 @@ int Table::whole_width() const {
 QSize Table::sizeHint() const {
   if (rows_shown_ <= 0) return QTableView::sizeHint();
   const int rows = std::clamp(model() ? model()->rowCount() : 0, 1, rows_shown_);
-  return {px(400), horizontalHeader()->sizeHint().height() + rows * px(36) + 2};
+  const int bar = horizontalScrollBar()->maximum() > 0 ? horizontalScrollBar()->sizeHint().height() : 0;  // it covers no row
+  return {px(400), horizontalHeader()->sizeHint().height() + rows * px(36) + bar + 2};
 }
 QSize Table::minimumSizeHint() const { return rows_shown_ > 0 ? QSize(px(200), sizeHint().height()) : QSize(px(200), px(110)); }
 

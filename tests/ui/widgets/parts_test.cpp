@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStandardItemModel>
 #include <QTableView>
@@ -318,6 +319,27 @@ TEST(Table, opens_a_row_with_enter_and_chooses_one_in_right_to_left_too) {
   EXPECT_EQ(opened[0][0].toModelIndex().row(), 1);
   table.choose_row(7);  // no such row: the choice stays
   EXPECT_EQ(table.chosen_row(), 1);
+}
+
+TEST(Table, a_bar_below_wide_rows_covers_none_of_them) {
+  QStandardItemModel model(2, 3);
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 3; ++column) model.setItem(row, column, new QStandardItem(QStringLiteral("a cell of some width")));
+  QWidget page;
+  auto* column = new QVBoxLayout(&page);
+  auto* table = new Table;
+  table->setModel(&model);
+  table->set_stretch_column(0);
+  table->set_rows_shown(16);
+  column->addWidget(table);
+  column->addStretch();
+  const auto rows_shown = [&] { return table->viewport()->height() >= 2 * px(36); };
+  page.resize(300, 400);
+  page.show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return table->horizontalScrollBar()->isVisible() && rows_shown(); }));
+  const int with_bar = table->height();
+  page.resize(900, 400);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !table->horizontalScrollBar()->isVisible() && rows_shown() && table->height() < with_bar; }));
 }
 
 TEST(Busy, stays_hidden_for_work_that_is_over_at_once) {
