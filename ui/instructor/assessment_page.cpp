@@ -123,9 +123,12 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(make_bar(title, aside));
+  column->addWidget(make_bar(title));
   QVBoxLayout* body = nullptr;
   column->addWidget(make_scroll_page(&body), 1);
+  QLabel* about = make_label(aside, TextRole::caption, Weight::regular, "text2");
+  about->setWordWrap(true);
+  body->addWidget(about);
   band_ = new Band;
   body->addWidget(band_);
   auto* card = new Card;
@@ -148,13 +151,10 @@ AssessmentPage::AssessmentPage(Store& store, const Actor& actor, AssignmentId as
   setFocusProxy(table_);
 }
 
-QWidget* AssessmentPage::make_bar(const QString& title, const QString& aside) {
+QWidget* AssessmentPage::make_bar(const QString& title) {
   const auto [bar, row] = make_bar_top();
   connect(add_way_back({bar, row}, tr("Back")), &QPushButton::clicked, this, &AssessmentPage::back_wanted);
-  row->addWidget(make_label(title, TextRole::section, Weight::bold));
-  QLabel* about = make_label(aside, TextRole::caption, Weight::regular, "text2");
-  about->setWordWrap(true);  // up to three lines where the window is narrow
-  row->addWidget(about, 1);
+  add_title({bar, row}, title);
   // An assessment is marked without names.
   names_ = make_button(tr("Show names"), ButtonKind::quiet, u"person"_qs);
   names_->setCheckable(true);
@@ -221,7 +221,9 @@ QWidget* AssessmentPage::make_adjustments() {
   row->addWidget(extra_);
   row->addWidget(large_);
   row->addWidget(keep);
-  row->addWidget(make_label(tr("for attempts that begin from now on"), TextRole::body, Weight::regular, "text2"), 1);
+  QLabel* from = make_label(tr("for attempts that begin from now on"), TextRole::body, Weight::regular, "text2");
+  from->setWordWrap(true);
+  row->addWidget(from, 1);
   connect(keep, &QPushButton::clicked, this, [this] { adjust({static_cast<int>(extra_->value()), large_->isChecked()}); });
   return extra_row_;
 }

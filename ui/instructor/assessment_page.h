@@ -71,7 +71,7 @@ class AssessmentPage : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* make_bar(const QString& title, const QString& aside);
+  QWidget* make_bar(const QString& title);
   QPushButton* make_gradebook_button();
   QWidget* make_adjustments();
   void show_chosen();

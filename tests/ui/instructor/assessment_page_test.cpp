@@ -7,12 +7,14 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/whole_texts.h"
 #include "ui/instructor/assessment_page.h"
 #include "ui/widgets/table.h"
 
@@ -78,6 +80,26 @@ TEST_F(Candidates, ButtonOfTheGradebookHasRoomForItsText) {
     EXPECT_GT(button->width(), button->fontMetrics().horizontalAdvance(button->accessibleName()));
   }
   EXPECT_EQ(with_menu, 1);
+}
+
+TEST_F(Candidates, OfALongExerciseAndCohortHaveAPageAsWideAsItsWindow) {
+  const QString name = QString(QStringLiteral("Class II cavity with two boxes ")).repeated(6).trimmed();
+  const Cohort cohort = *records.store().cohorts.create(examiner, name.toStdString());
+  ASSERT_TRUE(records.store().cohorts.add(examiner, cohort.id, lena.id));
+  Scenario scenario = *load_builtin("channel-1");
+  scenario.version += 1;
+  for (auto& [language, title] : scenario.title) title = name.toStdString();
+  const auto version = records.store().scenarios.publish(examiner, scenario, canonical_json(scenario), content_hash(scenario).bytes);
+  ASSERT_TRUE(version);
+  const auto of_long = records.store().assignments.create(
+      examiner, {.version = version->id, .cohort = cohort.id, .kind = SessionKind::assessment, .device_classes = {"falcon"}}, "4711");
+  ASSERT_TRUE(of_long);
+  AssessmentPage page(records.store(), examiner, of_long->id, ports);
+  page.resize(853, 533);  // 1280 x 800 at 150 %
+  page.show();
+  QTest::qWait(0);
+  EXPECT_EQ(page.width(), 853);
+  expect_nothing_clipped(page, "candidates");
 }
 
 TEST_F(Candidates, AreListedByNumberWithoutNamesAndWhoHasNotBegunToo) {
