@@ -171,6 +171,21 @@ TEST(Look, a_chosen_row_of_a_tree_has_no_notch_beside_its_indent) {
     EXPECT_EQ(seen.pixelColor(x, row.top() + 1).name().toStdString(), tokens().accent_soft.name().toStdString()) << x - row.left();
 }
 
+TEST(Look, no_box_stands_where_two_scroll_bars_meet) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  QScrollArea area;
+  auto* inside = new QWidget;
+  inside->setFixedSize(800, 800);
+  area.setWidget(inside);
+  area.resize(200, 200);
+  area.show();
+  const int bar = area.verticalScrollBar()->width();
+  ASSERT_EQ(bar, px(12));
+  const QImage seen = area.grab().toImage();
+  for (int x = 200 - bar; x < 200; ++x)
+    for (int y = 200 - bar; y < 200; ++y) ASSERT_EQ(seen.pixelColor(x, y).name().toStdString(), seen.pixelColor(199, 199).name().toStdString()) << x << ' ' << y;
+}
+
 /// As Fusion asks for signs on a desktop; offscreen it does not.
 class SignedButtons : public QProxyStyle {
  public:
