@@ -224,6 +224,7 @@ QWidget* SignIn::make_first_start_form() {
   column->addSpacing(px(12));
   band_ = new Band;
   column->addWidget(band_);
+  column->addSpacing(px(4));
   enter_ = make_large_button(tr("Make the administrator"), ButtonKind::primary);
   column->addWidget(enter_);
   column->addSpacing(px(20));

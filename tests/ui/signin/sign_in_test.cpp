@@ -16,6 +16,7 @@
 #include "ui/session/background_task.h"
 #include "ui/signin/pin_field.h"
 #include "ui/signin/sign_in.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::test {
@@ -204,6 +205,20 @@ TEST_F(SignInTest, the_first_start_asks_for_a_name_where_it_has_marks_alone) {
   field(*page, "User name")->setText(QStringLiteral("anna"));
   button(*page, "Make the administrator")->click();
   EXPECT_EQ(page->message().toStdString(), "Name and user name are needed.");
+}
+
+TEST_F(SignInTest, a_refusal_of_the_first_start_stands_off_the_button_below_it) {
+  open();
+  button(*page, "Make the administrator")->click();
+  QTest::qWait(0);
+  int shown = 0;
+  for (Band* band : page->findChildren<Band*>()) {
+    if (!band->isVisible()) continue;
+    ++shown;
+    const int below = button(*page, "Make the administrator")->mapTo(page.get(), QPoint()).y();
+    EXPECT_GE(below - band->mapTo(page.get(), QPoint(0, band->height())).y(), px(8));
+  }
+  EXPECT_EQ(shown, 1);
 }
 
 TEST_F(SignInTest, the_records_are_asked_once_however_often_the_button_is_pressed) {
