@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ui/session/records_task.h"
 #include "ui/text/failure_text.h"
@@ -48,12 +49,17 @@ void PasswordDialog::reject() {
   if (!waiting()) QDialog::reject();
 }
 
+void PasswordDialog::refuse(const Message& message, QLineEdit& wrong) {
+  band_->show_message(Band::Kind::bad, message.what, message.more);
+  band_->updateGeometry();  // one that stood there before may have had fewer lines
+  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+  wrong.selectAll();
+  wrong.setFocus();
+}
+
 void PasswordDialog::submit() {
   if (waiting()) return;
-  if (fresh_->text() != again_->text()) {
-    band_->show_message(Band::Kind::bad, tr("The two new passwords differ."), tr("Type them again."));
-    return;
-  }
+  if (fresh_->text() != again_->text()) return refuse({tr("The two new passwords differ."), tr("Type them again.")}, *fresh_);
   wait_->start(tr("Changing…"));
   changing_ = with_own_store(store_, [self = QPointer(this), account = account_, old = old_->text().toStdString(), fresh = fresh_->text().toStdString()](OwnStore own) {
     const auto done = std::make_shared<Stored<void>>(own ? (*own)->accounts.set_password(account.actor(), account.id, old, fresh)
@@ -71,11 +77,9 @@ void PasswordDialog::show_answer(const Stored<void>& done) {
   wait_->finish();
   if (done) return accept();
   if (done.error().code == StorageError::wrong_password) {
-    band_->show_message(Band::Kind::bad, tr("The password until now is another one."), tr("Nothing was changed."));
-    return;
+    return refuse({tr("The password until now is another one."), tr("Nothing was changed.")}, *old_);
   }
-  const Message message = describe_account(done.error(), QString::fromStdString(account_.number), Secret::password);
-  band_->show_message(Band::Kind::bad, message.what, message.more);
+  refuse(describe_account(done.error(), QString::fromStdString(account_.number), Secret::password), *fresh_);
 }
 
 }  // namespace cusp::ui

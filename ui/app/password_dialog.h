@@ -14,6 +14,7 @@ class QLineEdit;
 namespace cusp::ui {
 
 class Band;
+struct Message;
 
 class PasswordDialog : public QDialog {
   Q_OBJECT
@@ -27,6 +28,8 @@ class PasswordDialog : public QDialog {
  private:
   void submit();
   void show_answer(const Stored<void>& done);
+  /// Grows with the message, and puts the keyboard on the field to type anew.
+  void refuse(const Message& message, QLineEdit& wrong);
   Store& store_;
   Account account_;
   Band* band_;

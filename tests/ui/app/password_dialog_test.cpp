@@ -9,6 +9,7 @@
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/whole_texts.h"
 #include "ui/app/password_dialog.h"
 #include "ui/widgets/parts.h"
 
@@ -51,6 +52,23 @@ TEST_F(PasswordDialogTest, a_wrong_one_until_now_is_named_and_changes_nothing) {
   ASSERT_TRUE(dialog && dialog->isVisible());
   EXPECT_TRUE(dialog->findChild<Band*>()->text().contains(QStringLiteral("Nothing was changed.")));
   EXPECT_TRUE(signs_in("correct horse"));
+}
+
+TEST_F(PasswordDialogTest, a_refusal_cuts_nothing_off_and_leads_to_the_field_to_type_anew) {
+  const QList<QLineEdit*> fields = dialog->findChildren<QLineEdit*>();
+  const auto whole = [&](const char* refusal) {
+    QTest::qWait(0);
+    expect_nothing_clipped(*dialog, refusal);
+    for (const QLineEdit* field : fields) EXPECT_GE(field->height(), field->sizeHint().height()) << refusal;
+  };
+  fields[1]->setText(QStringLiteral("battery staple"));
+  QTest::keyClick(fields[2], Qt::Key_Return);
+  whole("two that differ");
+  EXPECT_EQ(dialog->focusWidget(), fields[1]);
+  type("wrong horse", "battery staple");
+  ASSERT_TRUE(answered());
+  whole("a wrong one until now");
+  EXPECT_EQ(dialog->focusWidget(), fields[0]);
 }
 
 TEST_F(PasswordDialogTest, escape_waits_for_the_answer_and_enter_asks_once) {
