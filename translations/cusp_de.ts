@@ -3298,7 +3298,7 @@
     </message>
     <message>
         <source>No student has: %1.</source>
-        <translation>Niemand hat: %1.</translation>
+        <translation>Diese Nummern hat niemand: %1.</translation>
     </message>
     <message>
         <source>, </source>
@@ -3918,7 +3918,7 @@
     </message>
     <message>
         <source>The next start tries them again.</source>
-        <translation>Der nächste Start versucht sie wieder.</translation>
+        <translation>Beim nächsten Start versucht Cusp es wieder.</translation>
     </message>
     <message>
         <source>Nothing can be drilled now.</source>
@@ -4278,7 +4278,7 @@
     </message>
     <message>
         <source>Cutaway</source>
-        <translation>Aufschnitt</translation>
+        <translation>Aufgeschnitten</translation>
     </message>
     <message>
         <source>From above</source>
@@ -4914,7 +4914,7 @@
     </message>
     <message>
         <source>What you call it; files are named after it</source>
-        <translation>Ihr Name für sie; Dateien heißen danach</translation>
+        <translation>Name der Station; Dateien heißen danach</translation>
     </message>
     <message>
         <source>The records were opened for reading: their key is not there.</source>
@@ -5735,7 +5735,7 @@
     </message>
     <message>
         <source>out of what is open</source>
-        <translation>aus dem, was offen ist</translation>
+        <translation>Geöffnetes schließen</translation>
     </message>
     <message>
         <source>a chart as its table, and back</source>
@@ -5791,7 +5791,7 @@
     </message>
     <message>
         <source>drilling sound on and off, likewise</source>
-        <translation>Bohrgeräusch ein und aus, ebenso</translation>
+        <translation>Bohrgeräusch ein und aus, wo die Übung es hat</translation>
     </message>
     <message>
         <source>An attempt, from start to report</source>
@@ -5807,7 +5807,7 @@
     </message>
     <message>
         <source>5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.</source>
-        <translation>5. Jeder Versuch bleibt unter Meine Ergebnisse. Ein unterbrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+        <translation>5. Jeder Versuch bleibt unter Meine Ergebnisse. Ein unterbrochener Versuch ist bis zur letzten Sekunde erhalten.</translation>
     </message>
     <message>
         <source>Target removed: how much of the required cavity is cut. Not removed: what remains of it.</source>
@@ -5859,7 +5859,7 @@
     </message>
     <message>
         <source>5. Every attempt stays under Performance. An attempt that broke off is kept up to its last second.</source>
-        <translation>5. Jeder Versuch bleibt unter Leistungen. Ein unterbrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+        <translation>5. Jeder Versuch bleibt unter Leistungen. Ein unterbrochener Versuch ist bis zur letzten Sekunde erhalten.</translation>
     </message>
     <message>
         <source>Time earns points only in an exercise whose briefing lists it under What earns points.</source>
@@ -6001,7 +6001,7 @@
     </message>
     <message>
         <source>Make a specimen</source>
-        <translation>Präparat machen</translation>
+        <translation>Präparat erstellen</translation>
     </message>
     <message>
         <source>Choose a file</source>
@@ -6037,7 +6037,7 @@
     </message>
     <message>
         <source>Making the specimen</source>
-        <translation>Das Präparat wird gemacht</translation>
+        <translation>Das Präparat wird erstellt</translation>
     </message>
     <message>
         <source>Files</source>
@@ -7137,7 +7137,7 @@
     </message>
     <message>
         <source>holds</source>
-        <translation>hält</translation>
+        <translation>stimmt</translation>
     </message>
     <message>
         <source>not proven</source>
@@ -7268,8 +7268,8 @@
     <message numerus="yes">
         <source>The log is whole: %n entry(ies) hold.</source>
         <translation>
-            <numerusform>Das Protokoll ist unversehrt: %n Eintrag hält.</numerusform>
-            <numerusform>Das Protokoll ist unversehrt: %n Einträge halten.</numerusform>
+            <numerusform>Das Protokoll ist unversehrt: %n Eintrag stimmt.</numerusform>
+            <numerusform>Das Protokoll ist unversehrt: %n Einträge stimmen.</numerusform>
         </translation>
     </message>
     <message>
@@ -8053,11 +8053,11 @@
     </message>
     <message>
         <source>Leave without the PIN slips?</source>
-        <translation>Ohne die PIN-Zettel gehen?</translation>
+        <translation>Die Seite ohne die PIN-Zettel verlassen?</translation>
     </message>
     <message>
         <source>The PINs stand nowhere else. Each student would need a new one.</source>
-        <translation>Die PINs stehen nirgends sonst. Alle brauchten eine neue.</translation>
+        <translation>Die PINs stehen nirgends sonst. Alle bräuchten neue.</translation>
     </message>
     <message>
         <source>Leave</source>
@@ -8286,7 +8286,7 @@
     </message>
     <message>
         <source>Leave it empty to keep the one there is.</source>
-        <translation>Leer lassen, um es beizubehalten.</translation>
+        <translation>Leer lassen, um nichts zu ändern.</translation>
     </message>
     <message>
         <source>Without a PIN the number alone signs in.</source>
@@ -8938,11 +8938,11 @@
     </message>
     <message>
         <source>Nobody has drilled it as it is now. Students would be the first.</source>
-        <translation>Niemand hat sie so gebohrt, wie sie jetzt ist. Studierende wären die Ersten.</translation>
+        <translation>In dieser Fassung hat sie noch niemand gebohrt. Studierende wären die Ersten.</translation>
     </message>
     <message>
         <source>Publish untried</source>
-        <translation>Unausprobiert veröffentlichen</translation>
+        <translation>Ohne Ausprobieren veröffentlichen</translation>
     </message>
 </context>
 <context>
@@ -9682,7 +9682,7 @@
     </message>
     <message>
         <source>steady</source>
-        <translation>stetig</translation>
+        <translation>stabil</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -10475,7 +10475,7 @@
     </message>
     <message>
         <source>Best so far</source>
-        <translation>Bisher bester</translation>
+        <translation>Bestwert</translation>
     </message>
     <message>
         <source>%1 of 100</source>
@@ -10919,7 +10919,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>made here</source>
-        <translation>wird vergeben</translation>
+        <translation>hier vergeben</translation>
     </message>
     <message>
         <source>from the file</source>
@@ -12481,7 +12481,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Something protected was damaged</source>
-        <translation>Etwas Geschütztes wurde verletzt</translation>
+        <translation>Eine geschützte Struktur wurde verletzt</translation>
     </message>
     <message>
         <source>Brings no points: it takes a device of %1 axes, and this one has %2</source>
