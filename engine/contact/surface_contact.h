@@ -14,6 +14,7 @@
 #include "engine/contact/kept_planes.h"
 #include "engine/contact/plane_search.h"
 #include "engine/contact/points_box.h"
+#include "engine/contact/seen_voxels.h"
 #include "engine/scene/scene.h"
 #include "engine/tool/swept.h"
 #include "engine/volume/cell_field.h"
@@ -334,6 +335,7 @@ class SurfaceContact {
   std::vector<CutFeature> features_;   // of those that no kept page of the cut's surface holds
   std::vector<Source> sources_;
   std::vector<Known> known_;
+  SeenVoxels insides_;                 // of the head's candidates
   std::vector<Face> faces_;
   /// Candidates of one broad-phase pass.
   struct CandidateList {

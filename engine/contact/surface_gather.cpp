@@ -118,6 +118,11 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
                         : edge                                        ? Kind::edge
                         : page != nullptr && page->feature[i].inside ? Kind::inside
                                                                       : Kind::surface;
+      // Up to eight cells have the same voxel inside, and the same plane of it.
+      if (kind == Kind::inside) {
+        const IVec3 voxel = at * kBrickEdge + IVec3(static_cast<int>(x[i]), static_cast<int>(y[i]), static_cast<int>(z[i]));
+        if (!insides_.add(voxel)) return;
+      }
       add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, kind);
     });
   };
@@ -144,6 +149,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   // An edge holds 0.7 voxel either way along its tangent.
   const double edge_mm = kHalfEdge * voxel_mm_;
   edges_ = false;
+  insides_.clear();
   const double per_mm = 1.0 / voxel_mm_;
   // With the shank's cells in the same bricks: what brings a brick's cells up to date moves its pages.
   const Reach beside = shank_within(tool, margin_mm);
