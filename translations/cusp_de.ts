@@ -932,14 +932,6 @@
         <translation>keine; Zeit bringt keine Punkte</translation>
     </message>
     <message>
-        <source>Watch the reference</source>
-        <translation>Referenz ansehen</translation>
-    </message>
-    <message>
-        <source>The reference operator cuts this exercise in half a minute</source>
-        <translation>Der Referenzoperateur präpariert diese Übung in einer halben Minute</translation>
-    </message>
-    <message>
         <source>Own assessment</source>
         <translation>Selbsteinschätzung</translation>
     </message>
@@ -955,6 +947,14 @@
         <source>%1: %2</source>
         <comment>a target, its depth</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Watch the ideal preparation</source>
+        <translation>Idealpräparation ansehen</translation>
+    </message>
+    <message>
+        <source>It is cut before your eyes in half a minute</source>
+        <translation>Sie entsteht in einer halben Minute vor Ihren Augen</translation>
     </message>
 </context>
 <context>
@@ -1474,10 +1474,6 @@
         <translation>Änderung der Punkte, die eine Messung des Aufwands hinnimmt</translation>
     </message>
     <message>
-        <source>The push at which cutting is fastest</source>
-        <translation>Der Druck, bei dem am schnellsten abgetragen wird</translation>
-    </message>
-    <message>
         <source>What the device has to do</source>
         <translation>Was das Gerät können muss</translation>
     </message>
@@ -1526,6 +1522,10 @@
     <message>
         <source>Turn of the handpiece</source>
         <translation>Drehung des Handstücks</translation>
+    </message>
+    <message>
+        <source>The force at which cutting is fastest</source>
+        <translation>Die Kraft, bei der am schnellsten abgetragen wird</translation>
     </message>
 </context>
 <context>
@@ -1668,10 +1668,6 @@
     <message>
         <source>A measure of a bur</source>
         <translation>Ein Maß eines Bohrers</translation>
-    </message>
-    <message>
-        <source>The push at which cutting is fastest</source>
-        <translation>Der Druck, bei dem am schnellsten abgetragen wird</translation>
     </message>
     <message>
         <source>The target’s width</source>
@@ -1852,6 +1848,10 @@
     <message>
         <source>The turn of the handpiece</source>
         <translation>Die Drehung des Handstücks</translation>
+    </message>
+    <message>
+        <source>The force at which cutting is fastest</source>
+        <translation>Die Kraft, bei der am schnellsten abgetragen wird</translation>
     </message>
 </context>
 <context>
@@ -4293,10 +4293,6 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Push</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
         <source>Coach</source>
         <translation>Hinweis</translation>
     </message>
@@ -4345,14 +4341,6 @@
         <translation>Weiterarbeiten, wo vom Ziel noch etwas übrig ist</translation>
     </message>
     <message>
-        <source>Depth %1, push %2, %3 of the target removed. %4</source>
-        <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
-    </message>
-    <message>
-        <source>Depth %1, push %2.</source>
-        <translation>Tiefe %1, Druck %2.</translation>
-    </message>
-    <message>
         <source>Tolerance zone</source>
         <translation>Toleranzzone</translation>
     </message>
@@ -4389,12 +4377,24 @@
         <translation>Spiegel (2): ziehen, mit der rechten Taste neigen, oder I J K L; Umschalt neigt, U und O holen ihn näher und weiter weg</translation>
     </message>
     <message>
-        <source>Push %1.</source>
-        <translation>Druck %1.</translation>
-    </message>
-    <message>
         <source>Handpiece</source>
         <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Force %1.</source>
+        <translation>Kraft %1.</translation>
+    </message>
+    <message>
+        <source>Depth %1, force %2.</source>
+        <translation>Tiefe %1, Kraft %2.</translation>
+    </message>
+    <message>
+        <source>Depth %1, force %2, %3 of the target removed. %4</source>
+        <translation>Tiefe %1, Kraft %2, %3 des Ziels abgetragen. %4</translation>
     </message>
 </context>
 <context>
@@ -5710,10 +5710,6 @@
         <translation>1. Übung wählen und die Aufgabe lesen: was abzutragen ist, wie tief, und was Punkte bringt.</translation>
     </message>
     <message>
-        <source>2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
-        <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt den Druck, der Balken links die Tiefe.</translation>
-    </message>
-    <message>
         <source>Keys everywhere</source>
         <translation>Tasten überall</translation>
     </message>
@@ -5864,6 +5860,10 @@
     <message>
         <source>Time earns points only in an exercise whose briefing lists it under What earns points.</source>
         <translation>Zeit bringt nur in einer Übung Punkte, deren Aufgabe sie unter Was Punkte bringt aufführt.</translation>
+    </message>
+    <message>
+        <source>2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the force, the bar at the left the depth.</source>
+        <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt die Kraft, der Balken links die Tiefe.</translation>
     </message>
 </context>
 <context>
@@ -9099,28 +9099,8 @@
 <context>
     <name>cusp::ui::ReferencePage</name>
     <message>
-        <source>Reference preparation</source>
-        <translation>Referenzpräparation</translation>
-    </message>
-    <message>
-        <source>Preparing the reference</source>
-        <translation>Die Referenz wird vorbereitet</translation>
-    </message>
-    <message>
         <source>Briefing</source>
         <translation>Aufgabe</translation>
-    </message>
-    <message>
-        <source>Reference: %1</source>
-        <translation>Referenz: %1</translation>
-    </message>
-    <message>
-        <source>The tooth while the reference operator cuts it</source>
-        <translation>Der Zahn, während der Referenzoperateur ihn präpariert</translation>
-    </message>
-    <message>
-        <source>Reference</source>
-        <translation>Referenz</translation>
     </message>
     <message>
         <source>Turn back to the first view</source>
@@ -9147,10 +9127,6 @@
         <translation>Die übrigen Zähne des Kiefers werden erzeugt</translation>
     </message>
     <message>
-        <source>The reference preparation plays.</source>
-        <translation>Die Referenzpräparation läuft.</translation>
-    </message>
-    <message>
         <source>Bur %1</source>
         <translation>Bohrer %1</translation>
     </message>
@@ -9162,13 +9138,29 @@
         <source>%1; by hand it takes about %2</source>
         <translation>%1; von Hand dauert es etwa %2</translation>
     </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>Idealpräparation</translation>
+    </message>
+    <message>
+        <source>Making the ideal preparation</source>
+        <translation>Die Idealpräparation entsteht</translation>
+    </message>
+    <message>
+        <source>Ideal preparation: %1</source>
+        <translation>Idealpräparation: %1</translation>
+    </message>
+    <message>
+        <source>The tooth while the ideal preparation is cut</source>
+        <translation>Der Zahn, während die Idealpräparation entsteht</translation>
+    </message>
+    <message>
+        <source>The ideal preparation plays.</source>
+        <translation>Die Idealpräparation läuft.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Report</name>
-    <message>
-        <source>peak push %1</source>
-        <translation>höchster Druck %1</translation>
-    </message>
     <message>
         <source>tissues at %1 of their stiffness</source>
         <translation>Gewebe mit %1 ihrer Steifigkeit</translation>
@@ -9381,6 +9373,10 @@
         <source>This attempt broke off. It is not graded yet; the points show how it stands now.</source>
         <translation>Dieser Versuch brach ab. Er ist noch nicht bewertet; die Punkte zeigen, wie er jetzt ist.</translation>
     </message>
+    <message>
+        <source>peak force %1</source>
+        <translation>höchste Kraft %1</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportPage</name>
@@ -9521,10 +9517,6 @@
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Cut the tooth open and compare its walls with the reference preparation</source>
-        <translation>Den Zahn aufschneiden und seine Wände mit der Referenzpräparation vergleichen</translation>
-    </message>
-    <message>
         <source>What is written under Marking is not kept yet.</source>
         <translation>Was unter „Bewertung“ geschrieben steht, ist noch nicht aufbewahrt.</translation>
     </message>
@@ -9576,13 +9568,13 @@
         <source>It is not graded yet; the points show how it stands now.</source>
         <translation>Er ist noch nicht bewertet; die Punkte zeigen, wie er jetzt ist.</translation>
     </message>
+    <message>
+        <source>Cut the tooth open and compare its walls with the ideal preparation</source>
+        <translation>Den Zahn aufschneiden und seine Wände mit der Idealpräparation vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ReportSection</name>
-    <message>
-        <source>Reference preparation</source>
-        <translation>Referenzpräparation</translation>
-    </message>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
@@ -9590,6 +9582,10 @@
     <message>
         <source>Tolerance zone</source>
         <translation>Toleranzzone</translation>
+    </message>
+    <message>
+        <source>Ideal preparation</source>
+        <translation>Idealpräparation</translation>
     </message>
 </context>
 <context>
@@ -11933,24 +11929,12 @@ Ihr bester davor</translation>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Peak push</source>
-        <translation>Höchster Druck</translation>
-    </message>
-    <message>
-        <source>Mean push</source>
-        <translation>Mittlerer Druck</translation>
-    </message>
-    <message>
         <source>Pulp opened</source>
         <translation>Pulpa eröffnet</translation>
     </message>
     <message>
         <source>%1 removed</source>
         <translation>%1 abgetragen</translation>
-    </message>
-    <message>
-        <source>The pulp was opened</source>
-        <translation>Die Pulpa wurde eröffnet</translation>
     </message>
     <message>
         <source>up to %1</source>
@@ -13539,7 +13523,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>%1 after %2</source>
-        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was opened after 1:12 min&quot;.</extracomment>
+        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was exposed after 1:12 min&quot;.</extracomment>
         <translation>%1 nach %2</translation>
     </message>
     <message>
@@ -13621,6 +13605,18 @@ Ihr bester davor</translation>
     <message>
         <source>This version of the exercise was withdrawn.</source>
         <translation>Diese Version der Übung wurde zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Höchste Kraft</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>Mittlere Kraft</translation>
+    </message>
+    <message>
+        <source>The pulp was exposed</source>
+        <translation>Die Pulpa wurde eröffnet</translation>
     </message>
 </context>
 <context>

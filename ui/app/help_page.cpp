@@ -58,7 +58,7 @@ HelpPage::HelpPage(Role role, QWidget* parent) : QWidget(parent) {
   for (const QString& line :
        {tr("1. Choose an exercise and read its briefing: what to remove, how deep, and what earns points."),
         tr("2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at "
-           "the right shows the push, the bar at the left the depth."),
+           "the right shows the force, the bar at the left the depth."),
         tr("3. Hold Space or the left button to cut. The target is the solid line, the tolerance zone round it the dashed one."),
         tr("4. Finish ends the attempt and grades it. The report shows what was measured, how well it is known, and what to do "
            "next time."),

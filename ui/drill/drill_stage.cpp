@@ -136,7 +136,7 @@ void DrillStage::connect_tools() {
 
 void DrillStage::make_gauges() {
   depth_ = new Gauge(tr("Depth"), QStringLiteral("mm"), Gauge::Grows::down, this);
-  push_ = new Gauge(tr("Push"), QStringLiteral("N"), Gauge::Grows::up, this);
+  push_ = new Gauge(tr("Force"), QStringLiteral("N"), Gauge::Grows::up, this);
   push_->set_scale({.least = 0, .most = 3, .major_step = 0.5});
   push_->set_scale_side(Gauge::ScaleSide::right);
   wanted_push_ = make_label({}, TextRole::caption, Weight::regular, "text2");
@@ -320,9 +320,9 @@ bool DrillStage::press_key(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 QString DrillStage::spoken() const {
-  if (depth_->isHidden()) return tr("Push %1.").arg(push_->value_text());
-  if (!look_ || look_->empty()) return tr("Depth %1, push %2.").arg(depth_->value_text(), push_->value_text());
-  return tr("Depth %1, push %2, %3 of the target removed. %4")
+  if (depth_->isHidden()) return tr("Force %1.").arg(push_->value_text());
+  if (!look_ || look_->empty()) return tr("Depth %1, force %2.").arg(depth_->value_text(), push_->value_text());
+  return tr("Depth %1, force %2, %3 of the target removed. %4")
       .arg(depth_->value_text(), push_->value_text(),
            format({live_.target_removed_percent, {}, QStringLiteral("%"), 0}), coach_->text());
 }

@@ -69,7 +69,7 @@ constexpr Named kNames[] = {
     {"/method", QT_TRANSLATE_NOOP("cusp::ui::Changes", "How forces are computed")},
     {"/phenomena", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Handpiece, vibration, sound, water and heat")},
     {"/tolerance", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Change of the score that an audit accepts")},
-    {"/device/full_force_n", QT_TRANSLATE_NOOP("cusp::ui::Changes", "The push at which cutting is fastest")},
+    {"/device/full_force_n", QT_TRANSLATE_NOOP("cusp::ui::Changes", "The force at which cutting is fastest")},
     {"/device/tool_tilt_deg", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Tilt of the handpiece")},
     {"/device/tool_turn_deg", QT_TRANSLATE_NOOP("cusp::ui::Changes", "Turn of the handpiece")},
     {"/device", QT_TRANSLATE_NOOP("cusp::ui::Changes", "What the device has to do")},

@@ -38,7 +38,7 @@ QString figure_name(const std::string& path) {
   if (ends("/stiffness_n_per_mm")) return CheckText::tr("The stiffness of a tissue");
   if (ends("/speed_mm_s")) return CheckText::tr("The removal speed of a tissue");
   if (path.starts_with("/instruments/")) return CheckText::tr("A measure of a bur");
-  if (ends("/full_force_n")) return CheckText::tr("The push at which cutting is fastest");
+  if (ends("/full_force_n")) return CheckText::tr("The force at which cutting is fastest");
   if (ends("/tool_tilt_deg")) return CheckText::tr("The tilt of the handpiece");
   if (ends("/tool_turn_deg")) return CheckText::tr("The turn of the handpiece");
   if (ends("/width_mm")) return CheckText::tr("The target’s width");

@@ -44,7 +44,7 @@ ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish&
       tool_tilt_deg_(wish.scenario.tool_tilt_deg) {
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
-  setAccessibleName(tr("Reference preparation"));
+  setAccessibleName(tr("Ideal preparation"));
   if (wish.scenario.specimen.generator == "tooth") mesial_x_ = mesial_x(wish.scenario.specimen.fdi);
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
@@ -63,7 +63,7 @@ ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish&
   middle->addWidget(busy_);
   stack_->addWidget(waiting);
   stack_->addWidget(make_stage());
-  busy_->start(tr("Preparing the reference"), Busy::Cancel::offered);
+  busy_->start(tr("Making the ideal preparation"), Busy::Cancel::offered);
   connect(bar_, &PlaybackBar::position_changed, this, &ReferencePage::show_caption);
   connect(bar_, &PlaybackBar::playing_changed, this, &ReferencePage::show_caption);
   connect(&timer_, &QTimer::timeout, this, &ReferencePage::look);
@@ -74,13 +74,13 @@ ReferencePage::ReferencePage(std::shared_ptr<ToothCache> teeth, const ToothWish&
 QWidget* ReferencePage::make_bar(const QString& title) {
   const auto [bar, row] = make_bar_top();
   connect(add_way_back({bar, row}, tr("Briefing")), &QPushButton::clicked, this, &ReferencePage::back_wanted);
-  add_title({bar, row}, tr("Reference: %1").arg(title));
+  add_title({bar, row}, tr("Ideal preparation: %1").arg(title));
   return bar;
 }
 
 QWidget* ReferencePage::make_stage() {
   view_ = new ToothView;
-  view_->setAccessibleName(tr("The tooth while the reference operator cuts it"));
+  view_->setAccessibleName(tr("The tooth while the ideal preparation is cut"));
   view_->set_left_turns(true);
   view_->set_bur_source([this] { return bur_now(); });
   // The picture says what it shows, wherever it is photographed or projected.
@@ -90,7 +90,7 @@ QWidget* ReferencePage::make_stage() {
   auto* row = new QHBoxLayout(card);
   row->setContentsMargins(px(12), px(6), px(6), px(6));
   row->setSpacing(px(8));
-  row->addWidget(make_label(tr("Reference"), TextRole::body, Weight::bold));
+  row->addWidget(make_label(tr("Ideal preparation"), TextRole::body, Weight::bold));
   caption_ = make_label({}, TextRole::body, Weight::regular, "text2");
   caption_->setMinimumWidth(px(300));  // its texts change, its place does not
   row->addWidget(caption_);
@@ -155,7 +155,7 @@ void ReferencePage::begin() {
   bar_->set_playing(true);
   bar_->setFocus();
   show_caption();
-  announce(this, tr("The reference preparation plays."));
+  announce(this, tr("The ideal preparation plays."));
 }
 
 void ReferencePage::show_failure(const ReferencePlayer::Failure& failure) {

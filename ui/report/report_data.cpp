@@ -241,7 +241,7 @@ QString circumstances_text(const ReportData& data) {
   if (of_a_file(data.result)) return ReportText::tr("Time, force and heat are not measured");
   QStringList parts;
   parts += duration_text(data.result.seconds);
-  if (data.peak_push_n) parts += ReportText::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
+  if (data.peak_push_n) parts += ReportText::tr("peak force %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
   parts += device_name(data.result.device.device_class);
   //: A tooth that an assessment drew for one candidate; the number makes it again.
   if (data.drawn_tooth) parts += ReportText::tr("drawn tooth, seed %1").arg(*data.drawn_tooth);

@@ -61,7 +61,7 @@ QString critical_circumstances(const ReportData& data, const CriticalEvent& even
 
 /// One entry of "Next time".
 struct Advice {
-  QString head;                  // "The pulp was opened after 1:12 min", "Floor depth, deepest: 6 points lost"
+  QString head;                  // "The pulp was exposed after 1:12 min", "Floor depth, deepest: 6 points lost"
   QString why, what_to_do;       // one sentence each, or empty
   std::optional<Vec3> place_mm;  // where on the tooth
   bool grave = false;            // a critical event, or a loss of more than half of the points
@@ -76,7 +76,7 @@ QString no_advice_text(const ReportData& data);
 enum class Medium { screen, paper };
 /// "Fri 20 Nov, 10:14 · Practice, attempt 7"; on paper with year and time zone.
 QString occasion_text(const ReportData& data, Medium medium);
-/// "7:38 min · peak push 2.1 N · Mouse and keys".
+/// "7:38 min · peak force 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
 
 /// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; of a thinned recording one line that says so; empty

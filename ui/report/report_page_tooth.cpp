@@ -83,7 +83,7 @@ QWidget* ReportPage::make_tools(QWidget& legend) {
 QPushButton* ReportPage::make_section(const TeethButtons& others) {
   QPushButton* out = make_button(tr("Section"), ButtonKind::quiet);
   out->setCheckable(true);
-  out->setToolTip(tr("Cut the tooth open and compare its walls with the reference preparation"));
+  out->setToolTip(tr("Cut the tooth open and compare its walls with the ideal preparation"));
   connect(out, &QPushButton::toggled, section_, [this, &drilled = others.drilled](bool on) {
     section_->set_open(on);
     section_->parentWidget()->setVisible(on);

@@ -47,7 +47,7 @@ ReportSection::ReportSection(PinnedTooth& tooth, std::shared_ptr<const Volume> v
   auto* legend = new QHBoxLayout;
   legend->setContentsMargins(px(12), 0, px(12), 0);
   legend->setSpacing(px(16));
-  reference_line_ = legend_of(LineSample::Line::reference, tr("Reference preparation"));
+  reference_line_ = legend_of(LineSample::Line::reference, tr("Ideal preparation"));
   target_line_ = legend_of(LineSample::Line::target, tr("Target"));
   for (QWidget* one : {reference_line_, target_line_}) legend->addWidget(one);
   legend->addWidget(legend_of(LineSample::Line::tolerance_zone, tr("Tolerance zone")));

@@ -182,8 +182,8 @@ void Briefing::fill_text(QVBoxLayout& text) {
   QLabel* hint = make_label(opengl_allowed() ? enter : ToothView::pictures_off(), TextRole::caption, Weight::regular, "text3");
   hint->setWordWrap(true);
   if (teeth_ && refusal_.isEmpty() && ReferencePage::offered(s)) {
-    watch_ = make_large_button(tr("Watch the reference"), ButtonKind::standard, u"eye"_qs);
-    watch_->setToolTip(tr("The reference operator cuts this exercise in half a minute"));
+    watch_ = make_large_button(tr("Watch the ideal preparation"), ButtonKind::standard, u"eye"_qs);
+    watch_->setToolTip(tr("It is cut before your eyes in half a minute"));
     connect(watch_, &QPushButton::clicked, this, &Briefing::watch_reference);
     acts->addWidget(watch_);
   }

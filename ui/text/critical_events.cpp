@@ -60,7 +60,7 @@ std::vector<CriticalEvent> critical_events(const Grade& grade, Store* store, con
 
 QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen) {
   QString text = critical_name(event.key);
-  //: A critical event, and when it happened in the attempt: "The pulp was opened after 1:12 min".
+  //: A critical event, and when it happened in the attempt: "The pulp was exposed after 1:12 min".
   if (event.at_s) text = Text::tr("%1 after %2").arg(text, duration_text(*event.at_s));
   const QString side = event.place_mm ? side_text(specimen, *event.place_mm) : QString();
   return side.isEmpty() ? text : text + Text::tr(", ") + side;

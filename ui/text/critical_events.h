@@ -22,7 +22,7 @@ struct CriticalEvent {
 /// In the order of the grade; the opened pulp before all others. `store` may be null: then no time is known.
 std::vector<CriticalEvent> critical_events(const Grade& grade, Store* store, const SessionId& session);
 
-/// "The pulp was opened after 1:12 min, distobuccal".
+/// "The pulp was exposed after 1:12 min, distobuccal".
 QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen);
 /// What to do next time.
 QString critical_advice(const std::string& key);

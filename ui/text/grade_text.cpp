@@ -48,8 +48,8 @@ QString metric_name(const std::string& m, const Region* whole) {
   if (m == "protected_removed") return Text::tr("Removed of what is protected");
   if (m == "protected_damage") return Text::tr("Protected part damaged");
   if (m == "time") return Text::tr("Time");
-  if (m == "force_peak") return Text::tr("Peak push");
-  if (m == "force_mean") return Text::tr("Mean push");
+  if (m == "force_peak") return Text::tr("Peak force");
+  if (m == "force_mean") return Text::tr("Mean force");
   if (m == "pulp_exposure") return Text::tr("Pulp opened");
   if (m == "dry_cutting_time") return Text::tr("Cut without coolant");
   if (m == "temperature_rise_peak") return Text::tr("Tooth warmer by");
@@ -91,7 +91,7 @@ QString measure_value(const Measure& m) { return is_yes_or_no(m.metric) ? yes_or
 QString measure_uncertainty(const Measure& m) { return is_yes_or_no(m.metric) ? QString() : format_uncertainty(with_uncertainty(m)); }
 
 QString critical_name(const std::string& critical) {
-  if (critical == "pulp_exposure") return Text::tr("The pulp was opened");
+  if (critical == "pulp_exposure") return Text::tr("The pulp was exposed");
   if (critical == "protected_damage") return Text::tr("Something protected was damaged");
   if (critical == "dry_cutting") return Text::tr("The tooth was overheated by cutting dry");
   return metric_name(critical);

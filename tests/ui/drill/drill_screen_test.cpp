@@ -280,7 +280,7 @@ TEST_F(Screen, a_key_that_is_held_while_the_focus_goes_elsewhere_drills_no_longe
   begin("channel-1");
   const auto push = [this] {
     for (const Gauge* gauge : screen->findChildren<Gauge*>())
-      if (gauge->title() == QStringLiteral("Push")) return gauge->value().value_or(0);
+      if (gauge->title() == QStringLiteral("Force")) return gauge->value().value_or(0);
     return -1.0;
   };
   QTest::keyPress(screen.get(), Qt::Key_Space);

@@ -51,7 +51,7 @@ TEST(DrillLayout, the_sides_of_a_section_stay_where_they_are_on_the_tooth_in_eve
 TEST(DrillLayout, a_gauge_looks_the_same_in_every_language) {
   QImage before;
   for (const Qt::LayoutDirection way : {Qt::LeftToRight, Qt::RightToLeft}) {
-    Gauge gauge(QStringLiteral("Push"), QStringLiteral("N"), Gauge::Grows::up);
+    Gauge gauge(QStringLiteral("Force"), QStringLiteral("N"), Gauge::Grows::up);
     gauge.setLayoutDirection(way);
     gauge.set_scale({.least = 0, .most = 3, .major_step = 0.5});
     gauge.set_scale_side(Gauge::ScaleSide::right);
@@ -171,11 +171,11 @@ TEST_F(DrillGauges, nothing_on_the_stage_covers_anything_else_in_half_a_full_hd_
 }
 
 TEST_F(DrillGauges, last_values_of_an_attempt_that_stands_are_no_longer_shown) {
-  EXPECT_GT(gauge("Push").value().value(), 0);
+  EXPECT_GT(gauge("Force").value().value(), 0);
   EXPECT_TRUE(coach()->isVisible());
   live.phase = LoopPhase::paused;
   stage.show_values(live);
-  EXPECT_DOUBLE_EQ(gauge("Push").value().value(), 0);
+  EXPECT_DOUBLE_EQ(gauge("Force").value().value(), 0);
   EXPECT_FALSE(coach()->isVisible());
   live.phase = LoopPhase::held;
   live.device = Sample::Status::gone;

@@ -60,7 +60,7 @@ TEST_F(Watching, begins_by_itself_with_the_tooth_uncut_and_names_what_it_shows) 
   wait_until_ready();
   EXPECT_TRUE(page.bar()->playing());
   EXPECT_TRUE(page.bur_now().has_value());
-  EXPECT_TRUE(shows(QStringLiteral("Reference")));
+  EXPECT_TRUE(shows(QStringLiteral("Ideal preparation")));
 }
 
 TEST_F(Watching, ends_with_the_finished_preparation_and_without_the_bur) {

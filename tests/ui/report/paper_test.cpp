@@ -381,7 +381,7 @@ TEST(ReportPdf, puts_an_opened_pulp_before_every_other_advice) {
   data.critical = critical_events(data.result.grade, nullptr, {});
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()));
   const std::string text = text_in(file);
-  const auto advice = text.find("Next time"), pulp = text.find("The pulp was opened", advice);
+  const auto advice = text.find("Next time"), pulp = text.find("The pulp was exposed", advice);
   ASSERT_NE(pulp, std::string::npos) << text;
   EXPECT_LT(pulp, text.find("points lost", advice));
 }

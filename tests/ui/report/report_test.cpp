@@ -139,7 +139,7 @@ TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
   data.critical[0].at_s = 72;
   data.critical[0].place_mm = Vec3(2.0, 1.5, -3.0);  // of a lower left molar: mesial and buccal
   const Advice first = first_advice(data);
-  EXPECT_EQ(plain(first.head), "The pulp was opened after 1:12 min, mesiobuccal");
+  EXPECT_EQ(plain(first.head), "The pulp was exposed after 1:12 min, mesiobuccal");
   EXPECT_EQ(plain(first.why), "This fails the attempt, whatever its points. 7.2 mm deep.");  // from 4.2 mm down to -3
   EXPECT_FALSE(first.what_to_do.isEmpty());
   EXPECT_TRUE(first.grave);
@@ -150,7 +150,7 @@ TEST(ReportData, writes_times_of_an_hour_and_more_in_hours) {
   ReportData data = sample();
   data.result.seconds = 3700;
   EXPECT_TRUE(plain(circumstances_text(data)).starts_with("1:01:40 h")) << plain(circumstances_text(data));
-  EXPECT_EQ(plain(critical_text({"pulp_exposure", 3600.0, std::nullopt}, data.result.scenario.specimen)), "The pulp was opened after 1:00:00 h");
+  EXPECT_EQ(plain(critical_text({"pulp_exposure", 3600.0, std::nullopt}, data.result.scenario.specimen)), "The pulp was exposed after 1:00:00 h");
   data.result.seconds = 3599.9;
   EXPECT_TRUE(plain(circumstances_text(data)).starts_with("59:59 min")) << plain(circumstances_text(data));
 }
@@ -308,7 +308,7 @@ TEST(ReportPage, an_opened_pulp_is_shown_above_everything_else) {
   page.show();
   QString all;
   for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
-  EXPECT_TRUE(all.contains(QStringLiteral("The pulp was opened.")));
+  EXPECT_TRUE(all.contains(QStringLiteral("The pulp was exposed.")));
 }
 
 TEST(ReportPage, saves_its_paper_where_the_picker_points_and_reports_a_failure) {
@@ -351,7 +351,7 @@ TEST(ReportPage, an_attempt_that_broke_off_is_named_so_after_it_was_graded_too) 
   EXPECT_TRUE(all_text().contains(QStringLiteral("This attempt broke off.")));
   data.result.grade.critical = {"pulp_exposure"};
   data.critical = critical_events(data.result.grade, nullptr, {});
-  EXPECT_TRUE(all_text().contains(QStringLiteral("The pulp was opened.")));
+  EXPECT_TRUE(all_text().contains(QStringLiteral("The pulp was exposed.")));
   EXPECT_TRUE(all_text().contains(QStringLiteral("This attempt broke off."))) << all_text().toStdString();
 }
 

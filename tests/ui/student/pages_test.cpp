@@ -132,7 +132,7 @@ TEST_F(Pages, an_opened_pulp_comes_first_in_what_to_do_next_time) {
   ASSERT_TRUE(records.store().grades.save(attempt, grade, Hash256{}));
   StartPage page(records.store(), lena, pictures, now);
   const QString all = texts(page);
-  const auto pulp = all.indexOf(QStringLiteral("The pulp was opened"));
+  const auto pulp = all.indexOf(QStringLiteral("The pulp was exposed"));
   ASSERT_GE(pulp, 0) << all.toStdString();
   EXPECT_LT(pulp, all.indexOf(QStringLiteral("Stop pushing at the required depth")));
 }
