@@ -111,11 +111,9 @@ class SurfaceContact {
   /// Discards every cache, after the volume was loaded. A cache never changes an answer.
   void forget() noexcept;
 
-  /// Ticks that FreeSpace answered; for benches.
+  /// For tests and benches: ticks that FreeSpace answered, candidates looked at since construction, the most of one pass.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
-  /// Candidates looked at since construction; for tests and benches.
   std::int64_t candidates_visited() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
-  /// Most candidates of one pass; for benches.
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
  private:
