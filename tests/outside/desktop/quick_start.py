@@ -40,11 +40,15 @@ class Shown(pictures.Album):
         hide(program, os.path.join(self.folder, f"{self.number:02}-{name}.png"), self.own.folder, socket.gethostname())
 
 
-def small(folder, name, path):
-    picture = Image.open(path).convert("RGB").resize(SIZE, Image.Resampling.LANCZOS)
+def of_few_colours(picture):
     # The median cut loses the few pixels of the target's line; the dither keeps the view's ground smooth.
     palette = picture.quantize(COLOURS, method=Image.Quantize.MAXCOVERAGE)
-    picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG).save(os.path.join(folder, name + ".png"), optimize=True)
+    return picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
+
+
+def small(folder, name, path):
+    picture = Image.open(path).convert("RGB").resize(SIZE, Image.Resampling.LANCZOS)
+    of_few_colours(picture).save(os.path.join(folder, name + ".png"), optimize=True)
 
 
 def drill(program):

@@ -12,12 +12,11 @@ import quick_start
 import school
 from PIL import Image
 
-COLOURS = 256  # of VIEWS: without their palette they are three times as large
-VIEWS = ("drilling", "mirror")
+VIEWS = ("drilling", "mirror")  # of few colours: without they are three times as large
 PLAYED = ("class-1-36", "Class I, tooth 36")  # key and title
 SHOWN_PLACE = "Over-cut within tolerance, floor"
 ZOOM_OUT = 7  # notches of the wheel, so that the mirror and the neighbours are seen
-ASIDE_PX = (210, -60)  # from the view's middle: the bur stands beside the target there
+ASIDE_PX = (115, 70)  # from the view's middle: the bur stands beside the target there
 
 
 def play(own):
@@ -36,9 +35,9 @@ def of_drilling(album, program):
     program.screen.x("mousemove", x, y)
     for _ in range(ZOOM_OUT):
         program.screen.x("keydown", "ctrl", "click", 5, "keyup", "ctrl", "sleep", 0.1)
+    program.screen.x("mousemove", x + ASIDE_PX[0], y + ASIDE_PX[1], "sleep", 2)
     program.keys("2")
-    program.screen.x("mousemove", x + ASIDE_PX[0], y + ASIDE_PX[1])
-    album.take(program, "mirror", rests_s=8)  # at rest it is drawn finer
+    album.take(program, "mirror", rests_s=12)  # at rest it is drawn finer
     program.press("Leave")  # nothing was cut: it asks nothing
     school.home(program)
 
@@ -86,10 +85,8 @@ def main():
         for file in os.listdir(whole):
             name = file[3:-4]
             picture = Image.open(os.path.join(whole, file)).convert("RGB")
-            if name in VIEWS:
-                palette = picture.quantize(COLOURS, method=Image.Quantize.MAXCOVERAGE)
-                picture = picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
-            picture.save(os.path.join(folder, name + ".png"), optimize=True)
+            shown = quick_start.of_few_colours(picture) if name in VIEWS else picture
+            shown.save(os.path.join(folder, name + ".png"), optimize=True)
 
 
 if __name__ == "__main__":
