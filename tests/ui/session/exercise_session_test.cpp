@@ -265,16 +265,21 @@ TEST(ExerciseSession, ThatCouldBeCalledOffAndWasNotBegins) {
   EXPECT_TRUE(eventually([&] { return (*started)->view().seconds > 0; }));
 }
 
+/// An attempt that is left once something is cut.
+SessionId left_after_cutting(const Workplace& work) {
+  DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
+  auto started = ExerciseSession::start(work.plan(), port);
+  if (!started) {
+    ADD_FAILURE() << "it does not start";
+    return {};
+  }
+  EXPECT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
+  return (*started)->session();
+}
+
 TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   const Workplace work;
-  SessionId session;
-  {
-    DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-    auto started = ExerciseSession::start(work.plan(), port);
-    ASSERT_TRUE(started);
-    session = (*started)->session();
-    ASSERT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
-  }
+  const SessionId session = left_after_cutting(work);
   const auto store = work.store();
   EXPECT_EQ(store->sessions.state(session), SessionState::interrupted);
   const auto graded = grade_session(*store, session, nullptr, Keep::grade);
@@ -288,14 +293,7 @@ TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
 
 TEST(ExerciseSession, LeftAndGradedAtTwoDesksAtOnceItKeepsOneGrade) {
   const Workplace work;
-  SessionId session;
-  {
-    DrillingPort port(1u << 30, DrillingPort::Pace::to_deadline);
-    auto started = ExerciseSession::start(work.plan(), port);
-    ASSERT_TRUE(started);
-    session = (*started)->session();
-    ASSERT_TRUE(eventually([&] { return (*started)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
-  }
+  const SessionId session = left_after_cutting(work);
   std::barrier together(2);
   const auto open_it = [&] {
     const auto store = work.store();
