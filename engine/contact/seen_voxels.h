@@ -34,7 +34,7 @@ class SeenVoxels {
 
  private:
   static constexpr int kBits = 12;
-  static constexpr std::size_t kRoom = std::size_t{1} << kBits;
+  static constexpr std::size_t kRoom = std::size_t{1} << kBits;  // half of it is used; about a head some 100 are at hand
   static constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio: spreads neighbours (Knuth)
   struct Slot {
     std::uint64_t key = 0, pass = 0;
