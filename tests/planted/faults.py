@@ -139,7 +139,7 @@ FAULTS = [
     fault("private word", "release", "architecture_tests", r'"bur+"; write bur',
           ("engine/removal/spindle.cpp", "namespace cusp::engine {\n", "namespace cusp::engine {\n// A bur" + "r.\n")),
     fault("library function in the step", "release", "architecture_tests", r"std::hypot",
-          ("engine/step/guard.cpp", "std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)", "std::hypot(v.x, v.y, v.z)")),
+          ("engine/step/step.cpp", "axis = axis / std::sqrt(glm::dot(axis, axis));", "axis = axis / std::hypot(axis.x, axis.y, axis.z);")),
     fault("products and sums fused", "release", "architecture_tests", r"ffp-contract=off",
           ("CMakeLists.txt", "-fno-strict-aliasing -ffp-contract=off)", "-fno-strict-aliasing)")),
 ]

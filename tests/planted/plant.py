@@ -2,6 +2,7 @@
 """Plants each fault of faults.py in a copy of the tree and requires that the default ./check catches it.
 
   plant.py [--folder FOLDER] [--only WORD]
+  plant.py --texts                            only looks for the texts to be replaced, in the caller's tree
 
 FOLDER (default build/planted) keeps the copy with its build folders for the next run; the caller's tree is never changed.
 A fault counts as caught if its target builds, its test fails, and the failure is the expected one. Then the unplanted copy
@@ -96,9 +97,14 @@ class Planted:
             self.copy.write(file, text)
 
 
-def check_texts(copy, faults):
-    gone = [f"{f.name}: {file} holds {copy.read(file).count(find)} times: {find.strip()}"
-            for f in faults for file, find, _ in f.edits if copy.read(file).count(find) != 1]
+def read_tree(name):
+    with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def check_texts(faults):
+    gone = [f"{f.name}: {file} holds {read_tree(file).count(find)} times: {find.strip()}"
+            for f in faults for file, find, _ in f.edits if read_tree(file).count(find) != 1]
     for line in gone:
         print(line, file=sys.stderr)
     if gone:
@@ -152,9 +158,12 @@ def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--folder", default=os.path.join(ROOT, "build", "planted"))
     arguments.add_argument("--only", default="")
+    arguments.add_argument("--texts", action="store_true")
     o = arguments.parse_args()
+    check_texts(FAULTS)
+    if o.texts:
+        return
     copy = Copy(o.folder)
-    check_texts(copy, FAULTS)
     faults = [f for f in FAULTS if o.only in f.name]
     missed = []
     print("| fault | caught by | first failing line | s |\n|---|---|---|---|", flush=True)
