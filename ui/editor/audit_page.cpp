@@ -98,7 +98,7 @@ void AuditPage::follow_job() {
   });
   connect(job_, &AuditJob::done, this, [this](const std::shared_ptr<const AuditReport>& report) {
     stop();
-    model_.now_tried(measured_);
+    model_.now_tried(report->scenario);
     report_ = report;
     show_report();
     announce(this, leanest_->text());
@@ -118,7 +118,6 @@ AuditPage::~AuditPage() = default;
 
 void AuditPage::measure() {
   stop();
-  measured_ = model_.scenario();
   measure_->setEnabled(false);
   busy_ = new Busy;
   busy_place_->addWidget(busy_);
@@ -128,7 +127,7 @@ void AuditPage::measure() {
     stop();
   });
   since_.start();
-  job_->start(measured_, {}, runner_of_(model_.folder()));
+  job_->start(model_.scenario(), {}, runner_of_(model_.folder()));
 }
 
 /// The progress is hidden; the last report stays.
@@ -161,11 +160,11 @@ void AuditPage::use_leanest() {
 
 void AuditPage::follow_model() {
   measure_->setEnabled(!job_->running());
-  Scenario now = model_.scenario();
-  now.version = measured_.version;  // publishing changes nothing else
-  const bool same = report_ && now == measured_;
-  use_->setEnabled(same && report_->changed());
   if (!report_) return list_choices();
+  Scenario now = model_.scenario();
+  now.version = report_->scenario.version;  // publishing changes nothing else
+  const bool same = now == report_->scenario;
+  use_->setEnabled(same && report_->changed());
   const int attempts = static_cast<int>(report_->operators.size());
   aside_->setText(same ? tr("Each choice was left out or halved once, with %n scripted attempt(s) each.", nullptr, attempts)
                        : tr("The exercise was changed since this was measured."));

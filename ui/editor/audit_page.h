@@ -56,7 +56,6 @@ class AuditPage : public QWidget {
   AuditJob* job_;
   Busy* busy_ = nullptr;
   std::shared_ptr<const AuditReport> report_;
-  Scenario measured_;  // the exercise of the report
   std::vector<Choice> listed_;  // in the table while there is no report
   QElapsedTimer since_;  // the audit began
   QLabel *about_, *aside_, *leanest_title_, *leanest_, *legend_;

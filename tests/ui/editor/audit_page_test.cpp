@@ -180,6 +180,30 @@ TEST(AuditPage, an_audit_that_is_stopped_leaves_the_page_as_it_was) {
   EXPECT_FALSE(button(page, "Use the leanest")->isVisible());
 }
 
+TEST(AuditPage, a_measurement_that_is_stopped_leaves_the_report_before_to_the_exercise_that_it_measured) {
+  EditorModel model(draft());
+  bool waits = false;
+  AuditPage page(model, [&](const std::string& folder) -> AuditRunner {
+    if (!waits) return at_once(folder);
+    return [](const AuditRun&, const AuditWatch& watch) -> Result<std::vector<std::optional<ModelResult>>, AuditFailure> {
+      while (watch(0.1)) std::this_thread::yield();
+      return fail(AuditError::cancelled, {});
+    };
+  });
+  ASSERT_TRUE(measure(page));
+  ASSERT_TRUE(button(page, "Use the leanest")->isEnabled());
+  model.set_depth_mm(1.7);
+  model.end_gesture();
+  waits = true;
+  button(page, "Measure")->click();
+  EXPECT_FALSE(button(page, "Use the leanest")->isEnabled());
+  auto* busy = page.findChild<Busy*>();
+  ASSERT_NE(busy, nullptr);
+  Q_EMIT busy->cancelled();
+  EXPECT_FALSE(button(page, "Use the leanest")->isEnabled()) << "it would set the tooth of another exercise";
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
+}
+
 TEST(AuditPage, an_exercise_that_cannot_be_played_is_reported) {
   EditorModel model(draft());
   AuditPage page(model, [](const std::string&) -> AuditRunner {
