@@ -148,6 +148,12 @@ void LibraryPage::read() {
   filter();
 }
 
+void LibraryPage::read_and_choose(ScenarioId id) {
+  read();
+  if (const int at = row_of(id); at >= 0 && !table_->isRowHidden(at)) table_->choose_row(at);
+  fit_buttons();
+}
+
 /// A draft that was begun meanwhile stands first, and is chosen.
 bool LibraryPage::read_again() {
   const int row = table_->chosen_row(), before = model_->rowCount();
@@ -281,6 +287,7 @@ void LibraryPage::withdraw_chosen() {
   const LibraryRow row = model_->row(index);
   const auto plan = plan_withdrawal(store_, row, ports_.now().toMSecsSinceEpoch() * 1000);
   if (!plan) return show_failure(plan.error());
+  if (!plan->newest) return show_changed(row);  // the list is older
   QStringList follows;
   follows << (plan->before ? tr("Students find version %1 again.").arg(*plan->before)
                            : tr("Students no longer find this exercise; you keep it as a draft."));
@@ -294,15 +301,22 @@ void LibraryPage::withdraw_chosen() {
 }
 
 void LibraryPage::withdraw_row(const LibraryRow& row, const Withdrawal& plan) {
+  const ScenarioId id = row.exercise->scenario.id;
+  const QString title = local(row.exercise->scenario.title);
+  const auto now = plan_withdrawal(store_, row, ports_.now().toMSecsSinceEpoch() * 1000);
+  if (!now) return show_failure(now.error());
+  if (*now != plan) return show_changed(row);
   const auto done = withdraw(store_, actor_, row, plan, database_, cache_);
   if (!done && done.error().code != StorageError::duplicate) return show_failure(done.error());  // else another desk was faster
-  const ScenarioId id = row.exercise->scenario.id;
-  read();
-  for (int i = 0; i < model_->rowCount(); ++i)
-    if (model_->row(i).shown().id == id && !table_->isRowHidden(i)) table_->choose_row(i);
-  fit_buttons();
-  band_->show_message(Band::Kind::good, tr("Version %1 of %2 is withdrawn.").arg(plan.number).arg(local(row.exercise->scenario.title)),
+  read_and_choose(id);
+  band_->show_message(Band::Kind::good, tr("Version %1 of %2 is withdrawn.").arg(plan.number).arg(title),
                       plan.before ? tr("Students find version %1 again.").arg(*plan.before) : tr("It stays here as a draft of yours."));
+}
+
+void LibraryPage::show_changed(const LibraryRow& row) {
+  read_and_choose(row.exercise->scenario.id);
+  band_->show_message(Band::Kind::look, tr("The versions or assignments of %1 changed meanwhile.").arg(local(row.exercise->scenario.title)),
+                      tr("Nothing was withdrawn. Withdraw it again to see what follows now."));
 }
 
 void LibraryPage::show_failure(const StorageFailure& failure) {

@@ -58,7 +58,7 @@ class LibraryPage : public QWidget, public Rereads {
   void begin_from_template(const std::string& key);
   /// Asks first; the published version stays.
   void discard_draft();
-  /// Asks first, with what follows. Only of a version that a person published.
+  /// Asks first, with what follows; withdraws nothing if something else follows by then. Only of a version that a person published.
   void withdraw_chosen();
   /// Asks for a file name. Saves the published version; the draft of an exercise that was never published.
   void save_chosen();
@@ -78,6 +78,7 @@ class LibraryPage : public QWidget, public Rereads {
 
  private:
   void read();
+  void read_and_choose(ScenarioId id);  // the first row if it has none any more
   void fit_buttons();
   void show_use();
   void show_picture();
@@ -90,6 +91,8 @@ class LibraryPage : public QWidget, public Rereads {
   QPushButton* make_more_button();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
   void withdraw_row(const LibraryRow& row, const Withdrawal& plan);
+  /// Instead of withdrawing a version of which something else follows than was asked.
+  void show_changed(const LibraryRow& row);
   void save_row(const LibraryRow& row, const QString& title, const QString& picked);
   struct Looked {
     ExerciseFile file;

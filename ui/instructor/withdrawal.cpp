@@ -18,10 +18,11 @@ Stored<Withdrawal> plan_withdrawal(Store& store, const LibraryRow& row, std::int
   out.number = row.exercise->version_number;
   out.assignments = static_cast<int>(std::ranges::count(*uses, out.number, &OlderUse::version));
   for (const ScenarioVersion& version : *versions) {
-    if (version.number >= out.number) continue;
     const auto withdrawn = store.scenarios.withdrawn(version.id);
     if (!withdrawn) return std::unexpected(withdrawn.error());
-    if (!*withdrawn) out.before = version.number;
+    if (*withdrawn || version.number == out.number) continue;
+    if (version.number < out.number) out.before = version.number;
+    else out.newest = false;
   }
   return out;
 }

@@ -15,6 +15,8 @@ struct Withdrawal {
   int number = 1;             // of the version
   std::optional<int> before;  // the version that students find then; nullopt: none
   int assignments = 0;        // open ones that name the version
+  bool newest = true;         // students find no later version
+  friend bool operator==(const Withdrawal&, const Withdrawal&) = default;
 };
 /// Pre: row.withdrawable.
 Stored<Withdrawal> plan_withdrawal(Store& store, const LibraryRow& row, std::int64_t now_utc_us);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/format/content_hash.h"
@@ -109,6 +110,46 @@ TEST_F(Withdrawals, ThatAnotherDeskMadeMeanwhileAreNoFailure) {
   page->withdraw_chosen();
   EXPECT_TRUE(page->findChild<Band*>()->text().startsWith(QStringLiteral("Version 4 of "))) << page->findChild<Band*>()->text().toStdString();
   EXPECT_EQ(state(), QStringLiteral("Version 4 withdrawn"));
+}
+
+TEST_F(Withdrawals, AskAnewIfAnotherDeskWithdrewTheVersionBeforeMeanwhile) {
+  EditorStart start = *exercise_on(dexterity_block(0.4), "Block from a scan", records.file());
+  const ScenarioVersion first = publish_start(start);
+  start = *open_for_editing(records.store(), instructor.actor(), here(first.scenario), records.file(), cache.path());
+  start.draft.target.outline.depth_mm = 2.2;
+  const ScenarioVersion second = publish_start(start);
+  ASSERT_EQ(second.number, 2);
+  show_and_choose(first.scenario);
+  const auto answer_at_once = std::exchange(ports.ask, [&](QWidget*, const Question& question, const std::function<void(bool)>& then) {
+    EXPECT_TRUE(question.more.contains(QStringLiteral("version 1 again"))) << question.more.toStdString();
+    EXPECT_TRUE(records.store().scenarios.withdraw(instructor.actor(), first.id));
+    then(true);
+  });
+  page->withdraw_chosen();
+  EXPECT_FALSE(*records.store().scenarios.withdrawn(second.id)) << "nobody was asked whether students find none";
+  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("changed meanwhile"))) << page->findChild<Band*>()->text().toStdString();
+  ports.ask = answer_at_once;
+  page->withdraw_chosen();
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_TRUE(asked[0].more.contains(QStringLiteral("you keep it as a draft"))) << asked[0].more.toStdString();
+  EXPECT_TRUE(*records.store().scenarios.withdrawn(second.id));
+  ASSERT_NE(row(first.scenario), nullptr) << "else nobody could edit it again";
+  EXPECT_EQ(state(), QStringLiteral("Withdrawn"));
+}
+
+TEST_F(Withdrawals, AskAnewIfTheListIsOlderThanTheNewestVersion) {
+  const ScenarioVersion fourth = publish_deeper();
+  show_and_choose(fourth.scenario);
+  EditorStart start = *open_for_editing(records.store(), instructor.actor(), here(fourth.scenario), records.file(), cache.path());
+  start.draft.target.outline.depth_mm = 2.1;
+  const ScenarioVersion fifth = publish_start(start);
+  page->withdraw_chosen();
+  EXPECT_TRUE(asked.empty()) << "students would not find version 3 again";
+  EXPECT_FALSE(*records.store().scenarios.withdrawn(fourth.id));
+  page->withdraw_chosen();
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_TRUE(asked[0].what.contains(QStringLiteral("Withdraw version 5"))) << asked[0].what.toStdString();
+  EXPECT_TRUE(*records.store().scenarios.withdrawn(fifth.id));
 }
 
 TEST_F(Withdrawals, LeaveTheNumberTaken) {
