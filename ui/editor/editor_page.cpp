@@ -109,7 +109,9 @@ void EditorPage::start_autosave() {
   });
   connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this, [this] {
     take_typed();
-    if (keep()) band_->show_message(Band::Kind::good, tr("The draft is saved."), {});
+    if (!keep()) return;
+    if (!half_filled()) return band_->show_message(Band::Kind::good, tr("The draft is saved."), {});
+    band_->show_message(Band::Kind::look, tr("The draft is saved without the briefing."), tr("The exercise keeps the briefing as it was. Under Texts stands why."));
   });
 }
 

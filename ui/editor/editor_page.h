@@ -53,7 +53,8 @@ class EditorPage : public QWidget {
   void try_out();
   /// Lets the reference operator cut the draft at once, and asks for the report of it.
   void try_out_by_reference();
-  /// Checks the exercise by attempts at it, off this thread, and opens the sheet that asks before publishing.
+  /// Checks the exercise by attempts at it, off this thread, and opens the sheet that asks before publishing. Asks first as leave()
+  /// does.
   void publish_version();
   /// Saves the draft while the window closes; as a copy if another window has changed it. False if neither can be written: the page
   /// shows the cause.
@@ -92,6 +93,8 @@ class EditorPage : public QWidget {
   Band* make_clash();
   bool keep();
   void keep_and_leave();
+  bool half_filled() const;
+  void with_briefing(const QString& question, const QString& verb, void (EditorPage::*act)());
   void show_clash();
   void see_theirs();
   void keep_copy();

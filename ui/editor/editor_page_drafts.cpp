@@ -131,14 +131,23 @@ void EditorPage::leave() {
   take_typed();
   leaves_ = publishing();
   if (leaves_) return;
+  with_briefing(tr("Leave without the briefing?"), tr("Leave"), &EditorPage::keep_and_leave);
+}
+
+bool EditorPage::half_filled() const {
   const auto* texts = findChild<TextsForm*>();
-  if (texts == nullptr || !texts->half_filled()) return keep_and_leave();
-  const Question question{tr("Leave without the briefing?"), tr("The exercise keeps the briefing as it was. Under Texts stands why."), tr("Leave"), true};
-  ports_.ask(this, question, [self = QPointer(this)](bool yes) {
-    if (!self) return;
-    if (yes) return self->keep_and_leave();
-    self->tabs_->setCurrentIndex(kWordsTab);
-  });
+  return texts != nullptr && texts->half_filled();
+}
+
+/// Asks first if a briefing stands in its field that the exercise cannot hold.
+void EditorPage::with_briefing(const QString& question, const QString& verb, void (EditorPage::*act)()) {
+  if (!half_filled()) return (this->*act)();
+  ports_.ask(this, {question, tr("The exercise keeps the briefing as it was. Under Texts stands why."), verb, true},
+             [self = QPointer(this), act](bool yes) {
+               if (!self) return;
+               if (yes) return (self->*act)();
+               self->tabs_->setCurrentIndex(kWordsTab);
+             });
 }
 
 void EditorPage::keep_and_leave() {
@@ -147,7 +156,7 @@ void EditorPage::keep_and_leave() {
 
 void EditorPage::publish_version() {
   if (publish_wait_->running() || !model_->publishable()) return;
-  begin_proof();
+  with_briefing(tr("Publish without the briefing?"), tr("Publish"), &EditorPage::begin_proof);
 }
 
 /// Of an exercise that scripted operators drill: seconds, and many of them on a slow machine.

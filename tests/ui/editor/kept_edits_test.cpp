@@ -78,6 +78,17 @@ TEST_F(TypedNumber, is_kept_by_the_key_that_saves) {
   EXPECT_DOUBLE_EQ(kept_depth_mm(), 2.4);
 }
 
+TEST_F(TypedNumber, is_kept_by_the_key_that_saves_with_a_word_on_a_briefing_that_is_not) {
+  auto* edit = named<QPlainTextEdit>(*page, "Briefing, English");
+  ASSERT_NE(edit, nullptr);
+  edit->clear();
+  QTest::keyClick(depth, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_DOUBLE_EQ(kept_depth_mm(), 2.4);
+  EXPECT_TRUE(std::ranges::any_of(page->findChildren<Band*>(), [&](const Band* band) {
+    return band->isVisibleTo(page.get()) && band->text().contains(QStringLiteral("without the briefing"));
+  }));
+}
+
 TEST_F(EditorPages, what_is_edited_while_a_version_is_published_is_kept_when_the_window_closes) {
   auto page = open();
   page->model().set_depth_mm(1.5);

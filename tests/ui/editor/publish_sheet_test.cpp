@@ -5,6 +5,7 @@
 #include <QDeadlineTimer>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -82,6 +83,26 @@ TEST_F(PublishSheets, AskOnceMoreBeforeWhatNobodyTriedOutAndOnlyThen) {
   publish_tried(*page);
   EXPECT_EQ(asked.size(), 2u);
   EXPECT_EQ(versions(*page), 3u);
+}
+
+TEST_F(PublishSheets, ComeAfterAQuestionWhileTheExerciseCannotHoldTheBriefingThatIsTyped) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->model().end_gesture();
+  auto* edit = named<QPlainTextEdit>(*page, "Briefing, English");
+  ASSERT_NE(edit, nullptr);
+  const QString before = edit->toPlainText();
+  edit->clear();
+  page->publish_version();
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked[0].what, QStringLiteral("Publish without the briefing?"));
+  answer = true;
+  ASSERT_TRUE(open_sheet(*page));
+  EXPECT_EQ(asked.size(), 2u) << "the one that was answered with no published nothing";
+  sheet_of(*page)->reject();
+  edit->setPlainText(before);
+  ASSERT_TRUE(open_sheet(*page));
+  EXPECT_EQ(asked.size(), 2u) << "the exercise holds it";
 }
 
 TEST_F(PublishSheets, LeaveTheKeysToThePageWhenTheyCloseWithTheirQuestion) {
