@@ -41,6 +41,15 @@ Stored<std::string> unpack_volume(Store& store, const Exercise& exercise, const 
   return name;
 }
 
+/// Whether the version that the model was opened with is withdrawn by now.
+Stored<bool> is_withdrawn(Store& store, const EditorModel& model) {
+  if (!model.published()) return false;
+  const auto versions = store.scenarios.versions(model.scenario().id);
+  if (!versions) return std::unexpected(versions.error());
+  const auto opened = std::ranges::find(*versions, model.published()->version, &ScenarioVersion::number);
+  return opened == versions->end() ? false : store.scenarios.withdrawn(opened->id);
+}
+
 }  // namespace
 
 Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
@@ -112,9 +121,13 @@ Stored<DraftSave> keep_draft(Store& store, const Actor& actor, const EditorModel
   const Scenario& s = model.scenario();
   if (model.unchanged()) {
     if (!kept) return DraftSave::kept;
-    const auto done = store.scenarios.drop_draft(actor, s.id, *kept);
-    if (done && *done == DraftSave::kept) kept.reset();
-    return done;
+    const auto withdrawn = is_withdrawn(store, model);
+    if (!withdrawn) return std::unexpected(withdrawn.error());
+    if (!*withdrawn) {
+      const auto done = store.scenarios.drop_draft(actor, s.id, *kept);
+      if (done && *done == DraftSave::kept) kept.reset();
+      return done;
+    }
   }
   std::string json = canonical_json(s);
   if (json == kept) return DraftSave::kept;  // nothing to write

@@ -34,8 +34,8 @@ EditorStart open_new(const Scenario& exercise, const std::filesystem::path& data
 Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,
                                   const std::filesystem::path& database, const std::filesystem::path& cache);
 
-/// Saves the draft, or discards it if it equals the published version. `kept`, in and out: the JSON that this window read or wrote
-/// last. If another window has changed the draft, nothing is written.
+/// Saves the draft, or discards it if it equals the published version; one that is withdrawn by now stands in no list without a draft.
+/// `kept`, in and out: the JSON that this window read or wrote last. If another window has changed the draft, nothing is written.
 Stored<DraftSave> keep_draft(Store& store, const Actor& actor, const EditorModel& model, std::optional<std::string>& kept);
 
 /// Saves the draft as a new exercise with a new id, and copies its volume.

@@ -200,6 +200,29 @@ TEST_F(EditorRecords, a_published_volume_is_opened_though_another_of_its_name_li
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(beside.parent_path()), {}), 2);
 }
 
+TEST_F(EditorRecords, a_draft_in_which_everything_is_undone_stays_if_the_version_is_withdrawn_by_now) {
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  const auto volume = make_specimen(block, {});
+  EditorModel first(*exercise_on(*volume, "Found tooth", records.file()));
+  first.set_facts(facts_of(*volume));
+  const auto version = publish_draft(records.store(), instructor.actor(), first, kept_json);
+  ASSERT_TRUE(version.has_value());
+  const auto list = load_exercises(records.store());
+  EditorModel model(open(*list->find(first.scenario().id)));
+  ASSERT_TRUE(model.set_width_mm(1.9));
+  ASSERT_FALSE(model.unchanged());
+  ASSERT_EQ(keep_draft(records.store(), instructor.actor(), model, kept_json), DraftSave::kept);
+  ASSERT_TRUE(records.store().scenarios.withdraw(instructor.actor(), version->id));
+  model.stack().undo();
+  ASSERT_TRUE(model.unchanged());
+  EXPECT_EQ(keep_draft(records.store(), instructor.actor(), model, kept_json), DraftSave::kept);
+  const auto drafts = records.store().scenarios.drafts(instructor.actor());
+  ASSERT_EQ(drafts->size(), 1u) << "else no list would have the exercise";
+  EXPECT_TRUE(*read_scenario(drafts->front().json) == model.scenario());
+}
+
 TEST_F(EditorRecords, a_missing_volume_is_reported_and_nothing_is_published) {
   SpecimenSource block;
   block.generator = "block";
