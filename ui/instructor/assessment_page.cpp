@@ -244,6 +244,13 @@ void AssessmentPage::adjust(const Adjustment& adjustment) {
   const int row = table_->chosen_row();
   if (row < 0) return;
   const QString candidate = model_->row(row).candidate;
+  const auto there = store_.assignments.adjustment(assignment_.id, model_->row(row).student);
+  if (!there) return show_failure(there.error());
+  if (*there != model_->row(row).adjustment) {
+    read();
+    return band_->show_message(Band::Kind::look, tr("The adjustment of %1 was changed at another desk meanwhile.").arg(candidate),
+                               tr("It is shown as it is now. What you set here was not kept."));
+  }
   const auto done = store_.assignments.adjust(actor_, assignment_.id, model_->row(row).student, adjustment);
   if (!done && done.error().code == StorageError::not_allowed && done.error().where == "assignment") {
     return band_->show_message(Band::Kind::look, tr("%1 is no longer in the cohort.").arg(candidate), tr("Nothing was changed."));

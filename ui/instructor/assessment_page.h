@@ -55,7 +55,7 @@ class AssessmentPage : public QWidget {
   const CandidatesModel& model() const { return *model_; }
   Table* table() const { return table_; }
   QString message() const;
-  /// Of the chosen candidate, for attempts that begin afterwards.
+  /// Of the chosen candidate, for attempts that begin afterwards. One that another desk made since the page was read stays.
   void adjust(const Adjustment& adjustment);
   /// Asks for the file of a column of results.
   void export_gradebook(Gradebook system);

@@ -139,6 +139,21 @@ TEST_F(Candidates, ReceiveAnAdjustmentThatShowsBesideTheirNumber) {
   EXPECT_EQ(row_of(page, ida).adjustment, both);
 }
 
+TEST_F(Candidates, KeepAnAdjustmentThatAnotherDeskMadeMeanwhile) {
+  AssessmentPage page(records.store(), examiner, assignment.id, ports);
+  for (int i = 0; i < 3; ++i)
+    if (page.model().row(i).student == ida.id) page.table()->choose_row(i);
+  const Adjustment theirs{.extra_time_percent = 25}, both{.extra_time_percent = 25, .large_text = true};
+  ASSERT_TRUE(records.store().assignments.adjust(examiner, assignment.id, ida.id, theirs));
+  page.adjust({.large_text = true});  // as the page shows it: no extra time
+  EXPECT_EQ(*records.store().assignments.adjustment(assignment.id, ida.id), theirs);
+  EXPECT_EQ(row_of(page, ida).adjustment, theirs);
+  EXPECT_TRUE(page.message().contains(QStringLiteral("at another desk meanwhile"))) << page.message().toStdString();
+  EXPECT_EQ(page.model().row(page.table()->chosen_row()).student, ida.id);
+  page.adjust(both);
+  EXPECT_EQ(*records.store().assignments.adjustment(assignment.id, ida.id), both);
+}
+
 TEST_F(Candidates, WhoLeftTheCohortReceiveNoAdjustmentAndTheExaminerReadsWhy) {
   ASSERT_TRUE(records.store().cohorts.remove(examiner, assignment.cohort, omar.id));
   AssessmentPage page(records.store(), examiner, assignment.id, ports);
