@@ -41,6 +41,7 @@ AssignmentForm::AssignmentForm(std::vector<Exercise> exercises, const QDateTime&
   exercise_ = new QComboBox;
   exercise_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   fill_exercises(std::move(exercises));
+  exercise_->setPlaceholderText(tr("Choose an exercise"));
   add_field(*form, tr("Exercise"), exercise_);
   kind_ = new Segments({tr("Practice"), tr("Assessment")});
   add_field(*form, tr("Kind"), kind_, kBetween);
@@ -177,8 +178,9 @@ QWidget* AssignmentForm::make_teeth() {
 }
 
 void AssignmentForm::offer_teeth() {
-  if (kind_->chosen() != 1 || exercises_.empty()) return;
-  const Exercise& exercise = exercises_[static_cast<std::size_t>(std::max(0, exercise_->currentIndex()))];
+  if (kind_->chosen() != 1) return;
+  if (!has_exercise()) return remark_->hide();
+  const Exercise& exercise = chosen_exercise();
   const auto bound = bound_to_its_tooth(exercise.scenario);
   drawn_tooth_->setEnabled(!bound);
   QString remark;
@@ -214,16 +216,22 @@ void AssignmentForm::fill_exercises(std::vector<Exercise> exercises) {
 }
 
 void AssignmentForm::set_exercises(std::vector<Exercise> exercises) {
-  const Exercise before = exercises_.empty() ? Exercise{} : wish().exercise;
+  const std::optional<Exercise> before = has_exercise() ? std::optional(chosen_exercise()) : std::nullopt;
   {
     const QSignalBlocker quiet(exercise_);
     fill_exercises(std::move(exercises));
-    choose_exercise(before.scenario.id);
+    exercise_->setCurrentIndex(-1);
+    if (before) choose_exercise(before->scenario.id);
   }
   offer_teeth();
-  const Exercise* now = find(before.scenario.id);
-  if (now == nullptr || content_hash(now->scenario).bytes != content_hash(before.scenario).bytes) enable_act();
+  if (!before) return;
+  const Exercise* now = find(before->scenario.id);
+  if (now == nullptr || content_hash(now->scenario).bytes != content_hash(before->scenario).bytes) enable_act();
 }
+
+bool AssignmentForm::has_exercise() const { return exercise_->currentIndex() >= 0; }
+
+const Exercise& AssignmentForm::chosen_exercise() const { return exercises_[static_cast<std::size_t>(exercise_->currentIndex())]; }
 
 const Exercise* AssignmentForm::find(const ScenarioId& id) const {
   const auto it = std::ranges::find_if(exercises_, [&](const Exercise& e) { return e.scenario.id == id; });
@@ -258,7 +266,7 @@ void AssignmentForm::draw_start_code() {
 
 AssignmentForm::Wish AssignmentForm::wish() const {
   Wish out;
-  out.exercise = exercises_[static_cast<std::size_t>(std::max(0, exercise_->currentIndex()))];
+  out.exercise = chosen_exercise();
   if (opens_.on->isChecked()) out.opens = opens_.when->dateTime();
   if (due_.on->isChecked()) out.due = due_.when->dateTime();
   if (attempts_->value() > 0) out.attempts = attempts_->value();

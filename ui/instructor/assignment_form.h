@@ -37,8 +37,9 @@ class AssignmentForm : public Card {
 
   /// `now`: from which usual dates are counted.
   AssignmentForm(std::vector<Exercise> exercises, const QDateTime& now, QWidget* parent = nullptr);
-  /// The exercise that was chosen stays so, in the version that is there now; where it is gone, the first one is chosen.
+  /// The exercise that was chosen stays so, in the version that is there now; where it is gone, none is chosen.
   void set_exercises(std::vector<Exercise> exercises);
+  bool has_exercise() const;  // one is chosen
   void choose_exercise(const ScenarioId& id);
   const Exercise* find(const ScenarioId& id) const;  // null: not in the list
   void choose_due(const QDateTime& due);
@@ -51,7 +52,7 @@ class AssignmentForm : public Card {
   void choose_drawn_tooth();
   /// Another code for the next assessment.
   void draw_start_code();
-  Wish wish() const;
+  Wish wish() const;  // pre: has_exercise()
   QPushButton* act() const { return act_; }
   /// A field differs from what the form began with, or from what it assigned last.
   bool changed() const { return changed_; }
@@ -68,6 +69,7 @@ class AssignmentForm : public Card {
     QDateTimeEdit* when = nullptr;
   };
   void fill_exercises(std::vector<Exercise> exercises);
+  const Exercise& chosen_exercise() const;  // pre: has_exercise()
   QWidget* make_devices();
   QWidget* make_self_test();
   QWidget* make_teeth();

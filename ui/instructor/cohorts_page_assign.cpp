@@ -69,6 +69,10 @@ void CohortsPage::show_withdrawn(const Exercise& exercise) {
 void CohortsPage::assign() {
   const auto cohort = chosen();
   if (!cohort || form_ == nullptr) return;
+  if (!form_->has_exercise()) {
+    band_->show_message(Band::Kind::bad, tr("No exercise is chosen."), tr("Choose one in the form."));
+    return;
+  }
   const AssignmentForm::Wish wish = form_->wish();
   if (wish.opens && wish.due && *wish.opens >= *wish.due) {
     band_->show_message(Band::Kind::bad, tr("It would be due before it opens."), tr("Choose a later day for Due."));
