@@ -141,11 +141,7 @@ QBoxLayout* PointsForm::make_measuring() {
   row->setSpacing(px(8));
   row->addWidget(measure_);
   row->addWidget(measured_, 1);
-  connect(measure_, &QPushButton::clicked, this, [this] {
-    job_->start(model_.scenario(), model_.specimen(), {"reference", "competent", "novice"});
-    measured_->setText(tr("Measuring"));
-    follow_model();
-  });
+  connect(measure_, &QPushButton::clicked, this, &PointsForm::measure);
   connect(job_, &OperatorJob::cut, this, [this](const std::shared_ptr<const SessionResult>& result) {
     model_.now_tried({tried_by(result->operator_name), result->scenario, result->measures});
   });
@@ -155,6 +151,33 @@ QBoxLayout* PointsForm::make_measuring() {
     follow_model();
   });
   return row;
+}
+
+/// Between neighbouring teeth the operators take minutes: the button stops them.
+void PointsForm::measure() {
+  if (job_->running()) {
+    stop_measuring({});
+    return show_measuring();
+  }
+  measuring_ = model_.scenario();
+  job_->start(measuring_, model_.specimen(), {"reference", "competent", "novice"});
+  measured_->setText(tr("Measuring"));
+  show_measuring();
+}
+
+void PointsForm::stop_measuring(const QString& why) {
+  job_->cancel();
+  measured_->setText(why);
+}
+
+/// Values of another tooth, target or bur would mark no band.
+void PointsForm::show_measuring() {
+  if (job_->running() && !measures_alike(measuring_, model_.scenario())) stop_measuring(tr("Stopped: the exercise was changed."));
+  const bool running = job_->running();
+  const QString text = running ? tr("Stop measuring") : tr("Measure the operators");
+  measure_->setText(u' ' + text);  // as make_button: the style leaves no space after the sign
+  measure_->setAccessibleName(text);
+  measure_->setEnabled(running || (model_.specimen() != nullptr && !has_error(model_.findings())));
 }
 
 PointsForm::Row PointsForm::make_row(std::size_t index) {
@@ -241,7 +264,7 @@ void PointsForm::follow_model() {
     rows_[i].open->setAccessibleDescription(wanted_text(c));
     rows_[i].open->setToolTip(tr("Full points: %1").arg(wanted_text(c)));
   }
-  measure_->setEnabled(model_.specimen() != nullptr && !has_error(model_.findings()) && !job_->running());
+  show_measuring();
   sum_->setText(tr("pass %1 of 100, shares of %2").arg(format_points(s.rubric.pass), format_points(sum)));
   pass_->show_value(s.rubric.pass);
   const bool pulp = has_tissue(s, Tissue::pulp);

@@ -36,6 +36,9 @@ class PointsForm : public QWidget {
   void follow_model();
   void build_rows();
   QBoxLayout* make_measuring();
+  void measure();
+  void stop_measuring(const QString& why);
+  void show_measuring();
   Row make_row(std::size_t index);
   void make_bands(std::size_t index);
 
@@ -47,6 +50,7 @@ class PointsForm : public QWidget {
   QPushButton *add_, *measure_;
   QLabel* measured_;
   OperatorJob* job_;
+  Scenario measuring_;  // the exercise that they cut
   QVBoxLayout* list_;
   std::vector<Row> rows_;
   QStringList built_;  // metric and shown name of each of rows_, in order

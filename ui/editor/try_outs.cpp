@@ -3,9 +3,7 @@
 #include <algorithm>
 
 namespace cusp::ui {
-namespace {
 
-/// The same cuts would measure the same: all but rubric, texts and times is equal.
 bool measures_alike(const Scenario& played, const Scenario& present) {
   Scenario same = played;
   same.version = present.version;
@@ -18,8 +16,6 @@ bool measures_alike(const Scenario& played, const Scenario& present) {
   same.rubric = present.rubric;
   return same == present;
 }
-
-}  // namespace
 
 std::string_view key_of(TriedBy by) noexcept {
   switch (by) {

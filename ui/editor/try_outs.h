@@ -21,6 +21,9 @@ inline constexpr std::array kTriedBy = {TriedBy::author, TriedBy::reference, Tri
 /// Of a scripted operator's key (ui/session/operator_cut.h); `author` of any other.
 [[nodiscard]] TriedBy tried_by(const std::string& operator_name);
 
+/// The same cuts would measure the same: all but rubric, texts and times is equal.
+[[nodiscard]] bool measures_alike(const Scenario& played, const Scenario& present);
+
 struct TryOut {
   TriedBy by = TriedBy::author;
   Scenario played;

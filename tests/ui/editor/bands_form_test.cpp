@@ -9,6 +9,7 @@
 
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
+#include "tests/ui/editor/editor_pages.h"
 #include "tests/ui/looks.h"
 #include "ui/editor/band_picture.h"
 #include "ui/editor/bands_form.h"
@@ -142,6 +143,31 @@ TEST_F(BandsForms, bands_out_of_order_have_numbers_and_no_picture) {
   EXPECT_FALSE(picture().isVisible());
   ASSERT_TRUE(model->set_bands(index, kDrawn));
   EXPECT_TRUE(picture().isVisible());
+}
+
+TEST_F(EditorPages, measuring_the_operators_is_stopped_by_its_button_and_by_a_change_that_it_would_not_show) {
+  const auto page = open();
+  auto* button = named<QPushButton>(*page, "Measure the operators");
+  ASSERT_NE(button, nullptr);
+  const auto says = [&](const char* words) {
+    return std::ranges::any_of(page->findChildren<QLabel*>(), [&](const QLabel* label) { return label->text() == QLatin1String(words); });
+  };
+  ASSERT_TRUE(button->isEnabled());
+  button->click();
+  EXPECT_TRUE(says("Measuring"));
+  EXPECT_EQ(button->accessibleName(), QStringLiteral("Stop measuring"));
+  ASSERT_TRUE(button->isEnabled());
+  button->click();
+  EXPECT_FALSE(says("Measuring"));
+  EXPECT_EQ(button->accessibleName(), QStringLiteral("Measure the operators"));
+
+  button->click();
+  ASSERT_TRUE(page->model().set_pass(80));
+  EXPECT_TRUE(says("Measuring")) << "a rubric measures nothing";
+  ASSERT_TRUE(page->model().set_depth_mm(1.7));
+  EXPECT_FALSE(says("Measuring"));
+  EXPECT_TRUE(says("Stopped: the exercise was changed."));
+  EXPECT_EQ(button->accessibleName(), QStringLiteral("Measure the operators"));
 }
 
 TEST_F(BandsForms, look_as_they_are_meant) {
