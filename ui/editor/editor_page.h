@@ -99,7 +99,7 @@ class EditorPage : public QWidget {
   void see_theirs();
   void keep_copy();
   void ask_to_replace_theirs();
-  void publish_now();
+  void publish_now(int number);
   bool publishing() const;
   void begin_proof();
   void stop_proof();

@@ -197,15 +197,20 @@ void EditorPage::show_proved(const Scenario& checked, std::vector<Finding> found
 void EditorPage::open_sheet() {
   auto facts = publish_facts(store_, *model_, ports_.now().toMSecsSinceEpoch() * 1000);
   if (!facts) return show_failure(facts.error());
+  const int number = facts->number;
   auto* sheet = new PublishSheet(std::move(*facts), local(model_->scenario().title), ports_, this);
-  connect(sheet, &PublishSheet::publish_wanted, this, &EditorPage::publish_now);
+  connect(sheet, &PublishSheet::publish_wanted, this, [this, number] { publish_now(number); });
   connect(sheet, &PublishSheet::try_out_wanted, this, &EditorPage::try_out);
   activate_after(*sheet, this);
   sheet->open();
 }
 
-void EditorPage::publish_now() {
+/// `number`: of the version that the sheet named.
+void EditorPage::publish_now(int number) {
   if (publishing()) return;
+  const auto next = next_version(store_, *model_);
+  if (!next) return show_failure(next.error());
+  if (*next != number) return open_sheet();  // another desk published meanwhile: the sheet names what that replaces
   // If the program dies meanwhile, the draft is as it was published.
   if (const auto kept = keep_draft(store_, actor_, *model_, kept_); !kept) return show_failure(kept.error());
   auto what = publication_of(*model_, kept_);

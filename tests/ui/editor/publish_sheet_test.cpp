@@ -11,8 +11,10 @@
 #include <QSignalSpy>
 #include <QThread>
 
+#include "scenarios/format/content_hash.h"
 #include "scenarios/format/ranges.h"
 #include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/editor_pages.h"
 #include "ui/editor/change_messages.h"
@@ -218,6 +220,28 @@ TEST_F(PublishSheets, PublishWithoutATurnOfTheWindowsEventLoop) {
   const QDeadlineTimer limit(kGrowsWithinMs);
   while (versions(*page) < 2 && !limit.hasExpired()) QThread::msleep(1);
   EXPECT_EQ(versions(*page), 2u);
+}
+
+TEST_F(PublishSheets, OpenAnewIfAnotherDeskPublishedWhileTheyWereOpen) {
+  const auto page = open();
+  page->model().set_depth_mm(1.5);
+  page->model().now_tried(page->model().scenario());
+  ASSERT_TRUE(open_sheet(*page));
+  EXPECT_TRUE(text_of(*sheet_of(*page)).contains(QStringLiteral("Changed since version 3")));
+  Scenarios& scenarios = records.store().scenarios;
+  Scenario theirs = *load_builtin("channel-1");
+  ASSERT_TRUE(scenarios.ensure(theirs, canonical_json(theirs), content_hash(theirs).bytes));
+  theirs.version += 1;
+  theirs.rubric.pass = 60;
+  ASSERT_TRUE(scenarios.publish(instructor.actor(), theirs, canonical_json(theirs), content_hash(theirs).bytes));
+  sheet_of(*page)->publish()->click();
+  ASSERT_NE(sheet_of(*page), nullptr);
+  const QString text = text_of(*sheet_of(*page));
+  EXPECT_TRUE(text.contains(QStringLiteral("Another window has published version 4"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Pass mark, of 100: 70, was 60"))) << "which would be undone unseen: " << text.toStdString();
+  EXPECT_EQ(versions(*page), 2u);
+  ASSERT_TRUE(publish_by_sheet(*page));
+  EXPECT_EQ(versions(*page), 3u);
 }
 
 TEST_F(PublishSheets, LetThePageLeaveOnceTheVersionStandsAndKeepWhatWasEditedMeanwhile) {
