@@ -187,8 +187,7 @@ void PeoplePage::show_chosen() {
 
 void PeoplePage::leave_form(std::function<void()> then) {
   if (!half_filled() || waiting()) return then();
-  const Question question{tr("Leave without saving the form?"), tr("What was filled in and not saved is not kept."), tr("Leave"), true};
-  ports_.ask(this, question, [self = QPointer(this), then = std::move(then)](bool yes) {
+  ports_.ask(this, leave_form_question(), [self = QPointer(this), then = std::move(then)](bool yes) {
     if (!self) return;
     if (yes) return then();
     const int row = self->edited_ ? self->model_->row_of(self->edited_->id) : -1;  // a search may hide it

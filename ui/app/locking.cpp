@@ -167,7 +167,7 @@ bool Desktop::asks_before_closing() {
   } else {
     return false;
   }
-  if (form) question.more = (question.more + u' ' + tr("What was filled in and not saved is not kept.")).trimmed();
+  if (form) question.more = (question.more + u' ' + leave_form_question().more).trimmed();
   if (!behind_lock_.empty()) question.more += u' ' + behind_lock_text();
   ports_.ask(this, question, [self = QPointer(this)](bool yes) {
     if (!self || !yes) return;
@@ -180,8 +180,7 @@ bool Desktop::asks_before_closing() {
 void Desktop::leave_page(std::function<void()> then) {
   const QWidget* left = shell_ != nullptr ? shell_->page() : nullptr;
   if (left == nullptr || !has_half_filled_form(*left)) return then();
-  const Question question{tr("Leave without saving the form?"), tr("What was filled in and not saved is not kept."), tr("Leave"), true};
-  ports_.ask(this, question, [self = QPointer(this), then = std::move(then)](bool yes) {
+  ports_.ask(this, leave_form_question(), [self = QPointer(this), then = std::move(then)](bool yes) {
     if (self && yes) then();
   });
 }

@@ -1,6 +1,8 @@
 /// A page with a form whose content stands nowhere else until it is saved. Thread: GUI.
 #pragma once
 
+#include "ui/widgets/ports.h"
+
 namespace cusp::ui {
 
 class HalfFilled {
@@ -11,5 +13,8 @@ class HalfFilled {
  protected:
   ~HalfFilled() = default;
 };
+
+/// Asked before a half-filled form is left.
+Question leave_form_question();
 
 }  // namespace cusp::ui
