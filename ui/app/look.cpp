@@ -10,10 +10,14 @@
 
 namespace cusp::ui {
 
+// A page is made anew, and its half-filled form goes with it: leave_page() asks first.
+
 void Desktop::set_scheme(ColourScheme scheme) {
-  settings_.set_scheme(scheme);
-  apply_theme(*qApp, scheme, scale_percent());
-  rebuild();
+  leave_page([this, scheme] {
+    settings_.set_scheme(scheme);
+    apply_theme(*qApp, scheme, scale_percent());
+    rebuild();
+  });
 }
 
 void Desktop::use_text(TextSize size) {
@@ -22,21 +26,27 @@ void Desktop::use_text(TextSize size) {
 }
 
 void Desktop::set_language(const QString& code) {
-  settings_.set_language(code);
-  install_language(*qApp, code);
-  rebuild();
+  leave_page([this, code] {
+    settings_.set_language(code);
+    install_language(*qApp, code);
+    rebuild();
+  });
 }
 
 void Desktop::set_scale(int percent) {
-  settings_.set_scale_percent(percent);
-  apply_theme(*qApp, settings_.scheme(), percent);
-  rebuild();
+  leave_page([this, percent] {
+    settings_.set_scale_percent(percent);
+    apply_theme(*qApp, settings_.scheme(), percent);
+    rebuild();
+  });
 }
 
 void Desktop::set_exercise_language(const QString& code) {
-  settings_.set_exercise_language(code);
-  choose_exercise_language(code);
-  rebuild();
+  leave_page([this, code] {
+    settings_.set_exercise_language(code);
+    choose_exercise_language(code);
+    rebuild();
+  });
 }
 
 /// Those of the published exercises, where one has more than the program speaks, or where a choice was made.

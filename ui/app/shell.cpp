@@ -60,6 +60,11 @@ class PageArea : public QScrollArea {
   }
 };
 
+/// A press checks its entry, and a question may keep what holds.
+void check_what_holds(const QList<QAction*>& entries, const QVariant& holds) {
+  for (QAction* entry : entries) entry->setChecked(entry->data() == holds);
+}
+
 }  // namespace
 
 Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
@@ -123,8 +128,12 @@ QToolButton* Shell::make_language_button() {
   for (const Language& l : languages()) {
     QAction* action = speech->addAction(l.name);
     action->setCheckable(true);
+    action->setData(l.code);
     action->setChecked(l.code == current_language());
-    connect(action, &QAction::triggered, this, [this, code = l.code] { Q_EMIT language_chosen(code); });
+    connect(action, &QAction::triggered, this, [this, speech, code = l.code] {
+      check_what_holds(speech->actions(), current_language());
+      Q_EMIT language_chosen(code);
+    });
   }
   globe->setMenu(speech);
   globe->setPopupMode(QToolButton::InstantPopup);
@@ -137,9 +146,13 @@ void Shell::offer_exercise_languages(const QStringList& codes, const QString& ch
   const auto add = [&](const QString& code, const QString& name) {
     QAction* action = menu->addAction(name);
     action->setCheckable(true);
+    action->setData(code);
     action->setChecked(code == chosen);
     group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, code] { Q_EMIT exercise_language_chosen(code); });
+    connect(action, &QAction::triggered, this, [this, group, chosen, code] {
+      check_what_holds(group->actions(), chosen);
+      Q_EMIT exercise_language_chosen(code);
+    });
   };
   add({}, tr("As the program"));
   for (const QString& code : codes) add(code, language_name(code));
@@ -181,9 +194,13 @@ QMenu* Shell::make_account_menu(const Account& account, QWidget* button) {
   for (const int percent : {100, 125, 150, 175, 200}) {
     QAction* action = size->addAction(QLocale().toString(percent) + QChar(0x00A0) + u'%');
     action->setCheckable(true);
+    action->setData(percent);
     action->setChecked(percent == scale_percent());
     sizes->addAction(action);
-    connect(action, &QAction::triggered, this, [this, percent] { Q_EMIT scale_chosen(percent); });
+    connect(action, &QAction::triggered, this, [this, sizes, percent] {
+      check_what_holds(sizes->actions(), scale_percent());
+      Q_EMIT scale_chosen(percent);
+    });
   }
   if (account.has_password) {
     connect(menu->addAction(tr("Change password…")), &QAction::triggered, this, &Shell::password_wanted);

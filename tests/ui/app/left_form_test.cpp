@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -77,6 +79,36 @@ TEST_F(LeftForm, is_asked_about_before_its_author_signs_out) {
   answer = true;
   sign_out->trigger();
   EXPECT_FALSE(desktop->account());
+}
+
+TEST_F(LeftForm, is_asked_about_before_another_look_makes_its_page_anew) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  const QWidget* shown = desktop->shell()->page();
+  QAction* larger = nullptr;
+  for (QAction* size : desktop->shell()->findChild<QPushButton*>(QStringLiteral("account"))->menu()->findChildren<QAction*>())
+    if (size->data() == 150) larger = size;
+  ASSERT_NE(larger, nullptr);
+  type_name();
+  larger->trigger();
+  desktop->set_scheme(ColourScheme::dark);
+  desktop->set_language(QStringLiteral("de"));
+  desktop->set_exercise_language(QStringLiteral("de"));
+  EXPECT_EQ(asked, QStringList(4, QStringLiteral("Leave without saving the form?")));
+  EXPECT_EQ(desktop->shell()->page(), shown);
+  EXPECT_EQ(scale_percent(), 100);
+  EXPECT_FALSE(larger->isChecked()) << "the menu names the size that is shown";
+  EXPECT_FALSE(tokens().dark);
+  EXPECT_NE(settings.language(), QStringLiteral("de"));
+  EXPECT_NE(settings.exercise_language(), QStringLiteral("de"));
+  answer = true;
+  larger->trigger();
+  EXPECT_EQ(scale_percent(), 150);
+  EXPECT_EQ(page(), "people");
+  EXPECT_NE(desktop->shell()->page(), shown);
+  EXPECT_EQ(asked.size(), 5);
+  desktop->set_scheme(ColourScheme::dark);
+  EXPECT_EQ(asked.size(), 5) << "the new page has an empty form";
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 }  // namespace
