@@ -7,6 +7,7 @@
 #include "storage/retention/departed.h"
 #include "ui/modules.h"
 #include "ui/session/records_task.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 
@@ -17,13 +18,13 @@ namespace cusp::ui {
 
 class NumberField;
 
-class DepartedCard : public Card {
+class DepartedCard : public Card, public AtWork {
   Q_OBJECT
 
  public:
   /// The ports outlive the card.
   DepartedCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
-  bool working() const { return working_; }
+  bool working() const override { return working_; }
   /// Who would be erased; empty without years.
   QString found() const;
   void choose_years(int years);

@@ -11,6 +11,7 @@
 #include "ui/admin/stations_model.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/ports.h"
 
 class QBoxLayout;
@@ -28,14 +29,14 @@ struct KeyToTrust;
 struct Message;
 class Table;
 
-class ExchangePage : public QWidget {
+class ExchangePage : public QWidget, public AtWork {
   Q_OBJECT
 
  public:
   /// Store, settings and ports outlive the page.
   ExchangePage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent = nullptr);
   QString message() const;
-  bool working() const { return working_; }
+  bool working() const override { return working_; }
   /// What stands in place of the list: comparing a key, looking at a file, or neither.
   enum class Step { stations, key, file };
   Step step() const { return step_; }

@@ -10,6 +10,7 @@
 #include "ui/admin/log_model.h"
 #include "ui/admin/backup_work.h"
 #include "ui/modules.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/ports.h"
 
 class QComboBox;
@@ -25,7 +26,7 @@ class Busy;
 class ExportRun;
 class Table;
 
-class LogPage : public QWidget {
+class LogPage : public QWidget, public AtWork {
   Q_OBJECT
 
  public:
@@ -43,6 +44,7 @@ class LogPage : public QWidget {
   QString message() const;
   bool verifying() const { return progress_ != nullptr; }
   bool exporting() const;
+  bool working() const override { return exporting(); }
   bool shows_none() const;
 
  public Q_SLOTS:

@@ -7,6 +7,7 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
 
@@ -29,7 +30,7 @@ class ExportRun;
 class AttemptsModel;
 class Table;
 
-class Performance : public QWidget, public Rereads {
+class Performance : public QWidget, public Rereads, public AtWork {
   Q_OBJECT
 
  public:
@@ -51,6 +52,7 @@ class Performance : public QWidget, public Rereads {
   CriteriaCard* criteria() const { return criteria_; }
   QComboBox* period() const { return period_; }
   bool exporting() const;
+  bool working() const override { return exporting(); }
 
  public Q_SLOTS:
   void read();

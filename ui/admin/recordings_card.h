@@ -7,6 +7,7 @@
 
 #include "ui/admin/thin_work.h"
 #include "ui/session/records_task.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/ports.h"
 
@@ -19,13 +20,13 @@ namespace cusp::ui {
 class Busy;
 class NumberField;
 
-class RecordingsCard : public Card {
+class RecordingsCard : public Card, public AtWork {
   Q_OBJECT
 
  public:
   /// The ports outlive the card.
   RecordingsCard(RecordsBeside records, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
-  bool working() const { return progress_ != nullptr; }
+  bool working() const override { return progress_ != nullptr; }
   /// "3 recordings, 34.1 MB"; empty while they are counted.
   QString found() const;
   void choose_days(int days);

@@ -10,6 +10,7 @@
 #include "ui/admin/backup_work.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/ports.h"
 
 class QBoxLayout;
@@ -24,14 +25,14 @@ class Busy;
 class NumberField;
 class RecordingsCard;
 
-class StationPage : public QWidget {
+class StationPage : public QWidget, public AtWork {
   Q_OBJECT
 
  public:
   /// Settings and ports outlive the page.
   StationPage(Store& store, const Actor& actor, Settings& settings, const Ports& ports, QWidget* parent = nullptr);
   QString message() const;
-  bool working() const { return working_; }
+  bool working() const override { return working_; }
   RecordingsCard& recordings() { return *recordings_; }
 
  public Q_SLOTS:

@@ -142,7 +142,7 @@ class Desktop : public QMainWindow {
   void give_back_comment(MarkingCard& card);
   /// True if something would be lost: closing then waits for the answer. Drafts are kept.
   bool asks_before_closing();
-  /// Calls `then`; after a question, or never, if a form of the shell's page would be lost.
+  /// Calls `then`; after a question, or never, if a form of the shell's page or the outcome of its work would be lost.
   void leave_page(std::function<void()> then);
   void offer_exercise_languages(class Shell& shell);
   void rebuild();

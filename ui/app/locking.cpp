@@ -18,6 +18,7 @@
 #include "ui/report/marking_card.h"
 #include "ui/report/report_page.h"
 #include "ui/signin/sign_in.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/half_filled.h"
 
 namespace cusp::ui {
@@ -65,6 +66,16 @@ bool is_half_filled(const QWidget* part) {
 bool has_half_filled_form(const QWidget& whole) {
   const auto parts = whole.findChildren<QWidget*>();
   return is_half_filled(&whole) || std::ranges::any_of(parts, is_half_filled);
+}
+
+bool is_at_work(const QWidget* part) {
+  const auto* work = dynamic_cast<const AtWork*>(part);
+  return work != nullptr && work->working();
+}
+
+bool has_work(const QWidget& whole) {
+  const auto parts = whole.findChildren<QWidget*>();
+  return is_at_work(&whole) || std::ranges::any_of(parts, is_at_work);
 }
 
 }  // namespace
@@ -179,8 +190,9 @@ bool Desktop::asks_before_closing() {
 
 void Desktop::leave_page(std::function<void()> then) {
   const QWidget* left = shell_ != nullptr ? shell_->page() : nullptr;
-  if (left == nullptr || !has_half_filled_form(*left)) return then();
-  ports_.ask(this, leave_form_question(), [self = QPointer(this), then = std::move(then)](bool yes) {
+  const bool form = left != nullptr && has_half_filled_form(*left);
+  if (left == nullptr || !(form || has_work(*left))) return then();
+  ports_.ask(this, form ? leave_form_question() : leave_work_question(), [self = QPointer(this), then = std::move(then)](bool yes) {
     if (self && yes) then();
   });
 }

@@ -14,6 +14,7 @@
 #include "ui/instructor/library_model.h"
 #include "ui/modules.h"
 #include "ui/session/background_task.h"
+#include "ui/widgets/at_work.h"
 #include "ui/widgets/ports.h"
 #include "ui/widgets/rereads.h"
 
@@ -33,7 +34,7 @@ class Table;
 class ThumbnailCache;
 struct Withdrawal;
 
-class LibraryPage : public QWidget, public Rereads {
+class LibraryPage : public QWidget, public Rereads, public AtWork {
   Q_OBJECT
 
  public:
@@ -47,7 +48,7 @@ class LibraryPage : public QWidget, public Rereads {
   QComboBox* groups() const { return group_; }
   QComboBox* states() const { return state_; }
   /// While a file is read or written: a volume takes seconds. No other file is opened or saved meanwhile.
-  bool working() const { return working_; }
+  bool working() const override { return working_; }
 
  public Q_SLOTS:
   void open_chosen();

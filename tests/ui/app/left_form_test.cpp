@@ -1,4 +1,4 @@
-// What is asked before a page with a half-filled form is left.
+// What is asked before a page with a half-filled form, or at work, is left.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -7,9 +7,11 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "ui/admin/station_page.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/settings/settings.h"
@@ -109,6 +111,23 @@ TEST_F(LeftForm, is_asked_about_before_another_look_makes_its_page_anew) {
   desktop->set_scheme(ColourScheme::dark);
   EXPECT_EQ(asked.size(), 5) << "the new page has an empty form";
   apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST_F(LeftForm, and_work_whose_outcome_its_page_alone_shows_are_asked_about) {
+  desktop->shell()->show_page(QStringLiteral("station"));
+  auto* station = qobject_cast<StationPage*>(desktop->shell()->page());
+  ASSERT_NE(station, nullptr);
+  station->back_up();
+  ASSERT_TRUE(station->working());
+  in_sidebar("Audit log")->click();
+  desktop->set_scale(150);
+  EXPECT_EQ(asked, QStringList(2, QStringLiteral("Leave before the work has ended?")));
+  ASSERT_EQ(desktop->shell()->page(), station);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !station->working(); }, 60'000));
+  EXPECT_FALSE(station->message().isEmpty());
+  in_sidebar("Audit log")->click();
+  EXPECT_EQ(page(), "audit");
+  EXPECT_EQ(asked.size(), 2) << "the work has ended";
 }
 
 }  // namespace
