@@ -47,6 +47,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr QSize kLeast{960, 540}, kUsual{1280, 800};   // px
+constexpr int kAccountLookMs = 2'000;                   // one row is read
 constexpr int kFrame = 48;                              // px; what a window manager takes of the height at most
 constexpr const char* kCoverExercise = "class-1-36";    // whose tooth the sign-in shows
 
@@ -84,6 +85,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   connect(pictures_.get(), &ThumbnailCache::ready, this, &Desktop::show_cover);
   connect(&idle_, &IdleWatch::idle, this, &Desktop::lock_idle);
   connect(&backup_timer_, &QTimer::timeout, this, &Desktop::keep_daily_backup);
+  connect(&account_timer_, &QTimer::timeout, this, &Desktop::look_at_account);
 }
 
 Desktop::~Desktop() = default;
@@ -148,6 +150,7 @@ void Desktop::show_cover() {
 void Desktop::sign_in(const Account& account) {
   account_ = account;
   begin_idle();
+  account_timer_.start(kAccountLookMs);
   show_shell(entries().first().key);
   open_waiting_file();
   take_from_behind_lock();

@@ -130,6 +130,10 @@ class Desktop : public QMainWindow {
 
  private:
   void begin_idle();
+  /// Locks if the account was switched off, erased or given another role since it signed in: pages read in that role.
+  void look_at_account();
+  /// Signs out, keeps what can be kept, and says why.
+  void lock(const QString& why);
   /// The pages over the shell go out of sight, for sign_in() of the same account.
   void put_behind_lock();
   void take_from_behind_lock();
@@ -211,7 +215,7 @@ class Desktop : public QMainWindow {
   SignIn* sign_in_ = nullptr;
   hid::HidStation* hid_ = nullptr;
   QString waiting_file_;  // empty: none
-  QTimer backup_timer_;
+  QTimer backup_timer_, account_timer_;
   IdleWatch idle_;
   BackgroundTask backup_, packing_, gathering_;
   int gathered_ = 0;  // calls of gather()

@@ -82,13 +82,24 @@ bool has_work(const QWidget& whole) {
 
 void Desktop::lock_idle() {
   if (!account_ || findChild<DrillScreen*>() != nullptr) return begin_idle();  // a device moves without mouse and keys
+  lock(tr("You were signed out after %n minute(s) without input.", nullptr, settings_.idle_minutes()));
+}
+
+void Desktop::look_at_account() {
+  if (!account_ || findChild<DrillScreen*>() != nullptr) return;
+  const auto now = store_->accounts.find(account_->id);
+  if (!now) return;
+  if (now->disabled) return lock(tr("You were signed out: your account is switched off."));
+  if (now->role != account_->role) lock(tr("You were signed out: your role was changed. Sign in again."));
+}
+
+void Desktop::lock(const QString& why) {
   // PINs that are not saved and a draft that cannot be stand nowhere else.
   const bool unsaved = has_unsaved_slips(*stack_) || !keep_drafts(*stack_);
   if (!unsaved) {
     for (const MarkingCard* card : stack_->findChildren<MarkingCard*>())
       if (card->unsaved()) unsaved_comments_[{account_->id, card->session()}] = {QString::fromStdString(account_->name), card->written()};
   }
-  const int minutes = settings_.idle_minutes();
   QString kept = has_open_import(*stack_)        ? tr("What you did is kept, but for the import: begin it anew.")
                  : audits(*stack_)               ? tr("What you did is kept, but for the audit: measure anew.")
                  : has_half_filled_form(*stack_) ? tr("What you did is kept, but for the form that was not saved: fill it in anew.")
@@ -98,7 +109,7 @@ void Desktop::lock_idle() {
     kept = behind_lock_text();
   }
   sign_out();
-  sign_in_->show_note({tr("You were signed out after %n minute(s) without input.", nullptr, minutes), kept});
+  sign_in_->show_note({why, kept});
 }
 
 void Desktop::put_behind_lock() {
