@@ -15,18 +15,33 @@
 namespace cusp::ui {
 namespace {
 
+/// Of spreadsheets on Windows, Linux, and an older Mac.
+QString with_line_feeds(QString text) { return text.replace(u"\r\n"_qs, u"\n"_qs).replace(u'\r', u'\n'); }
+
+/// Of which the first line has most outside quotes.
 QChar separator_of(const QString& text) {
-  const QString first = text.section(u'\n', 0, 0);
-  QChar best = u',';
-  for (const QChar c : {QChar(u';'), QChar(u'\t')})
-    if (first.count(c) > first.count(best)) best = c;
-  return best;
+  std::array<std::pair<QChar, int>, 3> signs = {{{u',', 0}, {u';', 0}, {u'\t', 0}}};
+  bool quoted = false;
+  for (const QChar c : text) {
+    if (c == u'"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == u'\n') break;
+    for (auto& [sign, count] : signs) count += c == sign ? 1 : 0;
+  }
+  return std::ranges::max_element(signs, {}, &std::pair<QChar, int>::second)->first;
 }
 
 /// Reads cell by cell; a row ends at a line break outside quotes.
 class CsvReader {
  public:
-  explicit CsvReader(const QString& text) : text_(text), separator_(separator_of(text)) {}
+  explicit CsvReader(const QString& text) : text_(with_line_feeds(text)), separator_(separator_of(text_)) {
+    static const QRegularExpression kNamesSeparator(QStringLiteral("\\Asep=([,;\t])\n"), QRegularExpression::CaseInsensitiveOption);
+    const auto named = kNamesSeparator.match(text_);
+    if (!named.hasMatch()) return;
+    separator_ = named.captured(1).front();
+    at_ = named.capturedLength();
+    row_line_ = line_ = 2;
+  }
 
   Result<CsvTable, CsvFailure> read() {
     for (; at_ < text_.size(); ++at_) {
@@ -41,7 +56,7 @@ class CsvReader {
         end_cell();
       } else if (c == u'\n') {
         end_row();
-      } else if (c != u'\r') {
+      } else {
         cell_ += c;
       }
     }
@@ -76,7 +91,7 @@ class CsvReader {
     row_line_ = line_;
   }
 
-  const QString& text_;
+  const QString text_;
   QChar separator_;
   CsvTable out_;
   std::vector<QString> row_;

@@ -18,8 +18,8 @@ struct CsvTable {
 };
 enum class CsvError : std::uint8_t { open_quote };  // where: the line at which the quote opens
 using CsvFailure = Failure<CsvError>;
-/// Quoted cells may hold separators, line breaks and doubled quotes. Empty lines are left out. The first line
-/// decides the separator: it has most of it.
+/// Quoted cells may hold separators, line breaks and doubled quotes. Empty lines are left out. The first line decides the
+/// separator: it has most of it outside quotes, or is "sep=;" and stands above the heads. A line ends as on any system.
 Result<CsvTable, CsvFailure> read_csv(const QString& text);
 /// UTF-8 with or without a mark, UTF-16 with one, else Windows-1252.
 QString decode_text(const QByteArray& bytes);

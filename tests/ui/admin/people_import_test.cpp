@@ -56,6 +56,20 @@ TEST(StudentList, takes_its_columns_by_their_heads_in_english_and_german) {
   EXPECT_EQ(german[0].pin, QStringLiteral("123456"));
 }
 
+TEST(StudentList, is_read_whatever_ends_its_lines_and_parts_its_cells) {
+  const auto mac = list_of("Number,Name\r1,Lena Brandt\r2,Omar Haddad\r");
+  ASSERT_EQ(mac.size(), 2u) << "lines of an older Mac";
+  EXPECT_EQ(mac[1].name, QStringLiteral("Omar Haddad"));
+  EXPECT_EQ(mac[1].line, 3);
+  const auto quoted = list_of("Matrikelnummer;Name;\"Ort, PLZ, Land\"\n4711;Lena Brandt;\"Bonn, 53111, D\"\n");
+  ASSERT_EQ(quoted.size(), 1u) << "commas in a quoted head";
+  EXPECT_EQ(quoted[0].number, QStringLiteral("4711"));
+  const auto named = list_of("sep=;\r\nName;Matrikelnummer\r\n\"Brandt, Lena\";4711\r\n");
+  ASSERT_EQ(named.size(), 1u) << "a first line that only names the separator";
+  EXPECT_EQ(named[0].name, QStringLiteral("Brandt, Lena"));
+  EXPECT_EQ(named[0].line, 3);
+}
+
 TEST(StudentList, takes_the_student_number_and_no_id_of_the_line) {
   const auto list = list_of("ID;Nachname;Vorname;Matrikelnummer\n1;Brandt;Lena;4711\n");
   ASSERT_EQ(list.size(), 1u);
