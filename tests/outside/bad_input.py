@@ -236,6 +236,10 @@ def window(desk):
     refused(desk, "a platform that needs a display", names=("no display",), **(nowhere | {"QT_QPA_PLATFORM": "xcb"}))
     status, _, err = desk.run("--saef", QT_QPA_PLATFORM="offscreen")
     check(status == 2 and "saef" in err, f"an unknown option of the window: exit {status}: {err}")
+    for files, name in (((desk.path("a.cusp"), desk.path("b.cusp")), "b.cusp"), ((desk.path("a.cusp"), "export"), "export"),
+                        (("--db", desk.path("x.db"), "export"), "export"), (("--safe", desk.path("notes.txt")), "notes.txt")):
+        status, out, err = desk.run(*files, QT_QPA_PLATFORM="offscreen")
+        check(status == 2 and name in err and out == "", f"{files} for the window: exit {status}: {out}{err}")
     status, _, err = desk.run("-platform", "offscreen", "--saef", **nowhere)
     check(status == 2 and "saef" in err, f"a platform that needs no display: exit {status}: {err}")
 

@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(line.errorText()));
     return 2;  // as a verb's kWrongUsage
   }
+  cusp::ui::install_language(app, {});  // of the environment, as a verb speaks; the window has its own
+  if (const auto status = cusp::ui::refuse_files(line.positionalArguments())) return *status;
 
   if (line.isSet(safe)) cusp::ui::forbid_opengl();
   const cusp::ui::RunMarker marker(cusp::ui::Desktop::marker_folder());

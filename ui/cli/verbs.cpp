@@ -88,6 +88,14 @@ bool no_display(int argc, char** argv) {
   return std::ranges::all_of(kDisplays, [](const char* name) { return qEnvironmentVariableIsEmpty(name); });
 }
 
+std::optional<int> refuse_files(const QStringList& files) {
+  for (const QString& file : files)
+    if (!names_exercise_file(file.toStdString()))
+      return wrong_usage(CliText::tr("%1 is no exercise file, NAME.cusp. A verb stands before every option (see cusp --help).").arg(file));
+  if (files.size() > 1) return wrong_usage(CliText::tr("Only one exercise file can be opened, and %1 is another.").arg(files[1]));
+  return std::nullopt;
+}
+
 int run_verb(int argc, char** argv) {
   if (const auto status = import_child_main(argc, argv)) return *status;
   // A verb prints one line when it fails, and Qt's remarks about the session it runs in are none of it.

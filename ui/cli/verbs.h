@@ -1,6 +1,8 @@
 /// The verbs of `cusp`: the desktop's work without a window (design: "Two programs").
 #pragma once
 
+#include <QStringList>
+#include <optional>
 #include <string_view>
 
 namespace cusp::ui {
@@ -12,6 +14,9 @@ bool is_verb(int argc, char** argv);
 /// Whether the window would need a display and none is named. A platform of Qt that draws without one (vnc, linuxfb, eglfs, offscreen)
 /// needs none, named by -platform or by the environment. Then run_verb() refuses what is no verb.
 bool no_display(int argc, char** argv);
+
+/// What the window is to open, from its command line: one exercise file at most. Else 2, wrong usage, and one line on stderr.
+std::optional<int> refuse_files(const QStringList& files);
 
 /// Runs the verb. 0 done, 1 failed with one line on stderr, 2 wrong usage. Needs no QApplication; `play` makes an
 /// offscreen QGuiApplication of its own for the PDF.
