@@ -381,7 +381,8 @@ void Desktop::quick_open() {
     places += {entry.name, tr("page"), entry.icon, [this, key = entry.key] { leave_page([this, key] { shell_->show_page(key); }); }};
   }
   // In the version that is assigned: an attempt at another one would not count.
-  if (const auto course = load_course(*store_, account_->actor()); !reading_only_ && course && may(account_->role, Action::drill)) {
+  const bool drills = std::ranges::any_of(shell_->entries(), [](const NavEntry& entry) { return entry.key == u"exercises"_qs; });
+  if (const auto course = drills ? load_course(*store_, account_->actor()) : Stored<Course>(Course{})) {
     for (const CourseRow& row : course->rows) {
       places += {local(row.exercise.scenario.title), tr("exercise"), u"list"_qs, [this, e = row.exercise] { show_briefing(e); }};
     }

@@ -9,6 +9,7 @@
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -140,6 +141,21 @@ TEST_F(Accessible, a_click_that_activates_too_goes_to_a_place_once) {
   Q_EMIT list->itemClicked(list->item(0));
   Q_EMIT list->itemActivated(list->item(0));
   EXPECT_EQ(times, 1);
+}
+
+TEST_F(Accessible, exercises_are_offered_by_name_to_whoever_has_a_page_of_them) {
+  const auto offers_exercises = [this](const Account& who) {
+    open(who);
+    for (QShortcut* keys : desktop->findChildren<QShortcut*>())
+      if (keys->key() == QKeySequence(Qt::CTRL | Qt::Key_K)) Q_EMIT keys->activated();
+    const auto* dialog = desktop->findChild<QuickOpen*>();
+    if (dialog == nullptr) return false;
+    const auto* list = dialog->findChild<QListWidget*>();
+    EXPECT_FALSE(list->findItems(QStringLiteral("Help, page"), Qt::MatchExactly).isEmpty());
+    return !list->findItems(QStringLiteral(", exercise"), Qt::MatchEndsWith).isEmpty();
+  };
+  EXPECT_TRUE(offers_exercises(records.student("1", "Lena Brandt")));
+  EXPECT_FALSE(offers_exercises(records.administrator())) << "an administrator keeps the records and drills nothing";
 }
 
 TEST_F(Accessible, a_place_that_the_arrows_choose_is_spoken) {
