@@ -103,6 +103,7 @@ void Desktop::lock(const QString& why) {
   QString kept = has_open_import(*stack_)        ? tr("What you did is kept, but for the import: begin it anew.")
                  : audits(*stack_)               ? tr("What you did is kept, but for the audit: measure anew.")
                  : has_half_filled_form(*stack_) ? tr("What you did is kept, but for the form that was not saved: fill it in anew.")
+                 : has_work(*stack_)             ? tr("What you did is kept, but for the outcome of work that still ran: look how it ended.")
                                                  : tr("What you did is kept.");
   if (unsaved) {
     put_behind_lock();

@@ -14,7 +14,9 @@
 #include "ui/admin/station_page.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
+#include "ui/session/background_task.h"
 #include "ui/settings/settings.h"
+#include "ui/signin/sign_in.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp::test {
@@ -128,6 +130,20 @@ TEST_F(LeftForm, and_work_whose_outcome_its_page_alone_shows_are_asked_about) {
   in_sidebar("Audit log")->click();
   EXPECT_EQ(page(), "audit");
   EXPECT_EQ(asked.size(), 2) << "the work has ended";
+}
+
+TEST_F(LeftForm, and_work_that_still_ran_are_named_where_the_station_is_locked) {
+  desktop->shell()->show_page(QStringLiteral("station"));
+  auto* station = qobject_cast<StationPage*>(desktop->shell()->page());
+  ASSERT_NE(station, nullptr);
+  station->back_up();
+  desktop->lock_idle();
+  ASSERT_FALSE(desktop->account());
+  const auto* page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  EXPECT_TRUE(page->message().contains(QStringLiteral("but for the outcome of work"))) << page->message().toStdString();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the station's page
+  wait_for_dropped_tasks();
 }
 
 }  // namespace
