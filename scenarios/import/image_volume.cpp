@@ -52,6 +52,7 @@ Image with_up(const Image& image, UpAxis up, const VolumeLimits& limits) {
   if (!layout) return image;  // never: it is a right-angled turn of what was laid out before
   Image out = image;
   out.layout = *layout;
+  out.layout.turned_degrees = l.turned_degrees;  // of the file's axes; right angles add nothing to it
   std::size_t i = 0;
   for (int z = 0; z < l.size.z; ++z)
     for (int y = 0; y < l.size.y; ++y)

@@ -1,6 +1,7 @@
 // Images as specimens: thresholds, labels, crops, sizes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -109,6 +110,24 @@ TEST(ImageVolume, WhatIsUpTurnsTheVolumeWithoutMirroringIt) {
   ASSERT_TRUE(v);
   EXPECT_EQ(v->grid.size - 2 * kPadVoxels, IVec3(2, 4, 3));
   EXPECT_EQ(v->tissue[v->grid.index(IVec3(0, 3, 0) + kPadVoxels)], Tissue::pulp);
+}
+
+TEST(ImageVolume, ObliqueAxesAreReportedWhicheverIsUp) {
+  const double turn = 0.3;
+  Image image;
+  image.layout = *lay_out({2, 3, 4}, {Vec3(std::cos(turn), std::sin(turn), 0), Vec3(-std::sin(turn), std::cos(turn), 0), Vec3(0, 0, 1)}, Vec3(0.0), {});
+  image.kind = ImageKind::labels;
+  image.value.assign(24, 1.0f);
+  ImageTissues what;
+  what.labels = {{1, Tissue::bone}};
+  for (const UpAxis up : {UpAxis::z, UpAxis::y, UpAxis::minus_x}) {
+    what.up = up;
+    std::vector<ImportRemark> remarks;
+    ASSERT_TRUE(made(image, what, &remarks));
+    const auto straightened = std::ranges::find(remarks, RemarkCode::straightened, &ImportRemark::code);
+    ASSERT_NE(straightened, remarks.end()) << kUpAxisKeys[static_cast<std::size_t>(up)];
+    EXPECT_NEAR(straightened->numbers.at(0), turn * 180.0 / std::numbers::pi, 1e-9);
+  }
 }
 
 TEST(ImageVolume, SmallComponentsAreRemovedAndHollowsAreFilled) {
