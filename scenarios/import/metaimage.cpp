@@ -70,6 +70,11 @@ Result<Header, ImportFailure> read_header(std::istream& in, const std::string& n
   }
 }
 
+/// Millimetres of a DistanceUnits; 0: a name that is not known.
+double unit_mm_of(std::string_view name) {
+  return name == "mm" ? 1.0 : name == "um" ? 1e-3 : name == "cm" ? 10.0 : 0.0;
+}
+
 /// "%d" or "%03d" in a pattern replaced by a number; nothing for any other pattern.
 std::optional<std::string> numbered(const std::string& pattern, int n) {
   const auto at = pattern.find('%');
@@ -171,14 +176,19 @@ class Reader {
     if (!spacing) return std::unexpected(spacing.error());
     if (!origin) return std::unexpected(origin.error());
     if (!turn) return std::unexpected(turn.error());
-    out_.spacing_known = !spacing->empty() && std::ranges::all_of(*spacing, [](double n) { return std::isfinite(n) && n > 0.0; });
-    if (!out_.spacing_known) *spacing = {1.0, 1.0, 1.0};
+    const std::string* unit = field({"DistanceUnits"});
+    // Without a unit: millimetres, as the programs that write none mean it.
+    double unit_mm = unit ? unit_mm_of(lower(*unit)) : 1.0;
+    const bool has_lengths = !spacing->empty() && std::ranges::all_of(*spacing, [](double n) { return std::isfinite(n) && n > 0.0; });
+    out_.spacing_known = has_lengths && unit_mm > 0.0;
+    if (!has_lengths) *spacing = {1.0, 1.0, 1.0};
+    if (!out_.spacing_known) unit_mm = 1.0;
     if (turn->empty()) *turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     std::array<Vec3, 3> step{};
     const Vec3 ras(-1.0, -1.0, 1.0);
     for (std::size_t i = 0; i < 3; ++i)
-      step[i] = ras * Vec3((*turn)[3 * i], (*turn)[3 * i + 1], (*turn)[3 * i + 2]) * (*spacing)[i];
-    const Vec3 first = origin->empty() ? Vec3(0.0) : ras * Vec3((*origin)[0], (*origin)[1], (*origin)[2]);
+      step[i] = ras * Vec3((*turn)[3 * i], (*turn)[3 * i + 1], (*turn)[3 * i + 2]) * ((*spacing)[i] * unit_mm);
+    const Vec3 first = origin->empty() ? Vec3(0.0) : ras * Vec3((*origin)[0], (*origin)[1], (*origin)[2]) * unit_mm;
     const auto layout = lay_out(size, step, first, limits_);
     if (!layout) return refuse(layout.error(), "TransformMatrix");
     out_.layout = *layout;

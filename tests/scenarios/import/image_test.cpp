@@ -176,6 +176,24 @@ TEST(MetaImage, LocalDataAreReadInLeftPosteriorSuperior) {
   EXPECT_EQ(at(*image, 1, 1, 3), 310.0f);
 }
 
+TEST(MetaImage, LengthsAreInTheUnitThatTheFileNames) {
+  const auto with = [](const std::string& lengths) {
+    std::string text = kMha;
+    for (const std::string from : {"Offset = 1 2 3\n", "ElementSpacing = 0.1 0.2 0.4\n"}) text.erase(text.find(from), from.size());
+    return mha(text + lengths + "ElementDataFile = LOCAL\n" + ramp());
+  };
+  const auto um = with("DistanceUnits = um\nOffset = 1000 2000 3000\nElementSpacing = 100 200 400\n");
+  ASSERT_TRUE(um) << um.error().where;
+  EXPECT_TRUE(um->spacing_known);
+  EXPECT_LT(glm::length(um->layout.spacing_mm - Vec3(0.1, 0.2, 0.4)), 1e-12);
+  EXPECT_LT(glm::length(um->layout.origin_mm - Vec3(-1.1, -2.4, 3.0)), 1e-12);
+  EXPECT_LT(glm::length(with("DistanceUnits = cm\nElementSpacing = 0.01 0.02 0.04\n")->layout.spacing_mm - Vec3(0.1, 0.2, 0.4)), 1e-12);
+  const auto unknown = with("DistanceUnits = ?\nElementSpacing = 0.1 0.2 0.4\n");
+  ASSERT_TRUE(unknown);
+  EXPECT_FALSE(unknown->spacing_known);
+  EXPECT_LT(glm::length(unknown->layout.spacing_mm - Vec3(0.1, 0.2, 0.4)), 1e-12);
+}
+
 TEST(MetaImage, DetachedListedAndNumberedDataAreReadWithoutZerosInFront) {
   const TempFolder folder;
   const std::string all = ramp(), slice(12, '\0');
