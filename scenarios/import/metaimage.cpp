@@ -75,6 +75,17 @@ double unit_mm_of(std::string_view name) {
   return name == "mm" ? 1.0 : name == "um" ? 1e-3 : name == "cm" ? 10.0 : 0.0;
 }
 
+/// The key whose numbers lay_out() refused. `turn`: nine, as TransformMatrix has them.
+std::string_view key_at_fault(ImportError error, const std::vector<double>& turn) {
+  if (error == ImportError::bad_header) return "Offset";
+  if (error != ImportError::bad_spacing) return "TransformMatrix";
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double length = std::hypot(turn[3 * row], turn[3 * row + 1], turn[3 * row + 2]);
+    if (!(length > 0.0) || !std::isfinite(length)) return "TransformMatrix";
+  }
+  return "ElementSpacing";
+}
+
 /// "%d" or "%03d" in a pattern replaced by a number; nothing for any other pattern.
 std::optional<std::string> numbered(const std::string& pattern, int n) {
   const auto at = pattern.find('%');
@@ -190,7 +201,7 @@ class Reader {
       step[i] = ras * Vec3((*turn)[3 * i], (*turn)[3 * i + 1], (*turn)[3 * i + 2]) * ((*spacing)[i] * unit_mm);
     const Vec3 first = origin->empty() ? Vec3(0.0) : ras * Vec3((*origin)[0], (*origin)[1], (*origin)[2]) * unit_mm;
     const auto layout = lay_out(size, step, first, limits_);
-    if (!layout) return refuse(layout.error(), "TransformMatrix");
+    if (!layout) return refuse(layout.error(), key_at_fault(layout.error(), *turn));
     out_.layout = *layout;
     return {};
   }

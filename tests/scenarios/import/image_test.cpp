@@ -217,6 +217,28 @@ TEST(MetaImage, DetachedListedAndNumberedDataAreReadWithoutZerosInFront) {
   EXPECT_EQ(read_metaimage(folder / "numbered.mhd").error().where, "s10.raw");
 }
 
+TEST(MetaImage, ARefusedPlaceIsNamedByTheKeyThatMadeIt) {
+  const struct {
+    std::string from, to, code, where;
+  } cases[] = {
+      {"Offset = 1 2 3", "Offset = 1 nan 3", "bad_header", "v.mha Offset"},
+      {"Offset = 1 2 3", "Offset = 1 2 1e30", "bad_header", "v.mha Offset"},
+      {"0.1 0.2 0.4", "0.1 0.2 1e-10", "bad_spacing", "v.mha ElementSpacing"},
+      {"0.1 0.2 0.4", "0.1 0.2 1e30", "bad_spacing", "v.mha ElementSpacing"},
+      {"0.1 0.2 0.4", "0.1 0.2 0.4\nTransformMatrix = 1 0 0 0 1 0 0 0 0", "bad_spacing", "v.mha TransformMatrix"},
+      {"0.1 0.2 0.4", "0.1 0.2 0.4\nTransformMatrix = 1 0 0 0 nan 0 0 0 1", "bad_spacing", "v.mha TransformMatrix"},
+      {"0.1 0.2 0.4", "0.1 0.2 0.4\nTransformMatrix = 1 0 0 0.5 1 0 0 0 1", "bad_orientation", "v.mha TransformMatrix"},
+  };
+  for (const auto& c : cases) {
+    std::string text = kMha + "ElementDataFile = LOCAL\n" + ramp();
+    text.replace(text.find(c.from), c.from.size(), c.to);
+    const auto r = mha(text);
+    ASSERT_FALSE(r) << c.to;
+    EXPECT_EQ(key_of(r.error().code), c.code) << c.to;
+    EXPECT_EQ(r.error().where, c.where) << c.to;
+  }
+}
+
 TEST(MetaImage, BrokenHeadersAndFilesElsewhereAreRefused) {
   using enum ImportError;
   const struct {
