@@ -128,8 +128,13 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   if (!layout) return fail(layout.error(), name, passed_file_limit(size, limits));
   const std::size_t voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
   if (static_cast<std::size_t>(n.nvox) != voxels) return fail(ImportError::bad_sizes, name + " dim");
-  if (!long_enough(n, voxels * static_cast<std::size_t>(voxel_bytes))) return fail(ImportError::truncated, name);
-  if (nifti_image_load(nifti.get()) != 0 || !n.data) return fail(ImportError::truncated, name);
+  // Of a pair it is another file than the header's.
+  const std::filesystem::path data = n.iname ? std::filesystem::path(n.iname) : file;
+  std::error_code ec;
+  if (!std::filesystem::exists(data, ec)) return fail(ImportError::missing_file, data.filename().string());
+  const std::string data_name = data.filename().string();
+  if (!long_enough(n, voxels * static_cast<std::size_t>(voxel_bytes))) return fail(ImportError::truncated, data_name);
+  if (nifti_image_load(nifti.get()) != 0 || !n.data) return fail(ImportError::truncated, data_name);
 
   Image out;
   out.layout = *layout;

@@ -94,6 +94,27 @@ TEST_F(Nifti, WhatIsCutOffOrTooLargeIsRefusedBeforeItsMemoryIsTaken) {
   EXPECT_EQ(key_of(read(huge).error().code), "too_large");
 }
 
+TEST_F(Nifti, OfAPairTheFileThatIsMissingOrCutIsNamed) {
+  const std::string whole = nifti_file(wish), voxels = whole.substr(352);
+  std::string header = whole.substr(0, 352);
+  header.replace(344, 4, std::string("ni1\0", 4));
+  header.replace(108, 4, std::string(4, '\0'));  // the voxels begin their own file
+  write_text(folder / "v.hdr", header);
+  const auto alone = read_nifti(folder / "v.hdr", {});
+  ASSERT_FALSE(alone);
+  EXPECT_EQ(key_of(alone.error().code), "missing_file");
+  EXPECT_EQ(alone.error().where, "v.img");
+  write_text(folder / "v.img", voxels.substr(2));
+  const auto cut = read_nifti(folder / "v.hdr", {});
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(key_of(cut.error().code), "truncated");
+  EXPECT_EQ(cut.error().where, "v.img");
+  write_text(folder / "v.img", voxels);
+  const auto image = read_nifti(folder / "v.hdr", {});
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(at(*image, 1, 2, 3), 321.0f);
+}
+
 struct Dicom : ::testing::Test {
   TempFolder folder;
   /// Slice n of a series along z: its pixels hold n, its place is 0.5 n.
