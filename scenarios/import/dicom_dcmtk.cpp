@@ -294,6 +294,7 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
   if (bytes < voxels) return fail(ImportError::truncated, name);
   out.image.layout = *layout;
   out.image.spacing_known = first.spacing_known && step->known;
+  out.image.sides_known = first.placed;  // as put_in_order() has seen, all are or none is
   out.image.kind = ImageKind::grey;
   out.image.value.resize(voxels);
   for (std::size_t k = 0; k < slices->size(); ++k) {

@@ -52,6 +52,7 @@ struct Image {
   ImageLayout layout;
   ImageKind kind = ImageKind::grey;
   bool spacing_known = true;  // false: the file has none; 1 mm until the user answers
+  bool sides_known = true;    // false: the file does not state which way its axes run; the tooth may be mirrored
   std::vector<float> value;   // [z][y][x], finite
   double measured_from = -1e300;  // grey: nothing was measured where the value is below, so that no threshold takes it
 };

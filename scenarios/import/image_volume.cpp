@@ -191,6 +191,7 @@ Result<VoxelVolume, ImportFailure> make(const Image& image, const ImageTissues& 
   if (!same) remarks.push_back({RemarkCode::resampled, {}, {spacing.x, spacing.y, spacing.z, voxel}});
   if (l.turned_degrees > 0.0) remarks.push_back({RemarkCode::straightened, {}, {l.turned_degrees}});
   if (!image.spacing_known) remarks.push_back({RemarkCode::spacing_assumed});
+  if (!image.sides_known) remarks.push_back({RemarkCode::sides_assumed});
   const auto grid = cubes_over(image, what, spacing, origin, voxel, name, limits);
   if (!grid) return std::unexpected(grid.error());
 

@@ -65,6 +65,7 @@ struct Pose {
   std::array<Vec3, 3> step_mm{};
   Vec3 first_mm{0.0};
   bool known = true;
+  bool sides_known = true;
 };
 Pose pose_of(const std::filesystem::path& file, const nifti_image& n) {
   Pose out;
@@ -73,6 +74,7 @@ Pose pose_of(const std::filesystem::path& file, const nifti_image& n) {
   else if (n.xyz_units == NIFTI_UNITS_MICRON) unit = 1e-3;
   else out.known = n.xyz_units == NIFTI_UNITS_MM;
   const mat44* affine = n.sform_code > 0 ? &n.sto_xyz : n.qform_code > 0 ? &n.qto_xyz : nullptr;
+  out.sides_known = affine != nullptr;
   const double plain[3] = {n.dx, n.dy, n.dz};
   for (int i = 0; i < 3; ++i) {
     Vec3& step = out.step_mm[static_cast<std::size_t>(i)];
@@ -84,7 +86,7 @@ Pose pose_of(const std::filesystem::path& file, const nifti_image& n) {
   if (affine) out.first_mm = unit * Vec3(affine->m[0][3], affine->m[1][3], affine->m[2][3]);
   const auto bad = [](Vec3 s) { return !std::isfinite(s.x + s.y + s.z) || s == Vec3(0.0); };
   if (std::ranges::any_of(out.step_mm, bad) || !has_lengths(file, n)) {
-    out.known = false;
+    out.known = out.sides_known = false;
     for (int i = 0; i < 3; ++i) {
       out.step_mm[static_cast<std::size_t>(i)] = Vec3(0.0);
       out.step_mm[static_cast<std::size_t>(i)][i] = 1.0;
@@ -139,6 +141,7 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   Image out;
   out.layout = *layout;
   out.spacing_known = pose.known;
+  out.sides_known = pose.sides_known;
   out.value.resize(voxels);
   const bool scaled = std::isfinite(n.scl_slope) && n.scl_slope != 0.0f && std::isfinite(n.scl_inter);
   const double slope = scaled ? double{n.scl_slope} : 1.0, intercept = scaled ? double{n.scl_inter} : 0.0;

@@ -281,6 +281,7 @@ class Parser {
   Result<void, ImportFailure> keep(std::array<Vec3, 3> direction, Vec3 signs) {
     const auto known = [](Vec3 d) { return std::isfinite(d.x + d.y + d.z) && d != Vec3(0.0); };
     out_.spacing_known = out_.unit_mm > 0.0 && std::ranges::all_of(direction, known);
+    out_.sides_known = field("space") != nullptr;
     if (!std::ranges::all_of(direction, known)) {
       direction = {Vec3(signs.x, 0, 0), Vec3(0, signs.y, 0), Vec3(0, 0, signs.z)};
     }

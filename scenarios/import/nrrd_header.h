@@ -39,6 +39,7 @@ struct NrrdHeader {
   Vec3 first_mm{0.0};
   double unit_mm = 1.0;           // 0: a unit that is not known
   bool spacing_known = true;
+  bool sides_known = true;        // false: the file names no space
 };
 
 /// A specimen must have cubic voxels, straight axes and codes; an image need not.

@@ -22,6 +22,7 @@ Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t by
   Image out;
   out.layout = *layout;
   out.spacing_known = h.spacing_known;
+  out.sides_known = h.sides_known;
   const std::size_t voxels = static_cast<std::size_t>(h.file_size.x) * static_cast<std::size_t>(h.file_size.y) *
                              static_cast<std::size_t>(h.file_size.z);
   const auto voxel_bytes = static_cast<std::size_t>(h.samples * h.sample_bytes);

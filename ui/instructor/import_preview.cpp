@@ -46,7 +46,9 @@ std::vector<OverlayLine> up_arrow(Vec3 low, Vec3 high) {
   return {line({foot, tip}), line({tip - Vec3(side, 0, side), tip, tip - Vec3(-side, 0, side)})};
 }
 
-bool warns(RemarkCode code) { return code == RemarkCode::shell_capped || code == RemarkCode::parts_overlap; }
+bool warns(RemarkCode code) {
+  return code == RemarkCode::shell_capped || code == RemarkCode::parts_overlap || code == RemarkCode::sides_assumed;
+}
 
 }  // namespace
 

@@ -83,6 +83,8 @@ QString describe(const ImportRemark& r) {
     case RemarkCode::part_within:
       return ImportText::tr("%1 lies inside %2; its %3 became %4.").arg(mesh, other, cubic_millimetres(n(0)), tissue_of(n(1)));
     case RemarkCode::size_odd: return odd_size_text(n(0)) + factors_text(r);
+    case RemarkCode::sides_assumed:
+      return ImportText::tr("The file does not name the directions of its axes: the specimen may be the mirror image of the tooth. Compare them.");
   }
   return {};
 }

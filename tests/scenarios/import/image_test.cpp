@@ -94,6 +94,19 @@ TEST(NrrdImage, SpacingsAreInTheUnitsOfTheirAxes) {
   EXPECT_FALSE(with("units: \"\" \"ell\" \"ell\" \"ell\"\n")->spacing_known);
 }
 
+TEST(NrrdImage, WithoutASpaceItsSidesAreNotKnown) {
+  const auto with = [](const std::string& space) {
+    return nrrd("NRRD0004\ntype: uchar\ndimension: 3\n" + space + "sizes: 2 2 2\nencoding: raw\nspacings: 0.5 0.5 0.5\n\n" + std::string(8, '\1'));
+  };
+  EXPECT_FALSE(with("")->sides_known);
+  EXPECT_FALSE(with("space dimension: 3\n")->sides_known);
+  for (const char* space : {"left-posterior-superior", "RAS", "3D-right-handed"}) {
+    const auto image = with("space: " + std::string(space) + "\n");
+    ASSERT_TRUE(image) << space;
+    EXPECT_TRUE(image->sides_known) << space;
+  }
+}
+
 TEST(NrrdImage, SpacingsOfNoLengthAreRefused) {
   const std::string data(8, '\1');
   for (const char* spacings : {"0 0.5 0.5", "0.5 -0.5 0.5", "nan 0.5 0"}) {

@@ -130,6 +130,20 @@ TEST(ImageVolume, ObliqueAxesAreReportedWhicheverIsUp) {
   }
 }
 
+TEST(ImageVolume, SidesThatAreNotKnownAreReportedWhicheverIsUp) {
+  Image image = grey_ball({9, 9, 9}, Vec3(1.0), Vec3(4.0), 3.0);
+  ImageTissues what;
+  what.thresholds = {{0.0, Tissue::dentine}};
+  for (const bool known : {true, false})
+    for (const UpAxis up : {UpAxis::z, UpAxis::x}) {
+      image.sides_known = known;
+      what.up = up;
+      std::vector<ImportRemark> remarks;
+      ASSERT_TRUE(made(image, what, &remarks));
+      EXPECT_EQ(std::ranges::count(remarks, RemarkCode::sides_assumed, &ImportRemark::code), known ? 0 : 1);
+    }
+}
+
 TEST(ImageVolume, SmallComponentsAreRemovedAndHollowsAreFilled) {
   Grid g;
   g.size = {9, 9, 9};

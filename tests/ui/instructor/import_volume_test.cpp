@@ -58,6 +58,7 @@ TEST_F(ImportPageTest, micrometres_that_are_called_millimetres_are_asked_about_b
   make();
   EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "500 mm were cut to the range of the field before";
   EXPECT_NEAR(page->preview()->size_mm().z, 8.0, 1e-6);
+  EXPECT_TRUE(texts().contains(QStringLiteral("mirror image"))) << "it names no space: " << texts().toStdString();
 }
 
 TEST_F(ImportPageTest, leaving_asks_once_files_were_read) {
