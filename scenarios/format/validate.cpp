@@ -107,6 +107,9 @@ class Checks {
       const auto tissue = s_.protected_parts[i].tissue;
       if (tissue && !has_tissue(*tissue))
         error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(*tissue)));
+      const auto same = [&](const Protected& other) { return tissue ? other.tissue == tissue : other == s_.protected_parts[i]; };
+      if (std::ranges::find_if(s_.protected_parts, same) < s_.protected_parts.begin() + static_cast<std::ptrdiff_t>(i))
+        warn(at("/protected", i), "protected_twice", {}, tissue ? std::string(key_of_scenario_tissue(*tissue)) : "region");
     }
     const bool cuttable = std::ranges::any_of(s_.tissues, [](const ScenarioTissue& t) { return t.speed_mm_s > 0; });
     if (!cuttable) warn("/tissues", "nothing_can_be_cut");

@@ -52,6 +52,7 @@ std::optional<double> stated_voxel_mm(double voxel_mm) noexcept;
 /// warnings: feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
 ///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (an attempt that
 ///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut,
+///   protected_twice (protected_removed counts it twice; detail: the tissue, or "region"),
 ///   tooth_turned (by its landmarks: measures by side are not measurable), tooth_tilted (by its long axis); with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 

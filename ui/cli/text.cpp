@@ -78,6 +78,7 @@ QString reason(const Finding& f) {
   if (c == "bands_not_ordered") return CliText::tr("the bands are not in rising order");
   if (c == "pass_unreachable") return CliText::tr("the pass mark cannot be reached");
   if (c == "protected_missing") return CliText::tr("a protected tissue is missing (%1)").arg(text(f.detail));
+  if (c == "protected_twice") return CliText::tr("%1 is protected twice, and what is removed of it counts twice").arg(text(f.detail));
   if (c == "tissue_missing") return CliText::tr("the specimen holds a tissue that is not described (%1)").arg(text(f.detail));
   if (c == "tissue_unused") return CliText::tr("a tissue does not occur in the specimen (%1)").arg(text(f.detail));
   if (c == "target_outside") return CliText::tr("the target lies outside the specimen");

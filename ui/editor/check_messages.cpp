@@ -126,6 +126,9 @@ QString target_message(const Finding& f, const Region* whole, double value, doub
   if (c == u"nothing_protected") return CheckText::tr("Damage of a protected part fails the attempt, and nothing is protected.");
   if (c == u"path_count" || c == u"point_count") return CheckText::tr("The target’s points do not fit its shape.");
   if (c == u"protected_missing") return CheckText::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"protected_twice") {
+    return CheckText::tr("%1 is protected twice: what is removed of it counts twice. Take one of the two out of the file.").arg(tissue_of(f));
+  }
   if (c == u"target_outside") {
     return CheckText::tr("The target reaches out of the tooth: to %1, where the tooth ends at %2.").arg(mm(value), mm(limit));
   }

@@ -72,6 +72,20 @@ TEST(Validate, FindsWhatMakesAnExerciseImpossible) {
               ::testing::ElementsAre("error /rubric/critical/1 critical_twice"));
 }
 
+TEST(Validate, WarnsOfWhatIsProtectedTwice) {
+  using ::testing::Contains;
+  const std::string found = "warning /protected/1 protected_twice";
+  for (const Damage severity : {Damage::removal, Damage::touch})
+    EXPECT_THAT(after([severity](Scenario& s) { s.protected_parts = {Tissue::plastic, Protected(Tissue::plastic, severity)}; }), Contains(found));
+  Region ball;
+  ball.kind = RegionKind::sphere;
+  ball.radius_mm = 1;
+  EXPECT_THAT(after([&](Scenario& s) { s.protected_parts = {Protected(ball), Protected(ball)}; }), Contains(found));
+  Region other = ball;
+  other.radius_mm = 2;
+  EXPECT_THAT(after([&](Scenario& s) { s.protected_parts = {Protected(ball), Protected(other), Tissue::plastic}; }), IsEmpty());
+}
+
 TEST(Validate, PhenomenaMustFitTogetherAndWhatIsGradedMustBeReckoned) {
   using ::testing::Contains;
   EXPECT_THAT(after([](Scenario& s) { s.phenomena = {"spindle-turbine", "vibration", "sound", "heat", "friction"}; }), IsEmpty());

@@ -27,7 +27,7 @@ TEST(tissues_form, a_figure_that_is_not_verified_or_was_set_here_shows_it) {
 TEST(check_messages, every_code_of_the_checks_has_a_message) {
   for (const char* code :
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "critical_twice", "criterion_unmeasured", "no_criteria", "weight_zero",
-        "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
+        "bands_not_ordered", "pass_unreachable", "protected_missing", "protected_twice", "tissue_missing", "target_outside",
         "voxel_mismatch", "feature_thin", "bur_small", "head_short", "neck_wider_than_ball", "bur_wider_than_target",
         "corner_below_bur", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
         "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp", "two_spindles",
