@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <new>
 #include <optional>
@@ -238,7 +239,28 @@ Result<SliceStep, ImportFailure> put_in_order(std::vector<Slice>& slices, const 
   return as_stated;
 }
 
-/// CT numbers of one slice into its layer.
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+
+/// Stored words that fill up a picture and were never measured (PS3.3, C.7.5.1.1.2); none where the file names none.
+struct Padding {
+  std::int32_t least = 1, most = 0;
+  bool holds(std::int32_t word) const noexcept { return word >= least && word <= most; }
+};
+Padding padding_of(DcmItem& set) {
+  const bool is_signed = whole(set, DCM_PixelRepresentation).value_or(0) == 1;
+  const auto word = [&](const DcmTagKey& key) -> std::optional<std::int32_t> {
+    Sint16 as_signed = 0;
+    const auto bits = set.findAndGetSint16(key, as_signed).good() ? static_cast<Uint16>(as_signed) : whole(set, key);
+    if (!bits) return std::nullopt;
+    return is_signed ? std::int32_t{static_cast<Sint16>(*bits)} : std::int32_t{*bits};
+  };
+  const auto value = word(DCM_PixelPaddingValue);
+  if (!value) return {};
+  const std::int32_t limit = word(DCM_PixelPaddingRangeLimit).value_or(*value);
+  return {std::min(*value, limit), std::max(*value, limit)};
+}
+
+/// CT numbers of one slice into its layer; what is padding becomes no number.
 Result<void, ImportFailure> pixels_of(const Slice& slice, const ImageLayout& layout, int k, std::vector<float>& value) {
   const std::string name = slice.file.filename().string();
   DcmFileFormat format;
@@ -260,12 +282,16 @@ Result<void, ImportFailure> pixels_of(const Slice& slice, const ImageLayout& lay
   if (got.bad() || (!words && !bytes) || count < needed) return fail(ImportError::truncated, name);
   const std::int32_t sign = is_signed ? std::int32_t{1} << (stored - 1) : 0;
   const std::int32_t mask = static_cast<std::int32_t>((std::uint32_t{1} << stored) - 1);
+  const Padding padding = padding_of(set);
   std::size_t i = 0;
   for (int y = 0; y < slice.rows; ++y)
     for (int x = 0; x < slice.columns; ++x, ++i) {
-      std::int32_t raw = (words ? words[i] : bytes[i]) & mask;
+      // Whole words are compared: padding may need more bits than are stored of a measure.
+      std::int32_t word = words ? words[i] : bytes[i];
+      if (words && is_signed) word = static_cast<Sint16>(words[i]);
+      std::int32_t raw = word & mask;
       if (raw & sign) raw -= 2 * sign;
-      value[layout.place(x, y, k)] = static_cast<float>(raw * slice.slope + slice.intercept);
+      value[layout.place(x, y, k)] = padding.holds(word) ? kNoNumber : static_cast<float>(raw * slice.slope + slice.intercept);
     }
   return {};
 }

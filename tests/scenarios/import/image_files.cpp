@@ -126,6 +126,9 @@ std::string dicom_file(const DicomWish& w) {
   const auto triple = [](Vec3 v) { return decimal(v.x) + "\\" + decimal(v.y) + "\\" + decimal(v.z); };
   std::string orientation;
   for (std::size_t i = 0; i < 6; ++i) orientation += (i == 0 ? "" : "\\") + decimal(w.orientation[i]);
+  const auto padding = [](unsigned number, const std::optional<int>& value) {
+    return value ? element(0x28, number, "SS", short_value(static_cast<unsigned>(*value))) : std::string();
+  };
   const std::string instance = w.series + "." + std::to_string(w.number);
   std::string meta = element(2, 1, "OB", std::string("\0\1", 2)) + element(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2") +
                      element(2, 3, "UI", instance) + element(2, 0x10, "UI", w.transfer) + element(2, 0x12, "UI", "1.2.3.4");
@@ -141,7 +144,8 @@ std::string dicom_file(const DicomWish& w) {
          element(0x28, 0x11, "US", short_value(static_cast<unsigned>(w.columns))) +
          element(0x28, 0x30, "DS", decimal(w.down_mm) + "\\" + decimal(w.across_mm)) + element(0x28, 0x100, "US", short_value(16)) +
          element(0x28, 0x101, "US", short_value(16)) + element(0x28, 0x102, "US", short_value(15)) +
-         element(0x28, 0x103, "US", short_value(1)) + element(0x28, 0x1052, "DS", decimal(w.intercept)) +
+         element(0x28, 0x103, "US", short_value(1)) + padding(0x120, w.padding) + padding(0x121, w.padding_limit) +
+         element(0x28, 0x1052, "DS", decimal(w.intercept)) +
          element(0x28, 0x1053, "DS", decimal(w.slope)) +
          (w.frame.empty() ? element(0x7fe0, 0x10, "OW", bytes_of(w.values)) : packed_pixels(w.frame));
   return std::string(128, '\0') + "DICM" + element(2, 0, "UL", length) + meta + set;

@@ -38,6 +38,7 @@ struct DicomWish {
   bool placed = true;
   std::optional<double> location_mm;  // SliceLocation
   std::optional<double> between_mm;   // SpacingBetweenSlices
+  std::optional<int> padding, padding_limit;  // PixelPaddingValue, PixelPaddingRangeLimit
   std::vector<std::int16_t> values;
   std::string frame;  // packed (packed_dicom.h), instead of the values; `transfer` names the packing
 };
