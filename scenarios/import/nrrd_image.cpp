@@ -15,7 +15,12 @@ Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t by
   const auto header = parse_nrrd_header(*text, name, limits, NrrdUse::image);
   if (!header) return std::unexpected(header.error());
   const NrrdHeader& h = *header;
-  if (h.content == NrrdHeader::Content::tissue_and_s) return fail(ImportError::unsupported, name + " sizes");
+  if (h.content == NrrdHeader::Content::tissue_and_s) {
+    // With named tissues it is a specimen whose header is wrong, else two channels of another program's.
+    const auto specimen = parse_nrrd_header(*text, name, limits);
+    if (!specimen && text->find("\ntissue ") != std::string::npos) return std::unexpected(specimen.error());
+    return fail(ImportError::unsupported, name + " sizes");
+  }
   const auto layout = lay_out(h.file_size, h.step_mm, h.first_mm, limits);
   if (!layout) return fail(layout.error(), name, passed_file_limit(h.file_size, limits));
 

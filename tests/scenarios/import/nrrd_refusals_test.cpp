@@ -4,6 +4,7 @@
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/nrrd_image.h"
 #include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
@@ -101,6 +102,25 @@ TEST(NrrdRefusals, EachBrokenHeaderHasItsCodeAndPlace) {
     EXPECT_EQ(key_of(r.error().code), key_of(c.code));
     EXPECT_EQ(r.error().where, c.where);
   }
+}
+
+TEST(NrrdRefusals, ASpecimenThatIsOpenedAsAnImageIsRefusedWhereItIsWrong) {
+  const TempFolder folder;
+  const std::string good = good_file(folder);
+  const auto refused = [&](const std::vector<std::pair<std::string, std::string>>& changes) {
+    std::string text = good;
+    for (const auto& [from, to] : changes) text.replace(text.find(from), from.size(), to);
+    write_text(folder / "v.nrrd", text);
+    EXPECT_FALSE(nrrd_is_specimen(folder / "v.nrrd"));
+    const auto r = read_nrrd_image(folder / "v.nrrd");
+    return r ? std::string("read") : std::string(key_of(r.error().code)) + " " + r.error().where;
+  };
+  const std::pair<std::string, std::string> uneven{"(0,0.1,0)", "(0,0.2,0)"};
+  EXPECT_EQ(refused({uneven}), "bad_spacing v.nrrd:7 space directions");
+  EXPECT_EQ(refused({{"(0.1,0,0)", "(0.1,0.01,0)"}}), "bad_orientation v.nrrd:7 space directions");
+  EXPECT_EQ(refused({{"\"mm\" \"mm\" \"mm\"", "\"um\" \"um\" \"um\""}}), "bad_spacing v.nrrd:13 space units");
+  const std::vector<std::pair<std::string, std::string>> unnamed{uneven, {"tissue 1:=enamel\n", ""}, {"tissue 20:=stone\n", ""}};
+  EXPECT_EQ(refused(unnamed), "unsupported v.nrrd sizes") << "of another program";
 }
 
 TEST(NrrdRefusals, AMissingFileAFolderAndAnEmptyFileAreReported) {
