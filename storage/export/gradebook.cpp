@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "scenarios/grading/grade.h"
 #include "storage/repositories/accounts.h"
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/audit_log.h"
@@ -14,6 +15,7 @@ namespace {
 struct Result {
   std::string number, name;
   double score = 0;
+  std::optional<double> pass_mark{};
 };
 
 struct Results {
@@ -32,27 +34,34 @@ Results results_of(const std::vector<HistoryRow>& rows) {
       continue;
     }
     out.most = row.score_max.value_or(out.most);
-    const auto [at, fresh] = out.best.try_emplace(row.student_number, row.student_number, row.student_name, *row.score);
-    if (!fresh && *row.score > at->second.score) at->second.score = *row.score;
+    const Result result{row.student_number, row.student_name, *row.score, row.pass_mark};
+    const auto [at, fresh] = out.best.try_emplace(row.student_number, result);
+    if (!fresh && result.score > at->second.score) at->second = result;
   }
   for (const auto& [number, waiting] : waits) out.withheld += out.best.contains(number) ? 0 : 1;
   return out;
 }
 
-/// Rounded to hundredths of a point.
-std::string points_text(double points) { return csv_number(std::round(points * 100) / 100); }
+double hundredths(double points) { return std::round(points * 100) / 100; }
+
+/// Rounded to hundredths of a point, but never up to the pass mark: the gradebook would count 69.996 of 70 as passed.
+std::string points_text(const Result& r) {
+  const double rounded = hundredths(r.score);
+  const bool lifted = r.pass_mark && rounded >= *r.pass_mark && !scenarios::reaches(r.score, *r.pass_mark);
+  return csv_number(lifted ? std::floor(r.score * 100) / 100 : rounded);
+}
 
 std::string for_moodle(const Results& results, const std::string& title) {
   std::string out = "ID number," + csv_text(title) + "\r\n";
-  for (const auto& [number, r] : results.best) out += csv_text(number) + ',' + points_text(r.score) + "\r\n";
+  for (const auto& [number, r] : results.best) out += csv_text(number) + ',' + points_text(r) + "\r\n";
   return out;
 }
 
 std::string for_canvas(const Results& results, const std::string& title) {
   std::string out = "Student,ID,SIS User ID,SIS Login ID,Section," + csv_text(title) + "\r\n";
-  out += "Points Possible,,,,," + points_text(results.most) + "\r\n";
+  out += "Points Possible,,,,," + csv_number(hundredths(results.most)) + "\r\n";
   for (const auto& [number, r] : results.best) {
-    out += csv_text(r.name) + ",," + csv_text(number) + ',' + csv_text(number) + ",," + points_text(r.score) + "\r\n";
+    out += csv_text(r.name) + ",," + csv_text(number) + ',' + csv_text(number) + ",," + points_text(r) + "\r\n";
   }
   return out;
 }

@@ -3,7 +3,7 @@
 ///   Moodle   ID number,TITLE               mapped to "ID number" and the grade item while importing
 ///   Canvas   Student,ID,SIS User ID,SIS Login ID,Section,TITLE, then a row "Points Possible"
 ///
-/// TITLE is that of the assigned exercise, with or without results. Points are rounded to hundredths.
+/// TITLE is that of the assigned exercise, with or without results. Points are rounded to hundredths, never up to the pass mark.
 /// Sources: Moodle's documentation, "Grade import"; Canvas's gradebook importer, which reads these headers.
 #pragma once
 

@@ -75,6 +75,16 @@ TEST_F(GradebookTest, has_points_in_hundredths) {
   }
 }
 
+TEST_F(GradebookTest, never_rounds_a_score_up_to_the_pass_mark) {
+  sit(lena, 69.996);  // of small_grade(), whose mark is 70
+  sit(omar, 69.996 + 0.004);
+  sit(ida, 79.996);
+  const std::string text = file(Gradebook::moodle).text;
+  EXPECT_NE(text.find("20267314,69.99\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("20260002,70\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("20260003,80\r\n"), std::string::npos) << "no mark lies there: " << text;
+}
+
 TEST_F(GradebookTest, leaves_out_what_was_lowered_to_an_unconfirmed_fail_after_its_release) {
   const SessionId id = sit(lena, 72);
   must(store->statements.override_points(instructor, id, "target_removed", 0, "Not cut."));
