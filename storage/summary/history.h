@@ -155,7 +155,8 @@ class History {
   /// graded as it stands, and resumed on a device of the row's class unless it keeps a volume.
   Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
-  /// The student's graded attempts at a scenario with one device class that have an own assessment which was not skipped; oldest first.
+  /// The student's graded attempts at a scenario with one device class that have an own assessment which was not skipped, each once, by
+  /// its first own assessment; oldest first.
   Stored<std::vector<RatedAttempt>> rated_attempts(const Actor& actor, UserId student, ScenarioId scenario, const std::string& device_class);
   /// Of the newest listed session that has one.
   Stored<std::optional<NewestComment>> newest_comment(const Actor& actor, UserId student);

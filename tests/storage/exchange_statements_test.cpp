@@ -105,6 +105,26 @@ TEST_F(ExchangeStatements, a_confirmation_is_none_of_critical_events_and_points_
   EXPECT_EQ(whole(*station), "");
 }
 
+TEST_F(ExchangeStatements, an_attempt_that_its_student_rated_at_two_stations_is_charted_once_by_the_first_rating) {
+  const Account lena = make_student(*office);
+  at_station(office_file());
+  const SessionId session = attempt(lena);
+  at_office(results());
+  const SelfAssessment first{{{"target_removed", OwnRating::met}}}, second{{{"target_removed", OwnRating::not_met}}};
+  must(station->statements.assess_own(lena.actor(), session, first));
+  constexpr std::int64_t kHour_us = 3'600'000'000;
+  office->context().clock = [] { return kNow + kHour_us; };
+  must(office->statements.assess_own(lena.actor(), session, second));
+  at_office(results());
+  EXPECT_EQ(must(office->statements.self_assessment(chief, session)), first);
+  const HistoryRow row = must(office->history.details(chief, session)).row;
+  const auto rated = must(office->history.rated_attempts(chief, lena.id, row.scenario, row.device_class));
+  ASSERT_EQ(rated.size(), 1u);
+  EXPECT_EQ(rated[0].session, session);
+  EXPECT_NEAR(rated[0].points.own, 100, 1e-9);
+  EXPECT_EQ(whole(*office), "");
+}
+
 TEST_F(ExchangeStatements, of_adjustments_that_two_stations_gave_the_later_one_counts) {
   for (int i = 0; i < 5; ++i) attempt(make_student(*station, "3" + std::to_string(i), "Noah"));  // its numbers run ahead of the office's
   const Account lena = make_student(*office);
