@@ -41,7 +41,7 @@ QVariant CriterionFiguresModel::data(const QModelIndex& index, int role) const {
   switch (index.column()) {
     case kName: return metric_name(c.id, &target_);
     case kShare: return percent(c.mean_share);
-    case kFull: return percent(static_cast<double>(c.full) / c.attempts);
+    case kFull: return format_share(c.full, c.attempts);
     case kAttempts: return format_number(c.attempts, 0);
     default: return {};
   }

@@ -212,7 +212,7 @@ void Performance::show_numbers(const Figures& f) {
   figure_[1]->setText(f.median_score ? format_points(*f.median_score) : none);
   note_[1]->setText(f.attempts < 4 ? QString()
                                : tr("half lie in %1 to %2").arg(format_points(f.middle_half.low), format_points(f.middle_half.high)));
-  figure_[2]->setText(f.attempts > 0 ? format({100.0 * f.passed / f.attempts, std::nullopt, u"%"_qs, 0}) : none);
+  figure_[2]->setText(f.attempts > 0 ? format_share(f.passed, f.attempts) : none);
   note_[2]->setText(f.passed_95 ? tr("95 % interval %1 to %2")
                                       .arg(format_number(100 * f.passed_95->low, 0), format({100 * f.passed_95->high, std::nullopt, u"%"_qs, 0}))
                                 : QString());

@@ -132,6 +132,12 @@ int points_decimals(std::span<const double> points) {
 
 QString format_points_to(double points, int decimals, const QLocale& locale) { return format_number(shown_points(points), decimals, locale); }
 
+QString format_share(int part, int whole, const QLocale& locale) {
+  const double rounded = std::round(100.0 * part / whole);
+  const double percent = part == whole || part == 0 ? rounded : std::clamp(rounded, 1.0, 99.0);
+  return format({percent, std::nullopt, QStringLiteral("%"), 0}, locale);
+}
+
 QString format_clock(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");
   const auto whole = static_cast<long long>(std::floor(seconds));

@@ -39,6 +39,8 @@ QString format_points(double points, const QLocale& locale = installed_locale())
 int points_decimals(std::span<const double> points);
 /// format_points() with the decimals of its column.
 QString format_points_to(double points, int decimals, const QLocale& locale = installed_locale());
+/// "84 %" of `whole`: 100 % is all of them alone, 0 % none of them. Pre: 0 <= part <= whole, whole > 0.
+QString format_share(int part, int whole, const QLocale& locale = installed_locale());
 /// "7:38" from seconds.
 QString format_clock(double seconds);
 /// A stored time, µs since 1970 UTC, as local time.

@@ -18,11 +18,9 @@
 #include "tests/modules.h"
 #include "tests/ui/admin/admin_pages.h"
 #include "tests/ui/looks.h"
-#include "ui/admin/criteria_card.h"
 #include "ui/admin/export_work.h"
 #include "ui/admin/performance.h"
 #include "ui/student/course.h"
-#include "ui/text/grade_text.h"
 #include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/parts.h"
@@ -325,37 +323,6 @@ TEST_F(AdminPages, read_again_performance_offers_new_devices_cohorts_and_exercis
   EXPECT_EQ(page.filter().version_number, chosen.version_number);
   EXPECT_EQ(page.filter().device_class, chosen.device_class);
   EXPECT_EQ(page.filter().cohort, chosen.cohort);
-}
-
-TEST_F(AdminPages, performance_shows_an_exercise_by_criterion_the_hardest_first) {
-  records.attempt(records.student("1", "Lena Brandt"), "channel-1", 60, 100);
-  Performance page(records.store(), records.administrator().actor(), ports);
-  page.show();
-  EXPECT_FALSE(page.criteria()->isVisible());
-  page.exercise()->setCurrentIndex(1);
-  ASSERT_TRUE(page.criteria()->isVisible());
-  const CriterionFiguresModel& model = page.criteria()->model();
-  const auto at = [&](int row, int column) { return plain_text(model.index(row, column).data().toString()); };
-  ASSERT_EQ(model.rowCount(), 2);  // of sample_grade(): one with 4 of 10 points, one with all
-  EXPECT_EQ(at(0, CriterionFiguresModel::kShare), "40 %");
-  EXPECT_EQ(at(0, CriterionFiguresModel::kFull), "0 %");
-  EXPECT_EQ(at(1, CriterionFiguresModel::kShare), "100 %");
-  EXPECT_EQ(at(1, CriterionFiguresModel::kAttempts), "1");
-}
-
-TEST_F(AdminPages, performance_names_a_criterion_of_one_of_several_targets_by_the_target_s_title) {
-  Grade grade = sample_grade(60);
-  for (CriterionGrade& c : grade.criteria) c.id += "@mesial";
-  records.graded_attempt(records.student("1", "Lena Brandt"), "class-1-16", grade, 100);
-  Performance page(records.store(), records.administrator().actor(), ports);
-  page.show();
-  page.exercise()->setCurrentIndex(1);
-  const CriterionFiguresModel& model = page.criteria()->model();
-  ASSERT_GT(model.rowCount(), 0);
-  const QString title = target_title("mesial", &load_builtin("class-1-16")->target);
-  EXPECT_EQ(title, QStringLiteral("mesial cavity"));
-  for (int row = 0; row < model.rowCount(); ++row)
-    EXPECT_TRUE(model.index(row, CriterionFiguresModel::kName).data().toString().contains(title));
 }
 
 TEST_F(AdminPages, exercises_stand_by_name_and_staff_are_no_students) {

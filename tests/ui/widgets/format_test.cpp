@@ -68,6 +68,14 @@ TEST(Format, points_just_below_a_mark_do_not_read_as_the_mark) {
   EXPECT_EQ(format_points(-0.02, kEnglish).toStdString(), "0");
 }
 
+TEST(Format, a_share_is_100_percent_of_all_alone_and_0_percent_of_none) {
+  EXPECT_EQ(plain(format_share(199, 200, kEnglish)), "99 %") << "one of a year's attempts failed";
+  EXPECT_EQ(plain(format_share(200, 200, kEnglish)), "100 %");
+  EXPECT_EQ(plain(format_share(1, 300, kEnglish)), "1 %");
+  EXPECT_EQ(plain(format_share(0, 300, kEnglish)), "0 %");
+  EXPECT_EQ(plain(format_share(2, 3, kGerman)), "67 %");
+}
+
 TEST(Format, a_clock_counts_minutes_and_from_an_hour_on_hours) {
   EXPECT_EQ(plain(format_clock(458.9)), "7:38");
   EXPECT_EQ(plain(format_clock(5)), "0:05");
