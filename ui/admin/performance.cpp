@@ -168,20 +168,31 @@ void Performance::read() {
   const HistoryFilter shown = filter();
   without_scripted_->setVisible(any_scripted_ && shown.scripted == false);
   auto first = page(shown, std::nullopt);
-  if (!first) return;
+  if (!first) {
+    model_->set_rows({});
+    below_->setCurrentIndex(0);  // that no attempt fits is not known
+    return show_no_figures();
+  }
   model_->set_pages(std::move(*first), [this, shown](const HistoryKey& after) { return page(shown, after); });
   below_->setCurrentIndex(model_->rowCount() == 0 ? 1 : 0);
   fetch_for_order(table_->horizontalHeader()->sortIndicatorSection(), table_->horizontalHeader()->sortIndicatorOrder());
   table_->choose_row(0);
   const auto figures = store_.history.figures(reader_, shown);
-  if (!figures) return show_failure(figures.error());
+  if (!figures) {
+    show_failure(figures.error());
+    return show_no_figures();
+  }
+  for (Chart* chart : {spread_, learning_}) chart->parentWidget()->show();
   show_numbers(*figures);
   show_spread(*figures);
   show_learning(*figures);
   criteria_->setVisible(shown.scenario.has_value());
   if (!shown.scenario) return;
   const auto by_criterion = store_.history.by_criterion(reader_, shown);
-  if (!by_criterion) return show_failure(by_criterion.error());
+  if (!by_criterion) {
+    criteria_->hide();
+    return show_failure(by_criterion.error());
+  }
   criteria_->show_figures(*by_criterion, target_of(shown));
 }
 
@@ -202,6 +213,14 @@ void Performance::fetch_for_order(int column, Qt::SortOrder order) {
   band_->show_message(Band::Kind::look, tr("Too many attempts for another order than the newest first."),
                       tr("Up to %1 can be sorted: choose an exercise, a student or a period.").arg(format_number(kMostSorted, 0)));
   table_->sortByColumn(AttemptsModel::kDate, Qt::DescendingOrder);
+}
+
+/// In place of those of the filters before.
+void Performance::show_no_figures() {
+  for (QLabel* figure : figure_) figure->setText(QStringLiteral("–"));
+  for (QLabel* note : note_) note->clear();
+  for (Chart* chart : {spread_, learning_}) chart->parentWidget()->hide();
+  criteria_->hide();
 }
 
 void Performance::show_numbers(const Figures& f) {

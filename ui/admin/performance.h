@@ -88,6 +88,7 @@ class Performance : public QWidget, public Rereads, public AtWork {
   Region target_of(const HistoryFilter& shown);
   void show_failure(const StorageFailure& failure);
   void export_to(const QString& path, const HistoryFilter& shown);
+  void show_no_figures();
   void show_numbers(const Figures& figures);
   void show_spread(const Figures& figures);
   void show_learning(const Figures& figures);

@@ -156,6 +156,27 @@ TEST_F(AdminPages, a_message_about_other_filters_goes_when_they_change) {
   EXPECT_FALSE(band->isVisible()) << band->text().toStdString();
 }
 
+TEST_F(AdminPages, performance_that_cannot_be_read_shows_no_figures_of_other_filters) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.attempt(lena, "channel-1", 60, 100);
+  records.attempt(lena, "paper-block", 60, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  const auto charts = [&] { return std::ranges::count_if(page.findChildren<Chart*>(), [](const Chart* chart) { return chart->isVisible(); }); };
+  ASSERT_EQ(charts(), 2);
+  ASSERT_TRUE(records.store().database().run("DROP INDEX summaries_of_scenario"));  // no list of an exercise is read without it
+  page.exercise()->setCurrentIndex(1);
+  EXPECT_TRUE(page.findChild<Band*>()->isVisible());
+  EXPECT_EQ(page.attempts().rowCount(), 0);
+  EXPECT_EQ(charts(), 0);
+  QStringList texts;
+  for (const QLabel* label : page.findChildren<QLabel*>()) texts << label->text();
+  EXPECT_TRUE(texts.join(u'|').contains(QStringLiteral("Median score|–|"))) << texts.join(u'|').toStdString();
+  page.exercise()->setCurrentIndex(0);
+  EXPECT_EQ(page.attempts().rowCount(), 2);
+  EXPECT_EQ(charts(), 2);
+}
+
 TEST_F(AdminPages, performance_fits_half_of_full_hd_in_german) {
   install_language(*qApp, QStringLiteral("de"));
   records.attempt(records.student("1", "Lena Brandt"), "class-2-46-mo", 78, 100);
