@@ -135,14 +135,14 @@ ChartData own_against_measured(const std::vector<RatedAttempt>& attempts) {
   QVector<ChartPoint> points;
   for (const RatedAttempt& a : attempts) {
     if (a.points.criteria == 0) continue;
-    const double difference = a.points.own - a.points.measured;
+    const double own = std::round(a.points.own), measured = std::round(a.points.measured);
+    const double difference = own - measured;  // of the points as they are shown
     widest = std::max(widest, std::abs(difference));
     last = std::max(last, a.attempt);
     //: Of an attempt: its date, points by own assessment, measured points.
     const QString label = ChartText::tr("%1: own %2, measured %3")
-                              .arg(format_day_time(local_time(a.started_utc_us)), format_points(std::round(a.points.own)),
-                                   format_points(std::round(a.points.measured)));
-    points += {static_cast<double>(a.attempt), std::round(difference), label, false};
+                              .arg(format_day_time(local_time(a.started_utc_us)), format_points(own), format_points(measured));
+    points += {static_cast<double>(a.attempt), difference, label, false};
   }
   const double step = widest <= 40 ? 20 : 50, most = step * std::ceil(widest / step);
   d.x = attempts_axis(last);

@@ -102,6 +102,13 @@ TEST(OwnAgainstMeasured, IsTheDifferenceInPointsByAttempt) {
             QStringLiteral("Rated attempts: 1. The last was rated 1 of 100 points higher than it was measured."));
 }
 
+TEST(OwnAgainstMeasured, IsTheDifferenceOfThePointsThatItsLabelShows) {
+  const ChartData d = own_against_measured({{.attempt = 1, .points = {2, 70.4, 60.6}}});
+  const ChartPoint& point = d.series[0].points[0];
+  EXPECT_TRUE(point.label.endsWith(QStringLiteral("own 70, measured 61"))) << point.label.toStdString();
+  EXPECT_EQ(point.y, 9) << "9.8 would read as 10";
+}
+
 TEST(OwnAgainstMeasured, IsChartedInOwnHistoryOnceAnAttemptIsRated) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
