@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& keys) {
 }
 
 std::string begin(const CsvOptions& options, std::string_view head) {
-  return (options.byte_order_mark ? "\xEF\xBB\xBF" : "") + std::string(head) + "\r\n";
+  return std::string(options.byte_order_mark ? kByteOrderMark : "") + std::string(head) + "\r\n";
 }
 
 /// Logs the export, unless the file is open read-only.

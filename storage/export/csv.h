@@ -17,9 +17,12 @@
 
 namespace cusp::storage {
 
+/// First in a file that people open: without it a spreadsheet may read UTF-8 as the system's older encoding.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 struct CsvOptions {
-  bool byte_order_mark = false;  // some spreadsheets need one to see UTF-8
-  std::string language = "en";   // of the exercise's title
+  bool byte_order_mark = false;
+  std::string language = "en";  // of the exercise's title
 };
 
 /// One cell of text, quoted and guarded against formulas.

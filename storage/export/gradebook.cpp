@@ -69,7 +69,7 @@ std::string for_canvas(const Results& results, const std::string& title) {
 }  // namespace
 
 Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
-                                     const CsvOptions& options) {
+                                     const std::string& language) {
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   const auto assigned = Assignments(context).find(assignment);
   if (!assigned) return std::unexpected(assigned.error());
@@ -78,10 +78,8 @@ Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor
   const auto rows = History(context).of_assignment(actor, assignment);
   if (!rows) return std::unexpected(rows.error());
   const Results results = results_of(*rows);
-  const std::string title = title_in(version->title, options.language);
-  GradebookFile out{options.byte_order_mark ? "\xEF\xBB\xBF" : "", results.best.size(), results.withheld};
-  out.text += system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title);
-  return out;
+  const std::string title = title_in(version->title, language);
+  return GradebookFile{system == Gradebook::moodle ? for_moodle(results, title) : for_canvas(results, title), results.best.size(), results.withheld};
 }
 
 Stored<void> log_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, const GradebookFile& file) {

@@ -24,9 +24,10 @@ struct GradebookFile {
 };
 
 /// The best released result of each student. Who has none has no line: an empty cell would clear a grade there. Nor has who
-/// was erased: the gradebook would not know the number. Needs export_results. log_gradebook() follows once the text is written.
+/// was erased: the gradebook would not know the number. `language`: of the title. Needs export_results. log_gradebook() follows
+/// once the text is written.
 Stored<GradebookFile> make_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, Gradebook system,
-                                     const CsvOptions& options = {});
+                                     const std::string& language = "en");
 /// The entry in the audit log, before the file has its name. Needs export_results, as the records have it now. None if the records are
 /// open for reading alone.
 Stored<void> log_gradebook(StorageContext& context, const Actor& actor, AssignmentId assignment, const GradebookFile& file);

@@ -33,7 +33,7 @@ Stored<std::optional<std::size_t>> write_entries(Store& store, const Actor& acto
     const auto found = wanted.names.find(id);
     return found == wanted.names.end() ? std::string() : found->second;
   };
-  if (auto done = file.write(audit_csv_head()); !done) return std::unexpected(done.error());
+  if (auto done = file.write(std::string(kByteOrderMark) + audit_csv_head()); !done) return std::unexpected(done.error());
   std::size_t entries = 0;
   for (std::int64_t before = INT64_MAX; !progress.stop;) {
     const auto some = store.audit.list(actor, kLogEntriesAtOnce, before, wanted.filter);

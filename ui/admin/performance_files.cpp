@@ -42,8 +42,7 @@ void Performance::export_csv() {
 }
 
 void Performance::export_to(const QString& path, const HistoryFilter& shown) {
-  CsvOptions options;
-  options.language = current_language().toStdString();
+  const CsvOptions options{.byte_order_mark = true, .language = current_language().toStdString()};
   export_->start(path, [&](std::shared_ptr<ExportProgress> progress, std::function<void(ExportRun::Outcome)> then) {
     return export_in_background(records_of(store_), reader_, {path.toStdString(), shown, options}, std::move(progress), std::move(then));
   });

@@ -75,7 +75,7 @@ Result<AssignedGradebook, Message> gradebook_of(Store& store, const Actor& actor
                                        .arg(exercise, cohort, each.join(QStringLiteral(", "))),
                                    {}});
   }
-  auto file = make_gradebook(store.context(), actor, found->front().id, wish.system, {.language = current_language().toStdString()});
+  auto file = make_gradebook(store.context(), actor, found->front().id, wish.system, current_language().toStdString());
   if (!file) return std::unexpected(describe(file.error()));
   return AssignedGradebook{found->front().id, std::move(*file)};
 }

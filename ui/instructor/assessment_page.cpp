@@ -183,9 +183,7 @@ QPushButton* AssessmentPage::make_gradebook_button() {
 void AssessmentPage::export_gradebook(Gradebook system) {
   // The audit log names an export, so there is none before a file is chosen and written.
   const auto make = [this, system]() -> std::optional<CsvText> {
-    CsvOptions options;
-    options.language = current_language().toStdString();
-    const auto file = make_gradebook(store_.context(), actor_, assignment_.id, system, options);
+    const auto file = make_gradebook(store_.context(), actor_, assignment_.id, system, current_language().toStdString());
     if (!file) {
       show_failure(file.error());
       return std::nullopt;

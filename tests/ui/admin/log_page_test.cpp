@@ -177,7 +177,7 @@ TEST_F(LogPages, ExportsWhatTheFiltersLeaveAndLogsThat) {
   QFile csv(file);
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
   const QList<QByteArray> lines = csv.readAll().split('\n');
-  EXPECT_EQ(lines.first().trimmed(), "number,at,actor,actor_name,action,subject,subject_name,detail");
+  EXPECT_EQ(lines.first().trimmed(), "\xEF\xBB\xBFnumber,at,actor,actor_name,action,subject,subject_name,detail");
   EXPECT_GE(lines.size(), kMany + 2);
   for (const QByteArray& line : lines) EXPECT_FALSE(line.contains("account_disabled"));
   shown->read();

@@ -202,6 +202,7 @@ TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray bytes = written.readAll();
   EXPECT_EQ(bytes.count("\r\n"), 2);  // head and one attempt
+  EXPECT_TRUE(bytes.startsWith("\xEF\xBB\xBFsession,")) << "a spreadsheet reads it as UTF-8";
   EXPECT_TRUE(bytes.contains(",finished_utc,cohort,opens_utc,due_utc\r\n"));
   EXPECT_TRUE(bytes.contains("Lena Brandt"));
   EXPECT_FALSE(bytes.contains("Noah Adler"));
