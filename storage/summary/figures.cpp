@@ -64,6 +64,24 @@ class Steps {
 
 Interval middle_half_of(const Quartiles& q) { return {q.low, q.high}; }
 
+Interval wilson_of(double p, double n) {
+  const double z2 = kZ95 * kZ95;
+  const double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
+  const double half = kZ95 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4.0 * n * n));
+  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
+PassCount sum_of(std::span<const PassCount> students) {
+  PassCount sum;
+  for (const PassCount& s : students) {
+    sum.attempts += s.attempts;
+    sum.passed += s.passed;
+  }
+  return sum;
+}
+
+double share_of(const PassCount& count) { return static_cast<double>(count.passed) / count.attempts; }
+
 }  // namespace
 
 double quantile(std::vector<double>& values, double q) {
@@ -81,11 +99,26 @@ Quartiles quartiles(std::span<const double> values) {
   return {low, median, quantile(copy, 0.75)};
 }
 
-Interval wilson_95(int successes, int n) {
-  const double p = static_cast<double>(successes) / n, z2 = kZ95 * kZ95;
-  const double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
-  const double half = kZ95 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4.0 * n * n));
-  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+Interval wilson_95(int successes, int n) { return wilson_of(static_cast<double>(successes) / n, n); }
+
+double design_effect(std::span<const PassCount> students) {
+  const PassCount sum = sum_of(students);
+  const double share = share_of(sum), attempts = sum.attempts, clusters = static_cast<double>(students.size());
+  double squares = 0;
+  for (const PassCount& s : students) {
+    const double apart = s.passed - share * s.attempts;
+    squares += apart * apart;
+  }
+  const double variance = clusters / (clusters - 1) * squares / (attempts * attempts);
+  return attempts * variance / (share * (1 - share));
+}
+
+std::optional<Interval> share_passed_95(std::span<const PassCount> students) {
+  if (students.size() < 2) return std::nullopt;
+  const PassCount sum = sum_of(students);
+  if (sum.attempts == std::ssize(students)) return wilson_95(sum.passed, sum.attempts);  // one of each student: independent
+  if (sum.passed == 0 || sum.passed == sum.attempts) return wilson_of(share_of(sum), static_cast<double>(students.size()));
+  return wilson_of(share_of(sum), sum.attempts / std::max(1.0, design_effect(students)));
 }
 
 /// The last eight bytes of a UUIDv7 are random but for two bits: the product's upper bits depend on all of them.
@@ -130,7 +163,11 @@ void FigureCount::add(const GradedAttempt& a) {
   times_s_.push_back(static_cast<double>(a.elapsed_us) * 1e-6);
   if (by_attempt_.size() <= attempt) by_attempt_.resize(attempt + 1);
   by_attempt_[attempt].values.push_back(a.score);
-  by_attempt_[attempt].students.push_back(students_.number(a.student));
+  const std::uint32_t student = students_.number(a.student);
+  by_attempt_[attempt].students.push_back(student);
+  if (passes_.size() <= student) passes_.resize(student + std::size_t{1});
+  ++passes_[student].attempts;
+  passes_[student].passed += a.passed ? 1 : 0;
 }
 
 Figures FigureCount::figures() const {
@@ -141,7 +178,7 @@ Figures FigureCount::figures() const {
   const Quartiles scores = quartiles(scores_);
   f.median_score = scores.median;
   f.middle_half = middle_half_of(scores);
-  f.passed_95 = wilson_95(f.passed, f.attempts);
+  f.passed_95 = share_passed_95(passes_);
   f.median_time_s = quartiles(times_s_).median;
   f.last_attempt = static_cast<int>(by_attempt_.size()) - 1;
   f.learning = learning();

@@ -29,6 +29,19 @@ Quartiles quartiles(std::span<const double> values);
 /// 95 % interval of a share (Wilson's score interval), in [0, 1]. Pre: 0 <= successes <= n, n > 0.
 Interval wilson_95(int successes, int n);
 
+/// The attempts of one student.
+struct PassCount {
+  int attempts = 0, passed = 0;
+};
+
+/// How much more the attempts of several students vary than as many independent ones. Source: Rao and Scott 1992, "A simple method for the
+/// analysis of clustered binary data". Pre: two students or more; some of the attempts passed, and not all.
+double design_effect(std::span<const PassCount> students);
+
+/// 95 % interval of the share that passed: Wilson's, of the attempts divided by their design effect. If all or none passed, a student's
+/// attempts count as one. None of a single student: these attempts say nothing of others.
+std::optional<Interval> share_passed_95(std::span<const PassCount> students);
+
 /// One graded attempt, as far as figures need it.
 struct GradedAttempt {
   UserId student{};
@@ -53,7 +66,7 @@ struct Figures {
   std::optional<double> median_score{};
   Interval middle_half{};  // of the scores
   int passed = 0;
-  std::optional<Interval> passed_95{};
+  std::optional<Interval> passed_95{};  // share_passed_95()
   std::optional<double> median_time_s{};
   std::array<int, 20> spread{};       // attempts with [0, 5), [5, 10) ... [95, 100] points
   std::optional<double> pass_mark{};  // none: the attempts have no pass mark, or more than one
@@ -97,6 +110,7 @@ class FigureCount {
   Figures counted_;
   std::vector<double> scores_, times_s_;
   StudentNumbers students_;
+  std::vector<PassCount> passes_;   // by number of the student
   std::vector<Scores> by_attempt_;  // by attempt number
   bool marks_differ_ = false;
 };

@@ -79,6 +79,39 @@ TEST(Wilson, gives_the_published_interval) {
   EXPECT_NEAR(wilson_95(0, 20).high, 0.1611, 5e-5);
 }
 
+TEST(DesignEffect, is_the_published_one) {
+  // Litters of Weil 1970 in Rao and Scott 1992, table 1: control 1.232, treated 3.953; package PF of R: 1.232495 and 3.952861.
+  const std::vector<PassCount> control = {{13, 13}, {12, 12}, {9, 9},  {9, 9},  {8, 8},   {8, 8}, {13, 12}, {12, 11},
+                                          {10, 9},  {10, 9},  {9, 8},  {13, 11}, {5, 4},  {7, 5}, {10, 7},  {10, 7}};
+  const std::vector<PassCount> treated = {{12, 12}, {11, 11}, {10, 10}, {9, 9}, {11, 10}, {10, 9}, {10, 9}, {9, 8},
+                                          {9, 8},   {5, 4},   {9, 7},   {7, 4}, {10, 5},  {6, 3},  {10, 3}, {7, 0}};
+  EXPECT_NEAR(design_effect(control), 1.232495, 5e-7);
+  EXPECT_NEAR(design_effect(treated), 3.952861, 5e-7);
+}
+
+TEST(SharePassed, of_students_with_many_attempts_each_is_as_sure_as_fewer_independent_ones) {
+  // 6 of 12; the squares sum to 9, the variance is 4/3 * 9/144 = 1/12, the effect 12 * 1/12 / 0.25 = 4.
+  // Wilson of 3 at 0.5: z / (2 sqrt(3 + z^2)) to either side.
+  const Interval found = *share_passed_95(std::vector<PassCount>{{3, 3}, {3, 3}, {3, 0}, {3, 0}});
+  EXPECT_NEAR(found.low, 0.5 - 0.374665, 1e-5);
+  EXPECT_NEAR(found.high, 0.5 + 0.374665, 1e-5);
+}
+
+TEST(SharePassed, of_one_attempt_each_is_wilson_s_and_of_one_student_there_is_none) {
+  const Interval one_each = *share_passed_95(std::vector<PassCount>{{1, 1}, {1, 1}, {1, 0}});
+  EXPECT_EQ(one_each.low, wilson_95(2, 3).low);
+  EXPECT_EQ(one_each.high, wilson_95(2, 3).high);
+  EXPECT_EQ(share_passed_95(std::vector<PassCount>{{10, 10}, {10, 10}})->low, wilson_95(2, 2).low) << "all passed: two students";
+  EXPECT_EQ(share_passed_95(std::vector<PassCount>{{10, 0}, {10, 0}})->high, wilson_95(0, 2).high);
+  EXPECT_FALSE(share_passed_95(std::vector<PassCount>{{90, 54}}));
+  EXPECT_FALSE(share_passed_95({}));
+}
+
+TEST(SharePassed, is_never_surer_than_independent_attempts) {
+  // Every student passes half: less spread than chance.
+  EXPECT_EQ(share_passed_95(std::vector<PassCount>{{2, 1}, {2, 1}, {2, 1}})->low, wilson_95(3, 6).low);
+}
+
 TEST(Figures, count_attempts_students_and_passes) {
   std::vector<GradedAttempt> attempts = {attempt(1, 1, 60, 100), attempt(1, 2, 80, 200), attempt(2, 1, 90, 300)};
   attempts.front().passed = false;
@@ -86,6 +119,7 @@ TEST(Figures, count_attempts_students_and_passes) {
   EXPECT_EQ(f.attempts, 3);
   EXPECT_EQ(f.students, 2);
   EXPECT_EQ(f.passed, 2);
+  EXPECT_EQ(f.passed_95->low, share_passed_95(std::vector<PassCount>{{2, 1}, {1, 1}})->low);
   EXPECT_EQ(f.last_attempt, 2);
   EXPECT_DOUBLE_EQ(*f.median_score, 80);
   EXPECT_DOUBLE_EQ(f.middle_half.low, 70);
