@@ -34,7 +34,9 @@ class AssignmentDates {
 }  // namespace
 
 Stored<std::vector<AttemptDates>> dates_of(Database& db, const std::vector<HistoryRow>& rows) {
-  Statement finished = db.prepare("SELECT max(at) FROM session_events WHERE session = ?1 AND kind = 'finished'");
+  // An interrupted attempt that is graded as it stands has no event "finished": its first grade ends it.
+  Statement finished = db.prepare(
+      "SELECT coalesce(max(iif(kind = 'finished', at, NULL)), min(iif(kind = 'graded', at, NULL))) FROM session_events WHERE session = ?1");
   AssignmentDates assignments(db);
   std::vector<AttemptDates> out;
   out.reserve(rows.size());

@@ -11,7 +11,7 @@
 namespace cusp::storage {
 
 struct AttemptDates {
-  std::optional<std::int64_t> finished_utc_us{};  // none: not finished
+  std::optional<std::int64_t> finished_utc_us{};  // or first graded as it stood; none: neither
   std::string cohort{};                           // of the assignment; empty without one
   std::optional<std::int64_t> opens_utc_us{}, due_utc_us{};  // of the assignment
 };

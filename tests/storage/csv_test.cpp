@@ -132,6 +132,20 @@ TEST_F(ExportOfCohorts, an_assignment_without_dates_leaves_them_empty) {
   EXPECT_TRUE(text.ends_with(practice.id.text() + ",1,,\"'=Year 2, group \"\"A\"\"\",,\r\n")) << text;
 }
 
+TEST_F(ExportOfCohorts, an_attempt_that_is_graded_as_it_stands_ends_with_its_first_grade) {
+  const Assignment practice = must(store->assignments.create(instructor, {.version = version.id, .cohort = year_2}));
+  const SessionId id = sit(practice);
+  const std::string start = practice.id.text() + ",1,", cohort = ",\"'=Year 2, group \"\"A\"\"\",,\r\n";
+  must(store->traces.append(id, second_from(1)));
+  must(store->sessions.interrupt(id, "process_gone"));
+  EXPECT_TRUE(exported_text(*store, instructor).ends_with(start + cohort)) << "it can be resumed";
+  for (int grades = 0; grades < 2; ++grades) {
+    *now += kHour;
+    must(store->grades.save(id, small_grade(), {}));
+    EXPECT_TRUE(exported_text(*store, instructor).ends_with(start + "2026-11-20T10:14:03Z" + cohort)) << exported_text(*store, instructor);
+  }
+}
+
 TEST_F(ExportOfCohorts, a_cohort_and_dates_narrow_it) {
   const SessionId first = complete_session(*store, lena, version);
   *now += kDayUs;
