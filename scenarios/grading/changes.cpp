@@ -23,10 +23,16 @@ CriterionChange change_of(const std::string& id, const CriterionGrade* before, c
   return out;
 }
 
+/// Critical events that `one` has and `other` has not.
+void add_events_of_one(const Grade& one, const Grade& other, std::vector<std::string>& out) {
+  for (const std::string& key : one.critical)
+    if (std::ranges::find(other.critical, key) == other.critical.end()) out.push_back(key);
+}
+
 }  // namespace
 
 GradeChanges changes(const Grade& before, const Grade& after) {
-  GradeChanges out{before.evaluator, after.evaluator, before.score, after.score, before.passed, after.passed, {}};
+  GradeChanges out{before.evaluator, after.evaluator, before.score, after.score, before.passed, after.passed, {}, {}};
   const auto add = [&](const std::string& id) {
     const CriterionChange one = change_of(id, find(before, id), find(after, id));
     if (one.value_before != one.value_after || one.points_before != one.points_after) out.criteria.push_back(one);
@@ -34,6 +40,8 @@ GradeChanges changes(const Grade& before, const Grade& after) {
   for (const CriterionGrade& c : before.criteria) add(c.id);
   for (const CriterionGrade& c : after.criteria)
     if (find(before, c.id) == nullptr) add(c.id);
+  add_events_of_one(before, after, out.critical);
+  add_events_of_one(after, before, out.critical);
   return out;
 }
 

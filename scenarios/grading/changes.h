@@ -21,7 +21,10 @@ struct GradeChanges {
   double score_before = 0, score_after = 0;
   bool passed_before = false, passed_after = false;
   std::vector<CriterionChange> criteria;  // in the order of the stored grade, then those that it lacks
-  bool none() const noexcept { return criteria.empty() && score_before == score_after && passed_before == passed_after; }
+  std::vector<std::string> critical;      // events that one of the grades has alone, in the same order
+  bool none() const noexcept {
+    return criteria.empty() && critical.empty() && score_before == score_after && passed_before == passed_after;
+  }
 };
 
 /// Values and points are compared bit for bit. Any thread.

@@ -206,6 +206,7 @@ QString changes_text(const GradeChanges& c, const Region* whole) {
   if (c.none()) return Text::tr("Stored with marking %1: the same points.").arg(before);
   QStringList names;
   for (const CriterionChange& one : c.criteria) names += metric_name(one.id, whole);
+  for (const std::string& event : c.critical) names += metric_name(event);
   return Text::tr("Stored with marking %1: %2 points. What differs: %3.").arg(before, format_points(c.score_before), names.join(u", "_qs));
 }
 

@@ -42,7 +42,7 @@ QString lost_text(const CriterionGrade& grade, double lost, const Region* whole 
 QString counted_text(const Grade& grade, const Rubric& rubric);
 /// "met", "partly met", "not met": a student's own rating of a criterion.
 QString own_rating_name(OwnRating rating);
-/// A grade that was made anew against the stored one: its evaluator, its points, and the criteria that differ.
+/// A grade that was made anew against the stored one: its evaluator, its points, and the criteria and critical events that differ.
 QString changes_text(const GradeChanges& changes, const Region* whole = nullptr);
 /// What to do next time, for a criterion that lost points by what was done; empty for the others.
 QString advice_text(const CriterionGrade& grade);

@@ -339,6 +339,10 @@ TEST(Changes, NameBothEvaluatorsAndEachCriterionThatDiffers) {
   EXPECT_FALSE(c.criteria[1].value_after);
   EXPECT_EQ(c.criteria[2].id, "overcut_beyond_side");
   EXPECT_FALSE(c.criteria[2].value_before);
+  before = now;
+  before.critical = {"pulp_exposure"};
+  EXPECT_EQ(changes(before, now).critical, before.critical);
+  EXPECT_FALSE(changes(now, before).none()) << "an event that fails an attempt is a change at equal points";
 }
 
 TEST(Grade, ACriterionBeyondTheDevicesAxesIsShownWithoutPoints) {

@@ -365,6 +365,15 @@ TEST(Text, TheShareThatCountsNamesTheLeastOfSeveralTargets) {
   EXPECT_EQ(plain(counted_text(g, rubric)), "The rest counts for less where its own target is left, the least of it for 24\u00a0%.");
 }
 
+TEST(Text, AGradeThatWasMadeAnewNamesTheCriticalEventThatOneOfBothHas) {
+  GradeChanges c;
+  c.evaluator_before = "8";
+  c.score_before = c.score_after = 95;
+  c.passed_before = true;
+  c.critical = {"protected_damage"};
+  EXPECT_EQ(plain(changes_text(c)), "Stored with marking 8: 95 points. What differs: Protected part damaged.");
+}
+
 TEST(Text, ThatGoesToATerminalHoldsNothingThatItObeys) {
   EXPECT_EQ(plain(QStringLiteral("\x1b[2K\rNothing was changed\n\tsince 2026\u202e\u2066.")), "\uFFFD[2K Nothing was changed  since 2026.");
   EXPECT_EQ(plain(QString(QChar(0)) + QChar(0x7F) + QChar(0x9B) + u'é'), "\uFFFD\uFFFD\uFFFDé");
