@@ -1,6 +1,7 @@
 // How far two models' grades lie apart.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "scenarios/audit/audit.h"
@@ -107,7 +108,9 @@ int attempts_to_decide(const ModelResult& from, const ModelResult& to, const std
   const GradeChange had = mean_change_between(attempts_of(from, one, Pick::named), attempts_of(to, one, Pick::named));
   if (had.decided(tolerance_points) || !had.passes_alike || !had.measures_alike) return 0;
   const double ratio = had.standard_error / (0.25 * tolerance_points);
-  return static_cast<int>(std::ceil(ratio * ratio * had.attempts_per_operator - 1e-9));
+  // A tolerance of 0, or far below the error, asks for more attempts than an int holds.
+  constexpr double kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(std::min(std::ceil(ratio * ratio * had.attempts_per_operator - 1e-9), kMost));
 }
 
 GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to, const std::vector<std::string>& operators) {

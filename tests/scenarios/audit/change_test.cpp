@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -20,6 +22,8 @@ TEST(Change, AnOperatorBeyondTheToleranceGetsNoMoreAttempts) {
   EXPECT_EQ(attempts_to_decide(from, attempts({51, 50, 51, 50}), "novice", 2.0), 0);  // 0.5 ± 0.3: within
   EXPECT_EQ(attempts_to_decide(from, attempts({53, 51, 53, 51}), "novice", 2.0), 6);  // 2 ± 0.577: 4 * (0.577 / 0.5)² = 5.3
   EXPECT_EQ(attempts_to_decide(from, attempts({53, 50, 52, 49}), "novice", 2.0), 14);  // 1 ± 0.913: within, but by one error alone
+  EXPECT_EQ(attempts_to_decide(from, attempts({53, 50, 52, 49}), "novice", 0.0), std::numeric_limits<int>::max());  // 1 ± 0.913
+  EXPECT_EQ(attempts_to_decide(from, attempts({53, 50, 52, 49}), "novice", 1e-6), std::numeric_limits<int>::max());
   GradeChange change;
   change.score = -3.2;
   change.standard_error = 0.6;
