@@ -115,7 +115,6 @@ class Search {
     return s;
   }
   std::optional<Scenario> halved(const Scenario& s) const {
-    const auto finer = finer_voxels(s);
     const double half = s.specimen.voxel_mm / 2;
     for (const Choice& c : choices_of(s)) {
       if (c.aspect == Aspect::voxel && c.instead < c.as_set) return at(s, half);
