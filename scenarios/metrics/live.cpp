@@ -1,7 +1,6 @@
 #include "scenarios/metrics/live.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace cusp::scenarios {
@@ -97,8 +96,7 @@ void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> cha
   constexpr auto kTarget = static_cast<std::size_t>(Place::target);
   if (reading_.target_measured)
     reading_.target_removed = 100.0 * std::clamp(sum.removed_mm3[kTarget] / reference_->target_mm3(), 0.0, 1.0);
-  reading_.remaining_over_pulp_mm =
-      !reference_->pulp().empty() && std::isfinite(sum.pulp_mm) ? std::optional(sum.pulp_mm) : std::nullopt;
+  reading_.remaining_over_pulp_mm = over_pulp_mm(*reference_, volume, sum);
 }
 
 }  // namespace cusp::scenarios

@@ -1,7 +1,6 @@
 #include "scenarios/metrics/measure.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/volume/cut_volume.h"
 #include "scenarios/format/keys.h"
@@ -124,14 +123,15 @@ std::vector<BrickShares> shares_of_bricks(const Reference& reference, const Volu
 
 void add_pulp(const Reference& reference, const Volume& volume, const RegionShares& sum,
               const std::vector<BrickShares>& bricks, std::vector<Measure>& out) {
-  if (reference.pulp().empty() || !std::isfinite(sum.pulp_mm)) {
+  const std::optional<double> over_pulp = over_pulp_mm(reference, volume, sum);
+  if (!over_pulp) {
     out.push_back(not_measured("remaining_over_pulp", "mm"));
   } else {
     const double sigma = kPulpSigmaVoxels * volume.grid().voxel_mm + reference.point_sigma_mm();
     NearPulpSink near(reference, volume, sum.pulp_mm + sigma);
     for (const BrickShares& one : bricks)
       if (one.shares.pulp_mm < sum.pulp_mm + sigma) emit_removed(volume, one.brick, near);
-    out.push_back(measured("remaining_over_pulp", sum.pulp_mm, sigma, "mm", near.best.found() ? near.best.at_mm : sum.pulp_at_mm));
+    out.push_back(measured("remaining_over_pulp", *over_pulp, sigma, "mm", near.best.found() ? near.best.at_mm : sum.pulp_at_mm));
   }
   if (reference.pulp().empty()) {
     out.push_back(not_measured("pulp_exposure", ""));

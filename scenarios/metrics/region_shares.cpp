@@ -1,6 +1,7 @@
 #include "scenarios/metrics/region_shares.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenarios/metrics/region_classifier.h"
 
@@ -120,6 +121,12 @@ void RegionShares::add(const RegionShares& other) noexcept {
     pulp_mm = other.pulp_mm;
     pulp_at_mm = other.pulp_at_mm;
   }
+}
+
+std::optional<double> over_pulp_mm(const Reference& reference, const Volume& volume, const RegionShares& sum) {
+  if (reference.pulp().empty() || !std::isfinite(sum.pulp_mm)) return std::nullopt;
+  const bool left = std::ranges::any_of(reference.pulp().voxels(), [&](IVec3 v) { return volume.occupied(v); });
+  return left ? sum.pulp_mm : 0.0;
 }
 
 RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick) {

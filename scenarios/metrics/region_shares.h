@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "engine/volume/volume.h"
@@ -25,6 +26,10 @@ struct RegionShares {
 
   void add(const RegionShares& other) noexcept;
 };
+
+/// remaining_over_pulp, mm. 0 once nothing of the pulp is left: then no cut surface passes it. nullopt: no pulp, or no cut surface.
+/// `sum`: of all bricks.
+[[nodiscard]] std::optional<double> over_pulp_mm(const Reference& reference, const Volume& volume, const RegionShares& sum);
 
 /// Of the cells of one brick (see cut_volume.h); depends on this brick and its 26 neighbours.
 [[nodiscard]] RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick);

@@ -238,6 +238,22 @@ TEST(Measure, ACutThatReachesThePulpIsAnExposure) {
   EXPECT_NEAR(bench.get(volume, "remaining_over_pulp").value, 0.0, 1e-9);
 }
 
+/// A pulp of 0.6 mm in the middle of the slot: 0.3 mm from its walls, 0.7 mm above its floor.
+Tissue small_pulp(Vec3 p) { return ball_distance(p, Vec3(0, 0, -1), 0.3) < 0.0 ? Tissue::pulp : no_pulp(p); }
+
+TEST(Measure, NothingRemainsOverAPulpThatIsGoneWhole) {
+  const Bench bench(0.1, Reading::banded, small_pulp);
+  Volume volume(bench.specimen);
+  carved::carve(volume, [](Vec3 p) { return cut_slot(p, 0, 0); });
+  EXPECT_EQ(bench.get(volume, "pulp_exposure").value, 1.0);
+  const Measure m = bench.get(volume, "remaining_over_pulp");
+  EXPECT_TRUE(m.measured);
+  EXPECT_EQ(m.value, 0.0);  // the cut surface is 0.3 mm from where it was
+  LiveMetrics live(bench.reference);
+  live.update(volume, volume.cut_bricks());
+  EXPECT_EQ(live.reading().remaining_over_pulp_mm, 0.0);
+}
+
 TEST(Measure, WithoutPulpItIsNotMeasured) {
   const Bench bench(0.1, Reading::banded, no_pulp);
   Volume volume(bench.specimen);
