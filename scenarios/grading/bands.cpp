@@ -28,9 +28,9 @@ double share_of_points(const Bands& bands, double value) noexcept {
   return 0.0;
 }
 
-std::string_view band_of(const Bands& bands, double value, double uncertainty) noexcept {
-  const bool open_low = !(bands.fail_lo == bands.acc_lo && bands.acc_lo == bands.ideal_lo);
-  const bool open_high = !(bands.fail_hi == bands.acc_hi && bands.acc_hi == bands.ideal_hi);
+std::string_view band_of(const Bands& bands, double value, double uncertainty, Possible possible) noexcept {
+  const bool open_low = !(bands.fail_lo == bands.acc_lo && bands.acc_lo == bands.ideal_lo) || bands.ideal_lo > possible.least;
+  const bool open_high = !(bands.fail_hi == bands.acc_hi && bands.acc_hi == bands.ideal_hi) || bands.ideal_hi < possible.most;
   const auto near = [&](double edge) { return std::fabs(value - edge) < uncertainty; };
   if (open_low && (near(bands.acc_lo) || near(bands.ideal_lo))) return "borderline";
   if (open_high && (near(bands.acc_hi) || near(bands.ideal_hi))) return "borderline";

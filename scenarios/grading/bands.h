@@ -1,6 +1,7 @@
 /// Points of one value: piecewise linear (dental.md 2.4). Any thread.
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 #include "scenarios/format/scenario.h"
@@ -11,8 +12,13 @@ namespace cusp::scenarios {
 /// step: the better side wins at the edge itself.
 [[nodiscard]] double share_of_points(const Bands& bands, double value) noexcept;
 
+/// Values that a metric can take (MetricKey), in its unit.
+struct Possible {
+  double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
+};
+
 /// "ideal", "acceptable" (inside [acc_lo, acc_hi]), "fail", or "borderline": an edge between two of these is nearer than
-/// the uncertainty. A side whose three edges coincide is a natural end (0 mm3, 100 %), not an edge.
-[[nodiscard]] std::string_view band_of(const Bands& bands, double value, double uncertainty) noexcept;
+/// the uncertainty. A side whose three edges coincide where the metric ends (0 mm3, 100 %) has none; elsewhere they are a step.
+[[nodiscard]] std::string_view band_of(const Bands& bands, double value, double uncertainty, Possible possible = {}) noexcept;
 
 }  // namespace cusp::scenarios

@@ -17,6 +17,13 @@ const Measure* find(const std::vector<Measure>& measures, std::string_view metri
   return it == measures.end() ? nullptr : &*it;
 }
 
+Possible possible_values(std::string_view criterion) {
+  const std::string_view metric = split_metric(criterion).metric;
+  const auto known = std::ranges::find(kMetricKeys, metric, &MetricKey::key);
+  if (known != kMetricKeys.end()) return {known->least, known->most};
+  return metric.starts_with("removed_") ? Possible{0.0} : Possible{};
+}
+
 /// Measured over the whole target or the whole lesion: a small hole lowers them by itself.
 bool is_of_the_whole(std::string_view metric) {
   constexpr std::array<std::string_view, 4> kWhole = {"target_removed", "uncut_remainder", "surface_within_", "caries_left_"};
@@ -134,7 +141,7 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, Sha
   out.points_max = criterion.weight;
   const double within_bands = criterion.weight * share_of_points(bands, value);
   out.points = counts_with_target(criterion) ? within_bands * shares.counted : within_bands;
-  out.band = band_of(bands, value, measure->uncertainty);
+  out.band = band_of(bands, value, measure->uncertainty, possible_values(criterion.metric));
   if (out.points == out.points_max) {
     out.reason_code = "full";
     out.reason_args = {{"value", value}};

@@ -76,9 +76,12 @@ TEST(Bands, ABandWhoseEdgeIsNearerThanTheUncertaintyIsBorderline) {
   EXPECT_EQ(band_of(kDepth, 2.2, 0.0), "ideal");
 }
 
-TEST(Bands, ANaturalEndIsNotAnEdge) {
-  EXPECT_EQ(band_of(kRemoved, 99.9, 0.5), "ideal");
-  EXPECT_EQ(band_of(kOver, 0.0, 0.5), "ideal");
+TEST(Bands, ANaturalEndIsNotAnEdgeAndAStepIsOne) {
+  EXPECT_EQ(band_of(kRemoved, 99.9, 0.5, {0, 100}), "ideal");
+  Scenario s;
+  s.rubric.criteria = {{"remaining_over_pulp", 10, {0.5, 0.5, 0.5, 100, 100, 100}}, {"overcut_beyond_side", 10, kOver}};
+  const Grade g = grade(s, {value("remaining_over_pulp", 0.48, 0.05), value("overcut_beyond_side", 0, 0.5)});
+  EXPECT_TRUE(g.criteria[0].band == "borderline" && g.criteria[1].band == "ideal") << g.criteria[0].band << g.criteria[1].band;
 }
 
 TEST(Grade, IsTheWeightedSumOfPoints) {
