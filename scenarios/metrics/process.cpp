@@ -78,6 +78,12 @@ Process Process::lasting(double time_s, double dry_s) noexcept {
   return out;
 }
 
+std::optional<double> known_force_n(const StepOutput& output) noexcept {
+  if (!output.contact || output.deferred) return std::nullopt;
+  const Vec3 f = output.force_raw_n;
+  return std::sqrt(f.x * f.x + f.y * f.y + f.z * f.z);
+}
+
 void Process::add(const StepOutput& output) noexcept {
   const std::uint64_t dt = output.elapsed_us > elapsed_us_ ? output.elapsed_us - elapsed_us_ : 0;
   elapsed_us_ += dt;
@@ -88,13 +94,12 @@ void Process::add(const StepOutput& output) noexcept {
     heat_peak_k_ = static_cast<double>(output.heat_k);
     heat_peak_at_mm_ = output.proxy_mm;
   }
-  if (!output.contact) return;
-  const Vec3 f = output.force_raw_n;
-  const double n = std::sqrt(f.x * f.x + f.y * f.y + f.z * f.z);
+  const std::optional<double> n = known_force_n(output);
+  if (!n) return;
   contact_us_ += dt;
-  impulse_ += n * static_cast<double>(dt);
-  if (n > peak_n_) {
-    peak_n_ = n;
+  impulse_ += *n * static_cast<double>(dt);
+  if (*n > peak_n_) {
+    peak_n_ = *n;
     peak_at_mm_ = output.proxy_mm;
   }
 }

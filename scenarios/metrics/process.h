@@ -12,9 +12,13 @@
 
 namespace cusp::scenarios {
 
+/// Length of the force before the guard, N. nullopt: nothing is touched, or the proxy has not converged yet (StepOutput::deferred):
+/// the spring is then longer than the push by the way that is left.
+[[nodiscard]] std::optional<double> known_force_n(const StepOutput& output) noexcept;
+
 class Process {
  public:
-  /// Takes one tick's output; no heap, no lock. Force is the one before the guard, weighted by time in contact. Coolant
+  /// Takes one tick's output; no heap, no lock. Force is known_force_n(), weighted by the time in which it is known. Coolant
   /// and warmth of the output count only if the scene has heat.
   void add(const StepOutput& output) noexcept;
 

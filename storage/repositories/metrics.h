@@ -21,7 +21,7 @@ struct RemovedTissue {
 struct SecondMetrics {
   std::vector<RemovedTissue> removed{};  // totals so far; may omit tissues without removal
   double force_peak_n = 0;               // before the guard
-  double force_mean_n = 0;               // over the ticks in contact; 0 without contact
+  double force_mean_n = 0;               // over the ticks in contact whose force is known; 0 without one
   std::uint64_t contact_ticks = 0;
   std::uint64_t cutting_ticks = 0;
 };

@@ -51,13 +51,12 @@ void SessionFollower::on_tick(const StepInput& input, const StepState& after) {
     deepest_mm_ = std::max(deepest_mm_, bur_depth_mm(reference_->shape(), output, bur));
   }
   if (!recorder_) return;
-  const double push = glm::length(output.force_raw_n);
   SecondMetrics& metrics = second_.metrics;
-  if (output.contact) {
-    ++metrics.contact_ticks;
+  if (output.contact) ++metrics.contact_ticks;
+  if (const auto push = known_force_n(output)) {
     contact_us_ += input.elapsed_us;
-    impulse_n_us_ += push * static_cast<double>(input.elapsed_us);
-    metrics.force_peak_n = std::max(metrics.force_peak_n, push);
+    impulse_n_us_ += *push * static_cast<double>(input.elapsed_us);
+    metrics.force_peak_n = std::max(metrics.force_peak_n, *push);
   }
   if (output.cutting) ++metrics.cutting_ticks;
   second_.inputs.push_back(input);

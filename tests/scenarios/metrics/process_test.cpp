@@ -30,6 +30,22 @@ TEST(Process, WeightsForceByTimeInContactAndTakesItBeforeTheGuard) {
   EXPECT_EQ(p.peak_at_mm(), Vec3(1, 2, 3));
 }
 
+TEST(Process, TakesNoForceWhileTheProxyIsStillOnItsWay) {
+  Process p;
+  StepOutput o;
+  o.contact = true;
+  o.force_raw_n = {0, 0, 0.2};
+  o.elapsed_us = 1000;
+  p.add(o);
+  o.deferred = true;  // of the spring's 1 mm at 3 N/mm the proxy is yet to go the most
+  o.force_raw_n = {0, 0, 3};
+  o.elapsed_us = 3000;
+  p.add(o);
+  EXPECT_NEAR(p.force_peak_n(), 0.2, 1e-12);
+  EXPECT_NEAR(p.force_mean_n(), 0.2, 1e-12);
+  EXPECT_NEAR(p.time_s(), 0.003, 1e-12);
+}
+
 TEST(Process, CountsDryCuttingAndKnowsWhereTheToothWasWarmest) {
   Process p;
   StepOutput o;
