@@ -83,7 +83,7 @@ std::vector<ScaledPoints> scaled_points(const Grade& grade) {
     const double wanted = sum > 0.0 ? static_cast<double>(whole) * (points[i] / sum) : 0.0;
     steps.push_back({wanted, full ? maxima[i] : 0, none ? 0 : maxima[i], 0});
   }
-  if (sum > 0.0) round_to(steps, std::lround(static_cast<double>(whole) * (sum_of(points) / sum)));
+  if (sum > 0.0) round_to(steps, steps_of(shown_score(usable(grade.score_max) * sum_of(points) / sum)));
   std::vector<ScaledPoints> out;
   for (std::size_t i = 0; i < steps.size(); ++i)
     out.push_back({static_cast<double>(steps[i].taken) / kStepsPerPoint, static_cast<double>(maxima[i]) / kStepsPerPoint});

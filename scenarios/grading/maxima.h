@@ -17,6 +17,12 @@ inline constexpr double kShownPoint = 0.1;
 /// Points: a smaller loss does not show.
 inline constexpr double kLeastShownLoss = 0.5 * kShownPoint;
 
+/// A score as people read it: to kShownPoint, but never up to a whole number: 69.96 is not 70, the mark to pass.
+[[nodiscard]] inline double shown_score(double points) noexcept {
+  const double whole = std::round(points), tenth = std::round(points * 10) / 10;
+  return points > 0.0 && tenth == whole && points < whole - kScoreSlack ? whole - kShownPoint : tenth;
+}
+
 /// Greatest points of each criterion before an attempt, in the rubric's order: multiples of kShownPoint that sum to 100.
 /// All 0 if no criterion has a weight.
 [[nodiscard]] std::vector<double> scaled_maxima(const Scenario& scenario);
@@ -26,8 +32,8 @@ struct ScaledPoints {
 };
 
 /// Points of each criterion of a grade, new or stored, in its order. The maxima sum to grade.score_max over what was
-/// measured; where all was measured they are scaled_maxima(). What was not measured has 0 of 0, but of a target that was left out. Points sum to the score
-/// rounded to kShownPoint, but full points stay full and none stays none, which can put the sum off by a step or two.
+/// measured; where all was measured they are scaled_maxima(). What was not measured has 0 of 0, but of a target that was left out. Points sum to
+/// shown_score(), but full points stay full and none stays none, which can put the sum off by a step or two.
 [[nodiscard]] std::vector<ScaledPoints> scaled_points(const Grade& grade);
 
 /// Points of the score for one point of a criterion: 1 where the greatest points sum to score_max. A grade whose points are of the

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <mutex>
 
+#include "scenarios/grading/maxima.h"
+
 namespace cusp::ui {
 namespace {
 
@@ -114,11 +116,7 @@ QString format(const Measured& m, const QLocale& locale) {
   return isolate(text);
 }
 
-double shown_points(double points) {
-  constexpr double kSumError = 1e-6;  // of points that were added up
-  const double whole = std::round(points), tenth = std::round(points * 10) / 10;
-  return points > 0.0 && tenth == whole && points < whole - kSumError ? whole - 0.1 : tenth;
-}
+double shown_points(double points) { return scenarios::shown_score(points); }
 
 QString format_points(double points, const QLocale& locale) {
   const double shown = shown_points(points);

@@ -31,7 +31,7 @@ QString format_uncertainty(const Measured& m, const QLocale& locale = installed_
 QString unit_text(const QString& unit);
 
 QString format_number(double value, int decimals, const QLocale& locale = installed_locale());
-/// To a tenth, but never up to a whole number: 69.96 is not 70, the mark to pass.
+/// shown_score() of scenarios/grading/maxima.h.
 double shown_points(double points);
 /// shown_points(): whole where they are whole, else with one decimal.
 QString format_points(double points, const QLocale& locale = installed_locale());

@@ -160,8 +160,15 @@ TEST(ScaledPoints, AreNeverMoreThanTheirMaximumNorFullOrNoneWhenTheyAreNot) {
     if (g.score > 0) {
       EXPECT_NEAR(sum_of_maxima(shown), 100.0, 1e-9);
     }
-    EXPECT_NEAR(sum_of_points(shown), std::round(g.score * 10) / 10, some_between ? 1e-9 : 0.51);
+    EXPECT_NEAR(sum_of_points(shown), shown_score(g.score), some_between ? 1e-9 : 0.51);
   }
+}
+
+TEST(ScaledPoints, AddUpToNoWholePointThatTheScoreHasNotReached) {
+  EXPECT_NEAR(shown_score(69.96), 69.9, 1e-12);
+  EXPECT_NEAR(sum_of_points(scaled_points(graded({{39.98, 60}, {29.98, 40}}))), 69.9, 1e-9);
+  EXPECT_NEAR(sum_of_points(scaled_points(graded({{59.98, 60}, {39.99, 40}}))), 99.9, 1e-9);
+  EXPECT_NEAR(sum_of_points(scaled_points(graded({{40, 60}, {30, 40}}))), 70.0, 1e-9);
 }
 
 TEST(ScaledPoints, OfABrokenGradeAreNone) {
