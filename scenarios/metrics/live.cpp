@@ -7,6 +7,10 @@ namespace cusp::scenarios {
 
 namespace {
 
+/// A cut surface further off than this leaves all voxels beside the pulp, so that nobody walks them: it passes within one voxel of an
+/// exposed voxel's centre, the smoothed border within 1.6 of it, and a face is no longer than 1.8.
+constexpr double kExposedVoxels = 5.0;
+
 /// A cell reads voxels from 3 before its lower corner to 4 after it: sharp_edge.h takes the faces of cells two away, whose
 /// stencils reach one further. Of a brick's voxels along an axis the cells below it so read the first four, those above the
 /// last three.
@@ -97,6 +101,9 @@ void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> cha
   if (reading_.target_measured)
     reading_.target_removed = 100.0 * std::clamp(sum.removed_mm3[kTarget] / reference_->target_mm3(), 0.0, 1.0);
   reading_.remaining_over_pulp_mm = over_pulp_mm(*reference_, volume, sum);
+  const std::optional<double>& over_pulp = reading_.remaining_over_pulp_mm;
+  const bool near_pulp = over_pulp && *over_pulp < kExposedVoxels * volume.grid().voxel_mm;
+  reading_.pulp_exposed = near_pulp && exposed_pulp(*reference_, volume).has_value();
 }
 
 }  // namespace cusp::scenarios

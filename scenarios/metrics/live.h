@@ -28,6 +28,7 @@ struct LiveReading {
   std::array<double, kPlaces> overcut_mm3{};    // by Place; [target] is what was rightly removed
   std::array<double, kTissueCodes> removed_mm3{};
   std::optional<double> remaining_over_pulp_mm; // least so far; none: no pulp, or nothing cut
+  bool pulp_exposed = false;                    // pulp_exposure of measure()
 };
 
 class LiveMetrics {

@@ -273,7 +273,7 @@ LiveView ExerciseSession::view() const {
   view.removed_mm3 = scores.removed_mm3;
   view.depth_mm = followed.deepest_mm;
   view.over_pulp_mm = scores.remaining_over_pulp_mm;
-  view.pulp_exposed = scores.removed_mm3[index_of(Tissue::pulp)] > 0;
+  view.pulp_exposed = scores.pulp_exposed;
   view.peak_push_n = followed.peak_push_n;
   const auto& burs = in.setup.scene->burs;
   const Bur& bur = burs[std::min<std::size_t>(latest.output.bur, burs.size() - 1)];

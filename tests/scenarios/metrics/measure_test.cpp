@@ -327,6 +327,23 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyCuts) {
   EXPECT_EQ(live.reading().target_removed, 0.0);
 }
 
+TEST(Live, CallsThePulpExposedWhenTheGradeDoes) {
+  const Bench bench;
+  Volume volume(bench.specimen);
+  LiveMetrics live(bench.reference);
+  int exposed = 0;
+  constexpr int kSteps = 12;
+  for (int i = 0; i < kSteps; ++i) {
+    // The lowest place goes from -2.95 to -3.17 mm: past the last voxel of dentine, at -3.04 mm, and half a voxel into the pulp's first.
+    const Vec3 at(1, 0, -2.45 - 0.02 * i);
+    carved::carve(volume, [&](Vec3 p) { return capsule_distance(p, at, at + Vec3(0, 0, 3), 0.5); });
+    live.update(volume, volume.cut_bricks());
+    EXPECT_EQ(live.reading().pulp_exposed, bench.get(volume, "pulp_exposure").value == 1.0) << i;
+    exposed += live.reading().pulp_exposed ? 1 : 0;
+  }
+  EXPECT_TRUE(exposed > 0 && exposed < kSteps) << exposed;
+}
+
 TEST(Measure, MeasuresCoolantOnlyIfTheExerciseHasHeat) {
   Process p;
   StepOutput o;
