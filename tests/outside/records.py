@@ -47,8 +47,8 @@ def verify_names(desk):
     cases = [
         (whole, ("sessions", session)),
         (["DELETE FROM audit_log", "DELETE FROM audit_head"], ("audit_log",)),
-        (["UPDATE people SET role = 'administrator', pin = '' WHERE number = 'okafor'"], ("people", "okafor", "role")),
-        (["UPDATE people SET password = '' WHERE number = 'admin'"], ("people", "admin", "password")),
+        (["UPDATE people SET role = 'administrator', pin = '' WHERE number = 'okafor'"], ("people", "role")),
+        (["UPDATE people SET password = '' WHERE number = 'admin'"], ("people", "password")),
     ]
     for statements, parts in cases:
         database = tampered(desk, *statements)
@@ -58,6 +58,12 @@ def verify_names(desk):
             check(part in out, f"{statements[0]}: {part} is not named: {out}{err}")
         status, out, _ = desk.run("history", database, "verify", "--as", STUDENT, "--json", "-", CUSP_PASSWORD=PIN)
         check(status == 1 and parts[0] in out and '"intact": false' in out, f"{statements[0]}: {out}")
+        check("okafor" not in out and '"admin"' not in out, f"{statements[0]}: a student reads another's number: {out}")
+    database = tampered(desk, "UPDATE people SET role = 'administrator' WHERE number = 'okafor'")
+    for account, secret, named in ((STUDENT, PIN, False), ("admin", "correct horse", True)):
+        status, out, err = desk.run("history", database, "verify", "--as", account, CUSP_PASSWORD=secret)
+        check(status == 1 and "people" in out and "role" in out, f"a changed role: exit {status}: {out}{err}")
+        check(("okafor" in out + err) == named, f"{account} reads whose role was changed: {out}{err}")
 
 
 def rebuild(desk):

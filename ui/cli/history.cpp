@@ -127,12 +127,14 @@ int show(const HistoryOptions& o) {
 struct FindingOwner {
   std::string key = "session", id, number;
 };
-FindingOwner owner_of(Store& store, const ChainFinding& f) {
+/// The number of an account is for those who see all results, and for its own.
+FindingOwner owner_of(Store& store, const Account& reader, const ChainFinding& f) {
   FindingOwner owner;
   if (!f.owner.is_nil()) owner.id = f.owner.text();
   if (f.table == "people") {
     owner.key = "person";
-    if (const auto person = store.accounts.find(UserId{f.owner})) owner.number = person->number;
+    const bool seen = reader.id == UserId{f.owner} || may(reader.role, Action::see_all_results);
+    if (const auto person = store.accounts.find(UserId{f.owner}); seen && person) owner.number = person->number;
   }
   for (const char* table : {"station", "cohorts", "cohort_students", "assignments", "scenario_versions", "blobs"}) {
     if (f.table == table) owner.key = "subject";
@@ -198,7 +200,7 @@ int verify(const HistoryOptions& o) {
   json["findings"] = nlohmann::ordered_json::array();
   std::optional<QString> first;
   for (const ChainFinding& f : verified->findings) {
-    const FindingOwner owner = owner_of(**store, f);
+    const FindingOwner owner = owner_of(**store, *account, f);
     const QString line = finding_line(owner, f);
     json["findings"].push_back(finding_json(owner, f));
     if (!o.json.on_stdout()) print_line(plain(line));
