@@ -14,8 +14,12 @@ enum class ClockTrust : std::uint8_t { checked, confirmed };
 /// Half a year: longer than the vacations between two terms. A clock that is wrong by less is not found.
 inline constexpr std::int64_t kLongestPause_us = 183 * std::int64_t{86'400'000'000};
 
-/// clock_ahead if the newest attempt and the newest account lie longer before now than kLongestPause_us. What is dated later than now
-/// does not count, nor does a sign-in: the audit log dates it by the clock in question.
+/// So long a use after a pause vouches for the clock: one that is wrong does not stay unnoticed for two weeks.
+inline constexpr std::int64_t kShortestUse_us = 14 * std::int64_t{86'400'000'000};
+
+/// clock_ahead if the newest attempt and the newest account lie longer before now than kLongestPause_us; or (where = pause) if those of
+/// the last kShortestUse_us follow all others after such a pause: the clock in question may have dated them. `detail` holds the newest
+/// date before the pause, then now. What is dated later than now does not count, nor does a sign-in.
 Stored<std::optional<StorageFailure>> clock_doubt(StorageContext& context);
 
 }  // namespace cusp::storage

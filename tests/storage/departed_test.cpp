@@ -8,6 +8,8 @@ namespace cusp::test {
 namespace {
 
 struct DepartedTest : OldAttempts {
+  /// The station has been in use for three weeks: the clock is believed.
+  void SetUp() override { enrolled("early", 21); }
   static std::vector<std::string> numbers(const std::vector<DepartedStudent>& students) {
     std::vector<std::string> out;
     for (const DepartedStudent& s : students) out.push_back(s.account.number);
@@ -82,6 +84,21 @@ TEST_F(DepartedTest, stay_while_the_clock_is_far_ahead_of_every_record_until_it_
   EXPECT_EQ(code_of(erase_departed(store->context(), admin, 3)), StorageError::clock_ahead);
   EXPECT_TRUE(store->accounts.find_number("gone"));
   EXPECT_EQ(numbers(must(erase_departed(store->context(), admin, 3, ClockTrust::confirmed)).erasable), Numbers{"gone"});
+}
+
+TEST_F(DepartedTest, stay_for_two_weeks_after_the_first_attempt_under_a_clock_far_ahead) {
+  enrolled("gone", 3000);
+  attempt(-1000);
+  *now = kNow + 1001 * kDay_us;
+  const auto doubt = must(departed_students(store->context(), admin, 3)).doubt;
+  ASSERT_TRUE(doubt) << "the clock in question dated the one attempt";
+  EXPECT_EQ(doubt->where, "pause");
+  EXPECT_EQ(doubt->detail, std::to_string(kNow) + ' ' + std::to_string(*now));
+  EXPECT_EQ(code_of(erase_departed(store->context(), admin, 3)), StorageError::clock_ahead);
+  EXPECT_TRUE(store->accounts.find_number("gone"));
+  attempt(-1014);
+  *now = kNow + 1014 * kDay_us;
+  EXPECT_FALSE(must(departed_students(store->context(), admin, 3)).doubt) << "in use for two weeks";
 }
 
 TEST_F(DepartedTest, are_for_administrators_and_for_whole_years) {

@@ -154,6 +154,10 @@ QString day_text(const QString& utc_us) {
 /// Of clock_ahead.
 QString clock_text(const StorageFailure& f) {
   const QString times = text(f.detail);
+  if (f.where == "pause") {
+    return Text::tr("This computer’s clock says %1. Before those of the last days, the newest attempt or account is of %2.")
+        .arg(day_text(times.section(u' ', 1)), day_text(times.section(u' ', 0, 0)));
+  }
   return Text::tr("This computer’s clock says %1. The newest attempt or account is of %2.").arg(day_text(times.section(u' ', 1)), day_text(times.section(u' ', 0, 0)));
 }
 

@@ -25,6 +25,8 @@ class Departed : public testing::Test {
     // September 2001 and November 2026: from 2015 to 2040 the first alone is 14 years old.
     const std::int64_t before = std::exchange(records.now_us, 1'000'000'000'000'000);
     records.student("4712", "Omar Haddad");
+    records.now_us = before - 21 * std::int64_t{86'400'000'000};  // three weeks of use vouch for the clock
+    records.student("4710", "Sana Ito");
     records.now_us = before;
     records.student("4711", "Lena Brandt");
     ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {

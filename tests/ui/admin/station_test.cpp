@@ -38,9 +38,12 @@ class Station : public testing::Test {
       then(answer);
     };
   }
-  /// An attempt of September 2001; the other one of this station is of November 2026.
+  /// An attempt of September 2001; the other one of this station is of November 2026, three weeks after an account.
   SessionId old_attempt() {
-    const std::int64_t before = std::exchange(records.now_us, 1'000'000'000'000'000);
+    const std::int64_t before = records.now_us;
+    records.now_us = before - 21 * std::int64_t{86'400'000'000};
+    records.student("4713", "Sana Ito");
+    records.now_us = 1'000'000'000'000'000;
     const SessionId session = records.attempt(records.student("4712", "Omar Haddad"), "channel-1", 81, 60);
     records.now_us = before;
     return session;
