@@ -59,14 +59,14 @@ std::optional<ExchangeDescription> exchange_from(std::string_view text) {
   return ExchangeDescription{*station, static_cast<ExchangeKind>(kind - kExchangeKinds.begin()), UserId{*maker}, *made, *log, std::move(*earlier), std::move(*tables)};
 }
 
-Stored<Hash256> content_of(Database& file, const std::string& table) {
-  const auto keys = file.all("SELECT name FROM pragma_table_info(?1) WHERE pk > 0 ORDER BY pk", [](Row row) { return row.text(0); }, table);
+Stored<Hash256> content_of(Database& file, const std::string& schema, const std::string& table) {
+  const auto keys = file.all("SELECT name FROM pragma_table_info(?1, ?2) WHERE pk > 0 ORDER BY pk", [](Row row) { return row.text(0); }, table, schema);
   if (!keys) return std::unexpected(keys.error());
   std::string order;
   for (const std::string& key : *keys) order += (order.empty() ? " ORDER BY " : ", ") + key;
   Blake2b hash;
   hash.add_text(table);
-  const auto rows = file.all("SELECT * FROM " + table + order, [&](Row row) {
+  const auto rows = file.all("SELECT * FROM " + schema + ".\"" + table + '"' + order, [&](Row row) {
     hash.add_hash(row.content_hash());
     return true;
   });
@@ -75,6 +75,10 @@ Stored<Hash256> content_of(Database& file, const std::string& table) {
 }
 
 StorageFailure no_exchange(const Database& file) { return {StorageError::not_exchange, file.file().string()}; }
+
+bool same_tables(const std::vector<PackFile>& a, const std::vector<PackFile>& b) {
+  return std::ranges::equal(a, b, [](const PackFile& x, const PackFile& y) { return x.name == y.name && x.hash == y.hash; });
+}
 
 /// What the file's schema has and the records' lacks: a table, a column, an index, or an index by another text. SQLite's versions write
 /// an ALTER TABLE differently into a table's text; a virtual table has no root page.
@@ -142,11 +146,11 @@ StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::pa
   return failure;
 }
 
-Stored<void> check_schema(Database& records, const std::filesystem::path& file) {
-  if (auto done = records.attach_source(file); !done) return done;
+namespace {
+
+Stored<void> check_attached_schema(Database& records, const std::filesystem::path& file) {
   const auto schema = records.first("PRAGMA source.user_version", [](Row row) { return row.integer(0); });
   const auto foreign = records.first(kSelectForeign, [](Row row) { return row.text(0); });
-  records.detach_source();
   if (!schema) return std::unexpected(schema.error());
   const std::int64_t version = schema->value_or(0);
   if (version != static_cast<std::int64_t>(built_in_migrations().size())) {
@@ -157,27 +161,47 @@ Stored<void> check_schema(Database& records, const std::filesystem::path& file) 
   return {};
 }
 
-Stored<std::vector<PackFile>> table_hashes(Database& file) {
-  const auto schema = file.all("SELECT type, name FROM sqlite_schema WHERE type <> 'index' ORDER BY name", [](Row row) { return std::pair{row.text(0), row.text(1)}; });
-  if (!schema) return std::unexpected(schema.error());
+/// Of the database that is open as `schema`.
+Stored<std::vector<PackFile>> table_hashes_in(Database& db, const std::string& schema, const std::filesystem::path& file) {
+  const auto found = db.all("SELECT type, name FROM " + schema + ".sqlite_schema WHERE type <> 'index' ORDER BY name",
+                            [](Row row) { return std::pair{row.text(0), row.text(1)}; });
+  if (!found) return std::unexpected(found.error());
   std::vector<PackFile> out;
-  for (const auto& [type, name] : *schema) {
-    if (type != "table") return std::unexpected(no_exchange(file));
+  for (const auto& [type, name] : *found) {
+    if (type != "table") return fail(StorageError::not_exchange, file.string());
     if (name == "exchange_description" || name.starts_with("sqlite_")) continue;
-    const auto content = content_of(file, name);
+    const auto content = content_of(db, schema, name);
     if (!content) return std::unexpected(content.error());
     out.push_back({name, *content});
   }
   return out;
 }
 
+}  // namespace
+
+Stored<void> check_schema(Database& records, const std::filesystem::path& file) {
+  if (auto done = records.attach_source(file); !done) return done;
+  auto same = check_attached_schema(records, file);
+  records.detach_source();
+  return same;
+}
+
+Stored<void> check_attached(Database& records, const std::filesystem::path& file, const ExchangeDescription& description) {
+  if (auto same = check_attached_schema(records, file); !same) return same;
+  const auto tables = table_hashes_in(records, "source", file);
+  if (!tables) return std::unexpected(tables.error());
+  if (!same_tables(*tables, description.tables)) return fail(StorageError::not_exchange, file.string());
+  return {};
+}
+
+Stored<std::vector<PackFile>> table_hashes(Database& file) { return table_hashes_in(file, "main", file.file()); }
+
 Stored<void> check_content(Database& file, const ExchangeDescription& description) {
   const auto damage = file.integrity_check();
   if (!damage) return std::unexpected(damage.error());
   const auto tables = table_hashes(file);
   if (!tables) return std::unexpected(tables.error());
-  const auto same = [](const PackFile& a, const PackFile& b) { return a.name == b.name && a.hash == b.hash; };
-  if (!damage->empty() || !std::ranges::equal(*tables, description.tables, same)) return std::unexpected(no_exchange(file));
+  if (!damage->empty() || !same_tables(*tables, description.tables)) return std::unexpected(no_exchange(file));
   if (auto good = check_kind(file, description.kind); !good) return good;
   const auto blobs = file.all("SELECT hash, packed FROM blobs", [](Row row) {
     const auto bytes = unpack(row.bytes(1));

@@ -58,6 +58,9 @@ StorageFailure failure_in_file(StorageFailure failure, const std::filesystem::pa
 /// a table, column or index that the records lack: SQL is built from these names.
 /// The file is attached to `records` for a moment: a connection of its own would migrate it in memory.
 Stored<void> check_schema(Database& records, const std::filesystem::path& file);
+/// Schema and every table against the signed list once more, in the transaction that reads them: the file may have been changed or
+/// replaced since. Pre: it is attached to `records`. Failures: older_schema, not_exchange.
+Stored<void> check_attached(Database& records, const std::filesystem::path& file, const ExchangeDescription& description);
 /// Name and content of each table but the description's, by name. not_exchange for a file with views or triggers.
 Stored<std::vector<PackFile>> table_hashes(Database& file);
 /// Structure, every table against the signed list, every blob, every statement. Failures: not_exchange, differs; not_allowed (where =

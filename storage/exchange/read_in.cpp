@@ -137,11 +137,11 @@ Stored<ReadIn> merge_file(StorageContext& context, StorageContext& from, const A
   Transaction transaction(context.db);
   require_now(transaction, actor.id, Action::manage_station);
   Merge merge{context, transaction, from, actor, out};
-  const auto schema = transaction.first("PRAGMA source.user_version", [](Row row) { return row.integer(0); });
-  if (schema && *schema != static_cast<std::int64_t>(built_in_migrations().size())) {
-    merge.refuse(StorageError::older_schema, from.db.file().string(), std::to_string(*schema));
-  }
   check_trust(transaction, context, file);
+  if (merge.ok()) {
+    const std::filesystem::path& place = from.db.file();
+    if (auto same = check_attached(merge.db(), place, file.description); !same) transaction.refuse(failure_in_file(same.error(), place));
+  }
   place_among_files(merge, file);
   for (const Uuid& id : merge.taken(from.db.all("SELECT id FROM referred", [](Row row) { return row.uuid(0); }))) merge.referred.insert(id);
   if (merge.ok()) merge_all(merge, file);
@@ -185,7 +185,6 @@ Stored<ReadIn> read_in(StorageContext& context, const Actor& actor, const std::f
   auto opened = Database::open(file, {.access = DatabaseOptions::Access::read_only, .on_network_drive = admits_network_drive});
   if (!opened) return std::unexpected(failure_in_file(opened.error(), file));
   StorageContext from{std::move(*opened), context.clock, context.cost, context.station, std::nullopt};
-  // Nobody changes the file between its check and its reading.
   const Snapshot snapshot(from.db);
   const auto checked = read_description(from.db);
   if (!checked) return std::unexpected(failure_in_file(checked.error(), file));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "storage/exchange/exchange_file.h"
+#include "tests/storage/failing_vfs.h"
 #include "tests/storage/two_stations.h"
 
 namespace cusp::test {
@@ -69,6 +70,32 @@ TEST_F(LookTest, a_file_of_an_older_program_is_called_by_that_name) {
   sign_after("PRAGMA user_version = 17", file, station->context());  // what a program of the schema before would have given out
   EXPECT_EQ(code_of(look_into(office->context(), chief, file)), StorageError::older_schema);
   EXPECT_EQ(code_of(read_in(office->context(), chief, file)), StorageError::older_schema);
+}
+
+TEST_F(LookTest, a_file_that_is_replaced_after_its_check_changes_nothing) {
+  StoreOptions options = quick();
+  options.database.vfs = failing_vfs();
+  fail_from(Failing::nothing, 0);
+  const auto desk = open(folder / "desk.db", options);
+  const Actor boss = make_administrator(*desk, "boss").actor();
+  must(trust(desk->context(), boss, key_of_station(*station), KeyRole::station));
+  complete_session(*station, make_student(*station, "2", "Omar"), keep(*station), 81.5);
+  const fs::path file = results(), changed = folder / "changed";
+  fs::copy_file(file, changed);
+  {
+    auto db = must(Database::open(changed));
+    must(db.run("UPDATE grades SET score = 100"));
+    must(db.run("PRAGMA journal_mode = DELETE"));
+  }
+  int opened = 0;  // by the records: for the schema, then for what they read
+  at_opening([&](std::string_view path) {
+    if (path.ends_with('/' + file.filename().string()) && ++opened == 2) fs::rename(changed, file);
+  });
+  const auto read = read_in(desk->context(), boss, file);
+  at_opening({});
+  EXPECT_EQ(opened, 2);
+  EXPECT_EQ(code_of(read), StorageError::not_exchange);
+  EXPECT_EQ(must(desk->database().first("SELECT count(*) FROM sessions", [](Row row) { return row.integer(0); })), 0);
 }
 
 TEST_F(LookTest, a_description_that_nests_half_a_million_deep_is_refused) {

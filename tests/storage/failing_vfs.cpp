@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 namespace cusp::test {
 namespace {
@@ -13,6 +14,7 @@ Failing failing = Failing::nothing;
 int fail_at = 0;
 int seen = 0;
 int last_errno = 0;
+std::function<void(std::string_view)> opening;
 
 int answer(int io_code) {
   switch (failing) {
@@ -123,6 +125,7 @@ int open(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* out
   auto* mine = reinterpret_cast<File*>(file);
   mine->base.pMethods = nullptr;
   mine->real = reinterpret_cast<sqlite3_file*>(mine + 1);
+  if (opening && name != nullptr) opening(name);
   if (const int bad = verdict_of_other(SQLITE_CANTOPEN); bad != SQLITE_OK) return bad;
   if (failing == Failing::read_only) {
     if ((flags & (SQLITE_OPEN_WAL | SQLITE_OPEN_MAIN_JOURNAL)) != 0) return SQLITE_CANTOPEN;
@@ -166,5 +169,7 @@ void fail_from(Failing how, int n) {
 }
 
 int operations_seen() { return seen; }
+
+void at_opening(std::function<void(std::string_view path)> call) { opening = std::move(call); }
 
 }  // namespace cusp::test

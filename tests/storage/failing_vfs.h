@@ -2,7 +2,9 @@
 /// passes them on to the system's own. One per process, used by one thread.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace cusp::test {
 
@@ -25,5 +27,7 @@ std::string failing_vfs();
 void fail_from(Failing how, int n);
 /// Calls seen since fail_from(): writes, truncates and syncs; with any_call those of every kind.
 int operations_seen();
+/// Called before each file is opened, with its path; an empty function ends that.
+void at_opening(std::function<void(std::string_view path)> call);
 
 }  // namespace cusp::test
