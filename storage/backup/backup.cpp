@@ -10,6 +10,7 @@
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
 #include "storage/repositories/current_rights.h"
+#include "storage/sqlite/hold_alone.h"
 
 namespace cusp::storage {
 namespace {
@@ -303,6 +304,8 @@ Stored<void> move_all(const fs::path& from, const fs::path& to) {
 Stored<fs::path> put_aside(const fs::path& file, std::int64_t utc_us) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return fail(StorageError::not_found, file.string());
+  const auto alone = hold_alone(file);
+  if (!alone) return std::unexpected(alone.error());
   const auto folder = new_folder(fs::absolute(file, error).parent_path(), file.filename().string() + "-damaged", utc_us);
   if (!folder) return folder;
   if (auto moved = move_all(file, *folder / file.filename()); !moved) {

@@ -50,11 +50,12 @@ using FinishRestored = std::function<Stored<void>(const std::filesystem::path& d
 /// belongs into `finish`, or follows in the store of the new file.
 Stored<void> restore_backup(const Backup& backup, const std::filesystem::path& file, const FinishRestored& finish = {});
 /// The same where a database stands that cannot be read: put_aside() moves it once the copy is whole, so that a program that is killed
-/// before leaves it in its place. Returns the folder that holds it. After a failure all is where it was. No process may have the file open.
+/// before leaves it in its place. Returns the folder that holds it. busy if a connection of any process uses the file. After a failure all
+/// is where it was.
 Stored<std::filesystem::path> restore_in_place(const Backup& backup, const std::filesystem::path& file, std::int64_t utc_us,
                                                const FinishRestored& finish);
 /// Moves a database that cannot be read, with its log, index, key and counter, to a new folder beside it; nothing is deleted. Returns
-/// the folder, "station.db-damaged-2026-11-20T09-14-03Z". After a failure all is where it was. No process may have the file open.
+/// the folder, "station.db-damaged-2026-11-20T09-14-03Z". busy and failures as above.
 Stored<std::filesystem::path> put_aside(const std::filesystem::path& file, std::int64_t utc_us);
 /// Moves back what put_aside() moved there. duplicate if something stands in its place.
 Stored<void> take_back(const std::filesystem::path& folder, const std::filesystem::path& file);

@@ -1,4 +1,4 @@
-/// What a backup or a restore that was cut off leaves: it holds a secret key, and goes a day later.
+/// What a backup or a restore that was cut off leaves: it holds a secret key, and goes a day later. Records in use stay in their place.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -74,6 +74,23 @@ TEST_F(BackupLeftTest, a_backup_takes_away_what_a_restore_left_that_was_tried_ag
   make();
   EXPECT_FALSE(fs::exists(left_over));
   EXPECT_TRUE(fs::exists(running)) << "somebody may be restoring";
+}
+
+TEST_F(BackupLeftTest, takes_no_place_of_records_that_a_connection_still_uses) {
+  const Account lena = make_student(*store);
+  const Backup backup = make();
+  const fs::path file = folder / "a.db";
+  EXPECT_EQ(code_of(put_aside(file, *now)), StorageError::busy);
+  const auto refused = restore_in_place(backup, file, *now, {});
+  ASSERT_EQ(code_of(refused), StorageError::busy);
+  EXPECT_EQ(refused.error().where, file.string());
+  for (const auto& entry : fs::directory_iterator(file.parent_path()))
+    EXPECT_EQ(entry.path().string().find("-damaged-"), std::string::npos) << entry.path();
+  const SessionId session = complete_session(*store, lena, keep(*store));
+  store = open(file, quick(now));
+  EXPECT_EQ(must(store->history.details(lena.actor(), session)).row.score, 81.5) << "what was written meanwhile";
+  store.reset();
+  EXPECT_TRUE(fs::exists(must(restore_in_place(backup, file, *now, {})) / "a.db"));
 }
 
 }  // namespace
