@@ -134,7 +134,7 @@ std::string audit_csv_line(const AuditEntry& entry, const NameOf& name_of) {
   std::string out;
   const auto id = [](const Uuid& uuid) { return uuid.is_nil() ? std::string() : uuid.text(); };
   Line(out)
-      .integer(entry.number)
+      .integer(shown_number(entry.number))
       .text(iso_utc(entry.at_utc_us))
       .text(id(entry.actor.uuid))
       .text(name_of(entry.actor.uuid))

@@ -20,6 +20,9 @@ struct AuditEntry {
   std::string detail;  // codes, numbers and seals (seals.h)
 };
 
+/// The number of an entry as people read it: the log counts from 0.
+constexpr std::int64_t shown_number(std::int64_t number) noexcept { return number + 1; }
+
 /// An entry to append; the fields mean what they mean in AuditEntry.
 struct AuditEvent {
   UserId actor{};

@@ -203,6 +203,12 @@ TEST_F(ExportOfCohorts, rows_that_could_not_be_written_to_their_end_leave_no_ent
   EXPECT_EQ(must(store->audit.list(admin, 1)).at(0).number, newest);
 }
 
+TEST(CsvExport, the_first_entry_of_the_log_has_the_number_one) {
+  AuditEntry first;
+  first.action = "station_key_added";
+  EXPECT_TRUE(audit_csv_line(first, [](const Uuid&) { return std::string(); }).starts_with("1,"));
+}
+
 TEST(CsvExport, a_student_exports_nothing) {
   const Folder folder;
   const auto store = open(folder / "a.db");

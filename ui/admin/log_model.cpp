@@ -94,7 +94,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
     return tool_tip_text(about_text(e, names_) + u" · "_qs + QString::fromStdString(e.subject.text()));
   if (role != Qt::DisplayRole) return {};
   switch (column) {
-    case kNumber: return QLocale().toString(static_cast<qlonglong>(e.number));
+    case kNumber: return QLocale().toString(static_cast<qlonglong>(shown_number(e.number)));
     case kWhen: return when_text(e.at_utc_us);
     case kWho: return actor_text(e, names_);
     case kWhat: return entry_text(e);

@@ -246,8 +246,9 @@ void LogPage::show_verified(const Stored<Verification>& proof) {
     return;
   }
   model_->set_proof({entries_, first.row, first.row});
-  const QString what = first.code == FindingCode::row_missing ? tr("Entry %1 is missing: the chain breaks there.").arg(first.row)
-                                                              : tr("Entry %1 breaks the chain: it was changed.").arg(first.row);
+  const std::int64_t number = shown_number(first.row);
+  const QString what = first.code == FindingCode::row_missing ? tr("Entry %1 is missing: the chain breaks there.").arg(number)
+                                                              : tr("Entry %1 breaks the chain: it was changed.").arg(number);
   band_->show_message(Band::Kind::bad, what, (tr("The entries before it hold.") + u' ' + entry_line(first.row)).trimmed());
 }
 

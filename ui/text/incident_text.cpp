@@ -1,5 +1,6 @@
 #include "ui/text/incident_text.h"
 
+#include "storage/records/audit_writer.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
@@ -44,7 +45,8 @@ Message describe_damaged() {
 }
 
 QString finding_text(const ChainFinding& f) {
-  QString where = f.row >= 0 ? Text::tr("%1, row %2").arg(QString::fromStdString(f.table)).arg(f.row) : QString::fromStdString(f.table);
+  const std::int64_t row = f.table == "audit_log" ? shown_number(f.row) : f.row;
+  QString where = f.row >= 0 ? Text::tr("%1, row %2").arg(QString::fromStdString(f.table)).arg(row) : QString::fromStdString(f.table);
   if (!f.what.empty()) where += QStringLiteral(", ") + QString::fromStdString(f.what);
   QString when = f.second >= 0 ? Text::tr(", second %1 of the session").arg(f.second) : QString();
   if (f.at_utc_us > 0) when += Text::tr(", in the audit log since %1").arg(format_date_time_zone(local_time(f.at_utc_us)));

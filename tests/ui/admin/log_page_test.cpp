@@ -102,6 +102,7 @@ TEST_F(LogPages, FetchesAPageAtATime) {
   }
   const std::int64_t newest = model.entry(0).number;
   EXPECT_EQ(static_cast<std::int64_t>(numbers.size()), newest + 1) << "every entry once";
+  EXPECT_EQ(model.index(model.rowCount() - 1, LogModel::kNumber).data().toString(), QStringLiteral("1")) << "people count from one";
 }
 
 TEST_F(LogPages, FiltersByKindPersonAndDate) {
@@ -141,7 +142,7 @@ TEST_F(LogPages, VerifiesInTheBackgroundAndNamesTheEntryThatBreaksTheChain) {
   ASSERT_TRUE(records.store().database().run("UPDATE audit_log SET detail = 'changed' WHERE number = ?1", changed));
   shown->verify();
   ASSERT_TRUE(waited(*shown));
-  EXPECT_TRUE(shown->message().contains(QStringLiteral("Entry %1 breaks the chain").arg(changed))) << shown->message().toStdString();
+  EXPECT_TRUE(shown->message().contains(QStringLiteral("Entry %1 breaks the chain").arg(changed + 1))) << shown->message().toStdString();
   EXPECT_EQ(cell(*shown, row, LogModel::kProof), QStringLiteral("breaks the chain"));
   EXPECT_EQ(cell(*shown, row - 1, LogModel::kProof), QStringLiteral("not proven"));
   EXPECT_EQ(cell(*shown, row + 1, LogModel::kProof), QStringLiteral("holds"));

@@ -68,6 +68,8 @@ TEST(Sentences, what_is_wrong_with_a_record_names_the_time_as_the_audit_log_show
   const QString text = finding_text(finding);
   EXPECT_TRUE(text.contains(QStringLiteral("in the audit log since ") + format_date_time_zone(when))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("10:14"))) << text.toStdString();
+  const QString entry = finding_text({.table = "audit_log", .row = 2});
+  EXPECT_TRUE(entry.contains(QStringLiteral("audit_log, row 3"))) << "as the log's page counts; " << entry.toStdString();
 }
 
 TEST(Sentences, a_lock_is_over_at_the_second_that_its_message_names) {
