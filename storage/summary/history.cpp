@@ -160,6 +160,7 @@ Stored<std::vector<std::string>> History::device_classes(const Actor& actor) {
 }
 
 Stored<SessionDetails> History::details(const Actor& actor, SessionId id) {
+  const Snapshot snapshot(c_.db);
   const auto row = one(c_.db, actor, id);
   if (!row) return std::unexpected(row.error());
   auto session = Sessions(c_).find(id);
@@ -175,8 +176,9 @@ Stored<SessionDetails> History::details(const Actor& actor, SessionId id) {
   auto comments = Comments(c_).of(id);
   if (!comments) return std::unexpected(comments.error());
   const bool withheld = !row->released && !sees_withheld(actor);
-  SessionDetails out{*row, std::move(*session), std::move(*events), std::nullopt, std::move(*removed), {}};
+  SessionDetails out{*row, std::move(*session), std::move(*events), std::nullopt, {}, {}};
   if (withheld) return out;
+  out.removed = std::move(*removed);
   out.grade = effective_grade(*grades, *statements);
   out.comments = std::move(*comments);
   return out;

@@ -89,7 +89,7 @@ struct SessionDetails {
   Session session;
   std::vector<SessionEvent> events{};
   std::optional<EffectiveGrade> grade{};  // none without a grade, or while it is withheld from the actor
-  std::vector<RemovedTissue> removed{};
+  std::vector<RemovedTissue> removed{};   // none while the result is withheld from the actor
   std::vector<Comment> comments{};        // likewise
 };
 

@@ -175,6 +175,8 @@ TEST_F(AssessmentTest, the_student_reads_no_result_in_any_way_until_it_is_releas
   EXPECT_EQ(withheld.row.state, SessionState::finished);
   EXPECT_FALSE(withheld.grade);
   EXPECT_TRUE(withheld.comments.empty());
+  EXPECT_TRUE(withheld.removed.empty());
+  EXPECT_FALSE(must(store->history.details(instructor, id)).removed.empty());
   EXPECT_FALSE(must(store->history.list(student)).front().score);
   EXPECT_TRUE(must(store->history.list(student, {.passed = true})).empty());
   EXPECT_FALSE(must(store->history.standings(student, lena.id)).front().best);
