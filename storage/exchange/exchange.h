@@ -38,6 +38,7 @@ struct ReadIn {
   ExchangeCounts counts{};
   std::uint64_t waiting = 0;             // statements about sessions that are not here yet
   std::vector<std::string> conflicts{};  // numbers of accounts changed both here and in the office, which won
+  std::vector<SessionId> apart{};        // their chains here go on in another way than in the file: they stay as they are here
 };
 
 /// Reads a file whole, or changes nothing. Needs manage_station. Failures: not_exchange, older_schema, newer_schema,

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "storage/exchange/merge.h"
 #include "storage/records/audit_writer.h"
 #include "storage/records/sealing.h"
@@ -27,6 +29,11 @@ void insert_version(Merge& merge, const Uuid& id) {
 struct HeadInFile {
   SessionId session;
   ChainHead head;
+};
+
+struct HeadHere {
+  ChainHead head;
+  Hash256 key;
 };
 
 /// Whether the chain in `links_of` holds `head`, so that the one chain continues the other.
@@ -112,19 +119,25 @@ void return_recording(Merge& merge, SessionId session) {
   settle_recording(merge, session);
 }
 
+/// A station that was put back went on from its old copy and has a new key since: what is here stays. Under one key the file is refused.
+void leave_apart(Merge& merge, SessionId session, const HeadHere& here) {
+  if (here.key == merge.out.key) return merge.refuse(StorageError::differs, "sessions", session.text());
+  merge.out.apart.push_back(session);
+}
+
 void merge_session(Merge& merge, const HeadInFile& theirs) {
   const auto station = merge.transaction.first("SELECT station FROM source.sessions WHERE id = ?1", [](Row row) { return row.uuid(0); }, theirs.session);
   if (!station || *station != merge.out.description.station) return merge.refuse(StorageError::differs, "sessions", theirs.session.text());
-  const auto here = merge.transaction.first("SELECT links, link FROM main.session_heads WHERE session = ?1",
-                                            [](Row row) { return ChainHead{row.u64(0), row.hash(1)}; }, theirs.session);
+  const auto here = merge.transaction.first("SELECT links, link, key FROM main.session_heads WHERE session = ?1",
+                                            [](Row row) { return HeadHere{{row.u64(0), row.hash(1)}, row.hash(2)}; }, theirs.session);
   if (!merge.ok()) return;
   if (!here) return add_session(merge, theirs.session, SessionRows::all);
-  if (here->links >= theirs.head.links) {
-    if (!holds_head(merge, "main", theirs.session, theirs.head)) merge.refuse(StorageError::differs, "sessions", theirs.session.text());
+  if (here->head.links >= theirs.head.links) {
+    if (!holds_head(merge, "main", theirs.session, theirs.head)) return leave_apart(merge, theirs.session, *here);
     if (merge.ok() && returns_recording(merge, theirs.session)) return_recording(merge, theirs.session);
     return;
   }
-  if (!holds_head(merge, "source", theirs.session, *here)) return merge.refuse(StorageError::differs, "sessions", theirs.session.text());
+  if (!holds_head(merge, "source", theirs.session, here->head)) return leave_apart(merge, theirs.session, *here);
   add_session(merge, theirs.session, SessionRows::further);
 }
 
@@ -154,8 +167,9 @@ void add_text(Merge& merge, const StatementInFile& statement) {
   }
 }
 
-/// False if it is here already, or waits for its session.
+/// False if it is here already, waits for its session, or speaks of one that stays apart.
 bool merge_statement(Merge& merge, const StatementInFile& statement) {
+  if (std::ranges::find(merge.out.apart, statement.session) != merge.out.apart.end()) return false;
   const auto here = merge.taken(row_seals(merge.db(), SealedTable::statements, statement.id));
   const auto there = merge.taken(row_seals(merge.from.db, SealedTable::statements, statement.id));
   if (!merge.ok()) return false;

@@ -1,4 +1,4 @@
-/// Statements of two stations about one session, and what both gave one candidate.
+/// Statements of two stations about one session, what both gave one candidate, and an attempt that went on from an old copy.
 #include <gtest/gtest.h>
 
 #include "tests/storage/two_stations.h"
@@ -189,6 +189,39 @@ TEST_F(ExchangeStatements, a_statement_waits_for_its_session) {
   must(read_in(third->context(), other, results()));
   EXPECT_EQ(must(read_in(third->context(), other, file)).counts.statements, 1u);
   EXPECT_EQ(whole(*third), "");
+}
+
+TEST_F(ExchangeStatements, an_attempt_that_went_on_from_an_old_copy_stays_apart_and_refuses_no_file_of_the_new_key) {
+  const fs::path file = folder / "station.db", old = folder / "old.db";
+  const auto copy = [](const fs::path& from, const fs::path& to) {
+    for (const char* part : {"", ".key", ".key-counter"}) fs::copy_file(from.string() + part, to.string() + part, fs::copy_options::overwrite_existing);
+  };
+  const Account omar = make_student(*station, "20260002", "Omar Haddad");
+  const Actor haas = make_instructor(*station, "haas").actor();
+  const SessionId both = attempt(omar, 62);
+  station.reset();
+  copy(file, old);
+  station = open(file);
+  must(station->grades.save(both, small_grade(70), {}, haas));
+  at_office(results());
+  station.reset();
+  copy(old, file);
+  station = open(file);
+  must(station->grades.save(both, small_grade(40, false), {}, haas));
+  must(station->statements.comment(haas, both, "Of the other grade."));
+  const SessionId later = attempt(omar, 90);
+  EXPECT_EQ(code_of(read_in(office->context(), chief, results())), StorageError::put_back);
+  station.reset();
+  fs::remove(file.string() + ".key");
+  station = open(file);
+  must(trust(office->context(), chief, key_of_station(*station), KeyRole::station));
+  const ReadIn read = at_office(results());
+  EXPECT_EQ(read.apart, std::vector{both});
+  EXPECT_EQ(read.counts.sessions, 1u);
+  EXPECT_EQ(must(office->history.details(chief, both)).row.score, 70);
+  EXPECT_TRUE(must(office->statements.of(chief, both)).empty());
+  EXPECT_EQ(must(office->history.details(chief, later)).row.score, 90);
+  EXPECT_EQ(whole(*office), "");
 }
 
 }  // namespace

@@ -144,6 +144,8 @@ int read_file(const ExchangeOptions& o) {
   json["outcome"] = std::string(key_of(read->outcome));
   json["waiting"] = read->waiting;
   json["conflicts"] = read->conflicts;
+  json["apart"] = ordered_json::array();
+  for (const SessionId& session : read->apart) json["apart"].push_back(session.text());
   if (!o.json.write(json)) return kFailed;
   if (o.json.on_stdout()) return kDone;
   print_line(plain(outcome_text(read->outcome)));

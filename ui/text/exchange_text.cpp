@@ -49,6 +49,9 @@ QStringList read_in_text(const ReadIn& read) {
   if (read.waiting > 0) {
     out += Text::tr("%n statement(s) wait for their attempt; read the file again after that of the other station.", nullptr, shown(read.waiting));
   }
+  if (!read.apart.empty()) {
+    out += Text::tr("%n attempt(s) went on from an old copy at the station, and stay here as they were.", nullptr, shown(read.apart.size()));
+  }
   for (const std::string& number : read.conflicts) {
     out += Text::tr("%1 was changed here too; the office’s account counts.").arg(isolate(text(number)));
   }
