@@ -45,7 +45,7 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "10";           // version of measuring and marking; rises when a figure changes.
+  std::string evaluator = "11";           // version of measuring and marking; rises when a figure changes.
                                           // 2: what is kept intact counts in proportion to what was drilled
                                           // 3: points are of 100, evidence lies on the cut surface
                                           // 4: so does every depth, width, form and push; walls of a tree by face name
