@@ -245,6 +245,8 @@ void FalconPort::write(const Feedback& feedback) noexcept {
   // The first feedback after a press may answer an older sample: only the next one can overrule the press.
   if (!std::exchange(pressed_, false)) last_.bur = feedback.bur;
   if (!open_ || session_.phase() != Phase::ready) return;
+  // The engine ramps the push after a fault; the weight, which the engine does not know, needs the session's ramp.
+  if (feedback.faulted) session_.restart_ramp(link_->now());
   if (feedback.faulted || !forcing()) {
     session_.command({});
   } else {

@@ -111,7 +111,7 @@ TEST(FalconPort, a_fault_or_a_force_that_is_none_gives_no_torque) {
   for (int i = 0; i < 700; ++i) bench.tick({.force_n = Vec3(1)});
   for (int i = 0; i < 3; ++i) bench.tick({.force_n = Vec3(1), .faulted = true});
   EXPECT_EQ(bench.falcon.torque_words(bench.link->now()), (std::array<std::int16_t, 3>{}));
-  for (int i = 0; i < 3; ++i) bench.tick({.force_n = Vec3(1)});
+  for (int i = 0; i < 700; ++i) bench.tick({.force_n = Vec3(1)});  // the ramp takes 500 ms
   EXPECT_NE(bench.falcon.torque_words(bench.link->now()), (std::array<std::int16_t, 3>{}));
   for (int i = 0; i < 3; ++i) bench.tick({.force_n = Vec3(std::nan(""), 0, 0)});
   EXPECT_EQ(bench.falcon.torque_words(bench.link->now()), (std::array<std::int16_t, 3>{}));

@@ -331,5 +331,23 @@ TEST(FalconPort, carries_the_weight_that_was_calibrated) {
   EXPECT_LT(glm::length(bench.falcon.force_n(bench.link->now()) - due), 5e-3);
 }
 
+TEST(FalconPort, carries_the_weight_by_a_ramp_once_a_fault_is_over) {
+  FalconSettings settings;
+  settings.gravity = {0.2, 0.003};
+  Bench bench({.firmware_running = true}, settings);
+  ASSERT_TRUE(bench.port->open());
+  ASSERT_TRUE(bench.home());
+  bench.falcon.set_grip({0, 0, 0.125});
+  for (int i = 0; i < 700; ++i) bench.tick();
+  const double carried_n = glm::length(bench.falcon.force_n(bench.link->now()));
+  EXPECT_GT(carried_n, 1.0);
+  for (int i = 0; i < 700; ++i) bench.tick({.faulted = true});  // held until the student resumes
+  EXPECT_EQ(glm::length(bench.falcon.force_n(bench.link->now())), 0.0);
+  for (int i = 0; i < 10; ++i) bench.tick();
+  EXPECT_LT(glm::length(bench.falcon.force_n(bench.link->now())), 0.1 * carried_n);  // 10 of 500 ms
+  for (int i = 0; i < 700; ++i) bench.tick();
+  EXPECT_NEAR(glm::length(bench.falcon.force_n(bench.link->now())), carried_n, 5e-3);
+}
+
 }  // namespace
 }  // namespace cusp::test
