@@ -23,6 +23,7 @@
 #include "ui/app/sparing_records.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_text.h"
+#include "ui/device/hid_settings.h"
 #include "ui/device/space_mouse_turner.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/cohorts_page.h"
@@ -163,6 +164,11 @@ void Desktop::sign_out() {
   // A dialog of the window outlives the pages, and acts for whoever was signed in.
   for (QDialog* open : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete open;
   account_.reset();
+  if (hid_) {
+    const HidSettings kept(settings_.file());
+    hid_->pedal().set_settings(kept.pedal());
+    hid_->space_mouse().set_settings(kept.space_mouse());
+  }
   use_text(TextSize::usual);
   show_sign_in(new SignIn(*store_));
 }

@@ -128,14 +128,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, Role role, hid::HidStati
   if (!in.staff()) inverse->fix_settings();
   in.inverse->body()->addWidget(inverse);
   body->addWidget(in.inverse);
-  if (hid) {
-    auto* pedal = new Card(tr("Foot pedal"), {}, this);
-    pedal->body()->addWidget(new PedalPanel(hid->pedal(), &settings, pedal));
-    body->addWidget(pedal);
-    auto* mouse = new Card(tr("SpaceMouse"), {}, this);
-    mouse->body()->addWidget(new SpaceMousePanel(hid->space_mouse(), &settings, mouse));
-    body->addWidget(mouse);
-  }
+  if (hid) add_hid_cards(*hid, settings, body);
   body->addStretch();
   show_firmware();
   in.timer.setInterval(kPageRefreshMs);
@@ -161,6 +154,18 @@ void DevicePage::make_firmware_card() {
   connect(name, &QPushButton::clicked, this, &DevicePage::name_firmware);
   in.firmware_card->body()->addWidget(name, 0, Qt::AlignLeft);
   in.firmware_card->setVisible(in.staff());
+}
+
+void DevicePage::add_hid_cards(hid::HidStation& hid, Settings& settings, QVBoxLayout* body) {
+  // The station keeps what staff set; Desktop::sign_out() takes a student's changes back.
+  Settings* const kept = inner_->staff() ? &settings : nullptr;
+  const QString aside = kept ? QString() : tr("Your changes last until you sign out");
+  auto* pedal = new Card(tr("Foot pedal"), aside, this);
+  pedal->body()->addWidget(new PedalPanel(hid.pedal(), kept, pedal));
+  body->addWidget(pedal);
+  auto* mouse = new Card(tr("SpaceMouse"), aside, this);
+  mouse->body()->addWidget(new SpaceMousePanel(hid.space_mouse(), kept, mouse));
+  body->addWidget(mouse);
 }
 
 DevicePage::~DevicePage() = default;

@@ -13,6 +13,8 @@
 #include "ui/settings/settings.h"
 #include "ui/widgets/ports.h"
 
+class QVBoxLayout;
+
 namespace cusp::device::hid {
 class HidStation;
 }
@@ -54,6 +56,7 @@ class DevicePage : public QWidget {
   void show_chosen();
   void name_firmware();
   void make_firmware_card();
+  void add_hid_cards(hid::HidStation& hid, Settings& settings, QVBoxLayout* body);
   void show_firmware();
 
   struct Inner;

@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QFile>
 #include <QTemporaryDir>
 
+#include "device/hid/hid_station.h"
 #include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/device/hid_settings.h"
 #include "ui/settings/settings.h"
 
 namespace cusp::test {
@@ -37,6 +43,36 @@ TEST(SettingsTest, what_is_no_number_counts_as_missing) {
   const Settings settings(file.fileName());
   EXPECT_EQ(settings.volume_percent(), Settings::kUsualVolumePercent);
   EXPECT_EQ(settings.idle_minutes(), Settings::kUsualIdleMinutes) << "0 never signs out";
+}
+
+TEST(SettingsTest, what_a_student_sets_on_pedal_and_space_mouse_ends_at_the_sign_out_and_what_staff_set_stays) {
+  test::DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  hid::HidStation station([] { return std::unique_ptr<hid::HidBus>(); });
+  Desktop desktop(settings, Ports::of_the_system(), records.file());
+  desktop.use_hid(station);
+  desktop.start();
+  desktop.show();
+  const auto switch_both_off = [&] {
+    desktop.shell()->show_page(QStringLiteral("device"));
+    for (QCheckBox* box : desktop.shell()->findChildren<QCheckBox*>()) {
+      if (box->text() == u"The pedal drives the handpiece" || box->text() == u"The SpaceMouse leads the view of the tooth") box->click();
+    }
+    EXPECT_FALSE(station.pedal().settings().on);
+    EXPECT_FALSE(station.space_mouse().settings().on);
+    desktop.sign_out();
+  };
+  desktop.sign_in(lena);
+  switch_both_off();
+  EXPECT_TRUE(station.pedal().settings().on);
+  EXPECT_TRUE(station.space_mouse().settings().on);
+  desktop.sign_in(records.administrator());
+  switch_both_off();
+  EXPECT_FALSE(station.pedal().settings().on);
+  EXPECT_FALSE(station.space_mouse().settings().on);
+  EXPECT_FALSE(HidSettings(settings.file()).pedal().on);
 }
 
 TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
