@@ -6,12 +6,16 @@
 namespace cusp::ui {
 
 using falcon::Phase;
+using falcon::Trouble;
 using falcon::TrialEnd;
 
 QString phase_text(const falcon::SessionState& state) {
   switch (state.phase) {
     case Phase::unplugged:
-    case Phase::opening: return FalconText::tr("Looking for it");
+    case Phase::opening:
+      if (state.trouble == Trouble::denied) return FalconText::tr("This user may not open it");
+      if (state.trouble == Trouble::busy) return FalconText::tr("Another program holds it");
+      return FalconText::tr("Looking for it");
     case Phase::settling:
     case Phase::probing: return FalconText::tr("Asking whether its firmware runs");
     case Phase::needs_image: return FalconText::tr("It needs its firmware file");
@@ -29,6 +33,31 @@ QString phase_text(const falcon::SessionState& state) {
     case Phase::failed: return FalconText::tr("Ten attempts failed; it is tried again");
   }
   return {};
+}
+
+QString help_text(const falcon::SessionState& state) {
+  switch (state.phase) {
+    case Phase::homing:
+    case Phase::ready: return homing_text(state.homed);
+    case Phase::needs_image: return FalconText::tr("Staff can name the file on the Device page, under Firmware.");
+    case Phase::silent: return {};
+    default: break;
+  }
+  switch (state.trouble) {
+    case Trouble::none:
+    case Trouble::absent: return {};
+    case Trouble::denied: return FalconText::tr("The Device page shows the line that permits it.");
+    case Trouble::busy: return FalconText::tr("Close the other program. The Falcon is then found by itself.");
+    case Trouble::no_hello: return FalconText::tr("Most often its power adapter is off. Plug the adapter in.");
+    case Trouble::no_lock:
+    case Trouble::wrong_echo:
+    case Trouble::no_echo:
+    case Trouble::no_answer:
+    case Trouble::link_failed: break;
+  }
+  // A first attempt often fails; the next one mostly succeeds.
+  if (state.phase != Phase::failed) return {};
+  return FalconText::tr("Pull its power plug, wait five seconds, and put it in.");
 }
 
 QString homing_text(std::uint8_t homed) {

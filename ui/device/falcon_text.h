@@ -18,6 +18,8 @@ struct FalconText {
 
 /// "Loading its firmware, 40 %": what it does now.
 QString phase_text(const falcon::SessionState& state);
+/// What people can do meanwhile; empty if nothing. In homing and ready as homing_text().
+QString help_text(const falcon::SessionState& state);
 /// What to do with the grip until all arms are homed; which of them still have to move.
 QString homing_text(std::uint8_t homed);
 /// Why a Falcon did not open, and the way out.

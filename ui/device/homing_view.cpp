@@ -112,8 +112,7 @@ void HomingView::show_falcon(const FalconView& view) {
     phase_->setText(phase);
     announce(this, phase);
   }
-  const bool homing = view.session.phase == falcon::Phase::homing;
-  const QString sentence = homing || view.session.phase == falcon::Phase::ready ? homing_text(view.session.homed) : QString();
+  const QString sentence = help_text(view.session);
   if (sentence_->text() != sentence) sentence_->setText(sentence);
   picture_->setAccessibleName(sentence.isEmpty() ? phase : sentence);
 }

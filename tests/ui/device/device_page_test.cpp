@@ -386,15 +386,5 @@ TEST(SelfTestReport, shows_what_was_measured_and_what_it_means_for_exercises) {
   EXPECT_NEAR(json["scenes_may_use_n_per_mm"], 1.5, 1e-9);
 }
 
-TEST(FalconText, every_phase_and_every_end_has_its_text) {
-  for (int phase = 0; phase <= static_cast<int>(falcon::Phase::failed); ++phase) {
-    falcon::SessionState state;
-    state.phase = static_cast<falcon::Phase>(phase);
-    EXPECT_FALSE(phase_text(state).isEmpty()) << phase;
-  }
-  for (int end = static_cast<int>(falcon::TrialEnd::stopped); end <= static_cast<int>(falcon::TrialEnd::out_of_range); ++end)
-    EXPECT_FALSE(end_text(static_cast<falcon::TrialEnd>(end)).isEmpty()) << end;
-}
-
 }  // namespace
 }  // namespace cusp::test

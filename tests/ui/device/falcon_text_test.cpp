@@ -1,0 +1,45 @@
+// The text for what a Falcon does now, and for what keeps it away.
+#include <gtest/gtest.h>
+
+#include "tests/modules.h"
+#include "ui/device/falcon_text.h"
+#include "ui/device/homing_view.h"
+
+namespace cusp::test {
+namespace {
+
+TEST(FalconText, every_phase_and_every_end_has_its_text) {
+  for (int phase = 0; phase <= static_cast<int>(falcon::Phase::failed); ++phase) {
+    falcon::SessionState state;
+    state.phase = static_cast<falcon::Phase>(phase);
+    EXPECT_FALSE(phase_text(state).isEmpty()) << phase;
+  }
+  for (int end = static_cast<int>(falcon::TrialEnd::stopped); end <= static_cast<int>(falcon::TrialEnd::out_of_range); ++end)
+    EXPECT_FALSE(end_text(static_cast<falcon::TrialEnd>(end)).isEmpty()) << end;
+}
+
+TEST(FalconText, a_falcon_that_is_looked_for_comes_with_the_cause_and_the_way_out) {
+  HomingView homing;
+  const auto text = [&homing](falcon::Phase phase, falcon::Trouble trouble) {
+    FalconView view;
+    view.session.phase = phase;
+    view.session.trouble = trouble;
+    homing.show_falcon(view);
+    return homing.text();
+  };
+  using falcon::Phase;
+  using falcon::Trouble;
+  EXPECT_EQ(text(Phase::unplugged, Trouble::absent).trimmed(), "Looking for it");
+  for (const Phase phase : {Phase::unplugged, Phase::opening}) {
+    EXPECT_TRUE(text(phase, Trouble::denied).contains(QStringLiteral("may not open it"))) << static_cast<int>(phase);
+    EXPECT_TRUE(text(phase, Trouble::denied).contains(QStringLiteral("Device page"))) << static_cast<int>(phase);
+    EXPECT_TRUE(text(phase, Trouble::busy).contains(QStringLiteral("Another program holds it"))) << static_cast<int>(phase);
+  }
+  EXPECT_TRUE(text(Phase::failed, Trouble::no_hello).contains(QStringLiteral("power adapter")));
+  EXPECT_TRUE(text(Phase::failed, Trouble::no_answer).contains(QStringLiteral("power plug")));
+  EXPECT_FALSE(text(Phase::settling, Trouble::no_answer).contains(QStringLiteral("power plug"))) << "the next attempt mostly succeeds";
+  EXPECT_TRUE(text(Phase::needs_image, Trouble::none).contains(QStringLiteral("name the file")));
+}
+
+}  // namespace
+}  // namespace cusp::test
