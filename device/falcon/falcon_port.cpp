@@ -110,7 +110,7 @@ Result<void, PortFailure> FalconPort::open() {
     };
     if (state.phase == Phase::ready || (state.phase == Phase::homing && !settings_.home_in_open)) break;
     if (state.phase == Phase::needs_image) {
-      failure = PortFailure{PortError::bad_file, link_->name(), "needs_image"};
+      failure = no_image_.value_or(PortFailure{PortError::bad_file, link_->name(), "needs_image"});
     } else if (state.phase == Phase::failed) {
       fails(PortError::io);
     } else if (state.phase == Phase::unplugged && state.trouble == Trouble::absent) {

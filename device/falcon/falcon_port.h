@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "device/falcon/gravity.h"
 #include "device/falcon/kinematics.h"
@@ -68,10 +69,12 @@ class FalconPort final : public HapticPort {
 
   /// Not while the loop runs. The port keeps it for its life.
   void give_image(falcon::FirmwareImage image);
+  /// Not while the loop runs. Why there is no image: open() fails with it if firmware must be loaded.
+  void lack_image(PortFailure why) { no_image_ = std::move(why); }
 
   /// Blocks until the firmware answers: at once if it runs, some seconds with an upload, up to a minute if the loader does
   /// not answer. Homing follows in wait(), or here with home_in_open. not_found, no_permission, busy; bad_file
-  /// "needs_image" if firmware must be loaded and none was given; io with the Trouble's key. `where`: the link's name.
+  /// "needs_image", or as lack_image(), if firmware must be loaded and none was given; io with the Trouble's key. `where`: the link's name.
   Result<void, PortFailure> open() override;
   /// Any thread. A running open() returns io "cancelled".
   void cancel() noexcept { cancelled_.store(true, std::memory_order_release); }
@@ -103,6 +106,7 @@ class FalconPort final : public HapticPort {
   FalconSettings settings_;
   falcon::Session session_;
   std::optional<falcon::FirmwareImage> image_;
+  std::optional<PortFailure> no_image_;
   falcon::Workspace workspace_;
   std::optional<falcon::Pose> pose_;  // newest accepted one; none if it cannot be trusted
   falcon::LinkTime pose_asked_{0};    // departure of the packet that it answers

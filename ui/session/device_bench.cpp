@@ -30,7 +30,6 @@ struct DeviceBench::Inner {
   std::unique_ptr<falcon::Emulator> emulator;
   std::unique_ptr<falcon::EmulatedBody> body;
   std::unique_ptr<FalconPort> port;
-  std::optional<PortFailure> setup_failure;
 
   TripleBuffer<BenchView> shown;
   std::atomic<bool> stop{false}, stop_trial{false}, ended{false};
@@ -86,12 +85,11 @@ DeviceBench::DeviceBench(const DeviceChoice& choice, const falcon::EmulatedBodyS
   }
   in.port = std::make_unique<FalconPort>(std::move(link), settings);
   if (choice.kind == "falcon" && !choice.firmware.file.empty()) {
-    // A file that is not what it was is reported only where firmware is needed: one that runs already goes without.
     auto image = read_firmware(choice.firmware);
     if (image) {
       in.port->give_image(std::move(*image));
     } else {
-      in.setup_failure = image.error();
+      in.port->lack_image(image.error());
     }
   }
   in.thread = std::thread([&in] {
@@ -118,9 +116,8 @@ void DeviceBench::Inner::run() {
   const FpGuard fp;
   if (stop.load(std::memory_order_acquire)) return;
   if (auto opened = port->open(); !opened) {
-    const bool file = opened.error().code == PortError::bad_file && setup_failure;
     view.falcon = FalconView{};
-    fail_with(file ? *setup_failure : opened.error());
+    fail_with(opened.error());
     return;
   }
   view.grant = ask_for_realtime();

@@ -49,9 +49,13 @@ Result<SessionDevice, PortFailure> make_session_device(const DeviceChoice& choic
     settings.home_in_open = true;
     auto port = std::make_unique<FalconPort>(std::move(*link), settings);
     if (!choice.firmware.file.empty()) {
+      // A Falcon whose firmware runs needs no file.
       auto image = read_firmware(choice.firmware);
-      if (!image) return std::unexpected(image.error());
-      port->give_image(std::move(*image));
+      if (image) {
+        port->give_image(std::move(*image));
+      } else {
+        port->lack_image(image.error());
+      }
     }
     out.falcon = port.get();
     out.port = std::move(port);

@@ -44,12 +44,13 @@ struct SessionDevice {
 
 /// Makes the port; nothing is opened yet. The middle of the device's travel lies at `start_mm`, its buttons go through
 /// `burs` instruments. A Falcon's open() ends when it is homed. `hand`: leads the emulated Falcon instead of the mouse.
-/// Fails with bad_file: "needs_file" for a kind that plays a file, "changed" where the firmware file is not the one that
-/// was named, else its ImageError's key; not_found for an unknown kind; io where libusb does not start.
+/// Fails with bad_file "needs_file" for a kind that plays a file; not_found for an unknown kind; io where libusb does not
+/// start. A firmware file that cannot be used fails the port's open(), and only if firmware must be loaded.
 Result<SessionDevice, PortFailure> make_session_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
                                                EmulatedHand hand = {});
 
-/// Reads the file that was named, and checks that it is still the same. Fails as make_session_device().
+/// Reads the file that was named. Fails with bad_file: "changed" where it is not the one that was named, else its
+/// ImageError's key.
 Result<falcon::FirmwareImage, PortFailure> read_firmware(const FirmwareChoice& choice);
 
 }  // namespace cusp::ui

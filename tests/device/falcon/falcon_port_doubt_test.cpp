@@ -104,6 +104,21 @@ TEST(FalconPort, readings_that_no_place_has_give_no_force) {
   EXPECT_EQ(bench.falcon.torque_words(bench.link->now()), (std::array<std::int16_t, 3>{}));
 }
 
+TEST(FalconPort, a_firmware_file_that_is_lacking_matters_only_if_none_runs) {
+  const PortFailure why{PortError::bad_file, "/nowhere/firmware.bin", "unreadable"};
+  Bench off{EmulatorSettings{}};
+  off.port->lack_image(why);
+  const auto refused = off.port->open();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, PortError::bad_file);
+  EXPECT_EQ(refused.error().where, why.where);
+  EXPECT_EQ(refused.error().detail, why.detail);
+  Bench runs;
+  runs.port->lack_image(why);
+  EXPECT_TRUE(runs.port->open());
+  EXPECT_TRUE(runs.home());
+}
+
 TEST(FalconPort, a_fault_or_a_force_that_is_none_gives_no_torque) {
   Bench bench;
   ASSERT_TRUE(bench.port->open());

@@ -80,12 +80,16 @@ TEST(SessionDevice, names_why_there_is_none) {
   const auto scripted = make_session_device(kind("scripted"), Vec3(0.0), 1);
   ASSERT_FALSE(scripted);
   EXPECT_EQ(scripted.error().detail, "needs_file");
-  DeviceChoice falcon = kind("falcon");
-  falcon.firmware = {"/nowhere/firmware.bin", "00"};
-  const auto file = make_session_device(falcon, Vec3(0.0), 1);
+  const auto file = read_firmware({"/nowhere/firmware.bin", "00"});
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, PortError::bad_file);
   EXPECT_EQ(file.error().detail, "unreadable");
+}
+
+TEST(SessionDevice, a_falcon_is_asked_before_its_firmware_file_is_missed) {
+  DeviceChoice falcon = kind("falcon");
+  falcon.firmware = {"/nowhere/firmware.bin", "00"};
+  EXPECT_TRUE(make_session_device(falcon, Vec3(0.0), 1));
 }
 
 TEST(SessionDevice, the_mouse_leads_the_emulated_falcon_over_the_place_that_it_shows) {
