@@ -66,14 +66,17 @@ std::optional<HidDevice> PedalReader::choose(const std::vector<HidDevice>& devic
   const std::lock_guard lock(mutex_);
   view_.denied = false;
   view_.devices = std::move(some);
-  for (const HidDevice& device : view_.devices) {
-    const bool wanted = settings_.vendor != 0
-                            ? device.vendor == settings_.vendor && device.product == settings_.product &&
-                                  (settings_.interface_number < 0 || device.interface_number == settings_.interface_number)
-                            : is_known_pedal(device.vendor, device.product);
-    if (wanted) return device;
-  }
-  return std::nullopt;
+  const auto wanted = [this](const HidDevice& device) {
+    return settings_.vendor != 0
+               ? device.vendor == settings_.vendor && device.product == settings_.product &&
+                     (settings_.interface_number < 0 || device.interface_number == settings_.interface_number)
+               : is_known_pedal(device.vendor, device.product);
+  };
+  // The pedal in use stays so if another of its kind is plugged in, whose path may sort before.
+  if (view_.connected && view_.device && wanted(*view_.device) && std::ranges::find(view_.devices, *view_.device) != view_.devices.end())
+    return view_.device;
+  const auto first = std::ranges::find_if(view_.devices, wanted);
+  return first == view_.devices.end() ? std::nullopt : std::optional(*first);
 }
 
 void PedalReader::opened(const HidDevice& device) {

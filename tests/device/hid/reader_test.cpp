@@ -44,6 +44,28 @@ TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) 
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
 }
 
+TEST(PedalReader, the_pedal_in_use_stays_so_if_another_of_its_kind_is_plugged_in) {
+  Desk desk;
+  auto used = desk.plug("/dev/hidraw5", 0x05f3, 0x00ff, test::vec_descriptor());
+  PedalReader reader(bus_of(desk));
+  reader.start();
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
+  {
+    const std::lock_guard lock(desk.mutex);
+    std::ranges::reverse(desk.devices);  // by path, as a bus lists them
+  }
+  reader.set_settings({});  // lists the devices at once
+  ASSERT_TRUE(eventually([&] {
+    const PedalView view = reader.view();
+    return view.devices.size() == 2 && view.devices.front().path == "/dev/hidraw1";
+  }));
+  desk.send(used, {0x01, 0x00});
+  EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
+  ASSERT_TRUE(reader.view().device);
+  EXPECT_EQ(reader.view().device->path, "/dev/hidraw5");
+}
+
 TEST(PedalReader, a_value_older_than_the_limit_is_released) {
   Desk desk;
   auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
