@@ -76,7 +76,9 @@ std::optional<HidDevice> PedalReader::choose(const std::vector<HidDevice>& devic
   if (view_.connected && view_.device && wanted(*view_.device) && std::ranges::find(view_.devices, *view_.device) != view_.devices.end())
     return view_.device;
   const auto first = std::ranges::find_if(view_.devices, wanted);
-  return first == view_.devices.end() ? std::nullopt : std::optional(*first);
+  if (first != view_.devices.end()) return *first;
+  view_.device.reset();  // one that was refused is gone as well
+  return std::nullopt;
 }
 
 void PedalReader::opened(const HidDevice& device) {

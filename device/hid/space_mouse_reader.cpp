@@ -35,6 +35,7 @@ std::optional<HidDevice> SpaceMouseReader::choose(const std::vector<HidDevice>& 
     const auto parsed = parse_report_descriptor(device.descriptor);
     if (!parsed || (parsed->page == usage::kDesktopPage && parsed->usage == usage::kMultiAxis)) return device;
   }
+  view_.device.reset();  // one that was refused is gone as well
   return std::nullopt;
 }
 

@@ -80,13 +80,17 @@ TEST(PedalReader, a_value_older_than_the_limit_is_released) {
   EXPECT_EQ(latest(reader).pressed, 0);
 }
 
-TEST(PedalReader, one_that_may_not_be_opened_is_denied) {
+TEST(PedalReader, one_that_may_not_be_opened_is_denied_until_it_is_unplugged) {
   Desk desk;
-  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor())->denied = true;
+  const auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
+  pedal->denied = true;
   PedalReader reader(bus_of(desk));
   reader.start();
   EXPECT_TRUE(eventually([&] { return reader.view().denied; }));
   EXPECT_FALSE(reader.view().connected);
+  EXPECT_TRUE(reader.view().device);
+  desk.unplug(pedal);
+  EXPECT_TRUE(eventually([&] { return !reader.view().device; }));
 }
 
 TEST(PedalReader, a_keyboard_is_offered_and_followed_only_when_chosen) {
