@@ -270,6 +270,14 @@
         <source>Nothing was changed.</source>
         <translation>Nichts wurde geändert.</translation>
     </message>
+    <message>
+        <source>The adjustment of %1 was changed at another desk meanwhile.</source>
+        <translation>Der Ausgleich von %1 wurde inzwischen an einem anderen Platz geändert.</translation>
+    </message>
+    <message>
+        <source>It is shown as it is now. What you set here was not kept.</source>
+        <translation>Er wird gezeigt, wie er jetzt ist. Was Sie hier eingestellt haben, wurde nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssessmentStart</name>
@@ -423,6 +431,10 @@
         <source>All have the exercise’s own tooth: its template fits no other.</source>
         <translation>Alle haben den Zahn der Übung: Ihre Vorlage passt auf keinen anderen.</translation>
     </message>
+    <message>
+        <source>Choose an exercise</source>
+        <translation>Übung wählen</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::AssignmentsModel</name>
@@ -453,6 +465,21 @@
     <message>
         <source>withdrawn</source>
         <translation>zurückgezogen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::AtWork</name>
+    <message>
+        <source>Leave before the work has ended?</source>
+        <translation>Gehen, bevor die Arbeit beendet ist?</translation>
+    </message>
+    <message>
+        <source>How it ended is then shown nowhere.</source>
+        <translation>Wie sie ausging, wird dann nirgends mehr angezeigt.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
     </message>
 </context>
 <context>
@@ -1853,6 +1880,10 @@
         <source>The force at which cutting is fastest</source>
         <translation>Die Kraft, bei der am schnellsten abgetragen wird</translation>
     </message>
+    <message>
+        <source>%1 is protected twice: what is removed of it counts twice. Take one of the two out of the file.</source>
+        <translation>%1 ist zweimal geschützt: Was davon abgetragen wird, zählt doppelt. Nehmen Sie eines der beiden aus der Datei.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::Cli</name>
@@ -3200,6 +3231,18 @@
             <numerusform>%1: %2 statt %3 Punkte, geändert von %4: %5</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 is protected twice, and what is removed of it counts twice</source>
+        <translation>%1 ist zweimal geschützt, und was davon abgetragen wird, zählt doppelt</translation>
+    </message>
+    <message>
+        <source>%1 is no exercise file, NAME.cusp. A verb stands before every option (see cusp --help).</source>
+        <translation>%1 ist keine Übungsdatei, NAME.cusp. Ein Befehl steht vor jeder Option (siehe cusp --help).</translation>
+    </message>
+    <message>
+        <source>Only one exercise file can be opened, and %1 is another.</source>
+        <translation>Nur eine Übungsdatei kann geöffnet werden, und %1 ist eine weitere.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::CohortStudentsModel</name>
@@ -3425,6 +3468,14 @@
     <message>
         <source>Type or paste the numbers, one a line.</source>
         <translation>Tippen Sie die Nummern ein oder fügen Sie sie ein, eine je Zeile.</translation>
+    </message>
+    <message>
+        <source>No exercise is chosen.</source>
+        <translation>Keine Übung ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose one in the form.</source>
+        <translation>Wählen Sie eine im Formular.</translation>
     </message>
 </context>
 <context>
@@ -3997,18 +4048,6 @@
         <translation>Schließen, ohne das Formular zu speichern?</translation>
     </message>
     <message>
-        <source>What was filled in and not saved is not kept.</source>
-        <translation>Was ausgefüllt und nicht gespeichert ist, bleibt nicht erhalten.</translation>
-    </message>
-    <message>
-        <source>Leave without saving the form?</source>
-        <translation>Gehen, ohne das Formular zu speichern?</translation>
-    </message>
-    <message>
-        <source>Leave</source>
-        <translation>Verlassen</translation>
-    </message>
-    <message>
         <source>Grade this attempt as it stands?</source>
         <translation>Diesen Versuch bewerten, wie er ist?</translation>
     </message>
@@ -4031,6 +4070,18 @@
     <message>
         <source>Skip</source>
         <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>You were signed out: your account is switched off.</source>
+        <translation>Sie wurden abgemeldet: Ihr Konto ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>You were signed out: your role was changed. Sign in again.</source>
+        <translation>Sie wurden abgemeldet: Ihre Rolle wurde geändert. Melden Sie sich neu an.</translation>
+    </message>
+    <message>
+        <source>What you did is kept, but for the outcome of work that still ran: look how it ended.</source>
+        <translation>Was Sie getan haben, bleibt erhalten, nur das Ergebnis dessen, was noch lief, wird nicht mehr angezeigt: Sehen Sie nach, wie es ausging.</translation>
     </message>
 </context>
 <context>
@@ -4130,6 +4181,10 @@
     <message>
         <source>looking</source>
         <translation>wird gesucht</translation>
+    </message>
+    <message>
+        <source>Your changes last until you sign out</source>
+        <translation>Ihre Änderungen gelten bis zur Abmeldung</translation>
     </message>
 </context>
 <context>
@@ -4861,6 +4916,14 @@
         <source>Leave</source>
         <translation>Verlassen</translation>
     </message>
+    <message>
+        <source>The draft is saved without the briefing.</source>
+        <translation>Der Entwurf ist ohne die Aufgabe gespeichert.</translation>
+    </message>
+    <message>
+        <source>Publish without the briefing?</source>
+        <translation>Ohne die Aufgabe veröffentlichen?</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::ExchangePage</name>
@@ -5354,6 +5417,30 @@
         <source>Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).</source>
         <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
     </message>
+    <message>
+        <source>This user may not open it</source>
+        <translation>Dieses Benutzerkonto darf es nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Another program holds it</source>
+        <translation>Ein anderes Programm hält es</translation>
+    </message>
+    <message>
+        <source>The Device page shows the line that permits it.</source>
+        <translation>Die Seite Gerät zeigt die Zeile, die es erlaubt.</translation>
+    </message>
+    <message>
+        <source>Close the other program. The Falcon is then found by itself.</source>
+        <translation>Schließen Sie das andere Programm. Der Falcon wird dann von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>Most often its power adapter is off. Plug the adapter in.</source>
+        <translation>Meist ist sein Netzteil aus. Stecken Sie das Netzteil ein.</translation>
+    </message>
+    <message>
+        <source>Pull its power plug, wait five seconds, and put it in.</source>
+        <translation>Ziehen Sie seinen Netzstecker, warten Sie fünf Sekunden und stecken Sie ihn wieder ein.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::FalconNow</name>
@@ -5606,6 +5693,21 @@
     <message>
         <source>It adds what is not here yet. Nothing is changed until you read it in; it is read whole or not at all.</source>
         <translation>Sie ergänzt, was hier noch fehlt. Bis Sie die Datei einlesen, ändert sich nichts; sie wird ganz eingelesen oder gar nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ui::HalfFilled</name>
+    <message>
+        <source>Leave without saving the form?</source>
+        <translation>Gehen, ohne das Formular zu speichern?</translation>
+    </message>
+    <message>
+        <source>What was filled in and not saved is not kept.</source>
+        <translation>Was ausgefüllt und nicht gespeichert ist, bleibt nicht erhalten.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
     </message>
 </context>
 <context>
@@ -6387,6 +6489,10 @@
         <source>Reading %1 took longer than the %2 s that an import may last. Take larger voxels, or crop the file.</source>
         <translation>Das Lesen von %1 dauerte länger als die %2 s, die ein Import dauern darf. Größere Voxel nehmen oder die Datei zuschneiden.</translation>
     </message>
+    <message>
+        <source>The file does not name the directions of its axes: the specimen may be the mirror image of the tooth. Compare them.</source>
+        <translation>Die Datei nennt die Richtungen ihrer Achsen nicht: Das Präparat kann das Spiegelbild des Zahns sein. Vergleichen Sie beide.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::InterruptedCard</name>
@@ -7127,6 +7233,14 @@
     <message>
         <source>Its versions are withdrawn: without the draft you cannot edit or publish it again. Results and reports stay.</source>
         <translation>Die Versionen der Übung sind zurückgezogen: Ohne den Entwurf können Sie sie nicht mehr bearbeiten und nicht erneut veröffentlichen. Ergebnisse und Berichte bleiben.</translation>
+    </message>
+    <message>
+        <source>The versions or assignments of %1 changed meanwhile.</source>
+        <translation>Die Versionen oder Zuweisungen von %1 haben sich inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>Nothing was withdrawn. Withdraw it again to see what follows now.</source>
+        <translation>Nichts wurde zurückgezogen. Ziehen Sie sie erneut zurück, um zu sehen, was jetzt folgt.</translation>
     </message>
 </context>
 <context>
@@ -8387,18 +8501,6 @@
         <source>You change your own password under your name at the top.</source>
         <translation>Ihr eigenes Passwort ändern Sie oben unter Ihrem Namen.</translation>
     </message>
-    <message>
-        <source>Leave without saving the form?</source>
-        <translation>Gehen, ohne das Formular zu speichern?</translation>
-    </message>
-    <message>
-        <source>What was filled in and not saved is not kept.</source>
-        <translation>Was ausgefüllt und nicht gespeichert ist, bleibt nicht erhalten.</translation>
-    </message>
-    <message>
-        <source>Leave</source>
-        <translation>Verlassen</translation>
-    </message>
 </context>
 <context>
     <name>cusp::ui::Performance</name>
@@ -8847,6 +8949,14 @@
     <message>
         <source>The student rates each criterion before the result is shown</source>
         <translation>Studierende schätzen jedes Kriterium ein, bevor das Ergebnis gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Stopped: the exercise was changed.</source>
+        <translation>Abgebrochen: Die Übung wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Stop measuring</source>
+        <translation>Messung abbrechen</translation>
     </message>
 </context>
 <context>
@@ -10630,7 +10740,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Records</source>
-        <translation>Aufzeichnungen</translation>
+        <translation>Datenbestand</translation>
     </message>
     <message numerus="yes">
         <source>%n session(s), %1</source>
@@ -10677,7 +10787,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Copying the records</source>
-        <translation>Aufzeichnungen werden kopiert</translation>
+        <translation>Der Datenbestand wird kopiert</translation>
     </message>
     <message>
         <source>No backup was made.</source>
@@ -10700,7 +10810,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Verifying every record</source>
-        <translation>Alle Aufzeichnungen werden geprüft</translation>
+        <translation>Der ganze Datenbestand wird geprüft</translation>
     </message>
     <message numerus="yes">
         <source>%n session(s) and the audit log are whole.</source>
@@ -10722,7 +10832,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Signs this station’s records and appeal packs</source>
-        <translation>Signiert die Aufzeichnungen und Einspruchsakten dieser Station</translation>
+        <translation>Signiert den Datenbestand und die Einspruchsakten dieser Station</translation>
     </message>
     <message>
         <source>Signing out</source>
@@ -13617,6 +13727,17 @@ Ihr bester davor</translation>
     <message>
         <source>The pulp was exposed</source>
         <translation>Die Pulpa wurde eröffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) went on from an old copy at the station, and stay here as they were.</source>
+        <translation>
+            <numerusform>%n Versuch ging an der Station von einer alten Kopie aus weiter und bleibt hier, wie er war.</numerusform>
+            <numerusform>%n Versuche gingen an der Station von einer alten Kopie aus weiter und bleiben hier, wie sie waren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This computer’s clock says %1. Before those of the last days, the newest attempt or account is of %2.</source>
+        <translation>Die Uhr dieses Computers zeigt den %1. Vor denen der letzten Tage ist der neueste Versuch oder das neueste Konto vom %2.</translation>
     </message>
 </context>
 <context>

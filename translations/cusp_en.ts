@@ -735,6 +735,13 @@
             <numerusform>%1 points</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) went on from an old copy at the station, and stay here as they were.</source>
+        <translation>
+            <numerusform>%n attempt went on from an old copy at the station, and stays here as it was.</numerusform>
+            <numerusform>%n attempts went on from an old copy at the station, and stay here as they were.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::VolumeForm</name>
