@@ -77,6 +77,8 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
     // Off first what is touched and out of what was cut, then to the height of hovering.
     next_depth = retracts ? std::min(depth, proxy_depth) - rise
                           : towards(depth, shown_depth - tuning_.hover_mm, {sink, rise});
+    // A ledge may hold it.
+    if (touches) next_depth = std::max(next_depth, proxy_depth - tuning_.lateral_n / stiffness);
   } else if (touches) {
     push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the bur, and it sinks no faster than through the air.

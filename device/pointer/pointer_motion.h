@@ -17,7 +17,7 @@ struct PointerTuning {
   double retreat_mm_s = 40.0;      // lifting off
   double hover_mm = 3.0;           // height of the pivot above the target while lifted
   double reach_mm = 12.0;          // a push without contact stops so far beyond the target
-  double lateral_n = 1.0;          // most force across the approach
+  double lateral_n = 1.0;          // most force across the approach, and against it
   double push_rise_n_s = 20.0;     // how fast a push builds up; it may fall at once
   double smoothing_s = 0.025;      // of the pointer's own steps
   double sweep_mm_s = 10.0;        // sideways speed that halves the push

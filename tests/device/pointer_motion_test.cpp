@@ -85,6 +85,20 @@ TEST(PointerMotion, AReleaseLiftsOff) {
   EXPECT_NEAR(bench.motion.device_mm().z, 3, 1e-6);
 }
 
+TEST(PointerMotion, ALedgeOnTheWayOutFeelsNoMoreThanTheLateralForce) {
+  Bench bench(Vec3(0, 0, 0.1));
+  bench.hand.set_push(1);
+  bench.run(1);
+  ASSERT_TRUE(bench.felt.in_contact);
+  bench.tissue.planes.push_back({Vec3(0, 0, 0.05), Vec3(0, 0, -1)});
+  bench.most_force_n = 0;
+  bench.hand.set_push(0);
+  bench.run(1);
+  ASSERT_TRUE(bench.felt.in_contact);
+  EXPECT_NEAR(bench.felt.force_n.z, -1.0, 1e-9) << "lateral_n of PointerTuning";
+  EXPECT_LE(bench.most_force_n, 1.0 + 1e-9);
+}
+
 TEST(PointerMotion, ItSlidesOverTheSurfaceWithThePointerAndKeepsItsPush) {
   Bench bench(Vec3(0, 0, 1));
   bench.hand.set_push(1);
