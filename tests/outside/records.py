@@ -24,8 +24,7 @@ def make_school(database):
         for name in ("storage/sqlite/migrations/0001.sql", "tests/storage/fixtures/schema-0001.sql"):
             with open(os.path.join(SOURCE, name), encoding="utf-8") as sql:
                 db.executescript(sql.read())
-        db.execute("PRAGMA user_version = 1")
-        db.commit()
+        db.executescript("PRAGMA user_version = 1")
 
 
 def tampered(desk, *statements):
@@ -33,9 +32,7 @@ def tampered(desk, *statements):
         shutil.copy(desk.path("school.db") + end, desk.path("bad.db") + end)
     with contextlib.closing(sqlite3.connect(desk.path("bad.db"))) as db:
         db.execute("PRAGMA foreign_keys = OFF")
-        for sql in statements:
-            db.execute(sql)
-        db.commit()
+        db.executescript(";".join(statements))
     return desk.path("bad.db")
 
 
@@ -53,17 +50,13 @@ def verify_names(desk):
     for statements, parts in cases:
         database = tampered(desk, *statements)
         status, out, err = desk.run("history", database, "verify", "--as", STUDENT, CUSP_PASSWORD=PIN)
-        check(status == 1, f"{statements[0]}: exit {status}, {out}")
-        for part in parts:
-            check(part in out, f"{statements[0]}: {part} is not named: {out}{err}")
+        check(status == 1 and all(part in out for part in parts), f"{statements[0]}: exit {status}, not all of {parts}: {out}{err}")
         status, out, _ = desk.run("history", database, "verify", "--as", STUDENT, "--json", "-", CUSP_PASSWORD=PIN)
         check(status == 1 and parts[0] in out and '"intact": false' in out, f"{statements[0]}: {out}")
         check("okafor" not in out and '"admin"' not in out, f"{statements[0]}: a student reads another's number: {out}")
     database = tampered(desk, "UPDATE people SET role = 'administrator' WHERE number = 'okafor'")
-    for account, secret, named in ((STUDENT, PIN, False), ("admin", "correct horse", True)):
-        status, out, err = desk.run("history", database, "verify", "--as", account, CUSP_PASSWORD=secret)
-        check(status == 1 and "people" in out and "role" in out, f"a changed role: exit {status}: {out}{err}")
-        check(("okafor" in out + err) == named, f"{account} reads whose role was changed: {out}{err}")
+    status, out, err = desk.run("history", database, "verify", "--as", "admin", CUSP_PASSWORD="correct horse")
+    check(status == 1 and "people" in out and "okafor" in out, f"an administrator does not read whose role was changed: {out}{err}")
 
 
 def rebuild(desk):
