@@ -2,6 +2,7 @@
 /// editor) takes the whole window with a way back. Holds what the pages share: the records and who is signed in.
 #pragma once
 
+#include <QDateTime>
 #include <QMainWindow>
 #include <QTimer>
 #include <filesystem>
@@ -112,8 +113,9 @@ class Desktop : public QMainWindow {
   void import_specimen();
   void import_people();
 
-  /// Backs the records up in the background when a day has passed since the last backup, unless somebody drills now.
-  void keep_daily_backup();
+  /// Backs the records up in the background when a day has passed since the last backup, unless somebody drills now. After a
+  /// failure it waits an hour. True if a backup was begun.
+  bool keep_daily_backup();
 
   enum class TextSize : std::uint8_t { usual, large };
   /// `large`: pages made from now on are at least kLargeTextPercent of their size, until back() or sign_out().
@@ -220,6 +222,7 @@ class Desktop : public QMainWindow {
   BackgroundTask backup_, packing_, gathering_;
   int gathered_ = 0;  // calls of gather()
   std::optional<Message> backup_failure_;  // of the last daily backup
+  QDateTime next_backup_;                  // after one that failed; invalid: at once
   struct UnsavedComment {
     QString author, text;
   };

@@ -20,6 +20,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kBackupLookMs = 60'000;  // between two looks at whether a backup is due
+constexpr int kBackupRetryS = 3'600;   // after one that failed: on a full disk each try copies until there is no room
 
 /// Whether the records themselves are damaged: only a backup helps. A file that is no database, without a key beside it, was never theirs.
 bool is_damage(const StorageFailure& failure, const std::filesystem::path& database) {
@@ -76,11 +77,13 @@ void Desktop::offer_safe_start() {
   });
 }
 
-void Desktop::keep_daily_backup() {
+bool Desktop::keep_daily_backup() {
   const auto into = settings_.backup_folder(database_);
   // What is written meanwhile would slow the recorder down.
   const bool drilling = page() != nullptr && page()->findChild<ToothView*>() != nullptr;
-  if (!store_ || reading_only_ || drilling || !backup_.over() || !backup_is_due(into, store_->context().station, system_utc_us())) return;
+  if (!store_ || reading_only_ || drilling || !backup_.over()) return false;
+  if (next_backup_.isValid() && ports_.now() < next_backup_) return false;
+  if (!backup_is_due(into, store_->context().station, system_utc_us())) return false;
   backup_ = back_up(records_of(*store_), into, std::nullopt, [self = QPointer(this)](const Stored<BackedUp>& made) {
     std::optional<Message> failure;
     if (!made) failure = {tr("The daily backup failed."), describe(made.error()).line()};
@@ -90,11 +93,14 @@ void Desktop::keep_daily_backup() {
     }
     QMetaObject::invokeMethod(
         qApp,
-        [self, failure] {
-          if (self) self->backup_failure_ = failure;
+        [self, failure, made = made.has_value()] {
+          if (!self) return;
+          self->backup_failure_ = failure;
+          self->next_backup_ = made ? QDateTime() : self->ports_.now().addSecs(kBackupRetryS);
         },
         Qt::QueuedConnection);
   });
+  return true;
 }
 
 void Desktop::show_refusal(const Message& message) {
