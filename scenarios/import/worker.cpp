@@ -1,8 +1,11 @@
 // The parent's side of worker.h.
 #include "scenarios/import/worker.h"
 
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <string>
 #include <string_view>
 
 #include "engine/base/ids.h"
@@ -14,13 +17,30 @@
 namespace cusp::scenarios {
 namespace {
 
+constexpr std::string_view kFolderName = "cusp-import-";
+/// No import lasts so long.
+constexpr std::chrono::hours kLeftBehind{24};
+
+/// Removes folders of programs that were killed: a patient's volume may lie there.
+void remove_left_behind(const std::filesystem::path& parent) {
+  std::error_code ec;
+  const auto earliest = std::filesystem::file_time_type::clock::now() - kLeftBehind;
+  for (std::filesystem::directory_iterator entry(parent, ec), end; !ec && entry != end; entry.increment(ec)) {
+    std::error_code unknown;
+    const bool folder = entry->path().filename().string().starts_with(kFolderName) && entry->symlink_status(unknown).type() == std::filesystem::file_type::directory;
+    const auto written = entry->last_write_time(unknown);
+    if (folder && !unknown && written < earliest) std::filesystem::remove_all(entry->path(), unknown);
+  }
+}
+
 /// A folder of this import, removed with it.
 class PrivateFolder {
  public:
   PrivateFolder() {
     parent_ = std::filesystem::temp_directory_path(ec_);
     if (ec_) return;
-    const auto path = parent_ / ("cusp-import-" + Uuid::v7().text());
+    remove_left_behind(parent_);
+    const auto path = parent_ / (std::string(kFolderName) + Uuid::v7().text());
     if (!std::filesystem::create_directory(path, ec_) || ec_) return;
     path_ = path;
     std::error_code ignored;

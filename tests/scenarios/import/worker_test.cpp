@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <thread>
 
@@ -208,6 +210,24 @@ TEST_F(ImportWorker, NothingIsLeftInTheTemporaryFolder) {
   (void)import_mesh_in_child(what, bad_child("child-abort"));
   EXPECT_EQ(ours(), 0u);
   setenv("TMPDIR", before.c_str(), 1);
+}
+
+TEST_F(ImportWorker, RemovesWhatAKilledProgramLeftInTheTemporaryFolderADayAgo) {
+  namespace fs = std::filesystem;
+  const TempFolder own;
+  const fs::path old = own.path() / "cusp-import-old", present = own.path() / "cusp-import-present", other = own.path() / "other";
+  for (const fs::path& one : {old, present, other}) {
+    fs::create_directory(one);
+    std::ofstream(one / "volume.nrrd") << "voxels";
+  }
+  for (const fs::path& one : {old, other}) fs::last_write_time(one, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  const std::string before = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp";
+  setenv("TMPDIR", own.path().c_str(), 1);
+  (void)import_mesh_in_child(what);
+  setenv("TMPDIR", before.c_str(), 1);
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(present / "volume.nrrd")) << "its program may still run";
+  EXPECT_TRUE(fs::exists(other / "volume.nrrd"));
 }
 
 TEST_F(ImportWorker, AFolderForTemporaryFilesThatIsGoneIsNamedWithItsCause) {
