@@ -7,9 +7,11 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "ui/render/opengl_allowed.h"
 #include "ui/session/session_setup.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
@@ -172,9 +174,11 @@ AssessmentCard::AssessmentCard(const AssignedAssessment& a, UserId student, cons
   if (a.assignment.drawn_tooth) facts += drawn_tooth_text();
   text->addWidget(make_paragraph(facts.join(u" · "_qs)));
   if (a.state == State::self_test_due) text->addWidget(make_paragraph(self_test_advice(device_class)));
+  if (a.state == State::open && !opengl_allowed()) text->addWidget(make_paragraph(ToothView::pictures_off()));
   row->addLayout(text, 1);
   if (a.state == State::open) {
     start_ = make_large_button(tr("Start assessment"), ButtonKind::primary, u"play"_qs);
+    start_->setEnabled(opengl_allowed());
     row->addWidget(start_, 0, Qt::AlignBottom);
     connect(start_, &QPushButton::clicked, this, &AssessmentCard::start_wanted);
   }

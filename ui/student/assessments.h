@@ -47,7 +47,7 @@ class AssessmentCard : public Card {
  public:
   /// `device_class`: of this station's device.
   AssessmentCard(const AssignedAssessment& assessment, UserId student, const std::string& device_class, QWidget* parent = nullptr);
-  /// Null unless it may begin now.
+  /// Null unless it may begin now. Disabled after forbid_opengl(), and the card gives the reason.
   QPushButton* start_button() const { return start_; }
 
  Q_SIGNALS:

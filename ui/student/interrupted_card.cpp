@@ -5,7 +5,9 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "ui/render/opengl_allowed.h"
 #include "ui/text/names.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
@@ -67,7 +69,11 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   title->setWordWrap(true);
   text->addWidget(title);
   QString remark = how_far(store, row);
-  if (way != InterruptedWay::resume) remark += u' ' + why_not_on(way, row, device_class);
+  if (way != InterruptedWay::resume) {
+    remark += u' ' + why_not_on(way, row, device_class);
+  } else if (!opengl_allowed()) {
+    remark += u' ' + ToothView::pictures_off();
+  }
   QLabel* what = make_label(remark, TextRole::body, Weight::regular, "text2");
   what->setWordWrap(true);
   text->addWidget(what);
@@ -78,6 +84,7 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   const QString grade = row.kind == SessionKind::assessment ? tr("Hand in") : tr("Grade as it stands");
   if (way == InterruptedWay::resume) {
     primary_ = make_large_button(tr("Continue"), kind, u"play"_qs);
+    primary_->setEnabled(opengl_allowed());
     connect(primary_, &QPushButton::clicked, this, &InterruptedCard::resume_wanted);
     acts->addWidget(primary_);
     QPushButton* second = make_large_button(grade, ButtonKind::standard);

@@ -24,6 +24,7 @@ class InterruptedCard : public Card {
   /// Pre: `way` is not other_engine. `kind`: of primary(), as a page has one button of ButtonKind::primary.
   InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
                   ButtonKind kind = ButtonKind::primary, QWidget* parent = nullptr);
+  /// "Continue" is disabled after forbid_opengl(), and the card gives the reason.
   QPushButton* primary() const { return primary_; }
 
  Q_SIGNALS:

@@ -15,11 +15,19 @@
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/opengl_allowed.h"
 #include "ui/signin/sign_in.h"
+#include "ui/student/assessments.h"
+#include "ui/student/interrupted_card.h"
 #include "ui/student/start_page.h"
 #include "ui/view/tooth_view.h"
 
 namespace cusp::test {
 namespace {
+
+bool gives_reason(const QWidget& card) {
+  for (const QLabel* label : card.findChildren<QLabel*>())
+    if (label->text().contains(QStringLiteral("3D pictures are off"))) return true;
+  return false;
+}
 
 struct SafeStart : ::testing::Test {
   SafeStart() {
@@ -72,6 +80,37 @@ TEST_F(SafeStart, without_pictures_results_are_open_and_start_gives_the_reason) 
   desktop->drill({load_builtin("channel-1").value(), {}, {}, {}});
   EXPECT_EQ(desktop->findChild<DrillScreen*>(), nullptr);
   EXPECT_TRUE(shows(QStringLiteral("Nothing can be drilled now.")));
+}
+
+TEST_F(SafeStart, without_pictures_an_interrupted_attempt_is_graded_and_not_continued) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.broken_attempt(lena, "channel-1");
+  forbid_opengl();
+  desktop->start();
+  desktop->sign_in(lena);
+  const auto* page = desktop->findChild<StartPage*>();
+  ASSERT_NE(page, nullptr);
+  const InterruptedCard* card = page->interrupted();
+  ASSERT_NE(card, nullptr);
+  EXPECT_EQ(card->primary()->accessibleName(), QStringLiteral("Continue"));
+  EXPECT_FALSE(card->primary()->isEnabled());
+  EXPECT_TRUE(gives_reason(*card));
+  const QPushButton* grade = nullptr;
+  for (const QPushButton* button : card->findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Grade as it stands")) grade = button;
+  ASSERT_NE(grade, nullptr);
+  EXPECT_TRUE(grade->isEnabled());
+}
+
+TEST_F(SafeStart, without_pictures_an_open_assessment_gives_the_reason_beside_its_start) {
+  forbid_opengl();
+  AssignedAssessment open;
+  open.exercise.scenario = *load_builtin("channel-1");
+  ASSERT_EQ(open.state, AssignedAssessment::State::open);
+  const AssessmentCard card(open, records.student("1", "Lena Brandt").id, "pointer");
+  ASSERT_NE(card.start_button(), nullptr);
+  EXPECT_FALSE(card.start_button()->isEnabled());
+  EXPECT_TRUE(gives_reason(card));
 }
 
 }  // namespace
