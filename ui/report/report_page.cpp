@@ -7,12 +7,14 @@
 #include <QResizeEvent>
 #include <algorithm>
 
+#include "ui/render/opengl_allowed.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/marking_card.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_section.h"
 #include "ui/text/grade_text.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/bar_top.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -250,10 +252,12 @@ QWidget* ReportPage::make_bar(TryAgain again, const QString& back_name) {
 QPushButton* ReportPage::make_again() {
   const bool assessed = data_.kind == SessionKind::assessment;
   QPushButton* out = make_button(assessed ? tr("Practise it") : tr("Try again"), ButtonKind::primary);
-  if (assessed) {
-    out->setToolTip(tr("Begins a practice attempt. It does not count for the assessment."));
-    out->setAccessibleDescription(out->toolTip());
+  if (assessed) out->setToolTip(tr("Begins a practice attempt. It does not count for the assessment."));
+  if (!opengl_allowed()) {
+    out->setEnabled(false);
+    out->setToolTip(ToothView::pictures_off());
   }
+  out->setAccessibleDescription(out->toolTip());
   connect(out, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
   return out;
 }

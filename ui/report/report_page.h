@@ -32,7 +32,7 @@ class ReportPage : public QWidget {
 
  public:
   /// `offered` and `refused`: to the one who drilled it, with and without a button to a further attempt; the page then leaves out the
-  /// student's name. After an assessment that button names its attempt practice.
+  /// student's name. After an assessment that button names its attempt practice. After forbid_opengl() it is disabled.
   enum class TryAgain { hidden, refused, offered };
   ReportPage(ReportData data, const Ports& ports, TryAgain again, const QString& back_name, QWidget* parent = nullptr);
   Table* table() const { return table_; }

@@ -9,11 +9,13 @@
 #include "scenarios/library/library.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
+#include "tests/ui/report/sample_report.h"
 #include "ui/app/desktop.h"
 #include "ui/app/shell.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/opengl_allowed.h"
+#include "ui/report/report_page.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/assessments.h"
 #include "ui/student/interrupted_card.h"
@@ -111,6 +113,18 @@ TEST_F(SafeStart, without_pictures_an_open_assessment_gives_the_reason_beside_it
   ASSERT_NE(card.start_button(), nullptr);
   EXPECT_FALSE(card.start_button()->isEnabled());
   EXPECT_TRUE(gives_reason(card));
+}
+
+TEST_F(SafeStart, without_pictures_a_report_gives_the_reason_at_its_button_to_a_further_attempt) {
+  forbid_opengl();
+  const ReportPage page(sample(), ports, ReportPage::TryAgain::offered, QStringLiteral("Back"));
+  const QPushButton* again = nullptr;
+  for (const QPushButton* button : page.findChildren<QPushButton*>())
+    if (button->accessibleName() == QStringLiteral("Try again")) again = button;
+  ASSERT_NE(again, nullptr);
+  EXPECT_FALSE(again->isEnabled());
+  EXPECT_TRUE(again->toolTip().contains(QStringLiteral("3D pictures are off"))) << again->toolTip().toStdString();
+  EXPECT_EQ(again->accessibleDescription(), again->toolTip());
 }
 
 }  // namespace
