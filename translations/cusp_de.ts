@@ -10988,6 +10988,14 @@ Ihr bester davor</translation>
         <source>%1 What you drilled is kept while this window stays open. Try again then writes it and measures the tooth.</source>
         <translation>%1 Was abgetragen wurde, bleibt erhalten, solange dieses Fenster offen ist. Noch einmal versuchen schreibt es dann und vermisst den Zahn.</translation>
     </message>
+    <message>
+        <source>The tooth cannot be drawn any more</source>
+        <translation>Der Zahn kann nicht mehr gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Leave, and start Cusp anew: an attempt that is kept then goes on from here.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Verlassen Sie den Versuch und starten Sie Cusp neu: Ein Versuch, der aufbewahrt wird, geht dann von hier aus weiter.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ui::StudentListModel</name>

@@ -61,6 +61,7 @@ DrillScreen::DrillScreen(Ports ports, QWidget* parent) : QWidget(parent), inner_
   in.stage->view()->set_stats(&in.stats);
   in.stage->view()->installEventFilter(this);
   connect(in.stage->view(), &ToothView::feed_shown, this, &DrillScreen::tooth_shown);
+  connect(in.stage->view(), &ToothView::drawing_failed, this, &DrillScreen::stop_undrawn);
 
   in.homing = new HomingCard(in.stage);
   in.opening_timer.setInterval(kLookMs);
@@ -296,6 +297,17 @@ void DrillScreen::tooth_shown() {
   enable_controls(true);
   in.look_timer.start();
   setFocus();
+  if (in.undrawn) stop_undrawn();
+}
+
+/// Nobody sees where the bur cuts: the attempt stands, until a start with pictures continues it.
+void DrillScreen::stop_undrawn() {
+  Inner& in = *inner_;
+  in.undrawn = in.stood = true;
+  in.stage->set_undrawn();
+  if (!running() || in.working) return;
+  if (in.input) in.input->release_all();
+  in.attempt->session->pause();
 }
 
 void DrillScreen::look() {
@@ -320,14 +332,14 @@ void DrillScreen::look() {
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped && !in.asked);
   in.bar->set_stopped(stopped);
-  in.bar->enable_pause(!in.live.silent);
+  in.bar->enable_pause(!in.live.silent && !in.undrawn);
   // Inputs could not be kept: the attempt is graded as it stands.
   if (in.live.end == LoopEnd::ring_full) finish_now();
 }
 
 void DrillScreen::toggle_pause() {
   Inner& in = *inner_;
-  if (!running() || in.working) return;
+  if (!running() || in.working || in.undrawn) return;
   if (in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held) {
     in.attempt->session->resume();
     setFocus();

@@ -72,6 +72,7 @@ class DrillScreen : public QWidget {
   void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
   void follow_pointer();
   void tooth_shown();
+  void stop_undrawn();
   void hold_for_question();
   void answered_no();
   void leave_now();

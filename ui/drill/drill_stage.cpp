@@ -259,7 +259,9 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   show_depth(live, radius);
   push_->set_value(live.output.contact && !stands_still(live) ? live.push_n : 0.0);
   Stop stop = Stop::none;
-  if (live.silent) {
+  if (undrawn_) {
+    stop = Stop::undrawn;
+  } else if (live.silent) {
     stop = Stop::silent;
   } else if (live.recording == RecordingState::failed) {
     stop = Stop::record;

@@ -61,6 +61,8 @@ class DrillStage : public QWidget {
   void follow_bur(Vec3 pivot_mm, const std::optional<Vec3>& hand_mm);
   void show_cutaway(SectionImage image);
   void show_stopped(Stop stop, const Message& record = {}, Fault fault = Fault::none);
+  /// From now on the attempt stands because nothing is drawn.
+  void set_undrawn() { undrawn_ = true; }
   /// While a question stands over the screen, the pause that it made is not shown besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
@@ -130,7 +132,7 @@ class DrillStage : public QWidget {
   std::vector<Bur> burs_;
   LiveView live_;
   CoachLine shown_, spoken_;  // on the screen; last announced to a screen reader
-  bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
+  bool by_mouse_ = false, is_tooth_ = false, asking_ = false, undrawn_ = false;
   int mesial_x_ = 1;  // of the tooth
   bool guided_ = true;  // no assessment
   bool wide_ = false;  // the specimen is more than one tooth

@@ -106,6 +106,10 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
       title = tr("This computer is too slow for the exercise");
       more = tr("The attempt ends here and is measured as it stands.");
       break;
+    case Stop::undrawn:
+      title = tr("The tooth cannot be drawn any more");
+      more = tr("The force is off and the clock stands still. Leave, and start Cusp anew: an attempt that is kept then goes on from here.");
+      break;
   }
   title_->setText(title);
   more_text_ = more;
@@ -118,7 +122,7 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
 void StopCard::show_ways() {
   const bool at_end = stop_ == Stop::record_at_end || stop_ == Stop::behind;
   leave_->setHidden(at_end);
-  go_on_->setHidden(at_end || stop_ == Stop::silent);
+  go_on_->setHidden(at_end || stop_ == Stop::silent || stop_ == Stop::undrawn);
   finish_again_->setVisible(stop_ == Stop::record_at_end);
 }
 

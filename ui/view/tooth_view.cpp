@@ -139,6 +139,7 @@ void ToothView::give_up(const QString& why) {
   show_placeholder(tr("The tooth could not be drawn: %1").arg(why));
   take_feed();
   note_shown(mesh_);
+  Q_EMIT drawing_failed();
 }
 
 void ToothView::note_shown(int mesh) {

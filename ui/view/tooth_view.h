@@ -90,6 +90,8 @@ class ToothView : public QWidget {
   void camera_changed();
   /// The tooth of the newest set_feed() stands in a frame and can be picked; once each.
   void feed_shown();
+  /// No frame can be drawn any more: forbid_opengl() was called.
+  void drawing_failed();
   /// Left button and movement, widget positions; only while left_turns is off.
   void pressed(QPointF at, Qt::KeyboardModifiers modifiers);
   void moved(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
