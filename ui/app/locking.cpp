@@ -58,25 +58,19 @@ bool audits(const QWidget& desktop) {
   return std::ranges::any_of(pages, [](const AuditPage* page) { return page->measuring(); });
 }
 
-bool is_half_filled(const QWidget* part) {
-  const auto* form = dynamic_cast<const HalfFilled*>(part);
-  return form != nullptr && form->half_filled();
+/// Whether a page or one of its parts is of a kind, and `holds` of it.
+template <class Kind>
+bool any_part(const QWidget& page, bool (Kind::*holds)() const) {
+  const auto is_one = [holds](const QWidget* part) {
+    const auto* one = dynamic_cast<const Kind*>(part);
+    return one != nullptr && (one->*holds)();
+  };
+  const auto parts = page.findChildren<QWidget*>();
+  return is_one(&page) || std::ranges::any_of(parts, is_one);
 }
 
-bool has_half_filled_form(const QWidget& whole) {
-  const auto parts = whole.findChildren<QWidget*>();
-  return is_half_filled(&whole) || std::ranges::any_of(parts, is_half_filled);
-}
-
-bool is_at_work(const QWidget* part) {
-  const auto* work = dynamic_cast<const AtWork*>(part);
-  return work != nullptr && work->working();
-}
-
-bool has_work(const QWidget& whole) {
-  const auto parts = whole.findChildren<QWidget*>();
-  return is_at_work(&whole) || std::ranges::any_of(parts, is_at_work);
-}
+bool has_half_filled_form(const QWidget& page) { return any_part(page, &HalfFilled::half_filled); }
+bool has_work(const QWidget& page) { return any_part(page, &AtWork::working); }
 
 }  // namespace
 
