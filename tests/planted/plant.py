@@ -145,7 +145,7 @@ def unplanted_passes(copy, faults):
     for preset in sorted({f.preset for f in faults}):
         tests = sorted({f.test for f in faults if f.preset == preset and f.test})
         status, output = copy.build(preset, sorted({f.target for f in faults if f.preset == preset}))
-        if status == 0:
+        if status == 0 and tests:  # the compiler alone refuses some faults
             status, output = copy.test(preset, tests)
         print(f"unplanted, {preset}: {'passes' if status == 0 else 'FAILS'} {' '.join(tests)}", flush=True)
         if status != 0:
