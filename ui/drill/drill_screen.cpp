@@ -297,13 +297,13 @@ void DrillScreen::tooth_shown() {
   enable_controls(true);
   in.look_timer.start();
   setFocus();
-  if (in.undrawn) stop_undrawn();
+  if (in.stage->undrawn()) stop_undrawn();
 }
 
 /// Nobody sees where the bur cuts: the attempt stands, until a start with pictures continues it.
 void DrillScreen::stop_undrawn() {
   Inner& in = *inner_;
-  in.undrawn = in.stood = true;
+  in.stood = true;
   in.stage->set_undrawn();
   if (!running() || in.working) return;
   if (in.input) in.input->release_all();
@@ -332,14 +332,14 @@ void DrillScreen::look() {
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped && !in.asked);
   in.bar->set_stopped(stopped);
-  in.bar->enable_pause(!in.live.silent && !in.undrawn);
+  in.bar->enable_pause(!in.live.silent && !in.stage->undrawn());
   // Inputs could not be kept: the attempt is graded as it stands.
   if (in.live.end == LoopEnd::ring_full) finish_now();
 }
 
 void DrillScreen::toggle_pause() {
   Inner& in = *inner_;
-  if (!running() || in.working || in.undrawn) return;
+  if (!running() || in.working || in.stage->undrawn()) return;
   if (in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held) {
     in.attempt->session->resume();
     setFocus();

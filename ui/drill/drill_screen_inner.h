@@ -49,8 +49,7 @@ struct DrillScreen::Inner {
   bool working = false, over = false;
   bool asked = false;   // Finish's or Leave's question is open
   bool stood = false;   // before that question, or its device was lost meanwhile: nothing but Resume starts it
-  bool unseen = false;   // the attempt runs, its tooth stands in no frame yet
-  bool undrawn = false;  // and never will again
+  bool unseen = false;  // the attempt runs, its tooth stands in no frame yet
 };
 
 }  // namespace cusp::ui

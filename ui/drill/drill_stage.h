@@ -63,6 +63,7 @@ class DrillStage : public QWidget {
   void show_stopped(Stop stop, const Message& record = {}, Fault fault = Fault::none);
   /// From now on the attempt stands because nothing is drawn.
   void set_undrawn() { undrawn_ = true; }
+  bool undrawn() const { return undrawn_; }
   /// While a question stands over the screen, the pause that it made is not shown besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
