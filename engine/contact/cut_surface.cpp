@@ -25,16 +25,20 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
   out.cell = static_cast<std::uint16_t>(normal.cell());
   out.edge = normal.edge();
   if (!normal.edge() && !normal.beside_edge()) return;
-  const BaseSurface::EdgeDetail& sharp = surface.edge_detail(points, i);
-  out.other_normal = sharp.vector;
+  const BaseSurface::EdgeDetails sharp = surface.edge_details(points, i);
+  out.other_normal = sharp.first->vector;
   if (normal.edge()) {
     out.other_normal /= static_cast<float>(voxel_mm);
     out.third_d_mm = static_cast<float>(kHalfEdge * voxel_mm);
     out.other_d_mm = -out.third_d_mm;
-  } else {
-    out.others = 1;
-    out.other_d_mm = static_cast<float>(sharp.other_d * voxel_mm);
+    return;
   }
+  out.others = 1;
+  out.other_d_mm = static_cast<float>(sharp.first->other_d * voxel_mm);
+  if (sharp.second == nullptr) return;
+  out.others = 2;
+  out.third_normal = sharp.second->vector;
+  out.third_d_mm = static_cast<float>(sharp.second->other_d * voxel_mm);
 }
 
 CutSurface::CutSurface(const Volume& volume)

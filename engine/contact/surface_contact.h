@@ -304,11 +304,11 @@ class SurfaceContact {
   void build_anew(PlaneSolve& s) noexcept;
   void build_further(const PlaneSearch& found, double off, int pass, PlaneSolve& s) noexcept;
   void constrain_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
+  bool deep_in_edge(Vec3 at) const noexcept;
   bool make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept;
   void go_to(const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
   bool settled(const Tool& tool, const PlaneSearch& found, const Polished& polished, double whole, PlaneSolve& s) const noexcept;
-  Contact solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step,
-                          double most_mm) noexcept;
+  Contact solve_by_planes(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, Vec3 predicted, double step, double most_mm) noexcept;
   bool shank_free(const Volume& volume, const Tool& tool, Vec3 pose, double within_mm) noexcept;
   bool solve_in_sweep(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm, Contact& out) noexcept;
   Contact solve_in_cavity(const Volume& volume, const Tool& tool, Vec3 from, Vec3 device, double moved_mm) noexcept;

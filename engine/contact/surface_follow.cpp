@@ -113,11 +113,24 @@ void SurfaceContact::build_further(const PlaneSearch& found, double off, int pas
   }
 }
 
+/// True if an edge stands deeper in the bur than constraints are good for.
+bool SurfaceContact::deep_in_edge(Vec3 at) const noexcept {
+  for (std::size_t i = 0; i < planes_.size(); ++i)
+    if (candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind == Kind::edge && planes_.slack(i, at) < -kPredictedMm) return true;
+  return false;
+}
+
 /// One pass. True if the search goes on.
 bool SurfaceContact::make_pass(const Volume& volume, const Tool& tool, PlaneSolve& s, int pass) noexcept {
   candidates_left_ -= kCandidatesOfPass;
   ++passes_;
   constrain_pass(volume, tool, s, pass);
+  if (s.uses_prediction && !tool.ball() && deep_in_edge(s.at)) {
+    // There a head is nearer to another of its sides than the one that it came with.
+    s.uses_prediction = false;
+    build_anew(s);
+    return true;
+  }
   bool infeasible = false;
   const PlaneSearch found = search_planes(s.y, s.device, infeasible);
   if (infeasible && s.uses_prediction) {

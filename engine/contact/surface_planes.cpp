@@ -14,25 +14,38 @@ constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that 
 constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
 constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 
-/// Of a head at y to an edge's piece about `middle`, and its gradient.
+/// Of a head at y to an edge's piece about `middle`: a plane's way to it, along -gradient. Where the edge cuts into a rim, the
+/// distance has a kink, and the gradient is the share of both sides that does not run along the edge.
 double distance_to_edge(const Bur& bur, Vec3 axis, Vec3 y, Vec3 middle, Vec3 tangent, const CutFeature& f, Vec3& gradient) noexcept {
   const Vec3 bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
-  double distance = 0.0;
-  const auto slope = [&](double t) {
+  struct Place {
+    double t, distance, slope;
+    Vec3 gradient;
+  };
+  const auto look = [&](double t) {
+    Place out{t, 0.0, 0.0, Vec3(0.0)};
     const Vec3 turn = twist + t * fourth;
     const Vec3 point = middle + t * (tangent + t * (bend + t * turn)) - y;
-    distance = head_distance(bur, axis, point, gradient);
-    return glm::dot(gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
+    out.distance = head_distance(bur, axis, point, out.gradient);
+    out.slope = glm::dot(out.gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
+    return out;
   };
   // It is all but convex along a piece: nearest where its slope changes sign.
-  double low = f.other_d_mm, high = f.third_d_mm;
-  if (slope(high) > 0.0 && slope(low) < 0.0) {
-    for (int pass = 0; pass < kEdgePasses; ++pass) {
-      const double between = 0.5 * (low + high);
-      (slope(between) > 0.0 ? high : low) = between;
-    }
+  Place high = look(f.third_d_mm), low = high;
+  if (high.slope > 0.0) low = look(f.other_d_mm);
+  if (!(low.slope < 0.0 && high.slope > 0.0)) {
+    gradient = low.gradient;
+    return low.distance;
   }
-  return distance;
+  for (int pass = 0; pass < kEdgePasses; ++pass) {
+    const Place between = look(0.5 * (low.t + high.t));
+    (between.slope > 0.0 ? high : low) = between;
+  }
+  const double share = high.slope / (high.slope - low.slope);
+  gradient = low.gradient * share + high.gradient * (1.0 - share);
+  const double length = length_of(gradient);
+  gradient /= length;
+  return (low.distance < high.distance ? low.distance : high.distance) / length;
 }
 
 }  // namespace
@@ -208,11 +221,13 @@ SurfaceContact::HeadPlane SurfaceContact::plane_of_head(const Tool& tool, const 
     const Vec3 d = foot.at - point;
     const double over = glm::dot(c.normal, d), side2 = glm::dot(d, d) - over * over;
     if (facing > kFacing && height > -tool.bur->radius_mm && side2 <= beside2) {
+      // Of a place of the head inside both surfaces, the nearer one holds it.
       const auto past = [&](Vec3 other, double other_d) {
-        return other_d + glm::dot(other, d) - over * glm::dot(other, c.normal);
+        const double there = other_d + glm::dot(other, d);
+        return there > over * glm::dot(other, c.normal) || (over < 0.0 && there > over);
       };
-      const bool beyond = (c.others > 0 && past(Vec3(c.feature->other_normal), c.feature->other_d_mm) > 0.0) ||
-                          (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm) > 0.0);
+      const bool beyond = (c.others > 0 && past(Vec3(c.feature->other_normal), c.feature->other_d_mm)) ||
+                          (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm));
       if (!beyond) {
         if (height > slack_mm) return out;
         out.near = true;

@@ -1,5 +1,5 @@
 /// Surface points of a banded specimen, found once at load and shared. Each crossed cell has a point, or an edge if the
-/// cell is creased outwards. By brick, in arrays for eight lanes. Immutable; any thread.
+/// cell is creased outwards; edges end at the outer corners where three meet. By brick, in arrays for eight lanes. Immutable; any thread.
 #pragma once
 
 #include <cmath>
@@ -40,7 +40,7 @@ struct BasePoints {
   const BaseNormal* normal = nullptr;
   const Tissue* tissue = nullptr;
   int count = 0;
-  std::uint32_t first = 0;  // of the whole surface's, for edge_detail()
+  std::uint32_t first = 0;  // of the whole surface's, for edge_details()
 };
 
 class BaseSurface {
@@ -58,8 +58,13 @@ class BaseSurface {
     float other_d = 0.0f;     // beside: of the point to the other face, negative inside; voxels
     Vec3f vector{0.0f};       // edge: bend in x(t) = place + tangent t + bend t^2, voxels; beside: the other face's normal
   };
+  /// second: at an outer corner a point lies beside two faces; else nullptr.
+  struct EdgeDetails {
+    const EdgeDetail* first;
+    const EdgeDetail* second;
+  };
   /// Pre: edge() or beside_edge() of point i.
-  const EdgeDetail& edge_detail(const BasePoints& points, int i) const noexcept;
+  EdgeDetails edge_details(const BasePoints& points, int i) const noexcept;
   std::size_t size() const noexcept { return tissue_.size(); }
   std::size_t bytes() const noexcept {
     return x_.size() * (3 * sizeof(float) + sizeof(BaseNormal)) + tissue_.size() +

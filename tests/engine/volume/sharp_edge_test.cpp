@@ -53,7 +53,7 @@ Surface surface_of(const std::function<double(Vec3)>& distance) {
       if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > 2.0) continue;
       if (points.normal[i].edge()) {
         out.edges.push_back(
-            {p, Vec3(points.normal[i].unit()), Vec3(specimen->surface().edge_detail(points, i).vector)});
+            {p, Vec3(points.normal[i].unit()), Vec3(specimen->surface().edge_details(points, i).first->vector)});
       } else {
         out.worst_point = std::max(out.worst_point, std::fabs(distance(p)) / kVoxel);
         ++out.points;
@@ -118,6 +118,60 @@ TEST(SharpEdge, a_curved_rim_bends_as_it_does) {
     if (std::fabs(towards - 0.5 * kVoxel / rim) < 0.3 * 0.5 * kVoxel / rim) ++bent;
   }
   EXPECT_GT(bent, static_cast<int>(0.8 * static_cast<double>(found.edges.size())));
+}
+
+/// Distance to the tissue below three planes at right angles.
+double corner(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 over(glm::dot(p, a), glm::dot(p, b), glm::dot(p, c));
+  const double most = std::max({over.x, over.y, over.z});
+  return most < 0.0 ? most : glm::length(glm::max(over, Vec3(0.0)));
+}
+
+TEST(SharpEdge, three_end_where_they_meet) {
+  const Vec3 c = glm::cross(kA, kB), face[3] = {kA, kB, c};
+  for (const Vec3 tip : {Vec3(0.0), Vec3(0.013, 0.04, 0.071), Vec3(0.052, -0.027, 0.009)}) {
+    const Surface found = surface_of([&](Vec3 p) { return corner(p - tip, kA, kB, c); });
+    for (const Vec3& along : face) {
+      std::vector<double> at;  // of the pieces, from the corner inwards, voxels
+      for (const Found& e : found.edges) {
+        if (std::fabs(glm::dot(e.tangent, along)) < 0.999) continue;
+        const Vec3 v = (e.at - tip) / kVoxel;
+        EXPECT_LT(glm::length(v - along * glm::dot(v, along)), 0.02);
+        at.push_back(-glm::dot(v, along));
+      }
+      std::sort(at.begin(), at.end());
+      ASSERT_GT(at.size(), 10u);
+      EXPECT_NEAR(at.front(), 0.7, 0.01);  // a piece holds 0.7 voxel either way
+      for (std::size_t i = 1; i < at.size(); ++i) EXPECT_LT(at[i] - at[i - 1], 1.4);
+    }
+    EXPECT_LT(found.worst_point, 0.05);  // measured 0.02
+  }
+}
+
+TEST(SharpEdge, beside_three_a_face_ends_at_two) {
+  const Vec3 c = glm::cross(kA, kB), face[3] = {kA, kB, c};
+  const auto specimen = specimen_of([&](Vec3 p) { return corner(p, kA, kB, c); });
+  const BaseSurface& surface = specimen->surface();
+  const IVec3 bricks = specimen->brick_count();
+  int near = 0;
+  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
+    const BasePoints points = surface.in(b);
+    for (int i = 0; i < points.count; ++i) {
+      const Vec3 p = (specimen->grid().origin_mm + kVoxel * (Vec3(specimen->brick_at(b) * kBrickEdge) +
+                                                             Vec3(points.x[i], points.y[i], points.z[i]))) / kVoxel;
+      if (points.normal[i].edge() || glm::length(p) > 1.5) continue;
+      ++near;
+      ASSERT_TRUE(points.normal[i].beside_edge());
+      const BaseSurface::EdgeDetails beside = surface.edge_details(points, i);
+      ASSERT_NE(beside.second, nullptr);
+      for (const BaseSurface::EdgeDetail* other : {beside.first, beside.second}) {
+        EXPECT_NEAR(other->other_d, glm::dot(p, Vec3(other->vector)), 0.01);
+        EXPECT_TRUE(std::any_of(face, face + 3, [&](Vec3 n) { return glm::dot(n, Vec3(other->vector)) > 0.9999; }));
+        EXPECT_LT(glm::dot(Vec3(other->vector), Vec3(points.normal[i].unit())), 0.01);
+      }
+    }
+  }
+  EXPECT_GE(near, 6);
 }
 
 TEST(SharpEdge, a_smooth_surface_and_an_inner_edge_have_none) {
