@@ -1,11 +1,12 @@
 #include "storage/backup/backup.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
+#include "storage/backup/half_restored.h"
 #include "storage/base/files.h"
 #include "storage/base/left_folders.h"
+#include "storage/base/process.h"
 #include "storage/records/rollback_counter.h"
 #include "storage/records/sealing.h"
 #include "storage/records/audit_writer.h"
@@ -21,8 +22,6 @@ using nlohmann::json;
 constexpr const char* kBackupDatabase = "station.db";
 constexpr const char* kBackupKey = "station.db.key";
 constexpr int kBackupFormat = 1;
-/// A restore's folder beside the new database: a UUID follows.
-constexpr std::string_view kRestoring = ".cusp-restore-";
 
 StorageFailure backup_failure(const std::error_code& error, const fs::path& where) {
   return {error_from_errno(error.value()), where.string(), error.message()};
@@ -129,38 +128,6 @@ Stored<void> copy_back(const Backup& backup, const fs::path& file) {
   const auto sessions = check_copy(file, {.access = DatabaseOptions::Access::existing});
   if (!sessions) return std::unexpected(sessions.error());
   if (*sessions != backup.sessions) return fail(StorageError::corrupt, backup.folder.string(), "sessions");
-  return {};
-}
-
-/// What a restore makes, by what follows the database's name.
-constexpr std::array<const char*, 3> kRestored = {"", ".key", ".key-counter"};
-/// What a database may have beside its own name. SQLite would lay a log or journal that is left over onto another database.
-constexpr std::array<const char*, 6> kBeside = {"", "-wal", "-shm", "-journal", ".key", ".key-counter"};
-
-/// duplicate if any of it exists.
-Stored<void> nothing_beside(const fs::path& file) {
-  std::error_code ignored;
-  for (const char* ending : kBeside) {
-    if (fs::exists(file.string() + ending, ignored)) return fail(StorageError::duplicate, file.string() + ending);
-  }
-  return {};
-}
-
-/// The database gets its name last: whoever opens it finds key and counter.
-Stored<void> name_restored(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  // SQLite keeps its log if closing could not write all of it into the database.
-  if (fs::exists(from.string() + "-wal", error)) return fail(StorageError::io, to.string());
-  std::vector<fs::path> named;
-  for (std::size_t i = kRestored.size(); i-- > 0;) {
-    const fs::path made = from.string() + kRestored[i], name = to.string() + kRestored[i];
-    if (!fs::exists(made, error)) continue;
-    if (auto done = rename_new(made, name); !done) {
-      for (const fs::path& own : named) fs::remove(own, error);
-      return done;
-    }
-    named.push_back(name);
-  }
   return {};
 }
 
@@ -271,7 +238,8 @@ Stored<void> restore_beside(const Backup& backup, const fs::path& file, const Fi
   auto done = copy_back(backup, fresh);
   if (done && finish) done = finish(fresh);
   if (done) done = take_name(fresh);
-  remove_new(folder);
+  // Without a database at the name, the next start needs the note.
+  if (!is_half_done(folder, file)) remove_new(folder);
   // People know the name that they gave, not the folder.
   if (!done && done.error().where.starts_with(folder.string())) done.error().where = file.string();
   return done;
@@ -286,46 +254,40 @@ Stored<void> restore_backup(const Backup& backup, const fs::path& file, const Fi
 
 namespace {
 
-Stored<void> move_all(const fs::path& from, const fs::path& to) {
-  for (std::size_t i = 0; i < kBeside.size(); ++i) {
-    std::error_code error;
-    if (!fs::exists(from.string() + kBeside[i], error)) continue;
-    fs::rename(from.string() + kBeside[i], to.string() + kBeside[i], error);
-    if (!error) continue;
-    const StorageFailure failure = backup_failure(error, from.string() + kBeside[i]);
-    for (std::size_t moved = 0; moved < i; ++moved) fs::rename(to.string() + kBeside[moved], from.string() + kBeside[moved], error);
-    return std::unexpected(failure);
-  }
-  return {};
+/// `before_move` is called with the new folder while no connection can begin to use the file.
+Stored<fs::path> move_aside(const fs::path& file, std::int64_t utc_us, const std::function<Stored<void>(const fs::path&)>& before_move) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return fail(StorageError::not_found, file.string());
+  const auto alone = hold_alone(file);
+  if (!alone) return std::unexpected(alone.error());
+  const auto folder = new_folder(fs::absolute(file, error).parent_path(), file.filename().string() + std::string(kAside), utc_us);
+  if (!folder) return folder;
+  auto moved = before_move(*folder);
+  if (moved) moved = move_away(file, *folder / file.filename());
+  if (moved) return folder;
+  fs::remove(*folder, error);  // only if it is empty
+  return std::unexpected(moved.error());
 }
 
 }  // namespace
 
 Stored<fs::path> put_aside(const fs::path& file, std::int64_t utc_us) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return fail(StorageError::not_found, file.string());
-  const auto alone = hold_alone(file);
-  if (!alone) return std::unexpected(alone.error());
-  const auto folder = new_folder(fs::absolute(file, error).parent_path(), file.filename().string() + "-damaged", utc_us);
-  if (!folder) return folder;
-  if (auto moved = move_all(file, *folder / file.filename()); !moved) {
-    remove_new(*folder);
-    return std::unexpected(moved.error());
-  }
-  return folder;
+  return move_aside(file, utc_us, [](const fs::path&) { return Stored<void>{}; });
 }
 
 Stored<void> take_back(const fs::path& folder, const fs::path& file) {
   if (auto free = nothing_beside(file); !free) return free;
-  if (auto moved = move_all(folder / file.filename(), file); !moved) return moved;
-  remove_new(folder);
+  if (auto moved = move_home(folder / file.filename(), file); !moved) return moved;
+  std::error_code ignored;
+  fs::remove(folder, ignored);
   return {};
 }
 
 Stored<fs::path> restore_in_place(const Backup& backup, const fs::path& file, std::int64_t utc_us, const FinishRestored& finish) {
   fs::path aside;
   const auto take_place = [&](const fs::path& fresh) -> Stored<void> {
-    auto moved = put_aside(file, utc_us);
+    const ProcessMark mark(lock_of_half_done(fresh));
+    auto moved = move_aside(file, utc_us, [&](const fs::path& folder) { return note_half_done(fresh, file, folder, mark.text()); });
     if (!moved) return std::unexpected(moved.error());
     aside = *moved;
     auto named = name_restored(fresh, file);

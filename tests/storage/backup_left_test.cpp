@@ -4,8 +4,11 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "storage/backup/backup.h"
+#include "tests/storage/killed.h"
+#include "tests/storage/refused_calls.h"
 #include "tests/storage/sample.h"
 
 namespace cusp::test {
@@ -91,6 +94,84 @@ TEST_F(BackupLeftTest, takes_no_place_of_records_that_a_connection_still_uses) {
   EXPECT_EQ(must(store->history.details(lena.actor(), session)).row.score, 81.5) << "what was written meanwhile";
   store.reset();
   EXPECT_TRUE(fs::exists(must(restore_in_place(backup, file, *now, {})) / "a.db"));
+}
+
+/// A restore in place that is killed once nothing stands at the database's name any more: its first file takes its name by a hard link.
+struct RestoreKilled : BackupLeftTest {
+  const Account lena = make_student(*store);
+  const SessionId session = complete_session(*store, lena, keep(*store));
+  const Backup backup = make();
+  const fs::path file = folder / "a.db";
+  std::uintmax_t half = 0;
+
+  /// Empty if there is none.
+  fs::path folder_named(const std::string& prefix) {
+    for (const auto& entry : fs::directory_iterator(file.parent_path()))
+      if (entry.path().filename().string().starts_with(prefix)) return entry.path();
+    return {};
+  }
+  /// False where the kernel admits no filter.
+  bool is_killed() {
+    store.reset();
+    half = fs::file_size(file) / 2;
+    fs::resize_file(file, half);
+    std::vector<RefusedCall> links = {{SYS_linkat, kKills}};
+#ifdef SYS_link
+    links.push_back({SYS_link, kKills});
+#endif
+    const Killed killed = kill_after(2, 0, [&](const std::function<bool()>& step) {
+      static_cast<void>(restore_in_place(backup, file, *now, [&](const fs::path&) -> Stored<void> {
+        refuse_calls(links);
+        return {};
+      }));
+      static_cast<void>(step());
+    });
+    return killed.by_signal && killed.steps == 0;
+  }
+  void expect_restored() {
+    store = open(file, quick(now));
+    EXPECT_EQ(must(store->history.details(lena.actor(), session)).row.score, 81.5);
+    EXPECT_FALSE(store->context().incident);
+    EXPECT_TRUE(must(verify_store(store->context())).intact());
+    EXPECT_EQ(fs::file_size(folder_named("a.db-damaged-") / "a.db"), half) << "nothing is lost";
+    EXPECT_TRUE(fs::exists(folder_named("a.db-damaged-") / "a.db.key"));
+    EXPECT_EQ(folder_named(".cusp-restore-"), fs::path());
+  }
+};
+
+TEST_F(RestoreKilled, between_the_old_database_and_the_new_is_finished_by_the_next_start) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  ASSERT_FALSE(fs::exists(file));
+  ASSERT_TRUE(fs::exists(folder_named(".cusp-restore-") / "a.db"));
+  expect_restored();
+}
+
+TEST_F(RestoreKilled, while_it_moved_the_old_key_is_finished_by_the_next_start) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  fs::rename(folder_named("a.db-damaged-") / "a.db.key", file.string() + ".key");
+  expect_restored();
+}
+
+TEST_F(RestoreKilled, while_the_new_key_took_its_name_is_finished_by_the_next_start) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  const std::string copy = (folder_named(".cusp-restore-") / "a.db").string();
+  fs::rename(copy + ".key-counter", file.string() + ".key-counter");
+  fs::create_hard_link(copy + ".key", file.string() + ".key");
+  expect_restored();
+}
+
+TEST_F(RestoreKilled, whose_copy_is_gone_gives_the_old_database_its_name_back) {
+  if (!is_killed()) GTEST_SKIP() << "the kernel admits no filter of system calls";
+  fs::remove(folder_named(".cusp-restore-") / "a.db");
+  EXPECT_FALSE(Store::open(file, quick(now)));
+  EXPECT_EQ(fs::file_size(file), half);
+  EXPECT_TRUE(fs::exists(file.string() + ".key"));
+}
+
+TEST_F(BackupLeftTest, a_first_start_beside_records_that_a_person_put_aside_is_a_first_start) {
+  store.reset();
+  must(put_aside(folder / "a.db", *now));
+  EXPECT_FALSE(must(open(folder / "a.db", quick(now))->accounts.has_administrator()));
 }
 
 }  // namespace

@@ -12,7 +12,10 @@
 
 namespace cusp::test {
 
-/// A system call, and the errno that it fails with.
+/// No errno: the call kills the process.
+inline constexpr std::uint32_t kKills = 0xFFFFFFFF;
+
+/// A system call, and the errno that it fails with, or kKills.
 struct RefusedCall {
   long number;
   std::uint32_t error;
@@ -24,7 +27,7 @@ inline bool refuse_calls(const std::vector<RefusedCall>& calls) {
   program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)));
   for (const RefusedCall& call : calls) {
     program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call.number), 0, 1));
-    program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | call.error));
+    program.push_back(BPF_STMT(BPF_RET | BPF_K, call.error == kKills ? SECCOMP_RET_KILL_PROCESS : SECCOMP_RET_ERRNO | call.error));
   }
   program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
   sock_fprog filter{};
