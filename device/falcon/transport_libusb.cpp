@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <optional>
 #include <system_error>
 #include <thread>
 
@@ -147,7 +148,32 @@ class UsbLink final : public FalconLink {
 
   bool is_read(const Slot& slot) const noexcept { return &slot >= reads_.data() && &slot < reads_.data() + kReads; }
 
-  /// The device that was asked for, opened: or why not.
+  /// What distinguishes the device that was opened first from every other one.
+  struct Known {
+    std::string port, serial;
+    bool by_port = false;  // it has no serial number, or another device has the same one
+  };
+
+  bool is_wanted(const std::string& port, const std::string& serial) const noexcept {
+    if (!known_) return wanted_.empty() || wanted_ == port || wanted_ == serial;
+    if (!known_->by_port) return serial == known_->serial;
+    // A device that does not answer in time shows no serial number.
+    return port == known_->port && (known_->serial.empty() || serial.empty() || serial == known_->serial);
+  }
+
+  static bool others_have(const std::string& serial, libusb_device* own, const DeviceList& devices) {
+    for (libusb_device* device : devices.all()) {
+      libusb_device_descriptor descriptor{};
+      libusb_device_handle* handle = nullptr;
+      if (device == own || !is_falcon(device, descriptor) || libusb_open(device, &handle) != 0) continue;
+      const bool same = serial_of(handle, descriptor) == serial;
+      libusb_close(handle);
+      if (same) return true;
+    }
+    return false;
+  }
+
+  /// The device that was asked for, opened: or why not. After the first one it opens no other.
   LinkEvent::Kind find() noexcept {
     const DeviceList devices(context_.get());
     LinkEvent::Kind outcome = LinkEvent::Kind::absent;
@@ -163,7 +189,7 @@ class UsbLink final : public FalconLink {
         continue;
       }
       const std::string serial = serial_of(handle, descriptor);
-      if (!wanted_.empty() && wanted_ != port && wanted_ != serial) {
+      if (!is_wanted(port, serial)) {
         libusb_close(handle);
         continue;
       }
@@ -172,11 +198,12 @@ class UsbLink final : public FalconLink {
       if (claimed != 0) {
         libusb_close(handle);
         outcome = claimed == LIBUSB_ERROR_NO_DEVICE ? LinkEvent::Kind::absent : LinkEvent::Kind::busy;
-        if (!wanted_.empty()) return outcome;
+        if (!wanted_.empty() || known_) return outcome;
         continue;  // another program holds the first: the next may be free
       }
       handle_ = handle;
       name_ = serial.empty() ? port : serial;
+      if (!known_) known_ = Known{port, serial, serial.empty() || others_have(serial, device, devices)};
       return LinkEvent::Kind::opened;
     }
     return outcome;
@@ -307,9 +334,10 @@ class UsbLink final : public FalconLink {
 
   Context context_;
   std::string wanted_, name_;
+  std::optional<Known> known_;
   libusb_device_handle* handle_ = nullptr;
   bool lost_ = false, closing_ = false;
-  std::thread opener_;  // while it can be joined, handle_ and name_ are its own
+  std::thread opener_;  // while it can be joined, handle_, name_ and known_ are its own
   std::atomic<LinkEvent::Kind> found_{LinkEvent::Kind::time};
   Slot control_;
   std::array<Slot, kReads> reads_{};

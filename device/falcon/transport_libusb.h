@@ -12,7 +12,8 @@
 namespace cusp::device::falcon {
 
 /// A link to the Falcon of that name (FalconOnBus::name or ::port), or to the first one if `name` is empty. Each open
-/// searches again, so that a replugged Falcon is found. Fails with io if libusb does not start.
+/// searches again, so that a replugged Falcon is found: by its serial number, else at its USB port. No other takes its
+/// place. Fails with io if libusb does not start.
 Result<std::unique_ptr<FalconLink>, PortFailure> make_usb_link(std::string name);
 
 }  // namespace cusp::device::falcon

@@ -84,7 +84,7 @@ bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
     }
     case Stop::device_gone:
       title = tr("The device does not answer");
-      more = tr("The force is off and the clock stands still. Plug it in again, then resume.");
+      more = tr("The force is off and the clock stands still. Plug it in again where it was, then resume.");
       break;
     case Stop::device_back:
       title = tr("The device answers again");

@@ -198,6 +198,42 @@ TEST(FalconUsb, two_with_the_same_number_go_by_their_sockets) {
   EXPECT_EQ(there[1].name, "1-2");
 }
 
+/// Opens the first Falcon, unplugs it while another is there, and plugs it in at `again`.
+void expect_no_other_is_taken(const std::string& serial, const std::string& of_other, const std::string& again) {
+  MockFalcon other(bus(), 2, "1-1", of_other, quick_running());
+  const auto first = std::make_unique<MockFalcon>(bus(), 3, "1-2", serial, quick_running());  // libusb lists the last socket first
+  other.plug();
+  first->plug();
+  auto link = falcon::make_usb_link("");
+  ASSERT_TRUE(link);
+  const auto open = [&] {
+    (*link)->start({.kind = falcon::LinkAsk::Kind::open});
+    return (*link)->wait((*link)->now() + 10s).kind;
+  };
+  ASSERT_EQ(open(), falcon::LinkEvent::Kind::opened);
+  ASSERT_EQ((*link)->name(), serial.empty() ? "1-2" : serial);
+  (*link)->start({.kind = falcon::LinkAsk::Kind::close});
+  first->unplug();
+  falcon::LinkEvent::Kind without = open();
+  for (int i = 0; i < 1000 && without == falcon::LinkEvent::Kind::opened; ++i, without = open()) {
+    (*link)->start({.kind = falcon::LinkAsk::Kind::close});
+    g_usleep(1000);  // libusb hears of it later
+  }
+  EXPECT_EQ(without, falcon::LinkEvent::Kind::absent) << "the other is there: " << (*link)->name();
+  MockFalcon replugged(bus(), 4, again, serial, quick_running());
+  replugged.plug();
+  falcon::LinkEvent::Kind last = open();
+  for (int i = 0; i < 5000 && last != falcon::LinkEvent::Kind::opened; ++i, last = open()) g_usleep(1000);  // libusb hears of it later
+  EXPECT_EQ(last, falcon::LinkEvent::Kind::opened) << again;
+  (*link)->start({.kind = falcon::LinkAsk::Kind::close});
+}
+
+TEST(FalconUsb, unplugged_beside_another_it_alone_is_found_again) {
+  expect_no_other_is_taken("FT000001", "FT000002", "1-3");  // its serial number shows it anywhere
+  expect_no_other_is_taken("", "", "1-2");
+  expect_no_other_is_taken("00000000", "00000000", "1-2");
+}
+
 TEST(FalconUsb, coming_and_going_is_noticed) {
   auto watch = falcon::watch_usb_falcons();
   ASSERT_TRUE(watch);
