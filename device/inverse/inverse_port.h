@@ -17,7 +17,7 @@ namespace cusp::device {
 
 struct InverseSettings {
   inverse::ServiceAddress service{};
-  std::string device;          // its id; empty: the first that the service lists
+  std::string device;          // its id; empty: the first that the service lists, and from then on that one
   inverse::SessionSettings session{};
   Vec3 origin_mm{0.0};         // position of the hand in the specimen at opening
   double yaw_rad = 0.0;        // rotation of the device about its vertical axis; x right, y away, z up at 0 [M]

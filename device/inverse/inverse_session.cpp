@@ -131,7 +131,9 @@ void Session::take_text(std::string_view text, LinkTime now) {
   state_.reading.c = frame->c;
   ++state_.readings;
   state_.trouble = Trouble::none;
-  if (state_.phase != Phase::ready) enter(Phase::ready, now);
+  if (state_.phase == Phase::ready) return;
+  wanted_ = state_.device;
+  enter(Phase::ready, now);
 }
 
 void Session::command(Vec3 force_n, LinkTime now, LinkTime ramp_from) noexcept {

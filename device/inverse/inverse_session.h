@@ -57,6 +57,7 @@ struct SessionState {
 
 class Session {
  public:
+  /// Without a name it takes the first device that is listed, and after a loss that one alone.
   explicit Session(const SessionSettings& settings = {}, std::string device = {});
 
   /// Takes one event; `time` if nothing happened.
@@ -84,7 +85,7 @@ class Session {
   Vec3 ramped(LinkTime now) const noexcept;
 
   SessionSettings settings_;
-  std::string wanted_;
+  std::string wanted_;  // id; empty until the first device was ready
   SessionState state_;
   LinkRequest request_ = LinkRequest::open;
   bool others_ = false;  // the service has devices, but not the wanted one

@@ -267,6 +267,24 @@ TEST(InverseSession, the_other_side_going_away_is_loss_in_every_phase) {
   }
 }
 
+TEST(InverseSession, after_a_loss_another_device_does_not_take_the_place_of_the_first) {
+  Rig rig;
+  rig.make_ready();
+  rig.event(LinkEvent::Kind::closed);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::close);
+  rig.pass(500ms);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::open);
+  rig.event(LinkEvent::Kind::opened);
+  rig.event(LinkEvent::Kind::message, place(0.01, "ABCD"));
+  EXPECT_EQ(rig.phase(), Phase::greeting);
+  EXPECT_EQ(rig.session.state().trouble, Trouble::no_device);
+  rig.session.command({1, 0, 0}, rig.now);
+  EXPECT_FALSE(rig.sent());
+  rig.event(LinkEvent::Kind::message, place(0.01));
+  EXPECT_EQ(rig.phase(), Phase::ready);
+  EXPECT_EQ(rig.session.state().device, "049D");
+}
+
 TEST(InverseSession, its_closing_message_commands_zero_force) {
   Rig rig;
   EXPECT_FALSE(rig.session.closing_message());
