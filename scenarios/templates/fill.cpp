@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/format/validate.h"
 #include "scenarios/shapes/outline_size.h"
 #include "scenarios/specimens/specimens.h"
 #include "scenarios/templates/outline_paths.h"
@@ -280,7 +281,8 @@ Result<Json, FitFailure> fill_template(const Json& body, const Json& common, con
   out["expected_time_s"] = filler.filled(body.at("expected_time_s"), "/expected_time_s");
   std::vector<Tissue> tissues;
   if (request.imported) {
-    out["specimen"] = {{"volume", request.imported->volume}, {"voxel_mm", request.imported->voxel_mm}};
+    const double voxel_mm = request.imported->voxel_mm;
+    out["specimen"] = {{"volume", request.imported->volume}, {"voxel_mm", stated_voxel_mm(voxel_mm).value_or(voxel_mm)}};
     tissues = request.imported->tissues;
   } else {
     const SpecimenSource source = grown_source(body, common, request, filler, out["specimen"]);

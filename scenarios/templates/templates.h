@@ -67,7 +67,7 @@ inline constexpr std::string_view key_of(FitError error) noexcept {
 /// A tooth from a file: what of its specimen an exercise states.
 struct ImportedTooth {
   std::string volume;  // plain file name
-  double voxel_mm = 0.1;
+  double voxel_mm = 0.1;  // of the file; the exercise states stated_voxel_mm() of it
   std::vector<Tissue> tissues;  // that it holds
   SpecimenLandmarks landmarks;
 };

@@ -135,6 +135,16 @@ TEST_F(Imported, ATemplateFitsItWhereItsLandmarksSuffice) {
   EXPECT_EQ(file->target.outline.depth_mm, own->target.outline.depth_mm);
 }
 
+TEST_F(Imported, ATemplateStatesTheLeastVoxelSizeForAFilesThirtyTwoBitNumber) {
+  ImportedTooth tooth = imported(proposed());
+  tooth.voxel_mm = static_cast<double>(0.04f);  // 0.0399999991
+  const auto fitted = fit_template({.key = "class-1-adhesive", .fdi = 46, .imported = tooth});
+  ASSERT_TRUE(fitted) << fitted.error().where;
+  EXPECT_EQ(fitted->specimen.voxel_mm, 0.04);
+  tooth.voxel_mm = 0.0399;
+  EXPECT_FALSE(fit_template({.key = "class-1-adhesive", .fdi = 46, .imported = tooth})) << "no exercise holds such voxels";
+}
+
 TEST_F(Imported, ATemplateNamesWhatIsMissing) {
   const auto failure = [](const char* key, const ImportedTooth& tooth) {
     const auto fitted = fit_template({.key = key, .fdi = 46, .imported = tooth});
