@@ -1,6 +1,7 @@
 // cusp import FILE... -o VOLUME
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -10,6 +11,7 @@
 #include "scenarios/import/binvox.h"
 #include "scenarios/import/header_text.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/nrrd_image.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "ui/cli/outputs.h"
@@ -33,19 +35,15 @@ struct ImportOptions {
   std::optional<double> voxel_mm, mend_mm;
   bool list = false, largest = false;
   JsonOption json;
+  std::vector<std::string> typed;  // options, by their names
 };
 
 constexpr double kMeshVoxelMm = 0.1;  // a mesh has no voxel size: a tenth, as the teeth that come with the program
 
-/// One line on stderr that does not end the verb.
-void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
-
 /// Ctrl+C stops the child, and with it the import, within a moment.
 class StopOnInterrupt {
  public:
-  StopOnInterrupt() {
-    catch_interrupt();
-  }
+  StopOnInterrupt() { catch_interrupt(); }
   std::stop_token token() { return source_.get_token(); }
 
  private:
@@ -133,12 +131,8 @@ void print_mesh(const MeshInfo& m, double unit_mm) {
 
 void print_image(const ImageInfo& i) {
   print_line(plain(CliText::tr("%1 × %2 × %3 voxels of %4 × %5 × %6 mm")
-                .arg(i.size.x)
-                .arg(i.size.y)
-                .arg(i.size.z)
-                .arg(i.spacing_mm.x, 0, 'g', 4)
-                .arg(i.spacing_mm.y, 0, 'g', 4)
-                .arg(i.spacing_mm.z, 0, 'g', 4)));
+                .arg(i.size.x).arg(i.size.y).arg(i.size.z)
+                .arg(i.spacing_mm.x, 0, 'g', 4).arg(i.spacing_mm.y, 0, 'g', 4).arg(i.spacing_mm.z, 0, 'g', 4)));
   if (!i.spacing_known) print_line(plain(CliText::tr("The file does not give the size of a voxel; --unit-mm does.")));
   if (i.kind == ImageKind::grey) print_line(plain(CliText::tr("Grey values from %1 to %2").arg(i.low).arg(i.high)));
   for (const auto& [value, voxels] : i.values) {
@@ -164,12 +158,10 @@ int list_verb(const ImportOptions& o) {
   return o.json.write(json) ? kDone : kFailed;
 }
 
-std::optional<Tissue> tissue_named(const std::string& key) { return tissue_from_key(key); }
-
 /// NAME=TISSUE, split at the last "=".
 std::optional<std::pair<std::string, Tissue>> pair_of(const std::string& text) {
   const auto split = text.rfind('=');
-  const auto tissue = split == std::string::npos ? std::nullopt : tissue_named(text.substr(split + 1));
+  const auto tissue = split == std::string::npos ? std::nullopt : tissue_from_key(text.substr(split + 1));
   if (!tissue) return std::nullopt;
   return std::pair(text.substr(0, split), *tissue);
 }
@@ -194,14 +186,14 @@ Result<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
   }
   for (const std::string& text : o.from) {
     const auto split = text.find('=');
-    const auto tissue = tissue_named(text.substr(0, split));
+    const auto tissue = tissue_from_key(text.substr(0, split));
     const auto value = split == std::string::npos ? std::nullopt : number(text.substr(split + 1));
     if (!tissue || !value) return std::unexpected(CliText::tr("%1 is not TISSUE=VALUE, such as dentine=1200.").arg(QString::fromStdString(text)));
     t.thresholds.emplace_back(*value, *tissue);
   }
   std::ranges::sort(t.thresholds, {}, [](const auto& pair) { return pair.first; });
   if (!o.hollows.empty()) {
-    t.hollows = tissue_named(o.hollows);
+    t.hollows = tissue_from_key(o.hollows);
     if (!t.hollows || *t.hollows == Tissue::empty) return std::unexpected(not_a_pair(o.hollows));
   }
   return t;
@@ -319,11 +311,31 @@ Result<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
   return what;
 }
 
+constexpr std::array<std::string_view, 2> kOfMeshes = {"--mend-mm", "--precedence"};
+constexpr std::array<std::string_view, 3> kOfVolumes = {"--from", "--hollows", "--largest-piece"};
+constexpr std::array<std::string_view, 5> kOfBoth = {"--tissue", "--unit-mm", "--scale", "--voxel-mm", "--up"};
+
+/// Names the first option that changes nothing of what is made; nullopt: each does.
+std::optional<QString> without_effect(const ImportOptions& o) {
+  const FileKind kind = file_kind(o.files.front());
+  const bool specimen = kind == FileKind::image && nrrd_is_specimen(o.files.front());
+  for (const std::string& option : o.typed) {
+    const auto among = [&option](const auto& names) { return std::ranges::find(names, option) != names.end(); };
+    const QString name = QString::fromStdString(option);
+    if (specimen && (among(kOfBoth) || among(kOfVolumes) || among(kOfMeshes)))
+      return CliText::tr("%1 has no effect: %2 is a specimen’s volume already. Only --turn changes it.").arg(name, QString::fromStdString(o.files.front()));
+    if (kind == FileKind::image && among(kOfMeshes)) return CliText::tr("%1 has no effect on a volume, only on meshes.").arg(name);
+    if (kind == FileKind::mesh && among(kOfVolumes)) return CliText::tr("%1 has no effect on meshes, only on a volume.").arg(name);
+  }
+  return std::nullopt;
+}
+
 int import_verb(const ImportOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (const auto no = refuse_outputs({o.json.file}, {}, {o.files.begin(), o.files.end()})) return failed(*no);
   if (o.list) return list_verb(o);
   if (o.out.empty()) return wrong_usage(CliText::tr("-o VOLUME is missing: the file to write."));
+  if (const auto vain = without_effect(o)) return wrong_usage(*vain);
   const auto up = up_axis(o.up);
   if (!up) return wrong_usage(CliText::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
   const auto turns = turns_of(o);
@@ -379,7 +391,10 @@ void add_import(CLI::App& program, Job& job) {
       ->capture_default_str();
   verb->add_flag("--list", o->list, help(CliText::tr("Only list what the file holds")));
   o->json.add_to(*verb);
-  verb->callback([&job, o] { job = [o] { return import_verb(*o); }; });
+  verb->callback([&job, o, verb] {
+    for (const CLI::Option* option : verb->parse_order()) o->typed.push_back(option->get_name());
+    job = [o] { return import_verb(*o); };
+  });
 }
 
 }  // namespace cusp::ui
