@@ -14,8 +14,10 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view kExchangeLabel = "cusp exchange 1";
 constexpr int kExchangeFormat = 1;
-/// 67 bytes for each earlier file: a file a day for forty years.
-constexpr std::size_t kMostExchangeText = 1024 * 1024;
+/// 67 bytes for each earlier file: 125,000 of them, a file an hour for fourteen years.
+constexpr std::size_t kMostExchangeText = 8 * 1024 * 1024;
+/// Of containers: the description, then `log`, `earlier` and `tables`. Deeper ones would take 100 bytes for each of theirs.
+constexpr int kDeepestExchange = 2;
 constexpr std::array<std::string_view, 2> kExchangeKinds = {"results", "office"};
 
 std::string exchange_text(const ExchangeDescription& d) {
@@ -47,7 +49,7 @@ std::optional<std::vector<Hash256>> earlier_from(const json& read) {
 
 std::optional<ExchangeDescription> exchange_from(std::string_view text) {
   if (text.size() > kMostExchangeText) return std::nullopt;
-  const json read = json::parse(text, nullptr, false);
+  const json read = json::parse(text, [](int depth, json::parse_event_t, const json&) { return depth <= kDeepestExchange; }, false);
   const auto station = uuid_at(read, "station"), maker = uuid_at(read, "made_by");
   const auto made = number_at(read, "made_at");
   const auto kind = std::ranges::find(kExchangeKinds, text_at(read, "kind").value_or(""));

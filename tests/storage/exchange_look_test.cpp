@@ -98,10 +98,24 @@ TEST_F(LookTest, a_file_that_is_replaced_after_its_check_changes_nothing) {
   EXPECT_EQ(must(desk->database().first("SELECT count(*) FROM sessions", [](Row row) { return row.integer(0); })), 0);
 }
 
-TEST_F(LookTest, a_description_that_nests_half_a_million_deep_is_refused) {
+TEST_F(LookTest, a_file_after_a_hundred_thousand_others_has_its_number) {
+  const fs::path file = results();
+  auto db = must(Database::open(file));
+  ExchangeDescription description = must(read_description(db)).description;
+  ASSERT_TRUE(description.earlier.empty());
+  for (int n = 0; n < 100'000; ++n) description.earlier.push_back(blake2b_256(std::string_view(std::to_string(n))));
+  must(db.run("DROP TABLE exchange_description"));
+  must(add_description(db, sign_exchange(*station->context().key, description)));
+  const CheckedExchange read = must(read_description(db));
+  EXPECT_EQ(read.description.number(), 100'001u);
+  EXPECT_EQ(read.description.earlier, description.earlier);
+  EXPECT_EQ(read.description.log.link, description.log.link);
+}
+
+TEST_F(LookTest, a_description_that_nests_four_million_deep_is_refused) {
   for (const char* key : {"log", "tables"}) {
     const fs::path file = results();
-    const std::string deep = std::string("{\"") + key + "\":" + std::string(500'000, '[') + std::string(500'000, ']') + '}';
+    const std::string deep = std::string("{\"") + key + "\":" + std::string(4'000'000, '[') + std::string(4'000'000, ']') + '}';
     {
       auto db = must(Database::open(file));
       must(db.run("UPDATE exchange_description SET description = ?1", deep));
